@@ -1,0 +1,54 @@
+"""softrod's solver: scenes of masses, linear springs and angular springs, and their motion.
+
+Nothing here knows of the page; `import sim` is enough to use it in a script:
+
+    import sim
+
+    simulation = sim.Simulation(sim.load_scene("tutorial-3.3"))
+    simulation.keys = {"right"}
+    simulation.advance(1.0)
+    print(simulation.positions)
+"""
+
+from .errors import InputError, SceneError, SettingError
+from .files import list_scenes, load_scene, save_scene
+from .rope import rope
+from .scene import (
+    Anchor,
+    AngularSpring,
+    ArrowKeys,
+    Integrator,
+    LinearSpring,
+    Mass,
+    Pose,
+    Rope,
+    Scene,
+    View,
+)
+from .settings import set_value
+from .simulation import Divergence, Simulation
+from .validate import validate
+
+__all__ = [
+    "Anchor",
+    "AngularSpring",
+    "ArrowKeys",
+    "Divergence",
+    "InputError",
+    "Integrator",
+    "LinearSpring",
+    "Mass",
+    "Pose",
+    "Rope",
+    "Scene",
+    "SceneError",
+    "SettingError",
+    "Simulation",
+    "View",
+    "list_scenes",
+    "load_scene",
+    "rope",
+    "save_scene",
+    "set_value",
+    "validate",
+]

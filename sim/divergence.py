@@ -1,0 +1,62 @@
+"""Why a simulation stopped."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from .kernels import guard
+from .scene import MAX_COORDINATE, MAX_SPEED
+from .stability import StabilityEstimate
+
+# A body that leaves the range of a scene file has run away; so whatever the kernels let out can be saved.
+FARTHEST = MAX_COORDINATE
+FASTEST = MAX_SPEED
+
+Quantity = Literal["number", "position", "speed"]
+
+LIMITS: dict[int, tuple[Quantity, float]] = {
+    guard.BAD_NUMBER: ("number", math.inf),
+    guard.BAD_POSITION: ("position", FARTHEST),
+    guard.BAD_SPEED: ("speed", FASTEST),
+}
+
+
+@dataclass(frozen=True)
+class Divergence:
+    """Why a simulation stopped; the state is the last good one.
+
+    Attributes:
+        mass: the mass that showed it first.
+        step: number of the step that was not done, counted from the start.
+        quantity: "position" or "speed" passed its limit, or a "number" became NaN or infinite.
+        limit: the limit passed, px or px/s; infinite for "number".
+        dt: the time step used, s.
+        stability: the estimated stability limit at the last good state.
+    """
+
+    mass: int
+    step: int
+    quantity: Quantity
+    limit: float
+    dt: float
+    stability: StabilityEstimate
+
+    def __str__(self) -> str:
+        what = {
+            "number": f"mass {self.mass} would get a position or velocity that is not a finite number",
+            "position": f"mass {self.mass} would pass the position limit of {self.limit:g} px",
+            "speed": f"mass {self.mass} would pass the speed limit of {self.limit:g} px/s",
+        }[self.quantity]
+        return f"stopped before step {self.step}: {what}; {self.reason}"
+
+    @property
+    def reason(self) -> str:
+        """The likely cause, in words."""
+        if self.stability.cause is not None and self.dt > self.stability.limit:
+            return (
+                f"time step {self.dt:.4g} s is above the stability limit {self.stability.limit:.2g} s, "
+                f"which the {self.stability.cause} sets"
+            )
+        return "the body was moved or set up too violently for this time step"

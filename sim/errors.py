@@ -1,0 +1,13 @@
+"""The errors that softrod raises for what a user can get wrong; each is one clear sentence."""
+
+
+class SceneError(ValueError):
+    """A scene or a scene file is not valid; the sentence names the field and what is allowed."""
+
+
+class SettingError(ValueError):
+    """A setting (a slider's name and value) is not valid for the scene."""
+
+
+class InputError(ValueError):
+    """A call or an input log asks for what the simulation cannot do."""

@@ -1,0 +1,289 @@
+"""Scenes as files: reading, writing, and the two folders they are kept in.
+
+Built-in presets ship with softrod and are never written to. A user's own scenes live in the data folder
+of the platform (`platformdirs`).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import tempfile
+import unicodedata
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, get_args, get_type_hints
+
+import msgspec
+import platformdirs
+
+from .errors import SceneError
+from .scene import BODY_FIELDS, FORMAT_VERSION, Scene
+from .validate import out_of_range, validate
+
+MAX_FILE_BYTES = 5_000_000
+"""Largest scene file that is read or written."""
+
+_NUMBERS = re.compile(rb"(?<=\[)\s+[-+.\deE]+(?:,\s+[-+.\deE]+)*\s+(?=\])")
+"""A vector, which the indented file has on one line."""
+
+
+@dataclass(frozen=True)
+class SceneInfo:
+    """One entry of `list_scenes()`."""
+
+    name: str
+    description: str
+    path: Path
+    built_in: bool
+
+
+def built_in_folder() -> Path:
+    """Where the presets are: inside the package once installed, beside it in a checkout."""
+    installed = Path(__file__).parent / "presets"
+    return installed if installed.is_dir() else Path(__file__).parent.parent / "presets"
+
+
+def user_folder() -> Path:
+    """Where the user's own scenes are kept; it need not exist yet."""
+    return platformdirs.user_data_path("softrod", appauthor=False) / "scenes"
+
+
+# ------------------------------------------------------------------------- bytes and scenes
+def encode_scene(scene: Scene) -> bytes:
+    """The scene as an indented JSON file; a body that comes from a recipe is left to its recipe.
+
+    Raises:
+        SceneError: the scene is not valid.
+    """
+    validate(scene)
+    fields = msgspec.to_builtins(scene)
+    if scene.rope is not None:
+        for field in BODY_FIELDS:
+            fields.pop(field, None)
+    text = msgspec.json.format(msgspec.json.encode({**fields, "format": FORMAT_VERSION}), indent=2) + b"\n"
+    return _NUMBERS.sub(lambda numbers: b" ".join(numbers[0].split()), text)
+
+
+def decode_scene(data: bytes, source: str) -> Scene:
+    """The scene in a JSON file's bytes.
+
+    Args:
+        data: the whole file.
+        source: what to call it in an error, usually the file's name.
+
+    Raises:
+        SceneError: one sentence, `source: field: reason`.
+    """
+    if len(data) > MAX_FILE_BYTES:
+        raise SceneError(
+            f"{source}: {len(data)} bytes are more than the {MAX_FILE_BYTES} that a scene may have"
+        )
+    try:
+        raw = msgspec.json.decode(data)
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
+        raise SceneError(f"{source}: this is not a JSON file ({error})") from None
+    if not isinstance(raw, dict):
+        raise SceneError(f"{source}: a scene is a JSON object, with fields such as name and masses")
+    version = raw.get("format")
+    if isinstance(version, int) and version > FORMAT_VERSION:
+        raise SceneError(
+            f"{source}: format: version {version} is newer than {FORMAT_VERSION}, the newest that this "
+            "softrod reads; a newer softrod can open it"
+        )
+    try:
+        return validate(msgspec.convert(raw, Scene))
+    except msgspec.ValidationError as error:
+        raise SceneError(f"{source}: {_sentence(error, raw)}") from None
+    except SceneError as error:
+        raise SceneError(f"{source}: {error}") from None
+
+
+def _sentence(error: msgspec.ValidationError, raw: Any) -> str:
+    """msgspec's complaint in our words: the field first, its value, and the range it should be in."""
+    reason, _, path = str(error).partition(" - at `$")
+    path = path.rstrip("`").lstrip(".")
+    steps = [int(step) if step.isdigit() else step for step in re.findall(r"[^.\[\]]+", path)]
+    kind: Any = Scene
+    value, meta = raw, None
+    try:
+        for step in steps:
+            value = value[step]
+            kind, meta = _field_type(kind, step)
+    except (KeyError, IndexError, TypeError):
+        meta = None
+    if isinstance(meta, msgspec.Meta) and isinstance(value, (int, float)) and reason.startswith("Expected"):
+        bounded = meta.ge is not None or meta.le is not None or meta.lt is not None
+        if bounded and not isinstance(value, bool) and "got" not in reason:
+            return out_of_range(path, value, meta)
+    return f"{path}: {reason}" if path else reason
+
+
+def _field_type(kind: Any, step: str | int) -> tuple[Any, msgspec.Meta | None]:
+    """The type, and its range if any, one step down a path such as masses[3].position[0]."""
+    arguments = [a for a in get_args(kind) if a is not type(None)]
+    if isinstance(step, int):
+        inner = arguments[0] if arguments[-1] is Ellipsis else arguments[step]
+    else:
+        owner = kind if hasattr(kind, "__struct_fields__") else arguments[0]
+        inner = get_type_hints(owner, include_extras=True)[step]
+    metas = [m for m in getattr(inner, "__metadata__", ()) if isinstance(m, msgspec.Meta)]
+    return (inner.__origin__ if metas else inner), (metas[0] if metas else None)
+
+
+# ------------------------------------------------------------------------- files
+def read_scene(path: Path) -> Scene:
+    """The scene in a file.
+
+    Raises:
+        SceneError: the file cannot be read, or what is in it is not a valid scene.
+    """
+    try:
+        with path.open("rb") as file:
+            data = file.read(MAX_FILE_BYTES + 1)
+    except OSError as error:
+        raise SceneError(f"{path}: the file cannot be read ({error.strerror or error})") from None
+    if len(data) > MAX_FILE_BYTES:
+        raise SceneError(f"{path}: the file is larger than the {MAX_FILE_BYTES} bytes that a scene may have")
+    return decode_scene(data, str(path))
+
+
+def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
+    """A scene by its name (a built-in preset, or one saved in the page) or by its file's path.
+
+    Raises:
+        SceneError: there is none, or it is not valid.
+    """
+    text = os.fspath(name_or_path)
+    path = Path(text)
+    if path.suffix == ".json" or path.name != text:
+        return read_scene(path)
+    for folder in (built_in_folder(), user_folder()):
+        candidate = folder / f"{text}.json"
+        if candidate.is_file():
+            return read_scene(candidate)
+    known = ", ".join(info.name for info in list_scenes())
+    raise SceneError(f"there is no scene called {text!r}; there are {known}")
+
+
+def save_scene(scene: Scene, path: str | os.PathLike[str]) -> None:
+    """Write the scene to a file; whoever reads that path meanwhile sees the old file or the new, whole.
+
+    Raises:
+        SceneError: the scene is not valid or the file cannot be written; what was there is untouched.
+    """
+    data = encode_scene(scene)
+    if len(data) > MAX_FILE_BYTES:
+        raise SceneError(f"{path}: the scene takes {len(data)} bytes, more than the {MAX_FILE_BYTES} allowed")
+    try:
+        write_atomically(Path(path), data)
+    except OSError as error:
+        raise SceneError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+
+
+def write_atomically(path: Path, data: bytes) -> None:
+    """Write to a temporary file in the same folder, sync it, and rename it over the path.
+
+    Raises:
+        OSError: nothing was changed.
+    """
+    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".tmp")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        # mkstemp makes files that only their owner can read; a scene is as readable as any new file.
+        mask = os.umask(0)
+        os.umask(mask)
+        Path(temporary).chmod(0o666 & ~mask)
+        Path(temporary).replace(path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            Path(temporary).unlink()
+        raise
+    if hasattr(os, "O_DIRECTORY"):  # so that the rename itself survives a power cut
+        folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
+        try:
+            os.fsync(folder)
+        finally:
+            os.close(folder)
+
+
+def list_scenes() -> list[SceneInfo]:
+    """All scenes that `load_scene` finds by name: built-in presets first, then the user's own.
+
+    A file that is not a valid scene is left out; `softrod check` says what is wrong with it.
+    """
+    found = []
+    for folder, built_in in ((built_in_folder(), True), (user_folder(), False)):
+        for path in sorted(folder.glob("*.json")) if folder.is_dir() else []:
+            if not built_in and is_built_in(path.stem):
+                continue
+            try:
+                scene = read_scene(path)
+            except SceneError:
+                continue
+            found.append(SceneInfo(path.stem, scene.description, path, built_in))
+    return found
+
+
+# ------------------------------------------------------------------------- the user's own scenes
+def safe_name(name: str) -> str:
+    """The name as it can stand in a file's name on any system: letters, digits, spaces, - and _.
+
+    Raises:
+        SceneError: nothing usable is left of it, or a built-in preset has that name.
+    """
+    text = unicodedata.normalize("NFKC", name)
+    text = re.sub(r"[^\w\-. ]+", "-", text).strip(" .-_")[:60].rstrip(" .-_")
+    if not text or re.fullmatch(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?", text):
+        raise SceneError(f"{name!r} cannot be the name of a scene; use letters, digits, spaces, - and _")
+    if len(text.encode()) > 200:
+        raise SceneError(f"{name!r} is too long for the name of a scene")
+    if is_built_in(text):
+        raise SceneError(f"{text!r} is a built-in preset, which cannot be overwritten; choose another name")
+    return text
+
+
+def is_built_in(name: str) -> bool:
+    """Whether a preset that ships with softrod has that name, in any mix of upper and lower case."""
+    return any(path.stem.casefold() == name.casefold() for path in built_in_folder().glob("*.json"))
+
+
+def user_path(name: str) -> Path:
+    """Where the user's own scene of that name is, or would be.
+
+    Raises:
+        SceneError: as `safe_name`.
+    """
+    return user_folder() / f"{safe_name(name)}.json"
+
+
+def save_user_scene(scene: Scene, name: str) -> str:
+    """Save under a name in the user's folder, and return the name as it was made safe.
+
+    Raises:
+        SceneError: the name is not usable, the scene not valid, or the file cannot be written.
+    """
+    path = user_path(name)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise SceneError(f"{path.parent}: the folder cannot be made ({error.strerror or error})") from None
+    save_scene(msgspec.structs.replace(scene, name=path.stem), path)
+    return path.stem
+
+
+def delete_user_scene(name: str) -> None:
+    """Delete one of the user's own scenes.
+
+    Raises:
+        SceneError: it is built in, does not exist, or cannot be deleted.
+    """
+    path = user_path(name)
+    try:
+        path.unlink()
+    except OSError as error:
+        raise SceneError(f"{name!r} cannot be deleted ({error.strerror or error})") from None

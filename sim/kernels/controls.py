@@ -1,0 +1,50 @@
+"""What the keys and the pointer do at the start of a step: the same for every path and integrator."""
+
+from __future__ import annotations
+
+import math
+
+from .jit import kernel
+from .tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN
+
+
+@kernel()
+def wrap(angle):
+    """Wrap once into (-180, 180] degrees, as the tutorial does."""
+    if angle > 180.0:
+        return angle - 360.0
+    if angle <= -180.0:
+        return angle + 360.0
+    return angle
+
+
+@kernel()
+def refresh(body, live):
+    """Recompute what depends on the scale of rest lengths and the shift of rest angles."""
+    scale = live.controls[CONTROL_SCALE]
+    shift = live.controls[CONTROL_SHIFT]
+    for s in range(body.springs):
+        live.pull[s] = body.stiffness[s] * (body.rest_length[s] * scale)
+    for j in range(body.joints):
+        rest = math.radians(wrap(body.joint_rest[j] + shift))
+        live.couple_cos[j] = body.joint_stiffness[j] * math.cos(rest)
+        live.couple_sin[j] = body.joint_stiffness[j] * math.sin(rest)
+
+
+@kernel()
+def lead_and_press(body, live, motion, step, steps):
+    """Step `step` of `steps`: first the pointer sets its masses, then the keys do their work."""
+    part = (step + 1) / steps
+    for i in range(motion.mass.size):
+        m = motion.mass[i]
+        if step + 1 == steps:
+            live.x[m] = motion.to_x[i]
+            live.y[m] = motion.to_y[i]
+        else:
+            live.x[m] = motion.from_x[i] + (motion.to_x[i] - motion.from_x[i]) * part
+            live.y[m] = motion.from_y[i] + (motion.to_y[i] - motion.from_y[i]) * part
+    if motion.length_factor != 1.0 or motion.angle_step != 0.0:
+        scale = live.controls[CONTROL_SCALE] * motion.length_factor
+        live.controls[CONTROL_SCALE] = min(max(scale, SCALE_MIN), SCALE_MAX)
+        live.controls[CONTROL_SHIFT] = wrap(live.controls[CONTROL_SHIFT] + motion.angle_step)
+        refresh(body, live)

@@ -1,0 +1,293 @@
+"""What a user edits, saves and shares: the scene.
+
+A scene is frozen. Lengths are in the scene's own unit (`View.unit`, pixels in the tutorial), masses in
+kilograms, times in seconds, angles in degrees; forces follow (kg px/s²). Every number carries its range
+in its type, so that the validation, the error messages and the JSON Schema come from one place.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+from msgspec import Meta
+
+FORMAT_VERSION = 1
+"""Version of the file format that this release writes; newer files are refused."""
+
+MAX_MASSES = 20_000
+MAX_SPRINGS = 100_000
+MAX_COORDINATE = 1e6
+MAX_SPEED = 1e6
+
+
+def _range(low: float, high: float, unit: str, what: str) -> Meta:
+    return Meta(ge=low, le=high, description=f"{what} ({unit})" if unit else what, extra={"unit": unit})
+
+
+# A range that is wide enough for any body one would draw and narrow enough that no product of two of
+# these numbers overflows.
+Coordinate = Annotated[float, _range(-MAX_COORDINATE, MAX_COORDINATE, "px", "A coordinate")]
+Speed = Annotated[float, _range(-MAX_SPEED, MAX_SPEED, "px/s", "A component of a velocity")]
+Length = Annotated[float, _range(0.0, 1e6, "px", "A length")]
+Stiffness = Annotated[float, _range(0.0, 1e9, "kg/s²", "Stiffness")]
+Damping = Annotated[float, _range(0.0, 1e6, "kg/s", "Damping")]
+Angle = Annotated[float, _range(-180.0, 180.0, "°", "An angle")]
+Kilograms = Annotated[float, _range(1e-6, 1e6, "kg", "A mass")]
+Radius = Annotated[float, _range(1e-3, 1e4, "px", "The radius a mass is drawn with")]
+Index = Annotated[int, Meta(ge=0, lt=MAX_SPRINGS)]
+Name = Annotated[str, Meta(min_length=1, max_length=60)]
+Vector = tuple[Coordinate, Coordinate]
+
+Template = Literal[180, 135, 90, 45, 0, -45, -90, -135]
+"""The tutorial's eight ready-made rest angles, in degrees."""
+
+
+class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A point mass.
+
+    Attributes:
+        position: where it starts, px, each coordinate within ±1e6.
+        velocity: how it starts, px/s, each component within ±1e6; ignored while it is held.
+        mass: 1e-6..1e6 kg.
+        radius: 1e-3..1e4 px; for the drawing only.
+    """
+
+    position: Vector
+    velocity: tuple[Speed, Speed] = (0.0, 0.0)
+    mass: Kilograms = 1.0
+    radius: Radius = 6.0
+
+
+class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A damped spring along the line from mass `a` to mass `b`.
+
+    Force along the line: -stiffness (|L| - rest_length) - damping (u . dv), u the unit vector of L.
+
+    Attributes:
+        a, b: indices of two different masses.
+        stiffness: 0..1e9 kg/s² (newtons per metre, were a px a metre).
+        damping: 0..1e6 kg/s.
+        rest_length: 0..1e6 px.
+    """
+
+    a: Index
+    b: Index
+    stiffness: Stiffness
+    damping: Damping = 0.0
+    rest_length: Length
+
+
+class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A spring that holds two linear springs, which share a mass, at an angle.
+
+    With V the angle from spring `a` to spring `b` (positive from +x towards +y), both springs feel a
+    couple of size stiffness |L_a| |L_b| sin(V - rest_angle), with opposite signs.
+
+    Attributes:
+        a, b: indices of two linear springs that share exactly one mass.
+        stiffness: 0..1e9 kg/s².
+        rest_angle: -180..180 °.
+    """
+
+    a: Index
+    b: Index
+    stiffness: Stiffness
+    rest_angle: Angle = 0.0
+
+
+class Anchor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A mass that is held: it only moves when someone moves it, and its velocity counts as zero.
+
+    Attributes:
+        mass: index of the mass.
+        driven: whether the pointer drives it; at most one anchor of a scene is driven.
+    """
+
+    mass: Index
+    driven: bool = False
+
+
+class Rope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The recipe of a straight rope: from it come the masses, springs and anchors of a scene.
+
+    Mass i starts at `start` + (i + offset) * length / (masses - 1) * direction / |direction|. Linear
+    spring s joins masses s and s + 1; angular spring j joins linear springs j and j + 1.
+
+    Attributes:
+        masses: 2..20000.
+        length: 1e-3..1e6 px; every linear spring's rest length is length / (masses - 1).
+        start: px.
+        offset: -1000..1000; shifts the whole rope by that many spring lengths.
+        direction: any vector but zero.
+        stiffness, damping: of every linear spring, 0..1e9 kg/s² and 0..1e6 kg/s.
+        angular_stiffness: of every angular spring, 0..1e9 kg/s².
+        rest_angle: of every angular spring, -180..180 °.
+        joints: whether there are angular springs at all; with stiffness 0 they only measure.
+        mass, radius: of every mass, kg and px.
+        held: indices of masses that are held.
+        driven: index of the held mass that the pointer drives, or None.
+    """
+
+    masses: Annotated[int, Meta(ge=2, le=MAX_MASSES)] = 12
+    length: Annotated[float, _range(1e-3, 1e6, "px", "Length of the rope")] = 300.0
+    start: Vector = (0.0, 0.0)
+    offset: Annotated[float, _range(-1000.0, 1000.0, "springs", "Shift in spring lengths")] = 0.0
+    direction: Vector = (1.0, 0.0)
+    stiffness: Stiffness = 10_000.0
+    damping: Damping = 40.0
+    angular_stiffness: Stiffness = 10_000.0
+    rest_angle: Angle = 0.0
+    joints: bool = True
+    mass: Kilograms = 1.0
+    radius: Radius = 6.0
+    held: tuple[Index, ...] = (0,)
+    driven: Index | None = None
+
+
+class Integrator(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """How time is stepped.
+
+    Attributes:
+        method: "symplectic_euler": all forces from the present state, then velocities, then positions.
+        dt: the step, 1e-6..1 s.
+    """
+
+    method: Literal["symplectic_euler"] = "symplectic_euler"
+    dt: Annotated[float, _range(1e-6, 1.0, "s", "Time step")] = 0.0025
+
+
+class ArrowKeys(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What a held arrow key does, per `interval` of simulated time.
+
+    Attributes:
+        rest_length_factor: 1..2; Up multiplies every rest length by it, Down divides.
+        rest_angle_step: 0..90 °; Right adds it to every rest angle, Left subtracts, wrapped into (-180, 180].
+        interval: 1e-6..10 s.
+    """
+
+    rest_length_factor: Annotated[float, _range(1.0, 2.0, "", "Factor of Up and Down")] = 1.002
+    rest_angle_step: Annotated[float, _range(0.0, 90.0, "°", "Step of Left and Right")] = 0.1
+    interval: Annotated[float, _range(1e-6, 10.0, "s", "Simulated time per factor or step")] = 0.0025
+
+
+Readout = Literal["sine", "cosine", "radians", "degrees", "rest_angle"]
+
+
+class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """How the scene is shown.
+
+    Attributes:
+        y_down: whether y grows downwards on the screen, as in the tutorial.
+        unit: label of the length unit.
+        frame: the region shown at first, (x min, y min, x max, y max) in px.
+        colors: the colour scheme: softrod's own, or the tutorial's green springs and red masses.
+        readouts: what is shown of a joint's angle.
+    """
+
+    y_down: bool = True
+    unit: Annotated[str, Meta(min_length=1, max_length=8)] = "px"
+    frame: tuple[Coordinate, Coordinate, Coordinate, Coordinate] = (0.0, 0.0, 600.0, 600.0)
+    colors: Literal["softrod", "tutorial"] = "softrod"
+    readouts: tuple[Readout, ...] = ("degrees", "rest_angle")
+
+
+class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Where every mass is and how it moves, saved from a running simulation.
+
+    Attributes:
+        positions: one per mass, px.
+        velocities: one per mass, px/s.
+    """
+
+    positions: tuple[Vector, ...]
+    velocities: tuple[tuple[Speed, Speed], ...]
+
+
+class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A body, its surroundings, and how it is solved and shown.
+
+    The body is either given by its masses, springs and anchors, or by the recipe `rope`; a recipe is
+    expanded when the scene is made, so that code may always read the masses and springs.
+
+    Attributes:
+        format: version of the file format, 1.
+        name: 1..60 characters.
+        description: what to see and do, at most 2000 characters.
+        rope: the recipe, or None.
+        masses, linear_springs, angular_springs, anchors: the body.
+        gravity: acceleration, px/s², each component within ±1e6; +y is down where `view.y_down`.
+        air_friction: 0..1000 kg/px; force per axis -air_friction v |v|.
+        rest_length_scale: 0.01..100; multiplies every rest length.
+        template: one of the tutorial's eight rest angles for every joint, or None. The angular springs
+            must then have that rest angle. The diagonal templates are sqrt(2) stiffer than the general law.
+        integrator, arrow_keys, view: see there; `arrow_keys` None means that the keys do nothing.
+        pose: a saved state to start from, or None to start from the masses' own positions.
+    """
+
+    format: Annotated[int, Meta(ge=1)] = FORMAT_VERSION
+    name: Name
+    description: Annotated[str, Meta(max_length=2000)] = ""
+    rope: Rope | None = None
+    masses: tuple[Mass, ...] = ()
+    linear_springs: tuple[LinearSpring, ...] = ()
+    angular_springs: tuple[AngularSpring, ...] = ()
+    anchors: tuple[Anchor, ...] = ()
+    gravity: Annotated[Vector, Meta(description="Acceleration of gravity (px/s²)")] = (0.0, 0.0)
+    air_friction: Annotated[float, _range(0.0, 1000.0, "kg/px", "Air friction")] = 0.0
+    rest_length_scale: Annotated[float, _range(0.01, 100.0, "", "Factor of all rest lengths")] = 1.0
+    template: Template | None = None
+    integrator: Integrator = Integrator()
+    arrow_keys: ArrowKeys | None = None
+    view: View = View()
+    pose: Pose | None = None
+
+    def __post_init__(self) -> None:
+        # A recipe alone is expanded here, the one door through which every scene comes (files included).
+        if self.rope is not None and not self.masses and _expandable(self.rope):
+            for field, value in zip(BODY_FIELDS, expand_rope(self.rope), strict=True):
+                msgspec.structs.force_setattr(self, field, value)
+
+
+BODY_FIELDS = ("masses", "linear_springs", "angular_springs", "anchors")
+
+
+def _expandable(rope: Rope) -> bool:
+    """Whether expanding the recipe cannot fail; the validation says what is wrong otherwise."""
+    return isinstance(rope.masses, int) and 2 <= rope.masses <= MAX_MASSES and any(rope.direction)
+
+
+def expand_rope(
+    rope: Rope,
+) -> tuple[tuple[Mass, ...], tuple[LinearSpring, ...], tuple[AngularSpring, ...], tuple[Anchor, ...]]:
+    """The masses, linear springs, angular springs and anchors of a recipe."""
+    n = rope.masses
+    spacing = rope.length / (n - 1)
+    dx, dy = rope.direction
+    norm = (dx * dx + dy * dy) ** 0.5
+    dx, dy = dx / norm, dy / norm
+    masses = tuple(
+        Mass(
+            position=(
+                rope.start[0] + spacing * (i + rope.offset) * dx,
+                rope.start[1] + spacing * (i + rope.offset) * dy,
+            ),
+            mass=rope.mass,
+            radius=rope.radius,
+        )
+        for i in range(n)
+    )
+    linear = tuple(
+        LinearSpring(a=s, b=s + 1, stiffness=rope.stiffness, damping=rope.damping, rest_length=spacing)
+        for s in range(n - 1)
+    )
+    angular = tuple(
+        AngularSpring(a=j, b=j + 1, stiffness=rope.angular_stiffness, rest_angle=rope.rest_angle)
+        for j in range(n - 2 if rope.joints else 0)
+    )
+    # A recipe keeps its anchors when it gets shorter, as far as those masses still exist.
+    held = {i for i in rope.held if i < n}
+    if rope.driven is not None and rope.driven < n:
+        held.add(rope.driven)
+    anchors = tuple(Anchor(mass=i, driven=i == rope.driven) for i in sorted(held))
+    return masses, linear, angular, anchors

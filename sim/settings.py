@@ -1,0 +1,268 @@
+"""The numbers of a scene that have a slider, by name: reading them, setting them, and which ones apply.
+
+A scene's springs may differ from each other. A stiffness or damping setting shows the largest and scales
+the others with it; the rest-angle setting shows the first joint's and turns the others by as much, as the
+arrow keys do. Where all are equal, as in the tutorial, each setting is just the number itself.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import get_args
+
+import msgspec
+
+from .errors import SceneError, SettingError
+from .rope import with_rope
+from .scene import AngularSpring, Integrator, LinearSpring, Rope, Scene, Template
+from .system import joint_stiffness
+from .validate import number_range, validate
+
+TEMPLATES: tuple[int, ...] = get_args(Template)
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One number of a scene that can be set by name.
+
+    Attributes:
+        key, label, unit: its name in commands, its name for people, and its unit ("px" stands for the
+            scene's own length unit).
+        low, high: the range allowed.
+        slider: the range that a slider usefully covers.
+        logarithmic: whether a slider should be.
+        read: the number in a scene.
+        write: the scene with another number, unvalidated.
+        applies: whether a scene has any use for it.
+    """
+
+    key: str
+    label: str
+    unit: str
+    low: float
+    high: float
+    slider: tuple[float, float]
+    read: Callable[[Scene], float]
+    write: Callable[[Scene, float], Scene]
+    applies: Callable[[Scene], bool]
+    logarithmic: bool = False
+    integer: bool = False
+
+
+def settings_of(scene: Scene) -> list[Setting]:
+    """The settings that the scene has a use for, in the order of a panel."""
+    return [setting for setting in SETTINGS.values() if setting.applies(scene)]
+
+
+def set_value(scene: Scene, key: str, value: float) -> Scene:
+    """The scene with one setting changed.
+
+    Raises:
+        SettingError: there is no such setting, the scene has no use for it, or the value is out of range.
+    """
+    setting = SETTINGS.get(key)
+    if setting is None:
+        raise SettingError(f"{key}: there is no such setting; there are {', '.join(SETTINGS)}")
+    if not setting.applies(scene):
+        raise SettingError(f"{key}: the scene {scene.name!r} has no use for it")
+    if key == "template" and value not in TEMPLATES:
+        raise SettingError(f"template: {value:g} is not one of {', '.join(map(str, TEMPLATES))}")
+    if not setting.low <= value <= setting.high:
+        raise SettingError(
+            f"{key}: {value:g} is not in the range {setting.low:g}..{setting.high:g} {setting.unit}".rstrip()
+        )
+    if setting.integer and value != int(value):
+        raise SettingError(f"{key}: {value:g} is not a whole number")
+    try:
+        return validate(setting.write(scene, int(value) if setting.integer else float(value)))
+    except SceneError as error:
+        raise SettingError(f"{key}: {error}") from None
+
+
+def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
+    """The scene with `KEY=VALUE` settings applied in order.
+
+    Raises:
+        SettingError: as `set_value`, or an assignment is not KEY=VALUE with a number.
+    """
+    for assignment in assignments:
+        key, equals, text = assignment.partition("=")
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not equals or not math.isfinite(value):
+            raise SettingError(f"--set {assignment}: KEY=VALUE with a finite number is expected")
+        scene = set_value(scene, key.strip(), value)
+    return scene
+
+
+def shift_rest_angles(scene: Scene, degrees: float) -> Scene:
+    """The scene with every rest angle turned by some degrees (|degrees| <= 360), wrapped into (-180, 180].
+
+    A scene of one of the eight templates becomes one of the general law, with the stiffness the template had.
+    """
+    stiffness = joint_stiffness(scene)
+
+    def turned(angle: float) -> float:
+        angle += degrees
+        return angle - 360.0 if angle > 180.0 else angle + 360.0 if angle <= -180.0 else angle
+
+    if scene.rope is not None:
+        changes: dict[str, object] = {"rest_angle": turned(scene.rope.rest_angle)}
+        if stiffness:
+            changes["angular_stiffness"] = stiffness[0]
+        return msgspec.structs.replace(with_rope(scene, **changes), template=None)
+    joints = tuple(
+        msgspec.structs.replace(joint, rest_angle=turned(joint.rest_angle), stiffness=k)
+        for joint, k in zip(scene.angular_springs, stiffness, strict=True)
+    )
+    return msgspec.structs.replace(scene, angular_springs=joints, template=None)
+
+
+# ------------------------------------------------------------------------- reading and writing
+def _largest(field: str, springs: str) -> Callable[[Scene], float]:
+    return lambda scene: max((getattr(s, field) for s in getattr(scene, springs)), default=0.0)
+
+
+def _scaled(field: str, springs: str, of_rope: str) -> Callable[[Scene, float], Scene]:
+    """Set the largest to the value and keep the others in proportion; all equal where all were zero."""
+
+    def write(scene: Scene, value: float) -> Scene:
+        if scene.rope is not None:
+            return with_rope(scene, **{of_rope: value})
+        old = _largest(field, springs)(scene)
+        changed = tuple(
+            msgspec.structs.replace(s, **{field: value * (getattr(s, field) / old) if old else value})
+            for s in getattr(scene, springs)
+        )
+        return msgspec.structs.replace(scene, **{springs: changed})
+
+    return write
+
+
+def _read_rest_angle(scene: Scene) -> float:
+    return scene.angular_springs[0].rest_angle if scene.angular_springs else 0.0
+
+
+def _write_rest_angle(scene: Scene, value: float) -> Scene:
+    turn = value - _read_rest_angle(scene)
+    scene = shift_rest_angles(scene, turn)
+    # The sum above rounds; the first joint gets the very number that was asked for.
+    if scene.rope is not None:
+        return with_rope(scene, rest_angle=value)
+    first = msgspec.structs.replace(scene.angular_springs[0], rest_angle=value)
+    return msgspec.structs.replace(scene, angular_springs=(first, *scene.angular_springs[1:]))
+
+
+def _read_gravity(scene: Scene) -> float:
+    x, y = scene.gravity
+    return math.hypot(x, y) if x else (y if scene.view.y_down else -y)
+
+
+def _write_gravity(scene: Scene, value: float) -> Scene:
+    """Along its direction; straight down the screen where there was none."""
+    x, y = scene.gravity
+    if x:
+        size = math.hypot(x, y)
+        gravity = (x / size * value, y / size * value)
+    else:
+        gravity = (0.0, value if scene.view.y_down else -value)
+    return msgspec.structs.replace(scene, gravity=gravity)
+
+
+def _write_template(scene: Scene, value: float) -> Scene:
+    template = int(value)
+    if scene.rope is not None:
+        scene = with_rope(scene, rest_angle=float(template))
+    else:
+        joints = tuple(msgspec.structs.replace(j, rest_angle=float(template)) for j in scene.angular_springs)
+        scene = msgspec.structs.replace(scene, angular_springs=joints)
+    return msgspec.structs.replace(scene, template=template)
+
+
+def _replace(field: str) -> Callable[[Scene, float], Scene]:
+    return lambda scene, value: msgspec.structs.replace(scene, **{field: value})
+
+
+def _write_dt(scene: Scene, value: float) -> Scene:
+    return msgspec.structs.replace(scene, integrator=msgspec.structs.replace(scene.integrator, dt=value))
+
+
+# ------------------------------------------------------------------------- when they apply
+def moves(scene: Scene) -> bool:
+    """Whether any mass is free, so that there are dynamics at all."""
+    return len(scene.anchors) < len(scene.masses)
+
+
+def _has_springs(scene: Scene) -> bool:
+    return moves(scene) and bool(scene.linear_springs)
+
+
+def _has_joints(scene: Scene) -> bool:
+    return moves(scene) and bool(scene.angular_springs)
+
+
+def _setting(
+    key: str,
+    label: str,
+    slider: tuple[float, float],
+    bounds: tuple[float, float, str],
+    read: Callable[[Scene], float],
+    write: Callable[[Scene, float], Scene],
+    applies: Callable[[Scene], bool],
+    **rest: bool,
+) -> Setting:
+    low, high, unit = bounds
+    return Setting(key, label, unit, low, high, slider, read, write, applies, **rest)
+
+
+_ALL = (
+    _setting(
+        "linear_stiffness", "Linear stiffness", (100.0, 1e6), number_range(LinearSpring, "stiffness"),
+        _largest("stiffness", "linear_springs"), _scaled("stiffness", "linear_springs", "stiffness"),
+        _has_springs, logarithmic=True,
+    ),
+    _setting(
+        "linear_damping", "Linear damping", (0.0, 200.0), number_range(LinearSpring, "damping"),
+        _largest("damping", "linear_springs"), _scaled("damping", "linear_springs", "damping"), _has_springs,
+    ),
+    _setting(
+        "angular_stiffness", "Angular stiffness", (10.0, 1e6), number_range(AngularSpring, "stiffness"),
+        _largest("stiffness", "angular_springs"),
+        _scaled("stiffness", "angular_springs", "angular_stiffness"), _has_joints, logarithmic=True,
+    ),
+    _setting(
+        "rest_length_scale", "Rest length", (0.1, 4.0), number_range(Scene, "rest_length_scale"),
+        lambda scene: scene.rest_length_scale, _replace("rest_length_scale"), _has_springs, logarithmic=True,
+    ),
+    _setting(
+        "rest_angle", "Rest angle", (-180.0, 180.0), number_range(AngularSpring, "rest_angle"),
+        _read_rest_angle, _write_rest_angle, _has_joints,
+    ),
+    _setting(
+        "template", "Template", (-180.0, 180.0), (-180.0, 180.0, "°"),
+        lambda scene: float(scene.template or 0), _write_template,
+        lambda scene: _has_joints(scene) and scene.template is not None, integer=True,
+    ),
+    _setting(
+        "gravity", "Gravity", (0.0, 5000.0), (-1e6, 1e6, "px/s²"), _read_gravity, _write_gravity, moves,
+    ),
+    _setting(
+        "air_friction", "Air friction", (0.0, 0.05), number_range(Scene, "air_friction"),
+        lambda scene: scene.air_friction, _replace("air_friction"), moves,
+    ),
+    _setting(
+        "masses", "Number of masses", (3, 60), number_range(Rope, "masses"),
+        lambda scene: float(len(scene.masses)), lambda scene, n: with_rope(scene, masses=int(n)),
+        lambda scene: moves(scene) and scene.rope is not None, integer=True,
+    ),
+    _setting(
+        "dt", "Time step", (1e-4, 0.01), number_range(Integrator, "dt"),
+        lambda scene: scene.integrator.dt, _write_dt, moves, logarithmic=True,
+    ),
+)  # fmt: skip
+
+SETTINGS: dict[str, Setting] = {setting.key: setting for setting in _ALL}

@@ -1,0 +1,234 @@
+"""From a scene to the read-only tables of the kernels."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .kernels.tables import Body, Floats, Indices, Live, Work, padded
+from .scene import Scene
+
+
+@dataclass(frozen=True)
+class System:
+    """The kernels' tables for one scene.
+
+    Attributes:
+        body: the tables; masses and springs are numbered as the kernels visit them.
+        mass_order: (n,) scene index of the kernels' i-th mass.
+        mass_place: (n,) its inverse: where the kernels keep a mass of the scene.
+        joint_order: (J,) the kernels' joint for each angular spring of the scene.
+        is_chain: whether the body is one chain, so that the fast path applies.
+        inverse_mass: (n,) 1/kg in the kernels' order, also of held masses.
+        held: (n,) whether a mass is held, in the kernels' order.
+        start: (4, n) x, y, vx, vy at the start, in the kernels' order.
+    """
+
+    body: Body
+    mass_order: Indices
+    mass_place: Indices
+    joint_order: Indices
+    is_chain: bool
+    inverse_mass: Floats
+    held: np.ndarray
+    start: Floats
+
+
+def build_system(scene: Scene) -> System:
+    """Build the tables of a valid scene.
+
+    A chain is a body whose springs run head to tail through all masses, and whose angular springs each
+    hold a spring and the next one; its masses and springs may be listed in any order.
+    """
+    chain = _chain_order(scene)
+    n = len(scene.masses)
+    mass_order, spring_order = chain or (list(range(n)), list(range(len(scene.linear_springs))))
+    mass_place = np.empty(n, np.int64)
+    mass_place[mass_order] = np.arange(n)
+    spring_place = np.empty(len(spring_order), np.int64)
+    spring_place[spring_order] = np.arange(len(spring_order))
+    body, joint_order = _body(scene, mass_place, spring_order, spring_place, chain is not None)
+    held = np.zeros(n, np.bool_)
+    for anchor in scene.anchors:
+        held[mass_place[anchor.mass]] = True
+    if scene.pose is not None:
+        positions, velocities = scene.pose.positions, scene.pose.velocities
+    else:
+        positions = tuple(m.position for m in scene.masses)
+        velocities = tuple(m.velocity for m in scene.masses)
+    start = np.array([*np.array(positions, float).T, *np.array(velocities, float).T])[:, mass_order]
+    start[2:, held] = 0.0
+    return System(
+        body=body,
+        mass_order=np.array(mass_order, np.int64),
+        mass_place=mass_place,
+        joint_order=joint_order,
+        is_chain=chain is not None,
+        inverse_mass=1.0 / np.array([scene.masses[i].mass for i in mass_order], float),
+        held=held,
+        start=np.ascontiguousarray(start),
+    )
+
+
+def same_topology(old: Scene, new: Scene) -> bool:
+    """Whether the masses, springs and angular springs of both join the same, so that a state carries over."""
+    return (
+        len(old.masses) == len(new.masses)
+        and [(s.a, s.b) for s in old.linear_springs] == [(s.a, s.b) for s in new.linear_springs]
+        and [(j.a, j.b) for j in old.angular_springs] == [(j.a, j.b) for j in new.angular_springs]
+    )
+
+
+def joint_stiffness(scene: Scene) -> list[float]:
+    """The stiffness of each angular spring; the tutorial's diagonal templates are sqrt(2) stronger."""
+    factor = math.sqrt(2.0) if scene.template is not None and scene.template % 90 else 1.0
+    return [joint.stiffness * factor for joint in scene.angular_springs]
+
+
+def new_live(system: System) -> Live:
+    """A state with room for the system's masses; `Simulation` fills it."""
+    body = system.body
+    places = padded(body.masses) + 1  # the chain's loops look one place ahead
+
+    def over_masses() -> Floats:
+        return np.zeros(places)
+
+    # Padding masses stand apart from each other and from the body, so that no length is zero.
+    far = -1e7 - np.arange(places, dtype=float)
+    room = max(body.stiffness.size, padded(body.joints), places - 1)
+    return Live(
+        x=far.copy(),
+        y=far.copy(),
+        vx=over_masses(),
+        vy=over_masses(),
+        controls=np.array([1.0, 0.0]),
+        pull=np.zeros(room),
+        couple_cos=np.zeros(room),
+        couple_sin=np.zeros(room),
+        dt_mass=over_masses(),
+        dt_air=over_masses(),
+        dt_gx=over_masses(),
+        dt_gy=over_masses(),
+    )
+
+
+def new_work(system: System) -> Work:
+    """Scratch arrays for the system. Vectors of padding springs are (1, 1), so that no length is zero."""
+    body = system.body
+    room = max(body.stiffness.size, padded(body.joints), padded(body.masses)) + 2
+    return Work(
+        lx=np.ones(room),
+        ly=np.ones(room),
+        **{name: np.zeros(room) for name in Work._fields if name not in ("lx", "ly")},
+    )
+
+
+def _chain_order(scene: Scene) -> tuple[list[int], list[int]] | None:
+    """(masses, springs) in the order of the chain, or None where the body is not one chain."""
+    n, springs = len(scene.masses), scene.linear_springs
+    if len(springs) != n - 1 or n < 2:
+        return None
+    leaving = {spring.a: s for s, spring in enumerate(springs)}
+    entered = {spring.b for spring in springs}
+    if len(leaving) != n - 1 or len(entered) != n - 1:
+        return None
+    (mass,) = set(range(n)) - entered
+    mass_order, spring_order = [mass], []
+    while mass in leaving and len(spring_order) < n:
+        s = leaving[mass]
+        mass = springs[s].b
+        spring_order.append(s)
+        mass_order.append(mass)
+    if len(mass_order) != n:
+        return None  # a ring beside a chain
+    place = {s: i for i, s in enumerate(spring_order)}
+    if any(place[joint.b] != place[joint.a] + 1 for joint in scene.angular_springs):
+        return None
+    return mass_order, spring_order
+
+
+def _body(
+    scene: Scene, mass_place: Indices, spring_order: list[int], spring_place: Indices, is_chain: bool
+) -> tuple[Body, Indices]:
+    n, springs = len(scene.masses), [scene.linear_springs[s] for s in spring_order]
+    # The chain's loops run over as many springs as masses, and its joints lie at their springs' places.
+    room = padded(max(len(springs), n))
+    stiffness, damping, rest = (np.zeros(room) for _ in range(3))
+    for s, spring in enumerate(springs):
+        stiffness[s], damping[s], rest[s] = spring.stiffness, spring.damping, spring.rest_length
+    spring_a = mass_place[np.array([spring.a for spring in springs], np.int64)]
+    spring_b = mass_place[np.array([spring.b for spring in springs], np.int64)]
+    joint_a = spring_place[np.array([joint.a for joint in scene.angular_springs], np.int64)]
+    joint_b = spring_place[np.array([joint.b for joint in scene.angular_springs], np.int64)]
+    strength = np.array(joint_stiffness(scene), float)
+    rest_angle = np.array([joint.rest_angle for joint in scene.angular_springs], float)
+    joint_order = np.arange(joint_a.size)
+    if is_chain and joint_a.size:
+        joint_order = joint_a
+        joints = max(0, len(springs) - 1)
+        by_place = np.zeros((2, joints))
+        by_place[:, joint_a] = strength, rest_angle
+        strength, rest_angle = by_place.copy()
+        joint_a, joint_b = np.arange(joints), np.arange(joints) + 1
+    joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
+        joint_b, joint_a, len(springs), joint_a.size
+    )
+    spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = _slots(
+        spring_b, spring_a, n, room
+    )
+    body = Body(
+        masses=n,
+        springs=len(springs),
+        joints=joint_a.size,
+        damped=bool(damping.any()),
+        spring_a=spring_a,
+        spring_b=spring_b,
+        stiffness=stiffness,
+        damping=damping,
+        rest_length=rest,
+        joint_a=joint_a,
+        joint_b=joint_b,
+        joint_stiffness=np.ascontiguousarray(strength),
+        joint_rest=np.ascontiguousarray(rest_angle),
+        joint_in=joint_in,
+        joint_out=joint_out,
+        more_joint=more_joint,
+        more_joint_spring=more_joint_spring,
+        more_joint_sign=more_joint_sign,
+        spring_in=spring_in,
+        spring_out=spring_out,
+        more_spring=more_spring,
+        more_spring_mass=more_spring_mass,
+        more_spring_sign=more_spring_sign,
+    )
+    for field in body:
+        if isinstance(field, np.ndarray):
+            field.setflags(write=False)
+    return body, joint_order
+
+
+def _slots(
+    plus: Indices, minus: Indices, owners: int, nothing: int
+) -> tuple[Indices, Indices, Indices, Indices, Floats]:
+    """For each owner one thing that acts on it with plus and one with minus, and lists of the others.
+
+    `plus[i]` and `minus[i]` are the owners that thing i acts on; `nothing` fills the empty slots.
+    """
+    slots = np.full((2, owners), nothing, np.int64)
+    more: list[tuple[int, int, float]] = []
+    for slot, owner_of, sign in ((slots[0], plus, 1.0), (slots[1], minus, -1.0)):
+        for thing, owner in enumerate(owner_of):
+            if slot[owner] == nothing:
+                slot[owner] = thing
+            else:
+                more.append((thing, int(owner), sign))
+    thing, owner, sign = (list(column) for column in zip(*more, strict=True)) if more else ([], [], [])
+    return (
+        slots[0].copy(),
+        slots[1].copy(),
+        np.array(thing, np.int64),
+        np.array(owner, np.int64),
+        np.array(sign, float),
+    )
