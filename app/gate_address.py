@@ -1,0 +1,92 @@
+"""Where the page is served: the socket to listen on, and the names a browser may reach it by."""
+
+import contextlib
+import errno
+import ipaddress
+import re
+import socket
+from collections.abc import Sequence
+from typing import Any
+
+
+class GateError(RuntimeError):
+    """The gate could not be put in place, so nothing is served."""
+
+
+class PortBusy(OSError):
+    """The port is in use by another program."""
+
+    def __init__(self, port: int, next_free: int) -> None:
+        super().__init__(f"Port {port} is already in use; the next free one is {next_free}.")
+        self.errno = errno.EADDRINUSE
+        self.port = port
+        self.next_free = next_free
+
+
+def own_authorities(bound: str, host: str, port: int, extra_hosts: Sequence[str]) -> frozenset[str]:
+    """What a browser may send as Host to a server for `host` that is bound to the address `bound`."""
+    names = {*extra_hosts, "localhost", "127.0.0.1", "::1"}
+    names |= _machine_names() if ipaddress.ip_address(bound).is_unspecified else {host, bound}
+    return frozenset(authority for name in names for authority in authorities(name, port))
+
+
+def authorities(name: str, port: int) -> set[str]:
+    """What a browser sends as Host for a name or address, which may carry a port of its own."""
+    name = name.lower()
+    if re.fullmatch(r"(\[.+\]|[^:]+):\d+", name):
+        return {name}
+    if ":" in name and not name.startswith("["):
+        name = f"[{name}]"
+    # Browsers leave out HTTP's own port.
+    return {name, f"{name}:80"} if port == 80 else {f"{name}:{port}"}
+
+
+def exposure(host: str) -> str | None:
+    """What serving on `host` exposes, in words for the terminal; None if only this machine can connect."""
+    with contextlib.suppress(OSError):
+        if ipaddress.ip_address(_resolve(host, 0)[1][0]).is_loopback:
+            return None
+    return (
+        f"With host {host}, anyone who can reach this machine can open the page, run simulations on this "
+        "machine, and save to and delete from your preset folder. There is no password, and the traffic is "
+        "not encrypted."
+    )
+
+
+def listen(host: str, port: int) -> socket.socket:
+    """Open the socket to serve from, without viser's silent step to the next port if this one is taken."""
+    if not 0 <= port <= 65535:
+        raise GateError(f"Port {port} is not a number from 0 to 65535.")
+    try:
+        family, address = _resolve(host, port)
+        return socket.create_server(address, family=family)
+    except OSError as error:
+        if error.errno == errno.EADDRINUSE:
+            raise PortBusy(port, _next_free(host, port)) from None
+        reason = str(error.strerror).partition(" (")[0]
+        raise GateError(f"Cannot listen on {host} port {port}: {reason}.") from None
+
+
+def _next_free(host: str, port: int) -> int:
+    # Port 0, any free port, is the last resort.
+    for candidate in (*range(port + 1, 65536), 0):
+        with contextlib.suppress(OSError):
+            family, address = _resolve(host, candidate)
+            with socket.create_server(address, family=family) as listener:
+                return listener.getsockname()[1]
+    return 0
+
+
+def _resolve(host: str, port: int) -> tuple[socket.AddressFamily, Any]:
+    """The address to bind for a host, of IPv4 if there is a choice."""
+    found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
+    family, _, _, _, address = min(found, key=lambda info: info[0] != socket.AF_INET)
+    return family, address
+
+
+def _machine_names() -> set[str]:
+    name = socket.gethostname()
+    names = {name, socket.getfqdn()}
+    with contextlib.suppress(OSError):
+        names |= {str(info[4][0]) for info in socket.getaddrinfo(name, None)}
+    return names

@@ -1,0 +1,275 @@
+"""A client that speaks to the server as its page does, or as no page would."""
+
+import math
+import queue
+import socket
+import struct
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+import msgpack
+import viser
+import zstandard
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import connect
+from websockets.typing import Origin, Subprotocol
+
+from app.gate import GatedServer, open_server
+from app.gate_messages import UPLOAD_PART_BYTES
+
+PATIENCE = 20.0
+"""Seconds to wait for what must happen; only a server that hangs makes a test wait this long."""
+
+HANDSHAKE = [
+    ("Upgrade", "websocket"),
+    ("Connection", "Upgrade"),
+    ("Sec-WebSocket-Key", "AAAAAAAAAAAAAAAAAAAAAA=="),
+    ("Sec-WebSocket-Version", "13"),
+    ("Sec-WebSocket-Protocol", f"viser-v{viser.__version__}"),
+]
+
+CAMERA: dict[str, Any] = {
+    "type": "ViewerCameraMessage",
+    "wxyz": [1, 0, 0, 0.0],
+    "position": [0.0, 0.0, -5],
+    "fov": 0.75,
+    "near": 0.01,
+    "far": 1000,
+    "image_height": 600,
+    "image_width": 800,
+    "look_at": [0, 0, 0],
+    "up_direction": [0, -1, 0],
+}
+
+
+def pack(value: Any) -> bytes:
+    """Encode a value as the page does."""
+    packed = msgpack.packb(value)
+    assert packed is not None
+    return packed
+
+
+def eventually(condition: Callable[[], object]) -> bool:
+    """Whether `condition` comes true."""
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.005)
+    return True
+
+
+def status(port: int, headers: list[tuple[str, str]], path: str = "/", **options: str) -> int:
+    """The status with which a request of exactly these headers is answered; 0 if it is not answered."""
+    return answer(port, headers, path, **options)[0]
+
+
+def answer(
+    port: int,
+    headers: list[tuple[str, str]],
+    path: str = "/",
+    *,
+    method: str = "GET",
+    address: str = "127.0.0.1",
+) -> tuple[int, dict[str, str]]:
+    """The status and the headers with which a request of exactly these headers is answered."""
+    lines = [f"{method} {path} HTTP/1.1", *(f"{name}: {value}" for name, value in headers), "", ""]
+    with socket.create_connection((address, port), timeout=PATIENCE) as connection:
+        connection.sendall("\r\n".join(lines).encode())
+        head = b""
+        while b"\r\n\r\n" not in head:
+            chunk = connection.recv(4096)
+            if not chunk:
+                return 0, {}
+            head += chunk
+    first, *rest = head.partition(b"\r\n\r\n")[0].decode().split("\r\n")
+    return int(first.split()[1]), dict(line.split(": ", 1) for line in rest)
+
+
+class Page:
+    """A connection such as viser's page makes, and what the server has for it."""
+
+    def __init__(self, port: int) -> None:
+        self.messages: list[dict[str, Any]] = []
+        self.socket = connect(
+            f"ws://127.0.0.1:{port}",
+            origin=Origin(f"http://127.0.0.1:{port}"),
+            subprotocols=[Subprotocol(HANDSHAKE[-1][1])],
+            compression=None,
+            max_size=None,
+            proxy=None,
+        )
+        self.port = self.socket.local_address[1]
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def _read(self) -> None:
+        try:
+            for data in self.socket:
+                assert isinstance(data, bytes)
+                size, compressed = struct.unpack_from("<QQ", data)
+                packed = zstandard.decompress(data[16 : 16 + compressed], max_output_size=size)
+                self.messages += msgpack.unpackb(packed)["messages"]
+        except (ConnectionClosed, OSError):
+            pass
+
+    def send(self, *messages: dict[str, Any]) -> None:
+        """Send messages as the page encodes them."""
+        for message in messages:
+            self.send_raw(pack(message))
+
+    def send_raw(self, data: bytes | str) -> None:
+        """Send bytes as a binary frame, text as a text frame."""
+        self.socket.send(data)
+
+    def received(self, message_type: str) -> list[dict[str, Any]]:
+        """What the server has sent of this type."""
+        return [message for message in list(self.messages) if message["type"] == message_type]
+
+    def is_cut(self) -> bool:
+        """Whether the connection comes to its end."""
+        self._reader.join(PATIENCE)
+        return not self._reader.is_alive()
+
+    def close(self) -> None:
+        """Leave."""
+        self.socket.close()
+
+
+class User:
+    """A page, and the handles that the server has made for it alone."""
+
+    def __init__(self, page: Page, client: viser.ClientHandle) -> None:
+        self.page = page
+        self.client = client
+        self.events: queue.Queue[tuple[str, Any]] = queue.Queue()
+        gui, scene = client.gui, client.scene
+        self.text = gui.add_text("text", "")
+        self.number = gui.add_number("number", 1.5)
+        self.slider = gui.add_slider("slider", 0.0, 10.0, 0.1, 5.0)
+        self.checkbox = gui.add_checkbox("checkbox", False)
+        self.color = gui.add_rgb("color", (1, 2, 3))
+        self.vector = gui.add_vector3("vector", (0.0, 0.0, 0.0))
+        self.button = gui.add_button("button")
+        self.upload = gui.add_upload_button("upload")
+        self.command = gui.add_command("command")
+        self.ball = scene.add_icosphere("/ball")
+        self.gizmo = scene.add_transform_controls("/gizmo")
+        for name in ("text", "number", "slider", "checkbox", "color", "vector"):
+            getattr(self, name).on_update(self._recorder(name, lambda event: event.target.value))
+        self.button.on_click(self._recorder("button", lambda event: event.client_id))
+        self.button.on_hold(callback_hz=20.0)(self._recorder("hold", lambda event: event.client_id))
+        self.upload.on_upload(self._recorder("upload", lambda event: event.target.value))
+        self.command.on_trigger(self._recorder("command", lambda event: event.client_id))
+        self.ball.on_click(self._recorder("click", lambda event: event.instance_index))
+        self.ball.on_drag("left")(self._recorder("drag", lambda event: (event.phase, event.end_position)))
+        self.gizmo.on_update(self._recorder("gizmo", lambda event: tuple(event.target.position)))
+        scene.on_click()(self._recorder("scene click", lambda event: event.screen_pos))
+
+    def _recorder(self, name: str, value: Callable[[Any], Any]) -> Callable[[Any], Any]:
+        async def record(event: Any) -> None:
+            self.events.put((name, value(event)))
+
+        return record
+
+    def owner(self) -> str:
+        """The name of this client's part of the scene, as its page echoes it."""
+        return self.client.scene._owner_id
+
+    def update(self, element: Any, value: Any) -> dict[str, Any]:
+        """The message with which a page sets a GUI element."""
+        return {"type": "GuiUpdateMessage", "uuid": uuid_of(element), "updates": {"value": value}}
+
+    def upload_start(self, size: int, transfer: str = "one") -> dict[str, Any]:
+        """The message with which a page announces a file of `size` bytes."""
+        return {
+            "type": "FileTransferStartUpload",
+            "source_component_uuid": uuid_of(self.upload),
+            "transfer_uuid": transfer,
+            "filename": "scene.json",
+            "mime_type": "application/json",
+            "part_count": math.ceil(size / UPLOAD_PART_BYTES),
+            "size_bytes": size,
+        }
+
+    def upload_part(self, index: int, content: bytes, transfer: str = "one") -> dict[str, Any]:
+        """The message with which a page sends a piece of a file."""
+        return {
+            "type": "FileTransferPart",
+            "source_component_uuid": uuid_of(self.upload),
+            "transfer_uuid": transfer,
+            "part_index": index,
+            "content": content,
+        }
+
+    def upload_parts(self, content: bytes, transfer: str = "one") -> list[dict[str, Any]]:
+        """All the pieces of a file."""
+        starts = range(0, len(content), UPLOAD_PART_BYTES)
+        pieces = [content[start : start + UPLOAD_PART_BYTES] for start in starts]
+        return [self.upload_part(index, piece, transfer) for index, piece in enumerate(pieces)]
+
+    def bytes_held(self) -> int:
+        """How much of unfinished uploads viser holds for this client."""
+        states = self.client.gui._current_file_upload_states.values()
+        return sum(len(part) for state in states for part in state["parts"].values())
+
+    def works(self) -> bool:
+        """Whether a value that the page sends still reaches its callback."""
+        ping = f"ping {time.monotonic()}"
+        self.page.send(self.update(self.text, ping))
+        return self.next_event() == ("text", ping)
+
+    def next_event(self) -> tuple[str, Any]:
+        """The next callback that ran for this client."""
+        return self.events.get(timeout=PATIENCE)
+
+    def is_quiet(self) -> bool:
+        """Whether nothing has reached a callback but a ping sent now; later messages do not overtake."""
+        return self.works() and self.events.empty()
+
+
+class Sandbox:
+    """A server behind its gate, and its users."""
+
+    def __init__(self) -> None:
+        self.oversized: list[tuple[int, str]] = []
+        self.server: GatedServer = open_server(
+            "127.0.0.1", 0, on_oversized=lambda client_id, name: self.oversized.append((client_id, name))
+        )
+        self.port = self.server.get_port()
+        self.pages: list[Page] = []
+        self._clients: queue.Queue[viser.ClientHandle] = queue.Queue()
+
+        @self.server.on_client_connect
+        async def _(client: viser.ClientHandle) -> None:
+            self._clients.put(client)
+
+    def page(self) -> Page:
+        """A connection that has said nothing yet."""
+        page = Page(self.port)
+        self.pages.append(page)
+        return page
+
+    def user(self) -> User:
+        """A page that has reported its camera, as every page does first."""
+        page = self.page()
+        page.send(CAMERA)
+        return User(page, self._clients.get(timeout=PATIENCE))
+
+    def refuses(self, reason: Any, count: int = 1) -> bool:
+        """Whether the gate comes to count refusals for this reason, and no others."""
+        refused = self.server.gate.refused
+        return eventually(lambda: refused[reason] >= count) and dict(refused) == {reason: count}
+
+    def close(self) -> None:
+        """Stop everything."""
+        for page in self.pages:
+            page.close()
+        self.server.stop()
+
+
+def uuid_of(element: Any) -> str:
+    """The name of a GUI element or command on the wire."""
+    return element._impl.uuid

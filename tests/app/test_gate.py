@@ -1,0 +1,292 @@
+"""Who may connect, and that nothing is served without the gate."""
+
+import socket
+import sys
+from collections.abc import Iterator
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+import viser
+import viser.infra._infra
+import websockets.asyncio.server
+import websockets.datastructures
+import websockets.exceptions
+from websockets.exceptions import InvalidStatus
+
+from app import gate
+from app.gate import GateError, PortBusy, exposure, open_server
+from tests.app.hostile import HANDSHAKE, Sandbox, answer, eventually, status
+
+
+@pytest.fixture
+def sandbox() -> Iterator[Sandbox]:
+    sandbox = Sandbox()
+    yield sandbox
+    sandbox.close()
+
+
+def is_listening(port: int) -> bool:
+    try:
+        socket.create_connection(("127.0.0.1", port), timeout=5).close()
+    except ConnectionRefusedError:
+        return False
+    return True
+
+
+def own(port: int, host: str = "127.0.0.1") -> list[tuple[str, str]]:
+    return [("Host", f"{host}:{port}"), ("Origin", f"http://{host}:{port}"), *HANDSHAKE]
+
+
+def test_the_page_is_served_and_cannot_be_framed(sandbox: Sandbox) -> None:
+    code, headers = answer(sandbox.port, [("Host", f"localhost:{sandbox.port}")])
+    assert code == 200
+    assert headers["X-Frame-Options"] == "DENY"
+    assert headers["Content-Security-Policy"] == "frame-ancestors 'none'"
+    assert headers["X-Content-Type-Options"] == "nosniff"
+
+
+@pytest.mark.parametrize("host", ["localhost", "LOCALHOST", "127.0.0.1", "[::1]"])
+def test_the_page_may_connect_by_every_name_of_this_machine(sandbox: Sandbox, host: str) -> None:
+    assert status(sandbox.port, own(sandbox.port, host)) == 101
+
+
+@pytest.mark.parametrize(
+    "hosts",
+    [
+        ["evil.example:{port}"],
+        ["evil.example"],
+        ["127.0.0.1"],
+        ["127.0.0.1:{wrong}"],
+        ["localhost.evil.example:{port}"],
+        ["127.0.0.1:{port}", "127.0.0.1:{port}"],
+        ["127.0.0.1:{port}", "evil.example"],
+        ["0.0.0.0:{port}"],
+        [""],
+        [],
+    ],
+)
+def test_a_foreign_host_is_refused(sandbox: Sandbox, hosts: list[str]) -> None:
+    user = sandbox.user()
+    named = [host.format(port=sandbox.port, wrong=sandbox.port ^ 1) for host in hosts]
+    headers = [("Host", host) for host in named]
+    assert status(sandbox.port, headers) == 421
+    origin = [("Origin", f"http://{named[0]}")] if named else []
+    assert status(sandbox.port, [*headers, *origin, *HANDSHAKE]) == 421
+    assert sandbox.refuses("host", 2)
+    assert user.works()
+
+
+@pytest.mark.parametrize(
+    "origins",
+    [
+        ["http://evil.example"],
+        ["http://127.0.0.1"],
+        ["http://127.0.0.1:{wrong}"],
+        ["http://localhost:{port}"],
+        ["https://127.0.0.1:{port}"],
+        ["http://127.0.0.1:{port}.evil.example"],
+        ["http://127.0.0.1:{port}", "http://evil.example"],
+        ["http://127.0.0.1:{port}", "http://127.0.0.1:{port}"],
+        ["http://127.0.0.1:{port}, http://evil.example"],
+        ["null"],
+        [""],
+        [],
+    ],
+)
+def test_a_foreign_page_may_not_connect(sandbox: Sandbox, origins: list[str]) -> None:
+    user = sandbox.user()
+    headers = [("Origin", o.format(port=sandbox.port, wrong=sandbox.port ^ 1)) for o in origins]
+    assert status(sandbox.port, [("Host", f"127.0.0.1:{sandbox.port}"), *headers, *HANDSHAKE]) == 403
+    assert sandbox.refuses("origin")
+    assert user.works()
+
+
+@pytest.mark.parametrize("upgrade", [["h2c"], ["websocket, h2c"], ["WebSocket"], ["websocket", "websocket"]])
+def test_a_muddled_upgrade_is_refused(sandbox: Sandbox, upgrade: list[str]) -> None:
+    headers = [header for header in own(sandbox.port) if header[0] != "Upgrade"]
+    assert status(sandbox.port, [*headers, *(("Upgrade", value) for value in upgrade)]) == 400
+    assert sandbox.refuses("upgrade")
+
+
+@pytest.mark.parametrize(
+    "query", ["websocket=ws://evil.example", "playbackPath=//evil.example", "%77ebsocket"]
+)
+@pytest.mark.parametrize("path", ["/", "/index.html", "//evil.example/"])
+def test_a_link_cannot_make_the_page_obey_another_server(sandbox: Sandbox, query: str, path: str) -> None:
+    code, headers = answer(sandbox.port, [("Host", f"127.0.0.1:{sandbox.port}")], f"{path}?{query}")
+    assert (code, headers["Location"]) == (307, "/")
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/../../../../etc/passwd",
+        "/%2e%2e/%2e%2e/etc/passwd",
+        "/..%5c..%5cx",
+        "//etc/passwd",
+        "/C:/x",
+        "/%00",
+        "/" + "a" * 5000,
+        "http://evil.example/",
+        "*",
+        "/package.json",
+    ],
+)
+def test_nothing_but_the_page_is_served(sandbox: Sandbox, path: str) -> None:
+    assert status(sandbox.port, [("Host", f"127.0.0.1:{sandbox.port}")], path) == 404
+    assert sandbox.refuses("path")
+
+
+@pytest.mark.parametrize("method", ["POST", "PUT", "DELETE", "OPTIONS", "HEAD", "nonsense"])
+def test_other_methods_are_refused(sandbox: Sandbox, method: str) -> None:
+    user = sandbox.user()
+    assert status(sandbox.port, [("Host", f"127.0.0.1:{sandbox.port}")], method=method) in (0, 400, 405)
+    assert user.works()
+
+
+def test_requests_that_make_no_sense_leave_no_trace(
+    sandbox: Sandbox, caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # viser adds a filter of its own, but only with the first page it serves.
+    own_filters = [each for each in gate._logger.filters if type(each).__module__ == gate.__name__]
+    monkeypatch.setattr(gate._logger, "filters", own_filters)
+    for nonsense in (b"\0\1\2\r\n\r\n", b"GET / HTTP/9\r\n\r\n", b"\x16\x03\x01\x02\x00\x01\r\n\r\n"):
+        with socket.create_connection(("127.0.0.1", sandbox.port), timeout=20) as connection:
+            connection.sendall(nonsense)
+            while connection.recv(4096):
+                pass
+    assert not caplog.records
+    assert sandbox.user().works()
+
+
+def test_tabs_are_limited(sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(gate, "MAX_TABS", 3)
+    first, *others = [sandbox.user() for _ in range(3)]
+    with pytest.raises(InvalidStatus) as refused:
+        sandbox.page()
+    assert refused.value.response.status_code == 503
+    assert all(user.works() for user in (first, *others))
+    first.page.close()
+
+    def has_room() -> bool:
+        return status(sandbox.port, own(sandbox.port)) == 101
+
+    assert eventually(has_room)
+
+
+def test_a_handshake_that_fails_takes_no_place(sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(gate, "MAX_TABS", 1)
+    without_key = [header for header in own(sandbox.port) if header[0] != "Sec-WebSocket-Key"]
+    for _ in range(3):
+        assert status(sandbox.port, without_key) == 400
+    assert eventually(lambda: status(sandbox.port, own(sandbox.port)) == 101)
+
+
+def test_a_busy_port_is_reported_with_the_next_free_one(sandbox: Sandbox) -> None:
+    with pytest.raises(PortBusy) as busy:
+        open_server("127.0.0.1", sandbox.port)
+    assert busy.value.port == sandbox.port
+    assert busy.value.next_free != sandbox.port
+    assert str(busy.value) == (
+        f"Port {sandbox.port} is already in use; the next free one is {busy.value.next_free}."
+    )
+    server = open_server("127.0.0.1", busy.value.next_free)
+    assert server.get_port() == busy.value.next_free
+    server.stop()
+
+
+@pytest.mark.parametrize(("host", "port"), [("host.invalid", 0), ("192.0.2.1", 0), ("127.0.0.1", 70000)])
+def test_an_impossible_address_is_one_sentence(host: str, port: int) -> None:
+    with pytest.raises(GateError, match=r"^[^\n]+\.$"):
+        open_server(host, port)
+
+
+def test_every_address_of_the_machine_is_served_by_its_own_names_only() -> None:
+    server = open_server("0.0.0.0", 0, extra_hosts=["Rope.example", "localhost:9000"])
+    port = server.get_port()
+    try:
+        for host in (f"127.0.0.1:{port}", f"rope.example:{port}", f"{socket.gethostname()}:{port}"):
+            assert status(port, [("Host", host), ("Origin", f"http://{host}"), *HANDSHAKE]) == 101
+        assert status(port, [("Host", "localhost:9000")]) == 200
+        for host in (f"evil.example:{port}", f"192.0.2.1:{port}", "rope.example:9000", f"0.0.0.0:{port}"):
+            assert status(port, [("Host", host)]) == 421
+    finally:
+        server.stop()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux has 127.0.0.2 from the start")
+def test_the_address_that_a_request_came_in_at_is_its_own() -> None:
+    server = open_server("0.0.0.0", 0)
+    # 127.0.0.2 stands in for the address of a network card.
+    host = [("Host", f"127.0.0.2:{server.get_port()}")]
+    try:
+        assert status(server.get_port(), host, address="127.0.0.2") == 200
+        assert status(server.get_port(), host, address="127.0.0.1") == 421
+    finally:
+        server.stop()
+
+
+@pytest.mark.parametrize("host", ["127.0.0.1", "localhost", "::1", "127.8.8.8"])
+def test_this_machine_alone_is_no_exposure(host: str) -> None:
+    assert exposure(host) is None
+
+
+@pytest.mark.parametrize("host", ["0.0.0.0", "::", "192.0.2.1", "host.invalid", ""])
+def test_a_network_address_is_an_exposure(host: str) -> None:
+    assert "no password" in (exposure(host) or "")
+
+
+def test_nothing_is_served_before_the_gate_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(gate.Gate, "open", lambda self, server: None)
+    server = open_server("127.0.0.1", 0)
+    assert status(server.get_port(), own(server.get_port())) == 503
+    server.stop()
+
+
+def test_another_version_of_viser_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(viser, "__version__", "1.2.0")
+    with pytest.raises(GateError, match=r"1\.1\.1 is needed, but 1\.2\.0"):
+        open_server("127.0.0.1", 0)
+
+
+def test_a_viser_that_passes_by_the_gate_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    ports: list[int] = []
+    real_serve = websockets.asyncio.server.serve
+
+    def passing_by(handler: Any, host: str, port: int, **options: Any) -> Any:
+        ports.append(port)
+        return real_serve(handler, host, port, **options)
+
+    shadow = SimpleNamespace(
+        asyncio=SimpleNamespace(server=SimpleNamespace(serve=passing_by)),
+        exceptions=websockets.exceptions,
+        datastructures=websockets.datastructures,
+    )
+    monkeypatch.setattr(viser.infra._infra, "websockets", shadow)
+    with pytest.raises(GateError, match="by way of the gate"):
+        open_server("127.0.0.1", 0)
+    assert ports
+    assert not any(is_listening(port) for port in ports)
+
+
+def test_websockets_is_left_as_it_was(monkeypatch: pytest.MonkeyPatch) -> None:
+    real_serve = websockets.asyncio.server.serve
+    server = open_server("127.0.0.1", 0)
+    assert websockets.asyncio.server.serve is real_serve
+    server.stop()
+
+    def failing(self: object, **options: object) -> None:
+        assert websockets.asyncio.server.serve is not real_serve
+        raise RuntimeError("viser failed")
+
+    monkeypatch.setattr(viser.ViserServer, "__init__", failing)
+    with pytest.raises(RuntimeError, match="viser failed"):
+        open_server("127.0.0.1", 0)
+    assert websockets.asyncio.server.serve is real_serve
+
+
+def test_a_stopped_server_leaves_its_port(sandbox: Sandbox) -> None:
+    assert is_listening(sandbox.port)
+    sandbox.server.stop()
+    assert not is_listening(sandbox.port)
