@@ -17,7 +17,7 @@ from .kernels.chain import run_chain
 from .kernels.controls import refresh
 from .kernels.general import run_general, run_held
 from .kernels.tables import CONTROL_SCALE, CONTROL_SHIFT, Live, Motion
-from .scene import Pose, Scene
+from .scene import Anchor, Pose, Scene
 from .settings import shift_rest_angles
 from .stability import StabilityEstimate, StabilityMeter
 from .system import build_system, new_live, new_work, same_topology
@@ -58,10 +58,15 @@ class Simulation:
     def scene(self) -> Scene:
         """The scene as it is now: what the arrow keys changed is in it, the motion is not."""
         scale, shift = (float(c) for c in self._live.controls)
-        scene = self._scene
-        if scale != scene.rest_length_scale:
-            scene = msgspec.structs.replace(scene, rest_length_scale=scale)
-        return shift_rest_angles(scene, shift) if shift else scene
+        if (scale, shift) != self._folded[0]:
+            scene = msgspec.structs.replace(self._scene, rest_length_scale=scale)
+            self._folded = (scale, shift), shift_rest_angles(scene, shift) if shift else scene
+        return self._folded[1]
+
+    @property
+    def anchors(self) -> tuple[Anchor, ...]:
+        """The scene's anchors."""
+        return self._scene.anchors
 
     @property
     def step_count(self) -> int:
@@ -135,12 +140,14 @@ class Simulation:
         self._keys = held
 
     def move(self, mass: int, to: tuple[float, float]) -> None:
-        """Put a held mass somewhere at the start of the next step, before the forces.
+        """Put a held mass somewhere at once; the forces of the next step find it there.
 
         Raises:
             InputError: the mass does not exist or is not held, or the place is not within ±1e6 px.
         """
-        self._targets[self._held_mass(mass)] = (*self._place(to), True)
+        place, (x, y) = self._held_mass(mass), self._place(to)
+        self._targets.pop(place, None)
+        self._live.x[place], self._live.y[place] = x, y
 
     def lead(self, mass: int, to: tuple[float, float]) -> None:
         """Lead a held mass somewhere: in a straight line, over all steps of the next call of `step`.
@@ -148,7 +155,7 @@ class Simulation:
         Raises:
             InputError: as `move`.
         """
-        self._targets[self._held_mass(mass)] = (*self._place(to), False)
+        self._targets[self._held_mass(mass)] = self._place(to)
 
     def grab(self, mass: int) -> None:
         """Hold a mass that is free, as a hand does, until `release`; a held mass may be grabbed too."""
@@ -167,19 +174,16 @@ class Simulation:
             raise InputError(f"step: {n} is not a number of steps")
         if self.divergence is not None or n == 0:
             return 0
-        jumps = {place: target for place, target in self._targets.items() if target[2]}
-        for place, (x, y, _) in jumps.items():
-            self._live.x[place], self._live.y[place] = x, y
-        led = [(place, target) for place, target in self._targets.items() if not target[2]]
-        places = np.array([place for place, _ in led], np.int64)
+        places = np.array(list(self._targets), np.int64)
+        targets = np.array(list(self._targets.values()), float).reshape(-1, 2)
         factor, angle = self._key_rates()
         motion = Motion(
-            active=bool(led) or (factor, angle) != (1.0, 0.0),
+            active=bool(self._targets) or (factor, angle) != (1.0, 0.0),
             mass=places,
             from_x=self._live.x[places],
             from_y=self._live.y[places],
-            to_x=np.array([x for _, (x, _, _) in led], float),
-            to_y=np.array([y for _, (_, y, _) in led], float),
+            to_x=targets[:, 0].copy(),
+            to_y=targets[:, 1].copy(),
             length_factor=factor,
             angle_step=angle,
         )
@@ -270,13 +274,14 @@ class Simulation:
         joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
         self._joint_ends = springs[joints[:, 0]], springs[joints[:, 1]]
         self._meter: StabilityMeter | None = None
-        self._targets: dict[int, tuple[float, float, bool]] = {}
+        self._targets: dict[int, tuple[float, float]] = {}
         self._grabbed: set[int] = set()
 
     def _restart(self) -> None:
         self.divergence = None
         self._targets.clear()
         self._live.controls[:] = self._scene.rest_length_scale, 0.0
+        self._folded = (self._scene.rest_length_scale, 0.0), self._scene
         refresh(self._body, self._live)
         self._weigh()
 

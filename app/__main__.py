@@ -1,0 +1,5 @@
+"""`python -m app` is `softrod`."""
+
+from .cli import main
+
+main()

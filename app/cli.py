@@ -1,0 +1,173 @@
+"""The command line: `softrod [SCENE]`, `softrod run`, `softrod scenes`, `softrod check`."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from rich.console import Console
+from rich.table import Table
+from tyro.conf import Positional, UseAppendAction, arg
+
+import sim
+from sim.errors import InputError, SceneError, SettingError
+from sim.files import read_scene
+from sim.settings import apply_assignments
+
+from . import headless
+
+DEFAULT_SCENE = "tutorial-3.3"
+
+Settings = Annotated[
+    UseAppendAction[tuple[str, ...]],
+    arg(
+        name="set",
+        metavar="KEY=VALUE",
+        help="set a number of the scene; may be repeated. Keys: linear_stiffness, linear_damping, "
+        "angular_stiffness, rest_length_scale, rest_angle, gravity, air_friction, masses, dt, template",
+    ),
+]
+
+
+@dataclass
+class Serve:
+    """Serve a scene in the browser."""
+
+    scene: Annotated[Positional[str], arg(metavar="SCENE")] = DEFAULT_SCENE
+    """A preset's name or a file's path."""
+    host: str = "127.0.0.1"
+    """Address to listen on. Any other than this machine's own lets other machines in."""
+    port: int = 8080
+    """Port to listen on; 0 for any free one."""
+    open: bool = True
+    """Open the page in a browser."""
+    settings: Settings = ()
+
+    def run(self) -> int:
+        """Serve until told to stop."""
+        # Here, not above: the other commands have no use for viser, which takes a second to import.
+        from .gate import GateError, PortBusy
+        from .serve import serve
+
+        try:
+            serve(_scene(self.scene, self.settings), self.host, self.port, self.open)
+        except (GateError, PortBusy) as error:
+            return _fail(error)
+        return 0
+
+
+@dataclass
+class Run:
+    """Simulate without a page, and write a table of positions."""
+
+    scene: Annotated[Positional[str], arg(metavar="SCENE")]
+    """A preset's name or a file's path."""
+    out: Path
+    """The table, FILE.csv or FILE.npz."""
+    steps: int | None = None
+    """Steps to do."""
+    duration: float | None = None
+    """Seconds to simulate, instead of a number of steps."""
+    inputs: Path | None = None
+    """A log of moves and keys, one JSON object a line, ordered by step."""
+    every: int = 1
+    """Write one row after each so many steps."""
+    settings: Settings = ()
+
+    def run(self) -> int:
+        """Simulate and write."""
+        scene = _scene(self.scene, self.settings)
+        headless.check_output(self.out)
+        entries = headless.read_log(self.inputs) if self.inputs is not None else []
+        if self.every < 1:
+            return _fail("--every: it must be at least 1")
+        steps = self._steps(scene.integrator.dt)
+        if isinstance(steps, str):
+            return _fail(steps)
+        recording, problem = headless.run(scene, steps, entries, self.every, Console(stderr=True))
+        recording.write(self.out)
+        if problem is not None:
+            return _fail(f"{problem}; {self.out} has the {len(recording.steps)} rows before it")
+        return 0
+
+    def _steps(self, dt: float) -> int | str:
+        if (self.steps is None) == (self.duration is None):
+            return "either --steps or --duration says how long to simulate"
+        steps = self.steps
+        if self.duration is not None:
+            if not 0.0 <= self.duration <= 1e9:
+                return f"--duration: {self.duration:g} is not in the range 0..1e+09 s"
+            steps = round(self.duration / dt)
+        if steps is None or not 0 <= steps <= 10**12:
+            return f"--steps: {steps} is not in the range 0..{10**12}"
+        return steps
+
+
+@dataclass
+class Scenes:
+    """List the scenes there are."""
+
+    def run(self) -> int:
+        """Print them."""
+        table = Table("scene", "description", box=None, padding=(0, 2, 0, 0))
+        for info in sim.list_scenes():
+            table.add_row(info.name if info.built_in else f"{info.name} (saved)", info.description)
+        Console().print(table)
+        return 0
+
+
+@dataclass
+class Check:
+    """Say whether scene files are valid, and why not."""
+
+    files: Annotated[Positional[tuple[Path, ...]], arg(metavar="FILE")] = field(default=())
+
+    def run(self) -> int:
+        """Check each; 1 if any is not valid."""
+        if not self.files:
+            return _fail("check: name at least one file")
+        failed = 0
+        for path in self.files:
+            try:
+                scene = read_scene(path)
+            except ValueError as error:
+                failed = _fail(error)
+            else:
+                print(f"{path}: {scene.name}, {len(scene.masses)} masses, is valid")
+        return failed
+
+
+COMMANDS = {"run": Run, "scenes": Scenes, "check": Check}
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """The entry point of the command `softrod`."""
+    words = sys.argv[1:] if arguments is None else arguments
+    command = COMMANDS.get(words[0]) if words else None
+    sys.exit(_main(command or Serve, words[1:] if command else words))
+
+
+def _main(command: type[Serve | Run | Scenes | Check], words: list[str]) -> int:
+    program = "softrod" if command is Serve else f"softrod {command.__name__.lower()}"
+    description = None
+    if command is Serve:
+        others = "\n".join(f"  softrod {name}: {kind.__doc__}" for name, kind in COMMANDS.items())
+        description = f"Serve a scene in the browser.\n\nOther commands (each has --help):\n{others}"
+    parsed = tyro.cli(command, prog=program, description=description, args=words)
+    try:
+        return parsed.run()
+    except (InputError, SceneError, SettingError) as error:
+        return _fail(error)
+
+
+def _scene(name: str, settings: tuple[str, ...]) -> sim.Scene:
+    return apply_assignments(sim.load_scene(name), settings)
+
+
+def _fail(reason: object) -> int:
+    """Say why on the error stream; the exit status is 1."""
+    print(f"softrod: {reason}", file=sys.stderr)
+    return 1

@@ -1,0 +1,104 @@
+"""Colours: the palettes, and what has to be sent so that the page shows them.
+
+viser's page always applies the ACES filmic tone map of three.js, which dulls every colour that carries
+meaning. With ambient light alone a mesh shows its own colour times the light, so the colour to send is the
+one that the tone map turns into the colour wanted.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+Rgb = NDArray[np.float64]
+
+# three.js r1xx, ACESFilmicToneMapping: linear sRGB to the fit's space and back.
+_IN = np.array([[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]])
+_OUT = np.array([[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]])
+_EXPOSURE = 0.6
+LIGHT_GAIN = 2.0
+"""The ambient light is pi times this: without the gain nothing gets brighter than e2e2e2."""
+
+
+def rgb(text: str) -> Rgb:
+    """(3,) sRGB values 0..255 of a colour such as "fbbf24"."""
+    return np.array([int(text[i : i + 2], 16) for i in (0, 2, 4)], float)
+
+
+def sent(color: Rgb) -> NDArray[np.uint8]:
+    """What to send for (..., 3) sRGB colours 0..255 so that the page shows them.
+
+    Inverts, in order, the sRGB curve, the tone map's output matrix, its rational fit
+    v (v + a) - b over v (c v + d) + e (Hill's fit of ACES), its input matrix, and the light.
+    """
+    c = np.asarray(color, float) / 255.0
+    c = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4) @ np.linalg.inv(_OUT).T
+    c = np.clip(c, 0.0, 0.985)  # the fit never reaches 1
+    p = 1.0 - 0.983729 * c
+    q = 0.0245786 - 0.4329510 * c
+    r = -0.000090537 - 0.238081 * c
+    v = (-q + np.sqrt(q * q - 4.0 * p * r)) / (2.0 * p)
+    light = v @ np.linalg.inv(_IN).T * (_EXPOSURE / LIGHT_GAIN)
+    return np.rint(np.clip(light, 0.0, 1.0) * 255.0).astype(np.uint8)
+
+
+def sent_one(color: Rgb) -> tuple[int, int, int]:
+    """As `sent`, for a single colour of a whole node."""
+    red, green, blue = (int(part) for part in sent(color))
+    return red, green, blue
+
+
+def blend(a: Rgb, b: Rgb, part: NDArray[np.float64]) -> Rgb:
+    """(n, 3) colours, `part` (n,) of the way from a to b."""
+    return a + (b - a) * part[:, None]
+
+
+@dataclass(frozen=True)
+class Palette:
+    """The colours of one scheme, (3,) sRGB 0..255 each."""
+
+    paper: Rgb
+    grid: Rgb
+    grid_major: Rgb
+    ink: Rgb
+    text: Rgb
+    mass: Rgb
+    held: Rgb
+    driven: Rgb
+    rest: Rgb
+    pulled: Rgb
+    pushed: Rgb
+    torque_plus: Rgb
+    torque_minus: Rgb
+
+    def css(self, name: str) -> str:
+        """One of the colours as CSS has it."""
+        return "#" + "".join(f"{int(part):02x}" for part in getattr(self, name))
+
+
+_WHITE = Palette(
+    paper=rgb("ffffff"), grid=rgb("eef1f5"), grid_major=rgb("dde3ea"), ink=rgb("1e293b"), text=rgb("334155"),
+    mass=rgb("fbbf24"), held=rgb("475569"), driven=rgb("4263eb"), rest=rgb("8592a6"), pulled=rgb("e8352b"),
+    pushed=rgb("1971c2"), torque_plus=rgb("f08c00"), torque_minus=rgb("8e44ad"),
+)  # fmt: skip
+_DARK = Palette(
+    paper=rgb("141414"), grid=rgb("1c2028"), grid_major=rgb("272d38"), ink=rgb("05070b"), text=rgb("cbd5e1"),
+    mass=rgb("ffc947"), held=rgb("94a3b8"), driven=rgb("748ffc"), rest=rgb("8b98ab"), pulled=rgb("ff6b5e"),
+    pushed=rgb("4dabf7"), torque_plus=rgb("ffa94d"), torque_minus=rgb("cc8ee8"),
+)  # fmt: skip
+
+
+def palette(colors: str, dark: bool) -> Palette:
+    """The palette of a scene's colour scheme, on white or on dark."""
+    base = _DARK if dark else _WHITE
+    if colors == "tutorial":
+        # The tutorial's green springs and red masses; a pulled spring must differ from both.
+        return replace(
+            base,
+            mass=rgb("ff2020"),
+            rest=rgb("5cd63c") if dark else rgb("40a020"),
+            pulled=rgb("ffd43b") if dark else rgb("e67700"),
+        )
+    return base

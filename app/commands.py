@@ -1,0 +1,120 @@
+"""What a page can ask of its session: small values that callbacks enqueue and the ticker applies.
+
+Positions are in the scene's unit (px), in the scene's own coordinates. Nothing here is trusted: the session
+checks every number when it applies the command.
+"""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+from dataclasses import dataclass
+
+from sim import Scene
+
+
+@dataclass(frozen=True)
+class HoldKeys:
+    """The arrow keys that are down now; it is repeated while any are."""
+
+    keys: frozenset[str]
+
+
+@dataclass(frozen=True)
+class Point:
+    """Where the pointer is; used while something is dragged, or follows."""
+
+    x: float
+    y: float
+
+
+@dataclass(frozen=True)
+class Follow:
+    """Whether the driven mass follows the pointer without a button."""
+
+    on: bool
+
+
+@dataclass(frozen=True)
+class DragStart:
+    """A mass was taken hold of, by itself or by its gizmo, with the pointer at (x, y)."""
+
+    mass: int
+    x: float
+    y: float
+    by_gizmo: bool = False
+
+
+@dataclass(frozen=True)
+class DragTo:
+    """The mass in hand is wanted with the pointer at (x, y)."""
+
+    x: float
+    y: float
+
+
+@dataclass(frozen=True)
+class DragEnd:
+    """The mass in hand was let go."""
+
+
+@dataclass(frozen=True)
+class SetValue:
+    """A setting's slider or box has a new value."""
+
+    key: str
+    value: float
+
+
+@dataclass(frozen=True)
+class Open:
+    """Another scene is to be shown from its beginning."""
+
+    scene: Scene
+
+
+@dataclass(frozen=True)
+class Play:
+    """Run, pause, or the other of the two (None)."""
+
+    on: bool | None = None
+
+
+@dataclass(frozen=True)
+class DoSteps:
+    """Pause, and do some steps."""
+
+    steps: int
+
+
+@dataclass(frozen=True)
+class Reset:
+    """Back to the scene's start."""
+
+
+@dataclass(frozen=True)
+class Speed:
+    """Simulated seconds per second."""
+
+    factor: float
+
+
+@dataclass(frozen=True)
+class SelectJoint:
+    """The joint whose angle is read out."""
+
+    joint: int
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """The scene as it is now is wanted, to be saved; the result is set between two frames."""
+
+    name: str
+    with_pose: bool
+    result: Future[Scene]
+
+
+Command = (
+    HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | Open | Play | DoSteps | Reset
+    | Speed | SelectJoint | Snapshot
+)  # fmt: skip

@@ -1,0 +1,248 @@
+"""From a simulation's state to the arrays that the page's nodes take: pure numpy, no viser.
+
+Every kind of thing is one instanced node: all masses, all springs, all wedges, all pins.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim import Scene
+
+from .colors import Palette, blend, sent
+
+Floats = NDArray[np.float64]
+
+MANY = 40
+"""From so many masses on, springs are bars instead of coils and wedges have one slice: as legible, and less
+to send."""
+
+WEDGE_SLICES = 6
+FULL_STRAIN = 0.10
+"""Relative stretch at which a spring has the full colour."""
+
+FULL_DEVIATION = 30.0
+"""Degrees off the rest angle at which a wedge has the full colour."""
+
+WORLD_SIZE = 6.0
+"""What the longer side of the scene's frame measures in the page's world."""
+
+# Depths: the page draws what is nearer later. The coil is 0.01 thick.
+Z_GRID, Z_PIN, Z_SPRING, Z_WEDGE, Z_RING, Z_RIM, Z_MASS, Z_SHINE = (
+    -0.4,
+    -0.15,
+    -0.12,
+    -0.06,
+    0.0,
+    0.02,
+    0.03,
+    0.04,
+)
+
+
+@dataclass(frozen=True)
+class Mapping:
+    """The scene's coordinates (px) to the page's world and back."""
+
+    center: tuple[float, float]
+    scale: float
+    flip: float  # -1 where y grows downwards
+
+    @staticmethod
+    def of(scene: Scene) -> Mapping:
+        """The frame's middle is the world's origin."""
+        xmin, ymin, xmax, ymax = scene.view.frame
+        scale = WORLD_SIZE / max(xmax - xmin, ymax - ymin)
+        return Mapping(((xmin + xmax) / 2.0, (ymin + ymax) / 2.0), scale, -1.0 if scene.view.y_down else 1.0)
+
+    def to_world(self, points: Floats, z: float = 0.0) -> Floats:
+        """(n, 3) of (n, 2)."""
+        return np.column_stack(
+            (
+                (points[:, 0] - self.center[0]) * self.scale,
+                (points[:, 1] - self.center[1]) * (self.scale * self.flip),
+                np.full(len(points), z),
+            )
+        )
+
+    def to_scene(self, x: float, y: float) -> tuple[float, float]:
+        """A point of the world in px."""
+        return self.center[0] + x / self.scale, self.center[1] + y / (self.scale * self.flip)
+
+
+class Sketch:
+    """Everything about a scene's drawing that does not move, and the arrays of what does.
+
+    Attributes:
+        mapping: px to world.
+        palette: the colours.
+        radius: (n,) of each mass in the world.
+    """
+
+    def __init__(self, scene: Scene, palette: Palette) -> None:
+        self.mapping = mapping = Mapping.of(scene)
+        self.palette = palette
+        n = len(scene.masses)
+        self.many = n > MANY
+        self.springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
+        self.rest_length = np.array([s.rest_length for s in scene.linear_springs])
+        self.radius = np.array([m.radius for m in scene.masses]) * mapping.scale
+        self.held = np.array([a.mass for a in scene.anchors], np.int64)
+        self.driven = next((a.mass for a in scene.anchors if a.driven), None)
+        self.slices = 1 if self.many else WEDGE_SLICES
+        joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
+        self.joint_a, self.joint_b = joints[:, 0], joints[:, 1]
+        # The mass at the tip of each wedge is the one that both springs share, and the wedge ends at spring b
+        # as it leaves that mass.
+        ends_a, ends_b = self.springs[self.joint_a], self.springs[self.joint_b]
+        leaves = (ends_b[:, :1] == ends_a).any(1)
+        self.joint_mass = np.where(leaves, ends_b[:, 0], ends_b[:, 1])
+        self.joint_sense = np.where(leaves, 1.0, -1.0)
+        self.wedge_radius = 2.6 * self.radius[self.joint_mass] if n else np.zeros(0)
+        self.thickness = self._spring_thickness()
+
+    def _spring_thickness(self) -> Floats:
+        """(S,) amplitude of each coil, or width of each bar, in the world."""
+        if not len(self.springs):
+            return np.zeros(0)
+        smaller = self.radius[self.springs].min(1)
+        if self.many:
+            return 0.55 * smaller
+        return np.minimum(0.95 * smaller, 0.32 * np.maximum(self.rest_length * self.mapping.scale, 1e-3))
+
+    # --------------------------------------------------------------------- masses
+    def masses(self, positions: Floats) -> Floats:
+        """(3n, 3) places of the discs: rims, then fills, then shines."""
+        world = self.mapping.to_world(positions)
+        shine = world + np.column_stack((-0.3 * self.radius, 0.3 * self.radius, np.full(len(world), Z_SHINE)))
+        return np.vstack((_raised(world, Z_RIM), _raised(world, Z_MASS), shine))
+
+    def mass_scales(self) -> Floats:
+        """(3n,) radii of the discs."""
+        return np.concatenate((self.radius, 0.8 * self.radius, 0.22 * self.radius))
+
+    def mass_colors(self) -> NDArray[np.uint8]:
+        """(3n, 3) colours of the discs."""
+        n = len(self.radius)
+        fill = np.tile(self.palette.mass, (n, 1))
+        fill[self.held] = self.palette.held
+        if self.driven is not None:
+            fill[self.driven] = self.palette.mass
+        shine = fill + (255.0 - fill) * 0.55
+        return sent(np.vstack((np.tile(self.palette.ink, (n, 1)), fill, shine)))
+
+    def pins(self, positions: Floats) -> Floats:
+        """(h, 3) places of the supports of held masses, the driven one left out."""
+        return self.mapping.to_world(positions[self.pinned], Z_PIN)
+
+    @property
+    def pinned(self) -> NDArray[np.int64]:
+        """Held masses that are not driven."""
+        return self.held[self.held != self.driven] if self.driven is not None else self.held
+
+    # --------------------------------------------------------------------- springs
+    def spring_arrays(
+        self, positions: Floats, scale: float
+    ) -> tuple[Floats, Floats, Floats, NDArray[np.uint8]]:
+        """Places (S, 3), turns (S, 4), scales (S, 3), colours (S, 3); `scale` multiplies the rest lengths."""
+        world = self.mapping.to_world(positions)
+        start = world[self.springs[:, 0]]
+        vector = world[self.springs[:, 1], :2] - start[:, :2]
+        length = np.hypot(vector[:, 0], vector[:, 1])
+        rest = np.maximum(self.rest_length * (scale * self.mapping.scale), 1e-9)
+        strain = np.clip((length / rest - 1.0) / FULL_STRAIN, -1.0, 1.0)
+        colors = np.where(
+            strain[:, None] > 0.0,
+            blend(self.palette.rest, self.palette.pulled, strain),
+            blend(self.palette.rest, self.palette.pushed, -strain),
+        )
+        # A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
+        width = self.thickness if self.many else self.thickness * np.clip(np.sqrt(rest / length), 0.5, 1.2)
+        scales = np.column_stack((length, width, np.ones(len(length))))
+        return (
+            _raised(start, Z_SPRING),
+            turns(np.arctan2(vector[:, 1], vector[:, 0])),
+            scales,
+            sent(colors),
+        )
+
+    # --------------------------------------------------------------------- wedges
+    def wedge_arrays(
+        self, positions: Floats, deviations: Floats
+    ) -> tuple[Floats, Floats, Floats, NDArray[np.uint8]]:
+        """The wedges from rest angle to present angle, each of `slices` thin triangles.
+
+        Args:
+            positions: (n, 2) px.
+            deviations: (J,) present angle minus rest angle, degrees in (-180, 180].
+
+        Returns:
+            Places (J slices, 3), turns (.., 4), scales (.., 3) and colours (.., 3).
+        """
+        m = self.slices
+        world = self.mapping.to_world(positions, Z_WEDGE)
+        ends = world[self.springs[self.joint_b]][:, :, :2]
+        vector = (ends[:, 1] - ends[:, 0]) * self.joint_sense[:, None]
+        off = np.radians(deviations) * self.mapping.flip
+        # From where spring b would be at the rest angle, slice by slice, to where it is.
+        middle = np.arctan2(vector[:, 1], vector[:, 0])[:, None] - off[:, None] * (
+            1 - (np.arange(m) + 0.5) / m
+        )
+        half = np.minimum(np.abs(off) / m, 3.0) / 2.0
+        # A slice wider than a right angle would be a long needle of a triangle; those are drawn shorter.
+        reach = self.wedge_radius * np.cos(np.minimum(half, 1.2)) if m == 1 else self.wedge_radius
+        base = 2.0 * reach * np.tan(np.minimum(half, 1.2))
+        scales = np.column_stack((reach, base, np.ones(len(reach)))).repeat(m, axis=0)
+        part = np.clip(np.abs(deviations) / FULL_DEVIATION, 0.15, 1.0)
+        full = np.where(deviations[:, None] > 0.0, self.palette.torque_plus, self.palette.torque_minus)
+        colors = sent(self.palette.paper + (full - self.palette.paper) * part[:, None])
+        return (
+            world[self.joint_mass].repeat(m, axis=0),
+            turns(middle.ravel()),
+            scales,
+            colors.repeat(m, axis=0),
+        )
+
+    # --------------------------------------------------------------------- paper
+    def grid(self, scene: Scene) -> tuple[Floats, Floats, Floats, NDArray[np.uint8], float]:
+        """Thin bars of a grid far beyond the frame; as `spring_arrays`, and a main square's width in px."""
+        xmin, ymin, xmax, ymax = scene.view.frame
+        size = max(xmax - xmin, ymax - ymin)
+        major = nice(size / 5.0)
+        minor = major / 5.0
+        steps = int(np.ceil(1.6 * size / minor / 5.0)) * 5
+        cx, cy = (round(c / major) * major for c in self.mapping.center)
+        offset = np.arange(-steps, steps + 1) * minor
+        reach = steps * minor
+        across = np.column_stack((np.full(len(offset), cx - reach), cy + offset))
+        upward = np.column_stack((cx + offset, np.full(len(offset), cy - reach * self.mapping.flip)))
+        is_major = np.arange(-steps, steps + 1) % 5 == 0
+        places = self.mapping.to_world(np.vstack((across, upward)), Z_GRID)
+        places[:, 2] += 0.01 * np.tile(is_major, 2)
+        angles = np.repeat((0.0, np.pi / 2.0), len(offset))
+        length = 2.0 * reach * self.mapping.scale
+        width = np.where(np.tile(is_major, 2), 0.012, 0.010)
+        scales = np.column_stack((np.full(len(places), length), width, np.ones(len(places))))
+        colors = np.where(np.tile(is_major, 2)[:, None], self.palette.grid_major, self.palette.grid)
+        return places, turns(angles), scales, sent(colors), major
+
+
+def _raised(points: Floats, z: float) -> Floats:
+    return points + np.array((0.0, 0.0, z))
+
+
+def turns(angles: Floats) -> Floats:
+    """(n, 4) quaternions (w, x, y, z) of turns about z, in radians."""
+    result = np.zeros((len(angles), 4))
+    result[:, 0] = np.cos(angles / 2.0)
+    result[:, 3] = np.sin(angles / 2.0)
+    return result
+
+
+def nice(value: float) -> float:
+    """The next of 1, 2, 5, 10, 20, ... at or below a positive value."""
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(power * max(step for step in (1.0, 2.0, 5.0) if step * power <= value * (1.0 + 1e-9)))

@@ -1,0 +1,178 @@
+"""`softrod run`: simulates a scene without a page and writes a table."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import msgspec
+import numpy as np
+from rich.console import Console
+from rich.progress import Progress
+
+import sim
+from sim.errors import InputError
+from sim.files import write_atomically
+
+LONG_RUN = 200_000
+"""Steps from which on a run shows its progress."""
+
+
+class Move(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A held mass is put somewhere."""
+
+    mass: int
+    to: tuple[float, float]
+
+
+class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One line of an input log: what happens at the start of a step, before the forces.
+
+    Attributes:
+        step: steps done before it, from 0.
+        move: the mass and where it is put, or None.
+        keys: the set of keys held from this step on, or None for no change.
+    """
+
+    step: int
+    move: Move | None = None
+    keys: tuple[str, ...] | None = None
+
+
+def read_log(path: Path) -> list[Entry]:
+    """The entries of an input log, one JSON object a line, in order of their steps.
+
+    Raises:
+        InputError: the file cannot be read, or a line is not an entry; the sentence names the line.
+    """
+    try:
+        lines = path.read_bytes().splitlines()
+    except OSError as error:
+        raise InputError(f"{path}: the file cannot be read ({error.strerror or error})") from None
+    entries: list[Entry] = []
+    decoder = msgspec.json.Decoder(Entry)
+    for number, line in enumerate(lines, start=1):
+        if not line.strip():
+            continue
+        try:
+            entry = decoder.decode(line)
+        except (msgspec.DecodeError, UnicodeDecodeError) as error:
+            raise InputError(f"{path}: line {number}: {error}") from None
+        if entry.step < (entries[-1].step if entries else 0):
+            raise InputError(f"{path}: line {number}: step {entry.step} comes after a later step")
+        entries.append(entry)
+    return entries
+
+
+@dataclass
+class Recording:
+    """Rows of a run, one after each K-th step."""
+
+    masses: int
+    steps: list[int] = field(default_factory=list)
+    times: list[float] = field(default_factory=list)
+    positions: list[np.ndarray] = field(default_factory=list)
+
+    def add(self, simulation: sim.Simulation) -> None:
+        """Note the present state."""
+        self.steps.append(simulation.step_count)
+        self.times.append(simulation.time)
+        self.positions.append(simulation.positions)
+
+    def write(self, path: Path) -> None:
+        """Write as CSV (17 significant digits) or NPZ (`step`, `time`, `positions` of shape (rows, n, 2)).
+
+        Raises:
+            InputError: the ending is neither, or the file cannot be written.
+        """
+        positions = np.array(self.positions).reshape(len(self.steps), self.masses, 2)
+        if path.suffix == ".npz":
+            data = io.BytesIO()
+            np.savez(data, step=np.array(self.steps), time=np.array(self.times), positions=positions)
+            content = data.getvalue()
+        else:
+            content = self._csv(positions).encode()
+        try:
+            write_atomically(path, content)
+        except OSError as error:
+            raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+
+    def _csv(self, positions: np.ndarray) -> str:
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["step", "time", *(f"{axis}{i}" for i in range(self.masses) for axis in "xy")])
+        for step, time, row in zip(
+            self.steps, self.times, positions.reshape(len(self.steps), -1), strict=True
+        ):
+            writer.writerow([step, f"{time:.17g}", *(f"{value:.17g}" for value in row)])
+        return text.getvalue()
+
+
+def check_output(path: Path) -> None:
+    """Refuse an output that could not be written, before any time goes into a run.
+
+    Raises:
+        InputError: the ending is neither .csv nor .npz, or the folder does not exist.
+    """
+    if path.suffix not in (".csv", ".npz"):
+        raise InputError(f"--out {path}: the file must end in .csv or .npz")
+    if not path.parent.is_dir():
+        raise InputError(f"--out {path}: the folder {path.parent} does not exist")
+
+
+def run(
+    scene: sim.Scene, steps: int, entries: list[Entry], every: int, console: Console
+) -> tuple[Recording, str | None]:
+    """Simulate, and return the rows and why it stopped early (None if it did not).
+
+    Args:
+        scene: a valid scene.
+        steps: steps to do.
+        entries: inputs, in order of their steps.
+        every: rows are taken after each step that is a multiple of this.
+        console: for the progress bar of a long run.
+
+    Raises:
+        InputError: an input asks for what cannot be done; the sentence names its step.
+    """
+    simulation = sim.Simulation(scene)
+    recording = Recording(len(scene.masses))
+    with Progress(console=console, transient=True, disable=steps < LONG_RUN) as progress:
+        task = progress.add_task("simulating", total=steps)
+        for target in _stops(steps, entries, every):
+            while entries and entries[0].step == simulation.step_count:
+                _apply(entries[0], simulation)
+                entries = entries[1:]
+            simulation.step(target - simulation.step_count)
+            if simulation.divergence is not None:
+                return recording, str(simulation.divergence)
+            if target % every == 0:
+                recording.add(simulation)
+            progress.update(task, completed=target)
+    return recording, None
+
+
+def _stops(steps: int, entries: list[Entry], every: int) -> Iterator[int]:
+    """The steps, ascending, up to which the simulation can go in one call."""
+    inputs = sorted({entry.step for entry in entries if 0 < entry.step < steps})
+    rows = iter(range(every, steps + 1, every))
+    row = next(rows, None)
+    for stop in [*inputs, steps]:
+        while row is not None and row <= stop:
+            yield row
+            row = next(rows, None)
+        if stop % every:
+            yield stop
+
+
+def _apply(entry: Entry, simulation: sim.Simulation) -> None:
+    try:
+        if entry.move is not None:
+            simulation.move(entry.move.mass, entry.move.to)
+        if entry.keys is not None:
+            simulation.keys = entry.keys
+    except InputError as error:
+        raise InputError(f"inputs, step {entry.step}: {error}") from None

@@ -1,0 +1,111 @@
+"""`softrod [SCENE]`: serves the page until it is told to stop."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import signal
+import threading
+import webbrowser
+from collections.abc import Iterator
+
+import viser
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+import sim
+from sim.warmup import Kernels, is_cached
+
+from .colors import LIGHT_GAIN, palette
+from .gate import exposure, open_server
+from .session import Notice
+from .tab import Tab
+from .ticker import Ticker
+
+_PI = 3.141592653589793
+
+
+@contextlib.contextmanager
+def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.ViserServer, Ticker, Kernels]]:
+    """The server behind its gate, ticking, for as long as the context lasts; kernels are not compiled yet.
+
+    Raises:
+        GateError: the gate could not be put in place; nothing is served.
+        PortBusy: something else listens on the port.
+    """
+    kernels = Kernels()
+    ticker = Ticker(lambda client: Tab(client, scene, kernels))
+
+    def oversized(client_id: int, name: str) -> None:
+        tab = ticker.tabs.get(client_id)
+        if tab is not None:
+            tab.notify(Notice("error", "That file is too large", f"{name}: a scene file has at most 5 MB."))
+
+    # viser prints an address panel of its own.
+    with contextlib.redirect_stdout(io.StringIO()):
+        server = open_server(host, port, label="softrod", on_oversized=oversized)
+    try:
+        _set_stage(server)
+        ticker.attach(server)
+        yield server, ticker, kernels
+    finally:
+        ticker.stop()
+        with contextlib.redirect_stdout(io.StringIO()):
+            server.stop()
+
+
+def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
+    """Serve until Ctrl-C or SIGTERM.
+
+    Raises:
+        GateError, PortBusy: as `serving`.
+    """
+    console = Console()
+    stop = threading.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: stop.set())
+    with serving(scene, host, port) as (server, _, kernels):
+        shown = "127.0.0.1" if host in ("0.0.0.0", "::") else f"[{host}]" if ":" in host else host
+        address = f"http://{shown}:{server.get_port()}"
+        console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
+        warning = exposure(host)
+        if warning:
+            console.print(f"[yellow]{warning}[/yellow]", highlight=False)
+        compiler = threading.Thread(target=_compile, args=(kernels, console), daemon=True)
+        compiler.start()
+        if open_browser:
+            webbrowser.open(address)
+        # A wait with a timeout: without one, some systems deliver no signal to the waiting main thread.
+        while not stop.wait(0.5):
+            pass
+    console.print("softrod has ended.")
+
+
+def _set_stage(server: viser.ViserServer) -> None:
+    """What every page has: flat light, a flat camera far away, no axes."""
+    scene = server.scene
+    with server.atomic():
+        scene.set_up_direction("+y")
+        scene.world_axes.visible = False
+        scene.configure_default_lights(enabled=False, cast_shadow=False)
+        scene.configure_environment_map(None)
+        scene.add_light_ambient("/light", intensity=_PI * LIGHT_GAIN)
+    # The page's script fits the distance to the window; there is no orthographic camera.
+    camera = server.initial_camera
+    camera.fov, camera.near, camera.far, camera.up = 0.1, 1.0, 2000.0, (0.0, 1.0, 0.0)
+    camera.position, camera.look_at = (0.0, 0.0, 62.0), (0.0, 0.0, 0.0)
+    brand = palette("softrod", dark=False).driven
+    server.gui.configure_theme(
+        show_logo=False, show_share_button=False, brand_color=(int(brand[0]), int(brand[1]), int(brand[2]))
+    )
+
+
+def _compile(kernels: Kernels, console: Console) -> None:
+    """Compile, with a progress bar where that takes a while."""
+    if is_cached():
+        kernels.compile()
+        return
+    columns = (TextColumn("compiling {task.description}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=console, transient=True) as progress:
+        task = progress.add_task("the solver (once)", total=4)
+        kernels.compile(lambda done, of, what: progress.update(task, completed=done, description=what))

@@ -1,0 +1,88 @@
+"""The flat meshes that are drawn, one of each kind, to be instanced: made once, in units of their own."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import trimesh
+
+
+def _flat(points: np.ndarray, faces: np.ndarray) -> trimesh.Trimesh:
+    """A mesh in the plane z = 0 (or near it), every face turned to the viewer at +z."""
+    vertices = np.column_stack((points, np.zeros(len(points)))) if points.shape[1] == 2 else points
+    mesh = trimesh.Trimesh(vertices, faces, process=False)
+    away = mesh.face_normals[:, 2] < 0.0
+    mesh.faces[away] = mesh.faces[away][:, ::-1]
+    return mesh
+
+
+@cache
+def disc(corners: int = 36) -> trimesh.Trimesh:
+    """A disc of radius 1."""
+    t = np.linspace(0.0, 2.0 * np.pi, corners, endpoint=False)
+    rim = np.arange(corners)
+    faces = np.column_stack((np.zeros(corners, int), 1 + rim, 1 + (rim + 1) % corners))
+    return _flat(np.vstack(([[0.0, 0.0]], np.column_stack((np.cos(t), np.sin(t))))), faces)
+
+
+@cache
+def ring(inner: float = 0.82, corners: int = 48) -> trimesh.Trimesh:
+    """A ring of outer radius 1."""
+    t = np.linspace(0.0, 2.0 * np.pi, corners, endpoint=False)
+    edge = np.column_stack((np.cos(t), np.sin(t)))
+    i = np.arange(corners)
+    j = (i + 1) % corners
+    faces = np.vstack((np.column_stack((i, corners + i, corners + j)), np.column_stack((i, corners + j, j))))
+    return _flat(np.vstack((edge * inner, edge)), faces)
+
+
+@cache
+def bar() -> trimesh.Trimesh:
+    """A bar from (0, 0) to (1, 0), of width 1."""
+    points = np.array([[0.0, -0.5], [1.0, -0.5], [1.0, 0.5], [0.0, 0.5]])
+    return _flat(points, np.array([[0, 1, 2], [0, 2, 3]]))
+
+
+@cache
+def slice_() -> trimesh.Trimesh:
+    """A thin triangle with its tip at (0, 0) and its base, of width 1, at x = 1."""
+    return _flat(np.array([[0.0, 0.0], [1.0, -0.5], [1.0, 0.5]]), np.array([[0, 1, 2]]))
+
+
+@cache
+def pin() -> trimesh.Trimesh:
+    """A support: a triangle with its tip at (0, 0), on a base plate below."""
+    points = np.array(
+        [[0.0, 0.0], [-0.7, -1.15], [0.7, -1.15], [-1.0, -1.15], [1.0, -1.15], [1.0, -1.35], [-1.0, -1.35]]
+    )
+    return _flat(points, np.array([[0, 1, 2], [3, 4, 5], [3, 5, 6]]))
+
+
+@cache
+def coil(
+    turns: int = 5, points_per_turn: int = 20, line: float = 0.085, lead: float = 0.15
+) -> trimesh.Trimesh:
+    """A coil spring seen from the side, from (0, 0) to (1, 0), of amplitude 1: one flat ribbon.
+
+    The coil's wire loops, as a real one does; the front half of each turn lies a little nearer.
+    """
+    t = np.linspace(0.0, turns, turns * points_per_turn + 1)
+    swell = np.clip(np.minimum(t, turns - t) / 0.5, 0.0, 1.0)
+    x = lead + (1.0 - 2.0 * lead) * t / turns + 0.05 * swell * (np.cos(2.0 * np.pi * t) - 1.0)
+    y = np.sin(2.0 * np.pi * t) * swell
+    z = 0.004 * np.cos(2.0 * np.pi * t)
+    path = np.vstack(([[0.0, 0.0, 0.0], [lead * 0.7, 0.0, 0.0]], np.column_stack((x, y, z))))
+    path = np.vstack((path, [[1.0 - lead * 0.7, 0.0, 0.0], [1.0, 0.0, 0.0]]))
+    # The ribbon is even at the proportions it is mostly drawn at: a third as wide as long.
+    shape = np.array([1.0, 0.3])
+    along = np.gradient(path[:, :2] * shape, axis=0)
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    side = np.column_stack((-along[:, 1], along[:, 0])) * (line / 2.0) / shape
+    left, right = path.copy(), path.copy()
+    left[:, :2] += side
+    right[:, :2] -= side
+    n = len(path)
+    i = np.arange(n - 1)
+    faces = np.vstack((np.column_stack((i, i + n, i + 1)), np.column_stack((i + 1, i + n, i + n + 1))))
+    return _flat(np.vstack((left, right)), faces)

@@ -1,0 +1,127 @@
+"""Scenes that several test files need."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import msgspec
+import numpy as np
+
+import sim
+from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
+
+
+def chain(
+    places: list[tuple[float, float]],
+    *,
+    stiffness: float = 0.0,
+    angular_stiffness: float = 0.0,
+    damping: float = 0.0,
+    rest_length: float = 10.0,
+    held: tuple[int, ...] = (),
+    dt: float = 0.001,
+    velocities: list[tuple[float, float]] | None = None,
+    gravity: tuple[float, float] = (0.0, 0.0),
+    mass: float = 1.0,
+) -> Scene:
+    """A row of equal masses and springs, with nothing acting on it but what is asked for."""
+    count = len(places)
+    moving = velocities or [(0.0, 0.0)] * count
+    joints = range(count - 2 if angular_stiffness else 0)
+    return Scene(
+        name="chain",
+        masses=tuple(Mass(position=p, velocity=v, mass=mass) for p, v in zip(places, moving, strict=True)),
+        linear_springs=tuple(
+            LinearSpring(a=i, b=i + 1, stiffness=stiffness, damping=damping, rest_length=rest_length)
+            for i in range(count - 1)
+        ),
+        angular_springs=tuple(AngularSpring(a=j, b=j + 1, stiffness=angular_stiffness) for j in joints),
+        anchors=tuple(Anchor(mass=i) for i in held),
+        gravity=gravity,
+        integrator=Integrator(dt=dt),
+    )
+
+
+def row(count: int, spacing: float = 10.0) -> list[tuple[float, float]]:
+    """Places along a horizontal line."""
+    return [(spacing * i, 0.0) for i in range(count)]
+
+
+def tangle(
+    seed: int, masses: int = 9, damping: float = 30.0, held: tuple[int, ...] = (), dt: float = 1e-4
+) -> Scene:
+    """A body with no order to it: springs at random, angular springs on many pairs that share a mass."""
+    rng = np.random.default_rng(seed)
+    places = rng.uniform(0.0, 300.0, (masses, 2)).tolist()
+    speeds = rng.normal(0.0, 100.0, (masses, 2)).tolist()
+    pairs = list(itertools.combinations(range(masses), 2))
+    picked = sorted(rng.choice(len(pairs), min(len(pairs), 2 * masses), replace=False).tolist())
+    # Either mass may be the start, which turns the spring's direction, and with it its joints' angles, round.
+    ends = [pairs[i] if rng.random() < 0.5 else pairs[i][::-1] for i in picked]
+    sharing = [
+        (s, t)
+        for s, t in itertools.permutations(range(len(ends)), 2)
+        if s < t and set(ends[s]) & set(ends[t])
+    ]
+    joined = sorted(rng.choice(len(sharing), min(len(sharing), 3 * masses), replace=False).tolist())
+    return Scene(
+        name="tangle",
+        masses=tuple(
+            Mass(position=(p[0], p[1]), velocity=(v[0], v[1]), mass=float(rng.uniform(0.5, 3.0)))
+            for p, v in zip(places, speeds, strict=True)
+        ),
+        linear_springs=tuple(
+            LinearSpring(
+                a=a,
+                b=b,
+                stiffness=float(rng.uniform(100.0, 1e4)),
+                damping=damping * float(rng.uniform(0.1, 1.0)),
+                rest_length=float(math.dist(places[a], places[b]) * rng.uniform(0.5, 1.5)),
+            )
+            for a, b in ends
+        ),
+        angular_springs=tuple(
+            AngularSpring(
+                a=sharing[i][0],
+                b=sharing[i][1],
+                stiffness=float(rng.uniform(1.0, 300.0)),
+                rest_angle=float(rng.uniform(-180.0, 180.0)),
+            )
+            for i in joined
+        ),
+        anchors=tuple(Anchor(mass=i) for i in held),
+        integrator=Integrator(dt=dt),
+    )
+
+
+def star(arms: int) -> Scene:
+    """Springs from one hub, some of them towards it, and an angular spring between every two of them."""
+    angles = [2.0 * math.pi * i / arms + 0.1 * math.sin(3.0 * i) for i in range(arms)]
+    tips = [(100.0 * math.cos(v), 80.0 * math.sin(v)) for v in angles]
+    return Scene(
+        name="star",
+        masses=(Mass(position=(0.0, 0.0), velocity=(3.0, 4.0)), *(Mass(position=tip) for tip in tips)),
+        linear_springs=tuple(
+            LinearSpring(
+                a=0 if i % 3 else i + 1,
+                b=i + 1 if i % 3 else 0,
+                stiffness=500.0 + 10.0 * i,
+                damping=5.0 + i,
+                rest_length=70.0 + i,
+            )
+            for i in range(arms)
+        ),
+        angular_springs=tuple(
+            AngularSpring(a=a, b=b, stiffness=40.0 + a + 10.0 * b, rest_angle=20.0 * (a - b))
+            for a, b in itertools.combinations(range(arms), 2)
+        ),
+        integrator=Integrator(dt=1e-3),
+    )
+
+
+def askew() -> Scene:
+    """The tutorial's third example, hung askew so that everything in it moves."""
+    scene = sim.load_scene("tutorial-3.3")
+    places = tuple((m.position[0] + 3.0 * i, m.position[1]) for i, m in enumerate(scene.masses))
+    return msgspec.structs.replace(scene, pose=Pose(positions=places, velocities=((0.0, 0.0),) * len(places)))

@@ -1,0 +1,56 @@
+"""The few looks that the tests take at the inside of a `Simulation`."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim import Scene, Simulation
+from sim.kernels.general import internal_forces
+from sim.system import System
+
+Points = NDArray[np.float64]
+
+
+def system_of(simulation: Simulation) -> System:
+    return simulation._system
+
+
+def is_chain(simulation: Simulation) -> bool:
+    """Whether the simulation takes the fast path for chains."""
+    return simulation._system.is_chain
+
+
+def general(simulation: Simulation) -> Simulation:
+    """The same simulation, made to take the path for any topology."""
+    simulation._system = dataclasses.replace(simulation._system, is_chain=False)
+    return simulation
+
+
+def put(simulation: Simulation, positions: Points, velocities: Points | None = None) -> None:
+    """Set the state of all masses, the held ones too."""
+    order, live = simulation._system.mass_order, simulation._live
+    n = len(order)
+    live.x[:n], live.y[:n] = positions[order].T
+    if velocities is not None:
+        live.vx[:n], live.vy[:n] = velocities[order].T
+
+
+def spring_forces(simulation: Simulation) -> Points:
+    """(n, 2) what all springs and joints do to each mass at the present state, without air and gravity."""
+    work = simulation._work
+    internal_forces(simulation._body, simulation._live, work)
+    place = simulation._system.mass_place
+    return np.column_stack((work.fx[place], work.fy[place]))
+
+
+def forces_of(scene: Scene) -> Points:
+    """(n, 2) what all springs and joints do to each mass at the start of a scene."""
+    return spring_forces(Simulation(scene))
+
+
+def same_state(one: Simulation, other: Simulation) -> bool:
+    """Whether all masses of both are in the same place and equally fast, bit for bit."""
+    return np.array_equal(one.positions, other.positions) and np.array_equal(one.velocities, other.velocities)

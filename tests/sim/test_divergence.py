@@ -1,0 +1,222 @@
+"""A body that runs away: the last good state is kept, and the message says what happened and why."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Scene, Simulation
+from tests.sim import reference
+from tests.sim.builders import chain, row
+from tests.sim.inside import put
+
+REPLACE = msgspec.structs.replace
+
+
+def too_stiff() -> Scene:
+    """The tutorial's rope, with angular springs too stiff for its step, hung askew so that it bends."""
+    scene = sim.set_value(sim.load_scene("tutorial-3.3"), "angular_stiffness", 60_000.0)
+    return REPLACE(
+        scene,
+        rope=None,
+        masses=tuple(
+            REPLACE(mass, position=(mass.position[0] + i % 2, mass.position[1]))
+            for i, mass in enumerate(scene.masses)
+        ),
+    )
+
+
+def one_step_on(simulation: Simulation) -> reference.Body:
+    """The step that the simulation refused, done by the reference."""
+    body = reference.body_of(simulation.scene)
+    places, speeds = simulation.positions.tolist(), simulation.velocities.tolist()
+    for point, (x, y), (vx, vy) in zip(body.points, places, speeds, strict=True):
+        point.x, point.y, point.vx, point.vy = x, y, vx, vy
+    body.step()
+    return body
+
+
+def runs_away(point: reference.Point) -> bool:
+    numbers = (point.x, point.y, point.vx, point.vy)
+    return not all(math.isfinite(n) and abs(n) <= 1e6 for n in numbers)
+
+
+# ------------------------------------------------------------------------- where it stops
+@pytest.mark.parametrize("batch", [1, 7, 64, 5000])
+def test_stops_at_the_last_good_state(batch: int) -> None:
+    simulation = Simulation(too_stiff())
+    done = 0
+    while simulation.divergence is None and done < 5000:
+        done += simulation.step(batch)
+    divergence = simulation.divergence
+    assert divergence is not None
+    assert divergence.step == simulation.step_count == done
+    assert simulation.time == pytest.approx(done * 0.0025, rel=1e-12)
+    assert np.isfinite(simulation.positions).all()
+    assert np.isfinite(simulation.velocities).all()
+    assert max(np.abs(simulation.positions).max(), np.abs(simulation.velocities).max()) <= 1e6
+
+    fresh = Simulation(too_stiff())
+    assert fresh.step(done) == done
+    assert fresh.divergence is None
+    assert np.array_equal(fresh.positions, simulation.positions)
+    assert np.array_equal(fresh.velocities, simulation.velocities)
+    assert fresh.step(1) == 0
+
+
+@pytest.mark.parametrize("path", ["chain", "general"])
+def test_names_the_mass_and_the_limit(path: str) -> None:
+    scene = too_stiff()
+    if path == "general":
+        scene = REPLACE(
+            scene, linear_springs=scene.linear_springs[:-1], angular_springs=scene.angular_springs[:-1]
+        )
+    simulation = Simulation(scene)
+    simulation.step(5000)
+    divergence = simulation.divergence
+    assert divergence is not None
+    bad = [i for i, point in enumerate(one_step_on(simulation).points) if runs_away(point)]
+    assert divergence.mass == bad[0]
+    assert (divergence.quantity, divergence.limit) in (("speed", 1e6), ("position", 1e6))
+    text = str(divergence)
+    assert f"mass {bad[0]} " in text
+    assert f"{divergence.quantity} limit of 1e+06" in text
+    assert f"step {divergence.step}:" in text
+
+
+def test_names_the_mass_of_the_scene_when_masses_are_listed_in_any_order() -> None:
+    scene = too_stiff()
+    count = len(scene.masses)
+    # The scene's mass i becomes mass count - 1 - i; the solver still visits them from the anchor on.
+    shuffled = REPLACE(
+        scene,
+        masses=scene.masses[::-1],
+        linear_springs=tuple(REPLACE(s, a=count - 1 - s.a, b=count - 1 - s.b) for s in scene.linear_springs),
+        anchors=tuple(REPLACE(a, mass=count - 1 - a.mass) for a in scene.anchors),
+    )
+    one, other = Simulation(scene), Simulation(shuffled)
+    one.step(5000)
+    other.step(5000)
+    assert one.divergence is not None
+    assert other.divergence is not None
+    assert other.divergence.step == one.divergence.step
+    assert other.divergence.mass == count - 1 - one.divergence.mass
+
+
+def test_a_runaway_position_is_named() -> None:
+    # No force at all: a mass that simply flies out of the range.
+    simulation = Simulation(chain([(999_990.0, 0.0)], velocities=[(900.0, 0.0)]), dt=0.01)
+    assert simulation.step(10) == 1
+    assert simulation.divergence is not None
+    assert (simulation.divergence.quantity, simulation.divergence.limit) == ("position", 1e6)
+    assert simulation.positions[0, 0] == pytest.approx(999_999.0)
+
+
+def test_a_spring_without_length_is_named_as_a_number() -> None:
+    simulation = Simulation(chain(row(3), stiffness=100.0, held=(0,)))
+    simulation.move(0, (10.0, 0.0))
+    assert simulation.step(5) == 0
+    assert simulation.divergence is not None
+    assert simulation.divergence.quantity == "number"
+    assert np.isfinite(simulation.positions).all()
+    assert "not a finite number" in str(simulation.divergence)
+    assert "\n" not in str(simulation.divergence)
+
+
+def test_keys_are_undone_with_the_steps() -> None:
+    scene = REPLACE(too_stiff(), rest_length_scale=1.0)
+    simulation = Simulation(scene)
+    simulation.keys = {"up", "right"}
+    done = simulation.step(5000)
+    assert simulation.divergence is not None
+    fresh = Simulation(scene)
+    fresh.keys = {"up", "right"}
+    fresh.step(done)
+    assert simulation.rest_length_scale == fresh.rest_length_scale == pytest.approx(1.002**done, rel=1e-9)
+    assert np.array_equal(simulation.rest_angles, fresh.rest_angles)
+
+
+# ------------------------------------------------------------------------- afterwards
+def test_no_steps_until_reset() -> None:
+    simulation = Simulation(too_stiff())
+    simulation.step(5000)
+    place, count = simulation.positions, simulation.step_count
+    simulation.lead(0, (0.0, 0.0))
+    assert simulation.step(10) == 0
+    assert simulation.advance(1.0) == 0
+    assert np.array_equal(simulation.positions, place)
+    assert simulation.step_count == count
+    simulation.reset()
+    assert simulation.divergence is None
+    assert simulation.step(5) == 5
+    fresh = Simulation(too_stiff())
+    fresh.step(5)
+    assert np.array_equal(simulation.positions, fresh.positions)
+
+
+def test_no_steps_until_replaced() -> None:
+    simulation = Simulation(too_stiff())
+    simulation.step(5000)
+    with pytest.raises(sim.SceneError):
+        simulation.replace(REPLACE(too_stiff(), name=""))
+    assert simulation.divergence is not None
+    simulation.replace(sim.load_scene("ring"))
+    assert simulation.divergence is None
+    assert simulation.step(5) == 5
+
+
+# ------------------------------------------------------------------------- why
+def test_too_large_a_step_is_blamed_on_the_law_that_sets_the_limit() -> None:
+    simulation = Simulation(too_stiff())
+    simulation.step(5000)
+    divergence = simulation.divergence
+    assert divergence is not None
+    assert "stability limit" in divergence.reason
+    assert "angular stiffness" in divergence.reason
+    assert "0.0025 s" in divergence.reason
+    # A long chain's formula; the meter may be a little above it.
+    assert divergence.stability.limit == pytest.approx(0.5 / math.sqrt(60_000.0), rel=0.03)
+    assert str(divergence).endswith(divergence.reason)
+
+
+def test_too_stiff_linear_springs_are_blamed_as_such() -> None:
+    places = [(10.0 * i + 0.1 * (i % 2), 0.0) for i in range(10)]
+    simulation = Simulation(chain(places, stiffness=1e6, held=(0,), dt=0.0025))
+    simulation.step(5000)
+    assert simulation.divergence is not None
+    assert "linear stiffness" in simulation.divergence.reason
+
+
+@pytest.mark.parametrize("joints", [True, False])
+def test_a_violent_move_is_not_blamed_on_the_step(joints: bool) -> None:
+    simulation = Simulation(sim.rope(joints=joints))
+    simulation.move(0, (90_000.0, 0.0))
+    simulation.step(100)
+    divergence = simulation.divergence
+    assert divergence is not None
+    assert divergence.stability.limit > simulation.dt
+    assert "violently" in divergence.reason
+    assert "stability limit" not in str(divergence)
+
+
+def test_a_pointer_dropped_on_the_neighbour_stops_the_body_with_a_message() -> None:
+    # The spring then has no direction; with the start stable, the torn state itself is looked at.
+    simulation = Simulation(sim.load_scene("tutorial-3.3"))
+    x, y = simulation.positions[1]
+    simulation.move(0, (x, y))
+    assert simulation.step(10) == 0
+    assert simulation.divergence is not None
+    assert "violently" in str(simulation.divergence)
+    assert np.isfinite(simulation.positions).all()
+
+
+def test_the_meter_survives_a_spring_without_length() -> None:
+    simulation = Simulation(sim.load_scene("tutorial-3.3"))
+    place = simulation.positions
+    place[4] = place[5]
+    put(simulation, place)
+    assert simulation.stability().limit >= 0.0

@@ -1,0 +1,370 @@
+"""Scenes as files: exact round trips, what broken files get to hear, and no file half written."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import stat
+import sys
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+
+import sim
+from sim import ArrowKeys, Scene, SceneError, Simulation, list_scenes, load_scene, save_scene
+from sim.files import (
+    MAX_FILE_BYTES,
+    built_in_folder,
+    decode_scene,
+    delete_user_scene,
+    encode_scene,
+    safe_name,
+    save_user_scene,
+    user_folder,
+)
+from tests.sim.builders import star, tangle
+
+REPLACE = msgspec.structs.replace
+
+PRESETS = sorted(path.stem for path in built_in_folder().glob("*.json"))
+
+
+@pytest.fixture
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A data folder of the test's own."""
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    if tmp_path not in user_folder().parents:
+        pytest.skip("this platform keeps data elsewhere than XDG_DATA_HOME says")
+    return user_folder()
+
+
+def refused(data: bytes | dict[str, Any]) -> str:
+    """The sentence for a file that is no scene."""
+    with pytest.raises(SceneError) as caught:
+        decode_scene(data if isinstance(data, bytes) else json.dumps(data).encode(), "file.json")
+    text = str(caught.value)
+    assert text.startswith("file.json: ")
+    assert "\n" not in text
+    return text.removeprefix("file.json: ")
+
+
+# ------------------------------------------------------------------------- presets
+def test_the_presets_are_there() -> None:
+    assert {"tutorial-3.1", "tutorial-3.2", "tutorial-3.3", "ring", "box", "hair-tuft"} <= set(PRESETS)
+    assert [info.name for info in list_scenes() if info.built_in] == PRESETS
+
+
+@pytest.mark.parametrize("preset", PRESETS)
+def test_presets_load_and_run(preset: str) -> None:
+    scene = load_scene(preset)
+    assert scene.name == preset
+    assert scene.description
+    simulation = Simulation(scene)
+    assert simulation.step(2000) == 2000
+    assert simulation.divergence is None
+    assert simulation.dt < simulation.stability().limit
+
+
+# ------------------------------------------------------------------------- round trips
+def posed(preset: str) -> Scene:
+    simulation = Simulation(load_scene(preset))
+    simulation.keys = {"down", "right"}
+    simulation.step(777)
+    return REPLACE(simulation.scene, pose=simulation.pose())
+
+
+SCENES = [
+    *(load_scene(preset) for preset in PRESETS),
+    *(posed(preset) for preset in PRESETS),
+    sim.rope(),
+    sim.rope(masses=2, joints=False, held=(), driven=None, direction=(-0.3, 1e-9), length=0.1 + 0.2),
+    sim.rope(masses=700, arrow_keys=ArrowKeys(rest_length_factor=1.0 + 2.0**-52), gravity=(5e-324, -1e6)),
+    tangle(1, held=(2,)),
+    star(7),
+    REPLACE(star(4), name='"quoted" \\ ü 中 \x00', description="two\nlines\tand a tab"),
+]
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=[f"{i}-{scene.name[:12]!a}" for i, scene in enumerate(SCENES)])
+def test_round_trips_are_exact(scene: Scene, tmp_path: Path) -> None:
+    data = encode_scene(scene)
+    again = decode_scene(data, "scene")
+    assert again == scene
+    assert encode_scene(again) == data
+    save_scene(scene, tmp_path / "scene.json")
+    assert load_scene(tmp_path / "scene.json") == scene
+
+
+def test_brackets_in_a_text_are_left_alone() -> None:
+    text = "drag [ 1,  2 ] and [ 3 ], not [\t4 ]"
+    assert decode_scene(encode_scene(sim.rope(description=text)), "scene").description == text
+
+
+def test_a_recipe_stays_a_recipe_in_its_file() -> None:
+    raw = json.loads(encode_scene(sim.rope(masses=500)))
+    assert raw["rope"]["masses"] == 500
+    assert not {"masses", "linear_springs", "angular_springs", "anchors"} & set(raw)
+    assert raw["format"] == 1
+
+
+def test_files_are_readable_json_with_vectors_on_one_line() -> None:
+    lines = encode_scene(star(3)).decode().splitlines()
+    assert '      "position": [0.0, 0.0],' in lines
+    assert lines[0] == "{"
+
+
+def test_invalid_scenes_are_not_written(tmp_path: Path) -> None:
+    path = tmp_path / "scene.json"
+    with pytest.raises(SceneError, match="air_friction"):
+        save_scene(REPLACE(star(3), air_friction=-1.0), path)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_name_that_no_file_can_hold_is_refused(tmp_path: Path) -> None:
+    # Half of a surrogate pair: Python has such texts, UTF-8 does not.
+    with pytest.raises(SceneError):
+        save_scene(REPLACE(star(3), name="\ud800"), tmp_path / "scene.json")
+
+
+# ------------------------------------------------------------------------- what is no scene
+def minimal(**changes: Any) -> dict[str, Any]:
+    return {"name": "one", "masses": [{"position": [1, 2.5]}], **changes}
+
+
+def test_a_file_may_leave_out_what_has_a_default() -> None:
+    scene = decode_scene(json.dumps(minimal()).encode(), "scene")
+    assert scene == Scene(name="one", masses=(sim.Mass(position=(1.0, 2.5)),))
+
+
+@pytest.mark.parametrize(
+    ("data", "sentence"),
+    [
+        (b"", "not a JSON file"),
+        (b"{", "not a JSON file"),
+        (b"\xff\xfe", "not a JSON file"),
+        (b'{"name": "a"} {}', "not a JSON file"),
+        (b"[" * 200_000, "not a JSON file"),
+        (b'{"name": "\\ud800"}', "not a JSON file"),
+        (b"[]", "a scene is a JSON object"),
+        (b"null", "a scene is a JSON object"),
+        (b"3", "a scene is a JSON object"),
+    ],
+    ids=range(9),
+)
+def test_files_that_are_no_json_object(data: bytes, sentence: str) -> None:
+    assert sentence in refused(data)
+
+
+@pytest.mark.parametrize(
+    ("raw", "field"),
+    [
+        (minimal(format=2), "format: version 2 is newer than 1"),
+        (minimal(format=10**30), "format: version"),
+        (minimal(format=2, unheard_of={"of": "later"}), "format: version 2 is newer"),
+        (minimal(format=0), "format: 0 is not in the range 1"),
+        (minimal(format=True), "format: "),
+        (minimal(format="1"), "format: "),
+        (minimal(colour="red"), "Object contains unknown field `colour`"),
+        (minimal(masses=[{"position": [0, 0], "wieght": 1}]), "masses[0]: Object contains unknown"),
+        ({"masses": [{"position": [0, 0]}]}, "Object missing required field `name`"),
+        (minimal(masses=[{}]), "masses[0]: Object missing required field `position`"),
+        (minimal(masses=[{"position": [0, 2e6]}]), "masses[0].position[1]: 2e+06 is not in the range -1e+06"),
+        (minimal(masses=[{"position": [0, "2"]}]), "masses[0].position[1]: "),
+        (minimal(masses=[{"position": [0, 1, 2]}]), "masses[0].position: "),
+        (minimal(masses=[{"position": [0, 1], "mass": 0}]), "masses[0].mass: 0 is not in the range 1e-06"),
+        (minimal(masses=[{"position": [0, 1], "mass": True}]), "masses[0].mass: "),
+        (minimal(masses=[{"position": [0, 1], "mass": None}]), "masses[0].mass: "),
+        (minimal(masses=[{"position": [0, 1], "mass": 10**400}]), "masses[0].mass: "),
+        (minimal(masses=None), "masses: "),
+        (minimal(anchors=[{"mass": 1}]), "anchors[0].mass: mass 1 does not exist (0..0)"),
+        (minimal(anchors=[{"mass": -1}]), "anchors[0].mass: -1 is not in the range 0..99999"),
+        (minimal(rope={"masses": 3}), "rope: a scene has either a rope or masses"),
+        ({"name": "a", "rope": {"masses": 1}}, "rope.masses: 1 is not in the range 2..20000"),
+        ({"name": "a", "rope": {"direction": [0, 0]}}, "rope.direction: "),
+        (minimal(template=30), "template: "),
+        (minimal(name=""), "name: "),
+        (minimal(name="x" * 61), "name: "),
+        (minimal(integrator={"dt": 2}), "integrator.dt: 2 is not in the range 1e-06..1 s"),
+    ],
+    ids=range(27),
+)  # fmt: skip
+def test_files_with_a_wrong_field_name_it(raw: dict[str, Any], field: str) -> None:
+    assert refused(raw).startswith(field)
+
+
+@pytest.mark.parametrize("number", ["NaN", "Infinity", "-Infinity", "1e999"])
+def test_numbers_that_are_none_are_refused(number: str) -> None:
+    refused(b'{"name": "a", "gravity": [0, %s], "rope": {}}' % number.encode())
+
+
+def test_a_field_name_cannot_break_the_sentence_in_two() -> None:
+    refused({"name": "a", "rope": {}, "two\nlines": 1})
+
+
+def test_files_that_are_too_large_are_refused_unread(tmp_path: Path) -> None:
+    path = tmp_path / "large.json"
+    path.write_bytes(b" " * (MAX_FILE_BYTES + 1))
+    with pytest.raises(SceneError, match="larger than"):
+        load_scene(path)
+    assert "are more than" in refused(b" " * (MAX_FILE_BYTES + 1))
+    with pytest.raises(SceneError, match="more than"):
+        save_scene(REPLACE(sim.rope(masses=20_000, joints=False), rope=None), tmp_path / "out.json")
+    assert not (tmp_path / "out.json").exists()
+
+
+# ------------------------------------------------------------------------- loading by name or path
+def test_what_is_not_there(tmp_path: Path) -> None:
+    with pytest.raises(SceneError, match=r"there is no scene called 'nowhere'; there are .*tutorial-3\.3"):
+        load_scene("nowhere")
+    for path in (tmp_path / "nowhere.json", tmp_path):
+        with pytest.raises(SceneError, match="cannot be read"):
+            load_scene(path)
+    with pytest.raises(SceneError, match="cannot be written"):
+        save_scene(sim.rope(), tmp_path / "no" / "folder.json")
+
+
+@pytest.mark.parametrize("name", ["", "x" * 300, "x\0", "x\0.json", "x" * 300 + ".json"])
+def test_names_that_no_file_can_have(name: str) -> None:
+    with pytest.raises(SceneError):
+        load_scene(name)
+
+
+# ------------------------------------------------------------------------- writing
+def fail(*_: object, **__: object) -> None:
+    raise OSError(28, "No space left on device")
+
+
+@pytest.mark.parametrize("broken", ["fsync", "replace", "fdopen"])
+def test_a_failed_write_leaves_the_old_file_and_nothing_else(
+    broken: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "scene.json"
+    save_scene(star(3), path)
+    before = path.read_bytes()
+    with monkeypatch.context() as patch:
+        if broken == "replace":
+            patch.setattr(Path, "replace", fail)
+            patch.setattr(os, "replace", fail)
+        else:
+            patch.setattr(os, broken, fail)
+        with pytest.raises(SceneError, match=r"scene\.json: the file cannot be written \(No space left"):
+            save_scene(star(4), path)
+    assert path.read_bytes() == before
+    assert [entry.name for entry in tmp_path.iterdir()] == ["scene.json"]
+    save_scene(star(4), path)
+    assert load_scene(path) == star(4)
+
+
+def test_a_folder_that_cannot_be_synced_does_not_make_a_liar_of_the_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Some file systems refuse to sync a folder, and by then the new file is in place.
+    path = tmp_path / "scene.json"
+    save_scene(star(3), path)
+    sync = os.fsync
+
+    def files_only(handle: int) -> None:
+        if stat.S_ISDIR(os.fstat(handle).st_mode):
+            raise OSError(22, "Invalid argument")
+        sync(handle)
+
+    monkeypatch.setattr(os, "fsync", files_only)
+    expected = star(4)
+    try:
+        save_scene(star(4), path)
+    except SceneError:
+        expected = star(3)
+    assert load_scene(path) == expected
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX permissions")
+def test_a_saved_file_is_as_readable_as_any_new_file(tmp_path: Path) -> None:
+    save_scene(star(3), tmp_path / "scene.json")
+    (tmp_path / "other").write_bytes(b"")
+    assert (tmp_path / "scene.json").stat().st_mode == (tmp_path / "other").stat().st_mode
+
+
+# ------------------------------------------------------------------------- the user's own scenes
+@pytest.mark.parametrize(
+    ("name", "safe"),
+    [
+        ("my rope", "my rope"),
+        ("  spaces  ", "spaces"),
+        ("Größe 2", "Größe 2"),
+        ("绳子", "绳子"),
+        ("../../etc/passwd", "etc-passwd"),
+        ("/root/x", "root-x"),
+        ("C:\\x\\y", "C-x-y"),
+        ("a\0b\nc", "a-b-c"),
+        (".hidden", "hidden"),
+        ("dots...", "dots"),
+        ("ﬁsh", "fish"),
+        ("v1.5", "v1.5"),
+        ("what? <no> *|\"'", "what- -no"),
+        ("x" * 100, "x" * 60),
+        ("console", "console"),
+    ],
+)
+def test_names_are_made_safe(name: str, safe: str) -> None:
+    assert safe_name(name) == safe
+    assert safe_name(safe) == safe
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "", " ", "...", "..", "/", "-_-", "\0", "CON", "con", "Nul", "aux.txt", "COM1", "lpt9.x", "com¹",
+        "tutorial-3.3", "Tutorial-3.3", "TUTORIAL-3.3", "RING", " box ", "ｒｉｎｇ", "x" + "\U00020000" * 59,
+    ],
+)  # fmt: skip
+def test_names_that_cannot_be_used(name: str, home: Path) -> None:
+    with pytest.raises(SceneError):
+        safe_name(name)
+    with pytest.raises(SceneError):
+        save_user_scene(star(3), name)
+    with pytest.raises(SceneError):
+        delete_user_scene(name)
+    assert not home.exists() or list(home.iterdir()) == []
+
+
+def test_saving_listing_loading_and_deleting(home: Path) -> None:
+    assert all(info.built_in for info in list_scenes())
+    assert save_user_scene(REPLACE(star(5), description="mine"), "../My: star") == "My- star"
+    assert [path.name for path in home.iterdir()] == ["My- star.json"]
+    info = list_scenes()[-1]
+    assert (info.name, info.description, info.built_in, info.path.parent) == ("My- star", "mine", False, home)
+    assert load_scene("My- star") == REPLACE(star(5), name="My- star", description="mine")
+    save_user_scene(star(6), "My- star")
+    assert len(load_scene("My- star").masses) == 7
+    delete_user_scene("My- star")
+    assert list(home.iterdir()) == []
+    with pytest.raises(SceneError, match="there is no scene"):
+        load_scene("My- star")
+    with pytest.raises(SceneError, match="cannot be deleted"):
+        delete_user_scene("My- star")
+
+
+@pytest.mark.parametrize("name", ["v1.5", "my.json", "a b-c_d", "Größe", "x.JSON"])
+def test_what_is_saved_under_a_name_is_found_under_it(name: str, home: Path) -> None:
+    saved = save_user_scene(star(3), name)
+    assert saved in [info.name for info in list_scenes()]
+    assert load_scene(saved).name == saved
+
+
+def test_a_broken_file_of_the_user_is_left_out_of_the_list(home: Path) -> None:
+    save_user_scene(star(3), "good")
+    (home / "bad.json").write_bytes(b"{")
+    # Nor can a file that bears a preset's name pose as it.
+    (home / "Ring.json").write_bytes((home / "good.json").read_bytes())
+    assert [info.name for info in list_scenes() if not info.built_in] == ["good"]
+    assert load_scene("ring").description == load_scene(built_in_folder() / "ring.json").description
+
+
+def test_every_field_matters_to_a_round_trip() -> None:
+    # A file with a random field changed must not compare equal: the test above would then prove nothing.
+    raw = json.loads(encode_scene(star(5)))
+    random.Random(4).choice(raw["linear_springs"])["damping"] += 1e-9
+    assert decode_scene(json.dumps(raw).encode(), "scene") != star(5)

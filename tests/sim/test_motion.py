@@ -1,0 +1,196 @@
+"""The arrow keys in simulated time, and how well the motion is solved."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import ArrowKeys, InputError, Mass, Scene, Simulation
+from tests.sim.builders import chain, row
+
+REPLACE = msgspec.structs.replace
+
+
+def with_keys(scene: Scene, *keys: str, dt: float | None = None) -> Simulation:
+    simulation = Simulation(scene, dt=dt)
+    simulation.keys = set(keys)
+    return simulation
+
+
+# ------------------------------------------------------------------------- keys
+@pytest.mark.parametrize("dt", [0.0025, 0.00125, 0.0005, 0.004])
+def test_keys_act_per_simulated_time(dt: float) -> None:
+    steps = round(1.0 / dt)
+    simulation = with_keys(sim.load_scene("tutorial-3.3"), "up", "right", dt=dt)
+    assert simulation.step(steps) == steps
+    # 400 intervals a second: lengths times 1.002^400 = 2.22, angles plus 40 degrees.
+    assert simulation.rest_length_scale == pytest.approx(1.002**400, rel=1e-9)
+    assert simulation.rest_angles == pytest.approx(np.full(10, 40.0), abs=1e-9)
+    simulation = with_keys(sim.load_scene("tutorial-3.3"), "down", "left", dt=dt)
+    assert simulation.step(steps) == steps
+    assert simulation.rest_length_scale == pytest.approx(1.002**-400, rel=1e-9)
+    assert simulation.rest_angles == pytest.approx(np.full(10, -40.0), abs=1e-9)
+
+
+def test_opposite_keys_cancel() -> None:
+    simulation = with_keys(sim.load_scene("tutorial-3.3"), "up", "down", "left", "right")
+    simulation.step(100)
+    assert simulation.rest_length_scale == pytest.approx(1.0, abs=1e-12)
+    assert simulation.rest_angles == pytest.approx(np.zeros(10), abs=1e-12)
+
+
+def test_keys_do_nothing_once_let_go_or_where_the_scene_has_none() -> None:
+    simulation = with_keys(sim.load_scene("tutorial-3.3"), "up")
+    simulation.step(10)
+    simulation.keys = ()
+    simulation.step(10)
+    assert simulation.rest_length_scale == pytest.approx(1.002**10)
+    simulation = with_keys(sim.load_scene("tutorial-3.2"), "up", "right")
+    simulation.step(10)
+    assert simulation.rest_length_scale == 1.0
+    assert set(simulation.rest_angles) == {180.0}
+
+
+def test_unknown_keys_are_refused() -> None:
+    simulation = with_keys(sim.load_scene("tutorial-3.3"), "up")
+    for keys in ({"space"}, "up", {"up", ""}, [3]):
+        with pytest.raises(InputError, match="keys"):
+            simulation.keys = keys  # type: ignore[assignment]
+    assert simulation.keys == {"up"}
+
+
+@pytest.mark.parametrize(
+    ("key", "start", "expected"), [("right", 179.95, -179.95), ("left", -179.95, 179.95)]
+)
+def test_rest_angles_wrap_at_180(key: str, start: float, expected: float) -> None:
+    simulation = with_keys(sim.set_value(sim.load_scene("tutorial-3.3"), "rest_angle", start), key)
+    simulation.step()
+    assert simulation.rest_angles[0] == pytest.approx(expected, abs=1e-9)
+    assert simulation.scene.angular_springs[0].rest_angle == pytest.approx(expected, abs=1e-9)
+    simulation.step(3600 - 1)
+    assert simulation.rest_angles[0] == pytest.approx(start, abs=1e-6)
+
+
+def test_minus_180_is_shown_as_180() -> None:
+    scene = sim.set_value(sim.load_scene("tutorial-3.3"), "rest_angle", -180.0)
+    assert set(Simulation(scene).rest_angles) == {180.0}
+
+
+def test_rest_length_scale_stays_within_its_range() -> None:
+    # Held, so that nothing breaks while the lengths go where no rope could follow.
+    everywhere = sim.rope(masses=3, held=(0, 1, 2))
+    for key, limit in (("up", 100.0), ("down", 0.01)):
+        simulation = with_keys(everywhere, key)
+        simulation.step(3000)
+        assert simulation.rest_length_scale == limit
+        assert sim.validate(simulation.scene).rest_length_scale == limit
+    # And back: the clamp is not a trap.
+    simulation.keys = {"up"}
+    simulation.step(10)
+    assert simulation.rest_length_scale == pytest.approx(0.01 * 1.002**10)
+
+
+@pytest.mark.parametrize("preset", ["tutorial-3.3", "ring"])
+def test_the_scene_folds_the_keys_in(preset: str) -> None:
+    simulation = with_keys(sim.load_scene(preset), "down", "left")
+    simulation.step(123)
+    scene = sim.validate(simulation.scene)
+    again = Simulation(scene)
+    assert again.rest_length_scale == simulation.rest_length_scale
+    assert again.rest_angles == pytest.approx(simulation.rest_angles, abs=1e-9)
+    # It also moves on in the same way.
+    again = Simulation(REPLACE(scene, pose=simulation.pose()))
+    again.keys = simulation.keys
+    simulation.step(200)
+    again.step(200)
+    assert np.abs(again.positions - simulation.positions).max() <= 1e-7
+
+
+def test_a_template_scene_that_keys_have_turned_keeps_its_stiffness() -> None:
+    scene = sim.set_value(sim.load_scene("tutorial-3.2"), "template", 45)
+    simulation = with_keys(REPLACE(scene, arrow_keys=ArrowKeys()), "right")
+    simulation.step(100)
+    folded = sim.validate(simulation.scene)
+    assert folded.template is None
+    assert folded.angular_springs[0].rest_angle == pytest.approx(55.0)
+    assert folded.angular_springs[0].stiffness == pytest.approx(math.sqrt(2.0) * 10_000.0)
+    again = Simulation(REPLACE(folded, pose=simulation.pose()))
+    simulation.keys = ()
+    simulation.step(100)
+    again.step(100)
+    assert np.abs(again.positions - simulation.positions).max() <= 1e-7
+
+
+@pytest.mark.parametrize("rates", [{"rest_length_factor": 2.0}, {"rest_angle_step": 90.0}])
+@pytest.mark.parametrize("keys", [{"up", "right"}, {"down", "left"}, {"up", "down"}])
+def test_the_fastest_keys_allowed_leave_a_valid_scene(rates: dict[str, float], keys: set[str]) -> None:
+    # 2500 intervals in one step, which is more than a factor or an angle can grow by in a number.
+    scene = sim.rope(masses=3, held=(0, 1, 2), arrow_keys=ArrowKeys(**rates, interval=1e-6))
+    simulation = with_keys(scene, *keys)
+    simulation.step(2)
+    sim.validate(simulation.scene)
+    assert 0.01 <= simulation.rest_length_scale <= 100.0
+
+
+# ------------------------------------------------------------------------- accuracy
+def test_symplectic_euler_is_of_first_order() -> None:
+    places = [(0.0, 0.0), (10.0, 1.0), (20.0, 0.0), (30.0, -2.0), (40.0, 0.0)]
+    scene = chain(
+        places, stiffness=200.0, angular_stiffness=20.0, rest_length=10.0, held=(0,), gravity=(0.0, 50.0)
+    )
+
+    def at(dt: float) -> np.ndarray:
+        simulation = Simulation(scene, dt=dt)
+        simulation.step(round(0.4 / dt))
+        return simulation.positions
+
+    exact = at(1e-6)
+    steps = [2e-3 / 2**i for i in range(5)]
+    errors = [float(np.abs(at(dt) - exact).max()) for dt in steps]
+    slope = np.polyfit(np.log(steps), np.log(errors), 1)[0]
+    assert slope == pytest.approx(1.0, abs=0.1)
+    assert errors[0] > 1e-3
+
+
+def test_a_single_spring_swings_as_long_as_it_should() -> None:
+    # The scheme's own oscillator, exactly: sin(w dt / 2) = omega dt / 2, and a start from rest is half a
+    # step late.
+    omega, dt, amplitude = 20.0, 0.01, 2.0
+    scene = chain([(0.0, 0.0), (10.0 + amplitude, 0.0)], stiffness=omega**2, held=(0,), dt=dt)
+    simulation = Simulation(scene)
+    w = 2.0 / dt * math.asin(omega * dt / 2.0)
+    for n in range(1, 400):
+        simulation.step()
+        expected = 10.0 + amplitude / math.cos(w * dt / 2.0) * math.cos(w * dt * (n + 0.5))
+        assert simulation.positions[1, 0] == pytest.approx(expected, abs=1e-9)
+
+
+def test_energy_of_an_undamped_spring_stays_bounded() -> None:
+    scene = Scene(
+        name="swing",
+        masses=(Mass(position=(0.0, 0.0)), Mass(position=(12.0, 0.0), velocity=(0.0, 30.0))),
+        linear_springs=chain(row(2), stiffness=400.0).linear_springs,
+        anchors=chain(row(2), held=(0,)).anchors,
+        integrator=sim.Integrator(dt=0.005),
+    )
+    simulation = Simulation(scene)
+
+    def energy() -> float:
+        (x, y), (vx, vy) = simulation.positions[1], simulation.velocities[1]
+        return 0.5 * (vx * vx + vy * vy) + 0.5 * 400.0 * (math.hypot(x, y) - 10.0) ** 2
+
+    start = energy()
+    swings = []
+    for _ in range(10):
+        worst = 0.0
+        for _ in range(1000):
+            simulation.step(10)
+            worst = max(worst, abs(energy() / start - 1.0))
+        swings.append(worst)
+    # Symplectic: it wavers with the step, but 500 seconds later by no more than at first.
+    assert max(swings) <= 1.02 * swings[0]
+    assert 1e-4 < max(swings) < 0.1

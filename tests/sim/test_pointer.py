@@ -1,0 +1,168 @@
+"""What the pointer does: moving and leading held masses, grabbing free ones."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import sim
+from sim import InputError, Simulation
+from tests.sim.builders import askew, chain, row
+from tests.sim.inside import same_state
+
+
+@pytest.fixture
+def rope() -> Simulation:
+    """A rope in which everything moves."""
+    return Simulation(askew())
+
+
+# ------------------------------------------------------------------------- pointer and grabs
+def test_move_acts_before_the_forces_of_the_next_step() -> None:
+    scene = chain(row(2), stiffness=100.0, held=(0,), dt=0.01)
+    simulation = Simulation(scene)
+    simulation.move(0, (-5.0, 0.0))
+    assert simulation.positions.tolist() == [[-5.0, 0.0], [10.0, 0.0]]
+    simulation.step()
+    # The spring is 5 px too long in that very step: v = -100 * 5 * 0.01.
+    assert simulation.velocities[1] == pytest.approx([-5.0, 0.0])
+    assert tuple(simulation.positions[0]) == (-5.0, 0.0)
+    assert not simulation.velocities[0].any()
+    simulation.step()
+    assert tuple(simulation.positions[0]) == (-5.0, 0.0)
+
+
+def test_lead_goes_in_a_straight_line_and_arrives_with_the_last_step() -> None:
+    simulation = Simulation(sim.load_scene("tutorial-3.1"))
+    simulation.lead(0, (400.3, 25.7))
+    simulation.step(8)
+    assert tuple(simulation.positions[0]) == (400.3, 25.7)
+    # On the way: the same call, cut into pieces that aim at the points of the line.
+    start, end = np.array([300.0, 125.0]), np.array([400.3, 25.7])
+    free = chain([(0.0, 0.0), (10.0, 0.0)], stiffness=100.0, damping=2.0, held=(0,), dt=0.01)
+    line, pieces = Simulation(free), Simulation(free)
+    line.lead(0, (end[0] - start[0], end[1] - start[1]))
+    line.step(10)
+    for i in range(1, 11):
+        x, y = (end - start) * i / 10
+        pieces.move(0, (x, y))
+        pieces.step()
+    assert np.abs(line.positions - pieces.positions).max() <= 1e-12
+    assert np.abs(line.velocities - pieces.velocities).max() <= 1e-12
+
+
+def test_lead_is_over_after_one_call(rope: Simulation) -> None:
+    rope.lead(0, (330.0, 140.0))
+    rope.step(5)
+    rope.step(5)
+    assert tuple(rope.positions[0]) == (330.0, 140.0)
+
+
+def test_the_last_of_several_targets_counts(rope: Simulation) -> None:
+    rope.lead(0, (1.0, 1.0))
+    rope.move(0, (305.0, 175.0))
+    rope.step(3)
+    assert tuple(rope.positions[0]) == (305.0, 175.0)
+    rope.lead(0, (1.0, 1.0))
+    rope.lead(0, (306.0, 176.0))
+    rope.step(3)
+    assert tuple(rope.positions[0]) == (306.0, 176.0)
+
+
+def test_a_lead_starts_where_a_move_has_put_the_mass() -> None:
+    simulation = Simulation(sim.load_scene("tutorial-3.3"))
+    simulation.move(0, (250.0, 170.0))
+    simulation.lead(0, (250.0, 180.0))
+    one_by_one = Simulation(sim.load_scene("tutorial-3.3"))
+    for i in range(1, 11):
+        one_by_one.move(0, (250.0, 170.0 + i))
+        one_by_one.step()
+    simulation.step(10)
+    assert np.abs(simulation.positions - one_by_one.positions).max() <= 1e-9
+
+
+@pytest.mark.parametrize(
+    "to", [(math.nan, 0.0), (0.0, math.inf), (-math.inf, 0.0), (1.1e6, 0.0), (0.0, -1.1e6)]
+)
+def test_places_out_of_range_are_refused(rope: Simulation, to: tuple[float, float]) -> None:
+    before = rope.positions
+    for act in (rope.move, rope.lead):
+        with pytest.raises(InputError, match="within"):
+            act(0, to)
+    other = Simulation(askew())
+    rope.step()
+    other.step()
+    assert same_state(rope, other)
+    assert not np.array_equal(rope.positions, before)
+
+
+def test_only_held_masses_that_exist_are_moved(rope: Simulation) -> None:
+    for act in (rope.move, rope.lead):
+        with pytest.raises(InputError, match="mass 5 is not held"):
+            act(5, (0.0, 0.0))
+        for mass in (-1, 12, True, 1.0):
+            with pytest.raises(InputError, match="does not exist"):
+                act(mass, (0.0, 0.0))  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="does not exist"):
+        rope.grab(12)
+    with pytest.raises(InputError, match="does not exist"):
+        rope.release(-1)
+
+
+def test_a_grabbed_mass_is_held_until_released(rope: Simulation) -> None:
+    rope.step(50)
+    assert np.abs(rope.velocities[5]).max() > 10.0
+    rope.grab(5)
+    assert not rope.velocities[5].any()
+    place = rope.positions[5]
+    rope.step(20)
+    assert np.array_equal(rope.positions[5], place)
+    rope.lead(5, (320.0, 260.0))
+    rope.step(20)
+    assert tuple(rope.positions[5]) == (320.0, 260.0)
+    assert not rope.velocities[5].any()
+    rope.release(5)
+    rope.step(20)
+    assert np.abs(rope.velocities[5]).max() > 10.0
+    with pytest.raises(InputError, match="not held"):
+        rope.move(5, (0.0, 0.0))
+
+
+def test_releasing_forgets_the_target_and_leaves_anchors_held(rope: Simulation) -> None:
+    rope.grab(5)
+    rope.lead(5, (0.0, 0.0))
+    rope.release(5)
+    rope.grab(0)
+    rope.release(0)
+    anchor = rope.positions[0]
+    rope.step(10)
+    other = Simulation(askew())
+    other.step(10)
+    assert same_state(rope, other)
+    assert np.array_equal(rope.positions[0], anchor)
+
+
+def test_the_scene_does_not_show_grabs_and_reset_ends_them(rope: Simulation) -> None:
+    rope.grab(5)
+    assert rope.scene == askew()
+    rope.reset()
+    rope.step(30)
+    other = Simulation(askew())
+    other.step(30)
+    assert same_state(rope, other)
+
+
+def test_a_body_that_is_held_everywhere_only_follows_the_pointer_and_keys() -> None:
+    scene = sim.rope(masses=4, held=(0, 1, 2, 3))
+    simulation = Simulation(scene)
+    start = simulation.positions
+    simulation.keys = {"up", "right"}
+    simulation.lead(2, (0.0, 1.0))
+    assert simulation.step(10) == 10
+    assert tuple(simulation.positions[2]) == (0.0, 1.0)
+    assert np.array_equal(simulation.positions[[0, 1, 3]], start[[0, 1, 3]])
+    assert simulation.time == pytest.approx(0.025)
+    assert simulation.rest_length_scale == pytest.approx(1.002**10)
+    assert simulation.rest_angles == pytest.approx([1.0, 1.0])

@@ -1,0 +1,303 @@
+"""What makes a scene valid, and the sentence for everything that does not."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any
+
+import msgspec
+import pytest
+
+import sim
+from sim import (
+    Anchor,
+    AngularSpring,
+    ArrowKeys,
+    LinearSpring,
+    Mass,
+    Pose,
+    Rope,
+    Scene,
+    SceneError,
+    View,
+    validate,
+)
+from sim.scene import MAX_MASSES, MAX_SPRINGS
+from sim.validate import number_range
+from tests.sim.walking import Route, routes, spelled, with_value
+
+REPLACE = msgspec.structs.replace
+
+BODY = Scene(
+    name="body",
+    masses=(
+        Mass(position=(0.0, 0.0)),
+        Mass(position=(10.0, 0.0), velocity=(1.0, 2.0)),
+        Mass(position=(20.0, 5.0)),
+    ),
+    linear_springs=(
+        LinearSpring(a=0, b=1, stiffness=100.0, damping=1.0, rest_length=10.0),
+        LinearSpring(a=1, b=2, stiffness=100.0, damping=1.0, rest_length=10.0),
+    ),
+    angular_springs=(AngularSpring(a=0, b=1, stiffness=10.0, rest_angle=90.0),),
+    anchors=(Anchor(mass=0, driven=True),),
+    arrow_keys=ArrowKeys(),
+    pose=Pose(positions=((0.0, 0.0), (10.0, 1.0), (20.0, 5.0)), velocities=((0.0, 0.0),) * 3),
+)
+"""A scene with something in every field but the recipe."""
+
+ROPE = Scene(name="rope", rope=Rope(masses=4, driven=0))
+
+
+def refused(scene: Any) -> str:
+    """The sentence for a scene that is not valid."""
+    with pytest.raises(SceneError) as caught:
+        validate(scene)
+    text = str(caught.value)
+    assert text
+    assert "\n" not in text
+    return text
+
+
+def changed(route: str, value: Any, scene: Scene = BODY) -> Scene:
+    steps = tuple(int(s) if s.isdigit() else s for s in route.split("."))
+    return with_value(scene, steps, value)
+
+
+def rope_with(**changes: Any) -> Scene:
+    return Scene(name="rope", rope=Rope(**{"masses": 4, **changes}))
+
+
+def test_valid_scenes_are_returned_as_they_are() -> None:
+    for scene in (BODY, ROPE):
+        assert validate(scene) is scene
+
+
+# ------------------------------------------------------------------------- what belongs together
+RULES: list[tuple[Scene, str]] = [
+    (REPLACE(BODY, format=2), r"format: .*version 2, newer than 1"),
+    (Scene(name="none"), r"masses: a scene needs at least one mass, or a rope"),
+    (changed("linear_springs.1.b", 3), r"linear_springs\[1\]\.b: mass 3 does not exist \(0\.\.2\)"),
+    (changed("linear_springs.0.a", 7), r"linear_springs\[0\]\.a: mass 7 does not exist"),
+    (changed("linear_springs.1.b", 1), r"linear_springs\[1\]\.b: .*mass 1 with itself"),
+    (
+        REPLACE(BODY, linear_springs=(*BODY.linear_springs, REPLACE(BODY.linear_springs[0], a=1, b=0))),
+        r"linear_springs\[2\]: it joins masses 1 and 0, as spring 0 does",
+    ),
+    (
+        REPLACE(changed("masses.1.position", (0.0, 0.0)), pose=None),
+        r"linear_springs\[0\]: masses 0 and 1 start in the same place",
+    ),
+    (changed("pose.positions.1", (0.0, 0.0)), r"linear_springs\[0\]: pose\.positions 0 and 1 start"),
+    (changed("angular_springs.0.a", 2), r"angular_springs\[0\]\.a: spring 2 does not exist \(0\.\.1\)"),
+    (changed("angular_springs.0.b", 9), r"angular_springs\[0\]\.b: spring 9 does not exist"),
+    (REPLACE(BODY, linear_springs=()), r"angular_springs\[0\]\.a: .* exist \(there are none\)"),
+    (changed("angular_springs.0.b", 0), r"angular_springs\[0\]\.b: .*two different springs"),
+    (
+        REPLACE(
+            BODY,
+            masses=(*BODY.masses, Mass(position=(50.0, 0.0))),
+            linear_springs=(BODY.linear_springs[0], REPLACE(BODY.linear_springs[1], a=2, b=3)),
+            pose=None,
+        ),
+        r"angular_springs\[0\]: springs 0 and 1 share no mass",
+    ),
+    (
+        REPLACE(BODY, angular_springs=(*BODY.angular_springs, AngularSpring(a=1, b=0, stiffness=1.0))),
+        r"angular_springs\[1\]: it holds springs 1 and 0, as spring 0 does",
+    ),
+    (REPLACE(BODY, template=45), r"angular_springs\[0\]\.rest_angle: 90 is not the scene's template, 45"),
+    (changed("anchors.0.mass", 3), r"anchors\[0\]\.mass: mass 3 does not exist"),
+    (REPLACE(BODY, anchors=(Anchor(mass=1), Anchor(mass=1))), r"anchors\[1\]\.mass: .*held by anchor 0"),
+    (
+        REPLACE(BODY, anchors=(Anchor(mass=1, driven=True), Anchor(mass=0, driven=True))),
+        r"anchors\[1\]\.driven: anchor 0 is driven already",
+    ),
+    (changed("view.frame", (0.0, 0.0, 0.0, 600.0)), r"view\.frame: "),
+    (changed("view.frame", (0.0, 600.0, 600.0, 0.0)), r"view\.frame: "),
+    (changed("pose.positions", ((0.0, 0.0), (1.0, 0.0))), r"pose\.positions: 2 entries .* 3"),
+    (changed("pose.velocities", ()), r"pose\.velocities: 0 entries do not match the 3 masses"),
+    (rope_with(direction=(0.0, 0.0)), r"rope\.direction: "),
+    (rope_with(masses=1), r"rope\.masses: 1 is not in the range 2\.\.20000"),
+    (rope_with(masses=20_001), r"rope\.masses: 20001 is not in the range"),
+    (rope_with(length=0.0), r"rope\.length: 0 is not in the range 0\.001\.\."),
+    (REPLACE(ROPE, masses=BODY.masses), r"rope: .*either a rope or masses"),
+    (REPLACE(ROPE, anchors=()), r"rope: .*either a rope or masses"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("scene", "sentence"), RULES, ids=[str(i) for i in range(len(RULES))])
+def test_every_rule_has_its_sentence(scene: Scene, sentence: str) -> None:
+    assert re.match(sentence, refused(scene))
+
+
+def test_too_many_masses_and_springs() -> None:
+    masses = tuple(Mass(position=(float(i), 0.0)) for i in range(MAX_MASSES + 1))
+    assert refused(Scene(name="many", masses=masses)).startswith("masses: 20001 masses are more than 20000")
+    springs = (BODY.linear_springs[0],) * (MAX_SPRINGS + 1)
+    assert "linear_springs: 100001 springs" in refused(
+        REPLACE(BODY, linear_springs=springs, angular_springs=())
+    )
+
+
+# ------------------------------------------------------------------------- types and ranges
+TYPES: list[tuple[Scene, str]] = [
+    (changed("name", ""), "name"),
+    (changed("name", "x" * 61), "name"),
+    (changed("name", 5), "name"),
+    (changed("description", "x" * 2001), "description"),
+    (changed("format", 0), "format"),
+    (changed("format", True), "format"),
+    (changed("template", 30), "template"),
+    (changed("integrator.method", "leapfrog"), "integrator.method"),
+    (changed("view.unit", ""), "view.unit"),
+    (changed("view.unit", "centimetre"), "view.unit"),
+    (changed("view.colors", "blue"), "view.colors"),
+    (changed("view.readouts", ("degrees", "tangent")), "view.readouts[1]"),
+    (changed("view.y_down", 1), "view.y_down"),
+    (changed("anchors.0.driven", "yes"), "anchors[0].driven"),
+    (changed("anchors.0.mass", 0.0), "anchors[0].mass"),
+    (changed("anchors.0.mass", -1), "anchors[0].mass"),
+    (changed("linear_springs.0.a", MAX_SPRINGS), "linear_springs[0].a"),
+    (changed("linear_springs.0.a", False), "linear_springs[0].a"),
+    (changed("masses.0", BODY.anchors[0]), "masses[0]"),
+    (changed("masses", list(BODY.masses)), "masses"),
+    (changed("masses.0.position", (1.0, 2.0, 3.0)), "masses[0].position"),
+    (changed("masses.0.position", [1.0, 2.0]), "masses[0].position"),
+    (changed("masses.0.position", ("1", 2.0)), "masses[0].position[0]"),
+    (changed("gravity", 2000.0), "gravity"),
+    (changed("air_friction", True), "air_friction"),
+    (changed("arrow_keys", View()), "arrow_keys"),
+]
+
+
+@pytest.mark.parametrize(
+    ("scene", "field"), TYPES, ids=[f"{i}-{field}" for i, (_, field) in enumerate(TYPES)]
+)
+def test_wrong_types_are_refused_by_field(scene: Scene, field: str) -> None:
+    assert refused(scene).startswith(f"{field}: ")
+
+
+def test_what_is_no_scene_is_refused() -> None:
+    for thing in (None, {}, "tutorial-3.3", BODY.masses[0]):
+        assert "a Scene is expected" in refused(thing)
+
+
+FLOATS = [(BODY, route) for route in routes(BODY, float)] + [
+    (ROPE, route) for route in routes(ROPE, float) if route[0] == "rope"
+]
+
+
+def test_the_walk_finds_the_numbers() -> None:
+    # A guard for the tests below: every struct is met, and both axes of a vector.
+    found = {spelled(route) for _, route in FLOATS}
+    assert {
+        "gravity[1]", "masses[0].mass", "linear_springs[0].damping", "angular_springs[0].rest_angle",
+        "integrator.dt", "arrow_keys.interval", "view.frame[3]", "pose.velocities[0][1]", "rope.offset",
+        "rope.direction[0]",
+    } <= found  # fmt: skip
+    assert len(found) >= 38
+
+
+def with_number(scene: Scene, route: Route, value: Any) -> Scene:
+    """The scene with another value there; a recipe is expanded anew, as it is when a file is read."""
+    if route[0] == "rope":
+        return Scene(name="rope", rope=with_value(scene.rope, route[1:], value))
+    return with_value(scene, route, value)
+
+
+@pytest.mark.parametrize(("scene", "route"), FLOATS, ids=[spelled(route) for _, route in FLOATS])
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, 1e30, -1e30])
+def test_nan_infinite_and_huge_numbers_are_refused_everywhere(
+    scene: Scene, route: Route, value: float
+) -> None:
+    assert refused(with_number(scene, route, value)).startswith(spelled(route) + ": ")
+
+
+def test_what_is_no_number_is_refused_everywhere_in_a_body() -> None:
+    for route in routes(BODY, float):
+        for value in ("1", None, True, (1.0,)):
+            assert refused(with_number(BODY, route, value)).startswith(spelled(route) + ": ")
+
+
+def test_what_is_no_number_is_refused_everywhere_in_a_recipe() -> None:
+    # A recipe is expanded as the scene is made, so it must bear anything until it is looked at.
+    for route in (route for route in routes(ROPE, float) if route[0] == "rope"):
+        for value in ("1", None, True, (1.0,)):
+            assert refused(with_number(ROPE, route, value)).startswith(spelled(route) + ": ")
+
+
+def test_whole_numbers_too_large_for_a_decimal_one_are_refused() -> None:
+    for scene, route in FLOATS:
+        assert refused(with_number(scene, route, 10**400)).startswith(spelled(route) + ": ")
+
+
+@pytest.mark.parametrize(("kind", "field", "low", "high"), [
+    (Mass, "mass", 1e-6, 1e6), (Mass, "radius", 1e-3, 1e4), (LinearSpring, "stiffness", 0.0, 1e9),
+    (LinearSpring, "damping", 0.0, 1e6), (LinearSpring, "rest_length", 0.0, 1e6),
+    (AngularSpring, "stiffness", 0.0, 1e9), (AngularSpring, "rest_angle", -180.0, 180.0),
+    (sim.Integrator, "dt", 1e-6, 1.0), (Scene, "air_friction", 0.0, 1000.0),
+    (Scene, "rest_length_scale", 0.01, 100.0), (ArrowKeys, "rest_length_factor", 1.0, 2.0),
+    (ArrowKeys, "rest_angle_step", 0.0, 90.0), (ArrowKeys, "interval", 1e-6, 10.0),
+    (Rope, "length", 1e-3, 1e6), (Rope, "offset", -1000.0, 1000.0),
+])  # fmt: skip
+def test_ranges_are_those_documented_and_their_ends_belong_to_them(
+    kind: type, field: str, low: float, high: float
+) -> None:
+    assert number_range(kind, field)[:2] == (low, high)
+    scene, route = next((s, r) for s, r in FLOATS if r[-1] == field and owner(s, r) is kind)
+    for value in (low, high):
+        validate(with_number(scene, route, value))
+    for value in (math.nextafter(low, -math.inf), math.nextafter(high, math.inf)):
+        assert refused(with_number(scene, route, value)).startswith(spelled(route) + ": ")
+
+
+def owner(scene: Any, route: Route) -> type:
+    """The type whose field the route ends at."""
+    for step in route[:-1]:
+        scene = scene[step] if isinstance(step, int) else getattr(scene, step)
+    return type(scene)
+
+
+def test_whole_numbers_may_stand_for_decimal_ones() -> None:
+    scene = validate(REPLACE(BODY, gravity=(0, 2000), air_friction=0))
+    sim.Simulation(scene).step(3)
+
+
+# ------------------------------------------------------------------------- recipes
+def test_a_recipe_is_expanded_as_the_scene_is_made() -> None:
+    scene = rope_with(masses=3, start=(1.0, 2.0), direction=(0.0, -5.0), length=8.0, offset=0.5, driven=2)
+    assert [mass.position for mass in scene.masses] == [(1.0, 0.0), (1.0, -4.0), (1.0, -8.0)]
+    assert [(s.a, s.b, s.rest_length) for s in scene.linear_springs] == [(0, 1, 4.0), (1, 2, 4.0)]
+    assert [(j.a, j.b) for j in scene.angular_springs] == [(0, 1)]
+    assert [(a.mass, a.driven) for a in scene.anchors] == [(0, False), (2, True)]
+
+
+def test_a_recipe_without_joints_and_with_anchors_it_is_too_short_for() -> None:
+    scene = validate(rope_with(masses=3, joints=False, held=(0, 2, 9), driven=7))
+    assert scene.angular_springs == ()
+    assert [(a.mass, a.driven) for a in scene.anchors] == [(0, False), (2, False)]
+
+
+@pytest.mark.parametrize("direction", [(1e-200, 0.0), (0.0, -5e-324), (1e-170, 1e-170)])
+def test_a_direction_may_be_as_short_as_it_likes(direction: tuple[float, float]) -> None:
+    scene = validate(rope_with(direction=direction))
+    assert math.dist(scene.masses[0].position, scene.masses[-1].position) == pytest.approx(300.0)
+
+
+def test_rope_makes_a_valid_scene_of_the_tutorials_constants() -> None:
+    scene = sim.rope()
+    assert len(scene.masses) == 12
+    assert scene.masses[0].position == (300.0, 150.0)
+    assert scene.masses[-1].position == pytest.approx((300.0, 450.0))
+    with pytest.raises(SceneError, match=r"rope\.length"):
+        sim.rope(length=-1.0)
+    with pytest.raises(SceneError, match=r"air_friction"):
+        sim.rope(air_friction=math.nan)
+
+
+def test_scenes_are_frozen() -> None:
+    for thing in (BODY, BODY.masses[0], BODY.view):
+        with pytest.raises(AttributeError):
+            thing.name = "other"  # type: ignore[misc, union-attr]

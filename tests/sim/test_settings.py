@@ -1,0 +1,240 @@
+"""The numbers with a slider: which scene has which, and that each does just what it says."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import pytest
+
+import sim
+from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
+from sim.settings import SETTINGS, TEMPLATES, Setting, apply_assignments, settings_of, shift_rest_angles
+from sim.system import joint_stiffness
+from tests.sim.builders import chain, row, star, tangle
+from tests.sim.test_files import PRESETS
+
+REPLACE = msgspec.structs.replace
+
+DYNAMIC = {
+    "linear_stiffness", "linear_damping", "angular_stiffness", "rest_length_scale", "rest_angle", "gravity",
+    "air_friction", "dt",
+}  # fmt: skip
+
+PAIRS = [(p, s) for p in PRESETS for s in settings_of(load_scene(p))]
+
+
+def keys_of(scene: Scene) -> set[str]:
+    return {setting.key for setting in settings_of(scene)}
+
+
+# ------------------------------------------------------------------------- which apply
+def test_each_example_has_its_settings() -> None:
+    assert keys_of(load_scene("tutorial-3.1")) == set()
+    assert keys_of(load_scene("tutorial-3.2")) == DYNAMIC | {"template", "masses"}
+    assert keys_of(load_scene("tutorial-3.3")) == DYNAMIC | {"masses"}
+    for preset in ("ring", "box", "hair-tuft", "flag-pole"):
+        assert keys_of(load_scene(preset)) == DYNAMIC
+
+
+def test_a_body_without_joints_or_springs_has_fewer() -> None:
+    assert keys_of(sim.rope(joints=False)) == (DYNAMIC | {"masses"}) - {"angular_stiffness", "rest_angle"}
+    assert keys_of(chain(row(1))) == {"gravity", "air_friction", "dt"}
+    assert keys_of(chain(row(3), stiffness=1.0, held=(0, 1, 2))) == set()
+
+
+def test_a_setting_without_use_is_refused() -> None:
+    for key in SETTINGS:
+        with pytest.raises(SettingError, match=f"{key}: the scene 'tutorial-3.1' has no use for it"):
+            set_value(load_scene("tutorial-3.1"), key, 1.0)
+
+
+# ------------------------------------------------------------------------- reading back
+def samples(setting: Setting) -> list[float]:
+    if setting.key == "template":
+        return [float(t) for t in TEMPLATES]
+    if setting.key == "masses":
+        return [3, 4, 17, 60]
+    low, high = setting.slider
+    return [low, high, low + 0.1234567 * (high - low), setting.low, setting.high]
+
+
+@pytest.mark.parametrize(("preset", "setting"), PAIRS, ids=[f"{p}-{s.key}" for p, s in PAIRS])
+def test_what_is_set_is_read_back(preset: str, setting: Setting) -> None:
+    scene = load_scene(preset)
+    assert setting.low <= setting.slider[0] <= setting.read(scene) or setting.key == "rest_angle"
+    for value in samples(setting):
+        changed = set_value(scene, setting.key, value)
+        assert setting.read(changed) == value
+        # The change reaches the solver, and setting it again changes nothing more.
+        Simulation(changed)
+        assert set_value(changed, setting.key, value) == changed
+
+
+@pytest.mark.parametrize(("preset", "setting"), PAIRS, ids=[f"{p}-{s.key}" for p, s in PAIRS])
+def test_setting_one_leaves_the_others(preset: str, setting: Setting) -> None:
+    scene = load_scene(preset)
+    changed = set_value(scene, setting.key, samples(setting)[1])
+    touched = {setting.key}
+    if setting.key in ("template", "rest_angle"):
+        # They set the same angles, and the general law takes over the stiffness of a template.
+        touched |= {"template", "rest_angle", "angular_stiffness"}
+    for other in settings_of(scene):
+        if other.key not in touched:
+            assert other.read(changed) == other.read(scene)
+
+
+@pytest.mark.parametrize("setting", SETTINGS.values(), ids=list(SETTINGS))
+def test_values_out_of_range_are_refused(setting: Setting) -> None:
+    scene = load_scene("tutorial-3.2")
+    for value in (math.nan, math.inf, -math.inf, setting.low - 1.0, setting.high * 1.01 + 1.0):
+        with pytest.raises(SettingError, match=f"^{setting.key}: ") as caught:
+            set_value(scene, setting.key, value)
+        assert "\n" not in str(caught.value)
+
+
+def test_whole_numbers_and_templates() -> None:
+    scene = load_scene("tutorial-3.2")
+    with pytest.raises(SettingError, match=r"masses: 4\.5 is not a whole number"):
+        set_value(scene, "masses", 4.5)
+    with pytest.raises(SettingError, match="template: 30 is not one of 180, 135"):
+        set_value(scene, "template", 30)
+    with pytest.raises(SettingError, match="colour: there is no such setting; there are linear_stiffness"):
+        set_value(scene, "colour", 1.0)
+
+
+# ------------------------------------------------------------------------- scenes of unequal springs
+def test_different_stiffnesses_keep_their_proportion() -> None:
+    for scene in (star(5), tangle(4)):
+        for key, field, springs in (
+            ("linear_stiffness", "stiffness", "linear_springs"),
+            ("linear_damping", "damping", "linear_springs"),
+            ("angular_stiffness", "stiffness", "angular_springs"),
+        ):
+            before = [getattr(s, field) for s in getattr(scene, springs)]
+            assert SETTINGS[key].read(scene) == max(before)
+            after = [getattr(s, field) for s in getattr(set_value(scene, key, 77.0), springs)]
+            assert max(after) == 77.0
+            assert after == pytest.approx([77.0 * value / max(before) for value in before])
+            assert len(set(after)) > 1
+
+
+def test_springs_without_any_damping_all_get_the_same() -> None:
+    scene = set_value(star(4), "linear_damping", 0.0)
+    assert {s.damping for s in set_value(scene, "linear_damping", 3.0).linear_springs} == {3.0}
+
+
+def test_rest_angle_turns_every_joint_by_as_much() -> None:
+    scene = star(4)
+    before = [j.rest_angle for j in scene.angular_springs]
+    changed = set_value(scene, "rest_angle", before[0] + 170.0)
+    after = [j.rest_angle for j in changed.angular_springs]
+    assert len(set(before)) > 1
+    assert after == pytest.approx([180.0 - (180.0 - (angle + 170.0)) % 360.0 for angle in before])
+    assert after[0] == before[0] + 170.0
+
+
+def test_gravity_keeps_its_direction_and_is_down_the_screen_otherwise() -> None:
+    slanted = REPLACE(star(3), gravity=(30.0, 40.0))
+    assert SETTINGS["gravity"].read(slanted) == 50.0
+    assert set_value(slanted, "gravity", 5.0).gravity == pytest.approx((3.0, 4.0))
+    assert set_value(star(3), "gravity", 5.0).gravity == (0.0, 5.0)
+    upwards = REPLACE(star(3), view=sim.View(y_down=False))
+    assert set_value(upwards, "gravity", 5.0).gravity == (0.0, -5.0)
+    assert SETTINGS["gravity"].read(set_value(upwards, "gravity", 5.0)) == 5.0
+
+
+def test_gravity_may_point_up_in_any_scene() -> None:
+    slanted = REPLACE(star(3), gravity=(30.0, 40.0))
+    for scene in (star(3), slanted):
+        changed = set_value(scene, "gravity", -5.0)
+        assert SETTINGS["gravity"].read(changed) == -5.0
+        assert set_value(changed, "gravity", -5.0) == changed
+
+
+# ------------------------------------------------------------------------- recipes and templates
+def test_masses_rebuild_the_rope() -> None:
+    scene = set_value(load_scene("tutorial-3.3"), "masses", 21)
+    assert (len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)) == (21, 20, 19)
+    assert {s.rest_length for s in scene.linear_springs} == {15.0}
+    assert [a.mass for a in scene.anchors if a.driven] == [0]
+    assert scene.rope is not None
+    assert scene.rope.length == 300.0
+    # The tip stays where the tutorial's recipe puts it: one spring below the start, plus the length.
+    assert scene.masses[-1].position[1] == pytest.approx(149.0 + 15.0 + 300.0)
+
+
+def test_masses_drop_a_pose_that_no_longer_fits() -> None:
+    simulation = Simulation(load_scene("tutorial-3.3"))
+    simulation.step(5)
+    scene = REPLACE(simulation.scene, pose=simulation.pose())
+    assert set_value(scene, "masses", 12).pose == scene.pose
+    assert set_value(scene, "masses", 9).pose is None
+    assert set_value(scene, "angular_stiffness", 9.0).pose == scene.pose
+
+
+@pytest.mark.parametrize("template", TEMPLATES)
+def test_a_template_sets_the_angle_and_its_stiffness(template: int) -> None:
+    scene = set_value(load_scene("tutorial-3.2"), "template", template)
+    assert scene.template == template
+    assert {j.rest_angle for j in scene.angular_springs} == {float(template)}
+    assert {j.stiffness for j in scene.angular_springs} == {10_000.0}
+    factor = math.sqrt(2.0) if template in (135, 45, -45, -135) else 1.0
+    assert joint_stiffness(scene) == [pytest.approx(factor * 10_000.0)] * 6
+    plain = REPLACE(scene, rope=None)
+    assert set_value(plain, "template", 45).angular_springs[2].rest_angle == 45.0
+
+
+@pytest.mark.parametrize("as_recipe", [True, False])
+@pytest.mark.parametrize("template", TEMPLATES)
+def test_turning_a_template_scene_keeps_its_strength(template: int, as_recipe: bool) -> None:
+    scene = set_value(load_scene("tutorial-3.2"), "template", template)
+    scene = scene if as_recipe else REPLACE(scene, rope=None)
+    turned = validate(shift_rest_angles(scene, 30.0))
+    assert turned.template is None
+    assert joint_stiffness(turned) == pytest.approx(joint_stiffness(scene))
+    expected = template + 30.0 - (360.0 if template + 30.0 > 180.0 else 0.0)
+    assert {j.rest_angle for j in turned.angular_springs} == {expected}
+    assert (turned.rope is not None) == as_recipe
+    again = set_value(scene, "rest_angle", expected)
+    assert joint_stiffness(again) == pytest.approx(joint_stiffness(scene))
+
+
+@pytest.mark.parametrize("degrees", [-360.0, -180.0, -0.1, 0.1, 180.0, 359.0, 360.0])
+def test_turned_angles_stay_in_range(degrees: float) -> None:
+    scene = REPLACE(star(5), arrow_keys=ArrowKeys())
+    turned = validate(shift_rest_angles(scene, degrees))
+    for old, new in zip(scene.angular_springs, turned.angular_springs, strict=True):
+        assert -180.0 < new.rest_angle <= 180.0
+        assert math.cos(math.radians(new.rest_angle - old.rest_angle - degrees)) == pytest.approx(1.0)
+
+
+# ------------------------------------------------------------------------- assignments
+def test_assignments_are_applied_in_order() -> None:
+    texts = ["masses=5", " gravity = 10 ", "angular_stiffness=2e3", "gravity=-3.5"]
+    scene = apply_assignments(load_scene("tutorial-3.3"), texts)
+    assert len(scene.masses) == 5
+    assert scene.gravity == (0.0, -3.5)
+    assert scene.angular_springs[0].stiffness == 2000.0
+    assert apply_assignments(scene, []) is scene
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("gravity", "KEY=VALUE"),
+        ("gravity=", "KEY=VALUE"),
+        ("gravity=much", "KEY=VALUE"),
+        ("gravity=nan", "KEY=VALUE"),
+        ("gravity=inf", "KEY=VALUE"),
+        ("=5", "there is no such setting"),
+        ("weight=5", "weight: there is no such setting"),
+        ("template=90", "template: the scene 'tutorial-3.3' has no use for it"),
+        ("dt=2", r"dt: 2 is not in the range 1e-06\.\.1 s"),
+        ("masses=2.5", "masses: 2.5 is not a whole number"),
+    ],
+)
+def test_wrong_assignments_are_refused(text: str, sentence: str) -> None:
+    with pytest.raises(SettingError, match=sentence) as caught:
+        apply_assignments(load_scene("tutorial-3.3"), ["dt=0.001", text])
+    assert "\n" not in str(caught.value)

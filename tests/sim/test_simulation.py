@@ -1,0 +1,214 @@
+"""`Simulation`: stepping, time, what it hands out, and going on with another scene."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Anchor, InputError, Simulation
+from tests.sim.builders import askew
+from tests.sim.inside import same_state
+
+REPLACE = msgspec.structs.replace
+
+
+@pytest.fixture
+def rope() -> Simulation:
+    """A rope in which everything moves."""
+    return Simulation(askew())
+
+
+# ------------------------------------------------------------------------- stepping
+TRAJECTORY = """
+import hashlib, sim
+digest = hashlib.sha256()
+for preset in ("tutorial-3.3", "hair-tuft"):
+    simulation = sim.Simulation(sim.load_scene(preset))
+    simulation.keys = {"right", "up"}
+    for i in range(50):
+        simulation.lead(0, (300.0 + 5.0 * i, 160.0))
+        simulation.step(7)
+        digest.update(simulation.positions.tobytes() + simulation.velocities.tobytes())
+    simulation.stability()
+print(digest.hexdigest())
+"""
+
+
+def test_a_run_is_the_same_bit_for_bit_in_every_process() -> None:
+    hashes = {
+        subprocess.run(
+            [sys.executable, "-c", TRAJECTORY],
+            capture_output=True,
+            text=True,
+            check=True,
+            cwd=Path(sim.__file__).parent.parent,
+        ).stdout
+        for _ in range(2)
+    }
+    assert len(hashes) == 1
+    assert len(hashes.pop().strip()) == len(hashlib.sha256().hexdigest())
+
+
+@pytest.mark.parametrize("preset", ["tutorial-3.3", "ring"])
+def test_many_steps_at_once_are_the_same_as_one_by_one(preset: str) -> None:
+    one, other = (Simulation(sim.load_scene(preset)) for _ in range(2))
+    for simulation in (one, other):
+        simulation.keys = {"left", "up"}
+    assert one.step(333) == 333
+    assert [other.step() for _ in range(333)] == [1] * 333
+    assert same_state(one, other)
+    assert one.time == other.time == pytest.approx(333 * 0.0025)
+    assert one.step_count == other.step_count == 333
+    assert np.array_equal(one.rest_angles, other.rest_angles)
+
+
+def test_no_steps_and_wrong_numbers_of_steps(rope: Simulation) -> None:
+    assert rope.step(0) == 0
+    with pytest.raises(InputError, match="step"):
+        rope.step(-1)
+
+
+def test_a_lead_waits_for_the_next_step_that_is_done(rope: Simulation) -> None:
+    rope.lead(0, (310.0, 170.0))
+    rope.step(0)
+    rope.advance(0.001)
+    assert tuple(rope.positions[0]) != (310.0, 170.0)
+    rope.step()
+    assert tuple(rope.positions[0]) == (310.0, 170.0)
+
+
+def test_advance_keeps_what_is_left_over(rope: Simulation) -> None:
+    pieces = [0.0001, 0.0033, 0.0, 0.0299, 0.0174, 0.0006, 0.0487]
+    assert sum(pieces) == pytest.approx(0.1)
+    done = [rope.advance(seconds) for seconds in pieces]
+    assert sum(done) == 40
+    assert done[:4] == [0, 1, 0, 12]
+    assert rope.time == pytest.approx(0.1)
+    other = Simulation(askew())
+    other.step(40)
+    assert same_state(rope, other)
+
+
+def test_advance_by_exact_multiples_is_not_short_of_a_step(rope: Simulation) -> None:
+    assert [rope.advance(0.0025 * n) for n in (1, 3, 10, 12, 400)] == [1, 3, 10, 12, 400]
+
+
+@pytest.mark.parametrize("seconds", [-0.1, math.nan, math.inf])
+def test_advance_refuses_what_is_no_duration(rope: Simulation, seconds: float) -> None:
+    with pytest.raises(InputError, match="advance"):
+        rope.advance(seconds)
+    assert rope.step_count == 0
+
+
+def test_dt_of_the_caller_overrides_that_of_every_scene() -> None:
+    simulation = Simulation(askew(), dt=0.001, integrator="symplectic_euler")
+    assert simulation.dt == simulation.scene.integrator.dt == 0.001
+    simulation.replace(sim.load_scene("ring"))
+    assert simulation.dt == 0.001
+    with pytest.raises(sim.SceneError, match=r"integrator\.dt"):
+        Simulation(askew(), dt=2.0)
+    with pytest.raises(sim.SceneError, match=r"integrator\.method"):
+        Simulation(askew(), integrator="leapfrog")
+
+
+# ------------------------------------------------------------------------- what is handed out
+def test_positions_and_velocities_are_copies(rope: Simulation) -> None:
+    rope.positions[:] = 0.0
+    rope.velocities[:] = 1e5
+    rope.step(10)
+    other = Simulation(askew())
+    other.step(10)
+    assert same_state(rope, other)
+    place = rope.positions
+    kept = place.copy()
+    rope.step()
+    assert np.array_equal(place, kept)
+
+
+def test_a_pose_carries_the_state_to_another_simulation(rope: Simulation) -> None:
+    rope.step(100)
+    other = Simulation(REPLACE(rope.scene, pose=rope.pose()))
+    assert same_state(rope, other)
+    rope.step(50)
+    other.step(50)
+    assert same_state(rope, other)
+
+
+# ------------------------------------------------------------------------- reset and replace
+def test_reset_starts_over(rope: Simulation) -> None:
+    start = rope.positions
+    rope.keys = {"up", "right"}
+    rope.move(0, (0.0, 0.0))
+    rope.advance(0.1234)
+    rope.lead(0, (50.0, 50.0))
+    rope.keys = set()
+    rope.reset()
+    assert np.array_equal(rope.positions, start)
+    assert not rope.velocities.any()
+    assert (rope.time, rope.step_count, rope.rest_length_scale) == (0.0, 0, 1.0)
+    assert not rope.rest_angles.any()
+    # Neither the target nor the fraction of a step that was owed is left.
+    assert rope.advance(0.0024) == 0
+    other = Simulation(askew())
+    rope.step(20)
+    other.step(20)
+    assert same_state(rope, other)
+
+
+def test_replace_goes_on_where_the_topology_is_the_same(rope: Simulation) -> None:
+    rope.grab(4)
+    rope.step(100)
+    rope.advance(0.001)
+    place, speed = rope.positions, rope.velocities
+    rope.replace(sim.set_value(sim.set_value(rope.scene, "gravity", 500.0), "dt", 0.001))
+    assert np.array_equal(rope.positions, place)
+    assert np.array_equal(rope.velocities, speed)
+    assert (rope.time, rope.step_count, rope.dt) == (pytest.approx(0.25), 100, 0.001)
+    # The grab and the owed millisecond are still there.
+    assert rope.advance(0.0) == 1
+    assert rope.time == pytest.approx(0.251)
+    assert np.array_equal(rope.positions[4], place[4])
+    assert rope.scene.gravity == (0.0, 500.0)
+
+
+def test_replace_takes_hold_of_new_anchors(rope: Simulation) -> None:
+    rope.step(50)
+    scene = REPLACE(rope.scene, rope=None, anchors=(Anchor(mass=11),))
+    rope.replace(scene)
+    assert not rope.velocities[11].any()
+    place = rope.positions
+    rope.step(20)
+    assert np.array_equal(rope.positions[11], place[11])
+    assert not np.array_equal(rope.positions[0], place[0])
+
+
+def test_replace_restarts_where_the_topology_is_another(rope: Simulation) -> None:
+    rope.grab(4)
+    rope.step(100)
+    scene = REPLACE(sim.set_value(rope.scene, "masses", 9), pose=None)
+    rope.replace(scene)
+    fresh = Simulation(scene)
+    assert (rope.time, rope.step_count) == (0.0, 0)
+    assert same_state(rope, fresh)
+    rope.step(30)
+    fresh.step(30)
+    assert same_state(rope, fresh)
+
+
+def test_replace_with_an_invalid_scene_changes_nothing(rope: Simulation) -> None:
+    rope.step(10)
+    other = Simulation(askew())
+    other.step(10)
+    with pytest.raises(sim.SceneError, match="air_friction"):
+        rope.replace(REPLACE(rope.scene, air_friction=-1.0))
+    rope.step(10)
+    other.step(10)
+    assert same_state(rope, other)

@@ -1,0 +1,173 @@
+"""The largest stable time step: where formulas give it, as the meter estimates it."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Scene, Simulation
+from tests.sim.amplification import dynamics, exact_limit, spectral_radius
+from tests.sim.builders import chain, row, tangle
+from tests.sim.inside import put
+
+REPLACE = msgspec.structs.replace
+SMALL = 1e-6
+"""px, the motion that is watched: small enough for every force to be linear in it."""
+
+
+def growth(scene: Scene, dt: float, axis: int, steps: int = 3000) -> float:
+    """How many times its first size the motion along an axis reaches, at most a million times."""
+    simulation = Simulation(scene, dt=dt)
+    straight = np.array(row(len(scene.masses)))[:, axis]
+    largest = 0.0
+    for _ in range(steps // 10):
+        simulation.step(10)
+        largest = max(largest, float(np.abs(simulation.positions[:, axis] - straight).max()) / SMALL)
+        if simulation.divergence is not None or largest > 1e6:
+            return 1e6
+    return largest
+
+
+def wobbly(count: int, axis: int) -> list[tuple[float, float]]:
+    """A row in its fastest motion: every mass moved against its neighbours."""
+    shift = [SMALL * (-1) ** i if 0 < i < count - 1 else 0.0 for i in range(count)]
+    return [
+        (x + (s if axis == 0 else 0.0), s if axis else 0.0)
+        for (x, _), s in zip(row(count), shift, strict=True)
+    ]
+
+
+# ------------------------------------------------------------------------- formulas
+@pytest.mark.parametrize("count", [3, 4, 10, 30])
+def test_axial_limit(count: int) -> None:
+    stiffness, mass = 5000.0, 2.0
+    scene = chain(wobbly(count, 0), stiffness=stiffness, mass=mass, held=(0, count - 1))
+    springs = count - 1
+    limit = math.sqrt(mass / stiffness) / math.sin((springs - 1) * math.pi / (2 * springs))
+    assert limit >= math.sqrt(mass / stiffness)
+    assert growth(scene, 0.98 * limit, 0) < 100.0
+    assert growth(scene, 1.02 * limit, 0) == 1e6
+    assert Simulation(scene).stability().limit == pytest.approx(limit, rel=1e-3)
+    assert Simulation(scene).stability().cause == "linear stiffness"
+
+
+@pytest.mark.parametrize("count", [5, 10, 30])
+def test_bending_limit(count: int) -> None:
+    # Pinned ends: sin² of the fastest mode's half wave number is what a finite chain lacks of a long one.
+    stiffness, mass = 800.0, 0.5
+    scene = chain(wobbly(count, 1), angular_stiffness=stiffness, mass=mass, held=(0, count - 1))
+    springs = count - 1
+    limit = 0.5 * math.sqrt(mass / stiffness) / math.sin((springs - 1) * math.pi / (2 * springs)) ** 2
+    assert limit >= 0.5 * math.sqrt(mass / stiffness)
+    assert growth(scene, 0.98 * limit, 1) < 100.0
+    assert growth(scene, 1.02 * limit, 1) == 1e6
+    assert Simulation(scene).stability().limit == pytest.approx(limit, rel=1e-3)
+    assert Simulation(scene).stability().cause == "angular stiffness"
+
+
+@pytest.mark.parametrize("zeta", [0.05, 0.3, 1.0, 3.0])
+def test_damped_limit(zeta: float) -> None:
+    stiffness, mass = 4000.0, 1.5
+    omega = math.sqrt(stiffness / mass)
+    places = [(0.0, 0.0), (10.0 + SMALL, 0.0)]
+    scene = chain(places, stiffness=stiffness, mass=mass, damping=2.0 * zeta * omega * mass, held=(0,))
+    limit = 2.0 * (math.sqrt(1.0 + zeta * zeta) - zeta) / omega
+    assert growth(scene, 0.98 * limit, 0) < 100.0
+    assert growth(scene, 1.02 * limit, 0) == 1e6
+    assert Simulation(scene).stability().limit == pytest.approx(limit, rel=1e-3)
+    expected = "linear damping" if zeta >= 0.5 else "linear stiffness"
+    assert Simulation(scene).stability().cause == expected
+
+
+def test_nothing_that_pulls_has_no_limit() -> None:
+    for scene in (chain(row(3)), sim.load_scene("tutorial-3.1"), chain([(0.0, 0.0)])):
+        estimate = Simulation(scene).stability()
+        assert estimate.limit == math.inf
+        assert estimate.cause is None
+
+
+def test_air_friction_limits_the_step_of_a_fast_mass() -> None:
+    # F = -air v²; linearised at v the rate is 2 air v / m, and symplectic Euler bears dt < 2 / rate.
+    scene = REPLACE(chain([(0.0, 0.0)], velocities=[(300.0, 0.0)], mass=2.0), air_friction=0.5)
+    estimate = Simulation(scene).stability()
+    assert estimate.limit == pytest.approx(2.0 * 2.0 / (2.0 * 0.5 * 300.0), rel=1e-6)
+    assert estimate.cause == "air friction"
+
+
+# ------------------------------------------------------------------------- against dense matrices
+def estimate_and_limit(simulation: Simulation) -> tuple[float, float, tuple[np.ndarray, np.ndarray]]:
+    k, c = dynamics(simulation.scene, simulation.positions, simulation.velocities)
+    return simulation.stability().limit, exact_limit(k, c), (k, c)
+
+
+@pytest.mark.parametrize("preset", ["tutorial-3.3", "ring", "box", "hair-tuft", "flag-pole"])
+def test_meter_on_presets(preset: str) -> None:
+    simulation = Simulation(sim.load_scene(preset))
+    estimate, limit, (k, c) = estimate_and_limit(simulation)
+    assert estimate == pytest.approx(limit, rel=0.01)
+    # And it is the limit of stability: nothing grows below it, something does above.
+    assert spectral_radius(k, c, 0.98 * limit) <= 1.0 + 1e-4
+    assert spectral_radius(k, c, 1.02 * limit) > 1.01
+
+
+@pytest.mark.parametrize("preset", ["tutorial-3.3", "ring", "box", "hair-tuft", "flag-pole"])
+def test_meter_follows_a_body_in_motion(preset: str) -> None:
+    scene = sim.load_scene(preset)
+    simulation = Simulation(scene)
+    driven = next(a.mass for a in scene.anchors if a.driven)
+    x, y = scene.masses[driven].position
+    for frame in range(4):
+        simulation.lead(driven, (x + 60.0 * math.sin(frame), y + 30.0 * math.cos(2.0 * frame)))
+        simulation.step(40)
+        estimate, limit, _ = estimate_and_limit(simulation)
+        assert estimate == pytest.approx(limit, rel=0.01)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_meter_on_random_bodies(seed: int) -> None:
+    scene = REPLACE(tangle(seed, held=(0, 3)), air_friction=0.01)
+    estimate, limit, _ = estimate_and_limit(Simulation(scene))
+    assert estimate == pytest.approx(limit, rel=0.01)
+
+
+@pytest.mark.parametrize("preset", ["tutorial-3.3", "ring", "box", "hair-tuft"])
+@pytest.mark.parametrize("seed", range(3))
+def test_meter_at_random_positions(preset: str, seed: int) -> None:
+    simulation = Simulation(sim.load_scene(preset))
+    rng = np.random.default_rng(seed)
+    place = simulation.positions
+    put(simulation, place + rng.normal(0.0, 6.0, place.shape))
+    estimate, limit, _ = estimate_and_limit(simulation)
+    assert estimate == pytest.approx(limit, rel=0.01)
+
+
+def test_meter_sees_keys_and_grabs() -> None:
+    simulation = Simulation(sim.load_scene("tutorial-3.3"))
+    before = simulation.stability().limit
+    for mass in range(12):
+        simulation.grab(mass)
+    assert simulation.stability().limit == math.inf
+    for mass in range(12):
+        simulation.release(mass)
+    simulation.keys = {"up"}
+    simulation.step(200)
+    simulation.keys = set()
+    simulation.step(2000)
+    # The couples grow with the lengths but so do the levers; what must hold is that it follows.
+    estimate, limit, _ = estimate_and_limit(simulation)
+    assert estimate == pytest.approx(limit, rel=0.01)
+    assert before == pytest.approx(0.005, rel=0.05)
+
+
+def test_meter_only_reads() -> None:
+    simulation, other = (Simulation(sim.load_scene("ring")) for _ in range(2))
+    for _ in range(5):
+        simulation.stability()
+        simulation.step(20)
+        other.step(20)
+    assert np.array_equal(simulation.positions, other.positions)
+    assert np.array_equal(simulation.velocities, other.velocities)
