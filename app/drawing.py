@@ -31,6 +31,9 @@ WORLD_SIZE = 6.0
 """What the longer side of the scene's frame measures in the page's world."""
 
 # Depths: the page draws what is nearer later. The coil is 0.01 thick.
+Z_GIZMO = -0.3
+"""Behind the masses, so that a press on a mass takes hold of the mass and not of an arrow across it."""
+
 Z_GRID, Z_PIN, Z_SPRING, Z_WEDGE, Z_RING, Z_RIM, Z_MASS, Z_SHINE = (
     -0.4,
     -0.15,

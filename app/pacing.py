@@ -27,12 +27,14 @@ class Rates:
         steps_per_second: steps done per second.
         solver_ms: time in the solver per frame, ms.
         behind: simulated seconds that the clock has lost since it was started.
+        losing: simulated seconds that it lost in the last second.
     """
 
     real_time_factor: float = 0.0
     steps_per_second: float = 0.0
     solver_ms: float = 0.0
     behind: float = 0.0
+    losing: float = 0.0
 
 
 class Pacer:
@@ -44,7 +46,8 @@ class Pacer:
         self._last: float | None = None
         self._owed = 0.0
         self._step_cost = 0.0
-        self._frames: deque[tuple[float, float, int, float]] = deque()
+        self._lost = 0.0
+        self._frames: deque[tuple[float, float, int, float, float]] = deque()
 
     def restart(self) -> None:
         """Owe nothing and forget the rates, as after a pause."""
@@ -76,6 +79,7 @@ class Pacer:
             lost += self._owed - rest
             self._owed = rest
         self.behind += lost
+        self._lost = lost
         return steps
 
     def record(self, now: float, dt: float, steps: int, seconds: float) -> None:
@@ -83,7 +87,7 @@ class Pacer:
         if steps:
             cost = seconds / steps
             self._step_cost = cost if not self._step_cost else 0.8 * self._step_cost + 0.2 * cost
-        self._frames.append((now, steps * dt, steps, seconds))
+        self._frames.append((now, steps * dt, steps, seconds, self._lost))
         while self._frames and self._frames[0][0] < now - _WINDOW:
             self._frames.popleft()
 
@@ -96,4 +100,5 @@ class Pacer:
         simulated = sum(frame[1] for frame in self._frames) - self._frames[0][1]
         steps = sum(frame[2] for frame in self._frames) - self._frames[0][2]
         busy = sum(frame[3] for frame in self._frames) / len(self._frames)
-        return Rates(simulated / span, steps / span, busy * 1e3, self.behind)
+        losing = sum(frame[4] for frame in self._frames)
+        return Rates(simulated / span, steps / span, busy * 1e3, self.behind, losing)

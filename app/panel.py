@@ -49,13 +49,14 @@ class Dial:
         else:
             slider_step = box_step = 10.0 ** math.floor(math.log10((high - low) / 500.0))
         self._slider_step = slider_step
-        unit = f" ({setting.unit})" if setting.unit else ""
         self.slider = client.gui.add_slider(
-            setting.label + unit,
+            setting.label,
             min=self._low,
             max=self._high,
             step=slider_step,
             initial_value=self._place(value),
+            marks=((self._low, readouts.short(low)), (self._high, readouts.short(high))),
+            hint=f"{setting.low:g} to {setting.high:g} {setting.unit}".rstrip(),
         )
         self.box = client.gui.add_number(
             "", initial_value=_rounded(value), min=setting.low, max=setting.high, step=box_step
@@ -108,6 +109,14 @@ class Dial:
 
 def _rounded(value: float) -> float:
     return float(f"{value:.7g}")
+
+
+def set_theme(gui: viser.GuiApi, dark: bool) -> None:
+    """viser's own colours, without its logo and without the button that would share the page."""
+    red, green, blue = (int(part) for part in palette("softrod", dark).driven)
+    gui.configure_theme(
+        dark_mode=dark, show_logo=False, show_share_button=False, brand_color=(red, green, blue)
+    )
 
 
 def _id(handle: Any) -> str:

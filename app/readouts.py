@@ -19,22 +19,19 @@ _NAMES = {
 }
 
 
-def shown(value: float, digits: int = 4) -> str:
-    """A number for people: a few digits, thousands set apart, no exponent where none is needed."""
-    if value == 0.0 or not math.isfinite(value):
-        return "0" if value == 0.0 else "∞"
-    if 1e-3 <= abs(value) < 1e7:
-        decimals = max(0, digits - 1 - math.floor(math.log10(abs(value))))
-        text = f"{value:,.{decimals}f}".replace(",", " ")
-        return text.rstrip("0").rstrip(".") if "." in text else text
-    return f"{value:.{digits - 1}g}"
+def short(value: float) -> str:
+    """A round number in as few letters as can be, for the ends of a slider."""
+    for size, letter in ((1e6, "M"), (1e3, "k")):
+        if abs(value) >= size:
+            return f"{value / size:g}{letter}"
+    return f"{value:g}"
 
 
 def hud(session: Session, colors: Palette, at_rest: bool) -> str:
     """The head-up display over the canvas: the clock, whether it keeps up, the stability meter, the key."""
     lines = [f"<b>t = {session.simulation.time:.2f} s</b>{_state(session, at_rest)}"]
     rates = session.pacer.rates(session.now())
-    if rates.behind > 0.05:
+    if rates.losing > 0.05:
         lines.append(
             f'<span class="softrod-lag">{rates.real_time_factor:.2g} × real time: the clock is '
             f"{rates.behind:.1f} s behind</span>"

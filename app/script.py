@@ -61,7 +61,7 @@ def style_html(colors: Palette, dark: bool, dials: list[tuple[str, str]], bare: 
     )
     hide = f"{own}{{display:none}}"
     if dials:
-        hide += f"{sliders}{{padding-right:5.6em}}{boxes}{{width:5.2em;margin:-3em 0 0 auto;z-index:4}}"
+        hide += f"{sliders}{{padding-right:5.6em}}{boxes}{{width:5.2em;margin:-1.75em 0 0 auto;z-index:4}}"
     root = {
         "text": colors.css("text"),
         "line": colors.css("grid_major"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import math
 import signal
 import threading
 import webbrowser
@@ -16,13 +17,12 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 import sim
 from sim.warmup import Kernels, is_cached
 
-from .colors import LIGHT_GAIN, palette
+from .colors import LIGHT_GAIN
 from .gate import exposure, open_server
+from .panel import set_theme
 from .session import Notice
 from .tab import Tab
 from .ticker import Ticker
-
-_PI = 3.141592653589793
 
 
 @contextlib.contextmanager
@@ -89,15 +89,12 @@ def _set_stage(server: viser.ViserServer) -> None:
         scene.world_axes.visible = False
         scene.configure_default_lights(enabled=False, cast_shadow=False)
         scene.configure_environment_map(None)
-        scene.add_light_ambient("/light", intensity=_PI * LIGHT_GAIN)
+        scene.add_light_ambient("/light", intensity=math.pi * LIGHT_GAIN)
     # The page's script fits the distance to the window; there is no orthographic camera.
     camera = server.initial_camera
     camera.fov, camera.near, camera.far, camera.up = 0.1, 1.0, 2000.0, (0.0, 1.0, 0.0)
     camera.position, camera.look_at = (0.0, 0.0, 62.0), (0.0, 0.0, 0.0)
-    brand = palette("softrod", dark=False).driven
-    server.gui.configure_theme(
-        show_logo=False, show_share_button=False, brand_color=(int(brand[0]), int(brand[1]), int(brand[2]))
-    )
+    set_theme(server.gui, dark=False)
 
 
 def _compile(kernels: Kernels, console: Console) -> None:

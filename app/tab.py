@@ -17,7 +17,7 @@ from sim.warmup import Kernels
 from . import commands, readouts, script
 from .drawing import Mapping
 from .files_panel import FilesPanel
-from .panel import Panel
+from .panel import Panel, set_theme
 from .session import Notice, Session
 from .view import Picture, Touch, View
 
@@ -164,7 +164,7 @@ class Tab:
                 self._open(session, argument)
             elif what == "theme":
                 self._dark = argument
-                self.client.gui.configure_theme(dark_mode=argument, show_logo=False, show_share_button=False)
+                set_theme(self.client.gui, dark=argument)
                 self._generation = -1
             elif what == "gizmos":
                 self._gizmos = argument

@@ -18,7 +18,7 @@ from sim import Scene, Simulation
 
 from . import shapes
 from .colors import palette, sent_one
-from .drawing import Z_RING, Floats, Sketch
+from .drawing import Z_GIZMO, Z_RING, Floats, Sketch
 
 STILL = 0.1
 """Movement (in pixels of a 600 pixel high frame) below which a picture counts as unchanged."""
@@ -102,7 +102,7 @@ class View:
             if springs:
                 self._add("springs", shapes.bar() if sketch.many else shapes.coil(), springs)
             if joints:
-                self._add("wedges", shapes.slice_(), joints * sketch.slices, opacity=0.8)
+                self._add("wedges", shapes.slice_(), joints * sketch.slices)
             if len(sketch.pinned):
                 size = 2.0 * sketch.radius[sketch.pinned]
                 held = np.tile(sent_one(sketch.palette.held), (len(size), 1)).astype(np.uint8)
@@ -142,7 +142,7 @@ class View:
             for mass, gizmo in self._gizmos:
                 # While a gizmo is dragged it belongs to the pointer.
                 if mass != self._gizmo_in_hand:
-                    place = sketch.mapping.to_world(positions[[mass]], Z_RING)[0]
+                    place = sketch.mapping.to_world(positions[[mass]], Z_GIZMO)[0]
                     if not np.array_equal(place, gizmo.position):
                         gizmo.position = place
         return True
@@ -176,7 +176,6 @@ class View:
         places: Floats | None = None,
         angles: Floats | None = None,
         scales: Floats | None = None,
-        opacity: float | None = None,
     ) -> viser.BatchedMeshHandle:
         if angles is None:
             angles = np.tile((1.0, 0.0, 0.0, 0.0), (count, 1))
@@ -188,7 +187,6 @@ class View:
             batched_positions=np.zeros((count, 3)) if places is None else places,
             batched_scales=np.full((count, 3), 1e-6) if scales is None else scales,
             batched_colors=np.zeros((count, 3), np.uint8) if colors is None else colors,
-            opacity=opacity,
             side="double",
             **_FLAT,
         )
@@ -239,7 +237,6 @@ class View:
                 fixed=True,  # the same size on the screen at any zoom
                 active_axes=(True, True, False),
                 disable_rotations=True,
-                depth_test=False,
                 opacity=0.75,
             )
             self._gizmos.append((mass, gizmo))

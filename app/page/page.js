@@ -191,9 +191,10 @@
   };
   // Show the scene's frame, whole, in the part of the canvas that can be seen.
   const fit = () => {
-    const { canvas, camera, cameraControl: controls } = viser() ?? {};
+    const { canvas, camera, cameraControl: controls, nodeRefFromName } = viser() ?? {};
+    const root = nodeRefFromName?.[""];
     const { width, height } = state();
-    if (!canvas || !controls || !(width > 0)) return false;
+    if (!canvas || !controls || !root || !(width > 0)) return false;
     const box = canvas.getBoundingClientRect();
     if (!(box.width > 0 && box.height > 0)) return false;
     const hidden = covered(box);
@@ -203,7 +204,10 @@
     const low = -(perPixel * hidden) / 2;
     controls.minAzimuthAngle = -Infinity;
     controls.maxAzimuthAngle = Infinity;
-    controls.setLookAt(0, low, distance, 0, low, 0, false);
+    // From the nodes' coordinates to those of the camera.
+    const eye = camera.position.clone().set(0, low, distance).applyMatrix4(root.matrixWorld);
+    const target = camera.position.clone().set(0, low, 0).applyMatrix4(root.matrixWorld);
+    controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, false);
     controls.maxDistance = 20 * distance;
     controls.minDistance = distance / 200;
     controls.update(0);
