@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import tyro
 from rich.console import Console
@@ -140,7 +140,27 @@ class Check:
         return failed
 
 
-COMMANDS = {"run": Run, "scenes": Scenes, "check": Check}
+@dataclass
+class Bench:
+    """Measure softrod on this machine, beside other programs that do the same."""
+
+    what: Annotated[Positional[Literal["kernels", "start", "page"]], arg(metavar="{kernels,start,page}")]
+    """kernels: the step by several programs; start: until the rope moves; page: cost and latency."""
+    repeats: int = 5
+    """Repeats, of which the fastest counts."""
+
+    def run(self) -> int:
+        """Measure and print."""
+        from .bench.kernels import bench
+        from .bench.serving import bench_page, bench_start
+
+        if not 1 <= self.repeats <= 1000:
+            return _fail("--repeats: it must be from 1 to 1000")
+        {"kernels": bench, "start": bench_start, "page": bench_page}[self.what](Console(), self.repeats)
+        return 0
+
+
+COMMANDS = {"run": Run, "scenes": Scenes, "check": Check, "bench": Bench}
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -150,7 +170,7 @@ def main(arguments: list[str] | None = None) -> None:
     sys.exit(_main(command or Serve, words[1:] if command else words))
 
 
-def _main(command: type[Serve | Run | Scenes | Check], words: list[str]) -> int:
+def _main(command: type[Serve | Run | Scenes | Check | Bench], words: list[str]) -> int:
     program = "softrod" if command is Serve else f"softrod {command.__name__.lower()}"
     description = None
     if command is Serve:

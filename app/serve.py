@@ -17,6 +17,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 import sim
 from sim.warmup import Kernels, is_cached
 
+from . import shapes
 from .colors import LIGHT_GAIN
 from .gate import exposure, open_server
 from .panel import set_theme
@@ -98,7 +99,8 @@ def _set_stage(server: viser.ViserServer) -> None:
 
 
 def _compile(kernels: Kernels, console: Console) -> None:
-    """Compile, with a progress bar where that takes a while."""
+    """Make the meshes, then compile, with a progress bar where that takes a while."""
+    shapes.disc()
     if is_cached():
         kernels.compile()
         return

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import TYPE_CHECKING
 
 import numpy as np
-import trimesh
+
+if TYPE_CHECKING:
+    import trimesh
 
 
 def _flat(points: np.ndarray, faces: np.ndarray) -> trimesh.Trimesh:
     """A mesh in the plane z = 0 (or near it), every face turned to the viewer at +z."""
+    # Here, not above: it takes half a second to import, and the port can listen before.
+    import trimesh
+
     vertices = np.column_stack((points, np.zeros(len(points)))) if points.shape[1] == 2 else points
     mesh = trimesh.Trimesh(vertices, faces, process=False)
     away = mesh.face_normals[:, 2] < 0.0

@@ -10,6 +10,9 @@ import numpy as np
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
+from sim.files import built_in_folder
+
+PRESETS = sorted(path.stem for path in built_in_folder().glob("*.json"))
 
 
 def chain(

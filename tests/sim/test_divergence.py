@@ -107,13 +107,22 @@ def test_names_the_mass_of_the_scene_when_masses_are_listed_in_any_order() -> No
     assert other.divergence.mass == count - 1 - one.divergence.mass
 
 
-def test_a_runaway_position_is_named() -> None:
-    # No force at all: a mass that simply flies out of the range.
-    simulation = Simulation(chain([(999_990.0, 0.0)], velocities=[(900.0, 0.0)]), dt=0.01)
+@pytest.mark.parametrize("direction", [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)])
+def test_runaway_positions_and_speeds_are_named(direction: tuple[float, float]) -> None:
+    # No springs: a mass that flies out of the range, and one that falls faster and faster.
+    x, y = direction
+    flying = chain([(999_990.0 * x, 999_990.0 * y)], velocities=[(900.0 * x, 900.0 * y)], dt=0.01)
+    simulation = Simulation(flying)
     assert simulation.step(10) == 1
     assert simulation.divergence is not None
     assert (simulation.divergence.quantity, simulation.divergence.limit) == ("position", 1e6)
-    assert simulation.positions[0, 0] == pytest.approx(999_999.0)
+    assert simulation.positions[0] == pytest.approx([999_999.0 * x, 999_999.0 * y])
+    falling = chain([(0.0, 0.0)], gravity=(0.9e6 * x, 0.9e6 * y), dt=0.01)
+    simulation = Simulation(falling)
+    assert simulation.step(1000) == 111
+    assert simulation.divergence is not None
+    assert (simulation.divergence.quantity, simulation.divergence.limit) == ("speed", 1e6)
+    assert simulation.velocities[0] == pytest.approx([999_000.0 * x, 999_000.0 * y])
 
 
 def test_a_spring_without_length_is_named_as_a_number() -> None:
@@ -150,6 +159,10 @@ def test_no_steps_until_reset() -> None:
     assert simulation.advance(1.0) == 0
     assert np.array_equal(simulation.positions, place)
     assert simulation.step_count == count
+    # Not even where a step would go well, as it does when everything is held.
+    for mass in range(len(place)):
+        simulation.grab(mass)
+    assert simulation.step(10) == 0
     simulation.reset()
     assert simulation.divergence is None
     assert simulation.step(5) == 5

@@ -25,11 +25,9 @@ from sim.files import (
     save_user_scene,
     user_folder,
 )
-from tests.sim.builders import star, tangle
+from tests.sim.builders import PRESETS, star, tangle
 
 REPLACE = msgspec.structs.replace
-
-PRESETS = sorted(path.stem for path in built_in_folder().glob("*.json"))
 
 
 @pytest.fixture

@@ -52,7 +52,7 @@ def test_keys_do_nothing_once_let_go_or_where_the_scene_has_none() -> None:
     simulation = with_keys(sim.load_scene("tutorial-3.2"), "up", "right")
     simulation.step(10)
     assert simulation.rest_length_scale == 1.0
-    assert set(simulation.rest_angles) == {180.0}
+    assert set(simulation.rest_angles) == {float(simulation.scene.template or 0)}
 
 
 def test_unknown_keys_are_refused() -> None:
@@ -73,6 +73,15 @@ def test_rest_angles_wrap_at_180(key: str, start: float, expected: float) -> Non
     assert simulation.scene.angular_springs[0].rest_angle == pytest.approx(expected, abs=1e-9)
     simulation.step(3600 - 1)
     assert simulation.rest_angles[0] == pytest.approx(start, abs=1e-6)
+
+
+@pytest.mark.parametrize("key", ["right", "left"])
+def test_rest_angles_turn_round_as_often_as_one_likes(key: str) -> None:
+    simulation = with_keys(sim.rope(masses=4, held=(0, 1, 2, 3)), key)
+    simulation.step(3 * 3600 + 100)
+    expected = 10.0 if key == "right" else -10.0
+    assert simulation.rest_angles == pytest.approx([expected] * 2, abs=1e-6)
+    assert sim.validate(simulation.scene).angular_springs[0].rest_angle == pytest.approx(expected, abs=1e-6)
 
 
 def test_minus_180_is_shown_as_180() -> None:

@@ -52,6 +52,20 @@ def test_a_chain_is_a_chain_in_whatever_order_it_is_listed(seed: int) -> None:
     assert sorted(one.angles) == sorted(other.angles)
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_angles_are_told_in_the_order_of_the_scenes_joints(seed: int) -> None:
+    scene = REPLACE(sim.load_scene("tutorial-3.3"), rope=None)
+    joints = tuple(REPLACE(j, rest_angle=7.0 * i) for i, j in enumerate(scene.angular_springs))
+    changed, _ = shuffled(REPLACE(scene, angular_springs=joints), seed)
+    simulation = Simulation(changed)
+    expected = [joint.rest_angle for joint in changed.angular_springs]
+    assert simulation.rest_angles == pytest.approx(expected, abs=1e-12)
+    # Without gravity it settles with every joint at its rest angle, so each has a present angle of its own.
+    simulation.replace(REPLACE(changed, gravity=(0.0, 0.0)))
+    simulation.step(40_000)
+    assert simulation.angles == pytest.approx(expected, abs=0.1)
+
+
 def test_what_is_not_one_chain_takes_the_general_path() -> None:
     scene = REPLACE(sim.load_scene("tutorial-3.3"), rope=None)
     springs, joints = scene.linear_springs, scene.angular_springs

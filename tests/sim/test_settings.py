@@ -11,8 +11,7 @@ import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
 from sim.settings import SETTINGS, TEMPLATES, Setting, apply_assignments, settings_of, shift_rest_angles
 from sim.system import joint_stiffness
-from tests.sim.builders import chain, row, star, tangle
-from tests.sim.test_files import PRESETS
+from tests.sim.builders import PRESETS, chain, row, star, tangle
 
 REPLACE = msgspec.structs.replace
 

@@ -14,7 +14,7 @@ import pytest
 
 import sim
 from sim import Anchor, InputError, Simulation
-from tests.sim.builders import askew
+from tests.sim.builders import askew, chain, row
 from tests.sim.inside import same_state
 
 REPLACE = msgspec.structs.replace
@@ -99,6 +99,8 @@ def test_advance_keeps_what_is_left_over(rope: Simulation) -> None:
 
 def test_advance_by_exact_multiples_is_not_short_of_a_step(rope: Simulation) -> None:
     assert [rope.advance(0.0025 * n) for n in (1, 3, 10, 12, 400)] == [1, 3, 10, 12, 400]
+    # In floating point, 0.3 / 0.1 is a hair less than 3.
+    assert Simulation(chain(row(2), stiffness=1.0), dt=0.1).advance(0.3) == 3
 
 
 @pytest.mark.parametrize("seconds", [-0.1, math.nan, math.inf])
@@ -188,6 +190,17 @@ def test_replace_takes_hold_of_new_anchors(rope: Simulation) -> None:
     rope.step(20)
     assert np.array_equal(rope.positions[11], place[11])
     assert not np.array_equal(rope.positions[0], place[0])
+
+
+@pytest.mark.parametrize("part", ["linear_springs", "angular_springs"])
+def test_replace_restarts_where_springs_join_something_else(rope: Simulation, part: str) -> None:
+    rope.step(100)
+    first, *others = getattr(rope.scene, part)
+    turned = (REPLACE(first, a=first.b, b=first.a), *others)
+    scene = REPLACE(rope.scene, rope=None, **{part: turned})
+    rope.replace(scene)
+    assert rope.step_count == 0
+    assert same_state(rope, Simulation(scene))
 
 
 def test_replace_restarts_where_the_topology_is_another(rope: Simulation) -> None:

@@ -1,0 +1,104 @@
+"""A page without a browser: a WebSocket client that reads what the server sends, as viser's page does.
+
+What a browser adds (shaders, drawing) is the same whatever is served; what is measured here is ours.
+"""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import msgspec
+import viser
+import zstandard
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Origin, Subprotocol
+
+CAMERA: dict[str, Any] = {
+    "type": "ViewerCameraMessage",
+    "wxyz": [0.0, 0.0, 1.0, 0.0],
+    "position": [0.0, 0.0, 62.0],
+    "fov": 0.1,
+    "near": 1.0,
+    "far": 2000.0,
+    "image_height": 760,
+    "image_width": 930,
+    "look_at": [0.0, 0.0, 0.0],
+    "up_direction": [0.0, 1.0, 0.0],
+}
+
+
+class Page:
+    """A connected client; a context manager.
+
+    Attributes:
+        bytes: received so far.
+        messages: of the scene and the panel, received so far.
+    """
+
+    def __init__(self, port: int, patience: float = 60.0) -> None:
+        self._address = f"127.0.0.1:{port}"
+        self._patience = patience
+        self._unpack = zstandard.ZstdDecompressor()
+        self.bytes = 0
+        self.messages = 0
+
+    def __enter__(self) -> Page:
+        deadline = time.monotonic() + self._patience
+        while True:
+            try:
+                self._connection: ClientConnection = connect(
+                    f"ws://{self._address}",
+                    origin=Origin(f"http://{self._address}"),
+                    subprotocols=[Subprotocol(f"viser-v{viser.__version__}")],
+                    compression=None,
+                    max_size=None,
+                )
+                break
+            except (OSError, ConnectionClosed):
+                if time.monotonic() > deadline:
+                    raise
+                time.sleep(0.002)
+        self.send(CAMERA)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._connection.close()
+
+    def send(self, message: dict[str, Any]) -> None:
+        """Send one message, as the page does."""
+        self._connection.send(msgspec.msgpack.encode(message))
+
+    def receive(self, timeout: float) -> list[dict[str, Any]]:
+        """The messages of the next frame; none after the timeout."""
+        try:
+            data = self._connection.recv(timeout=timeout, decode=False)
+        except TimeoutError:
+            return []
+        self.bytes += len(data)
+        # viser 1.1.1, infra/_infra.py: two lengths, compressed msgpack, then raw arrays.
+        size = int.from_bytes(data[8:16], "little")
+        payload = msgspec.msgpack.decode(self._unpack.decompress(data[16 : 16 + size]))
+        messages = payload["messages"]
+        self.messages += len(messages)
+        return messages
+
+    def wait_for(self, wanted: Any, timeout: float = 60.0) -> dict[str, Any]:
+        """The first message for which `wanted(message)` holds.
+
+        Raises:
+            TimeoutError: none came.
+        """
+        deadline = time.monotonic() + timeout
+        while time.monotonic() < deadline:
+            for message in self.receive(deadline - time.monotonic()):
+                if wanted(message):
+                    return message
+        raise TimeoutError("the server did not send what was waited for")
+
+    def read_for(self, seconds: float) -> None:
+        """Read and count whatever comes."""
+        deadline = time.monotonic() + seconds
+        while (left := deadline - time.monotonic()) > 0:
+            self.receive(left)

@@ -1,0 +1,174 @@
+"""`softrod bench kernels`: the tutorial's step by several programs.
+
+The record-array kernel is the tutorial's own way of writing it: masses, springs and joints are records,
+unit vectors and lengths are stored, and each law adds to the accelerations. The C program is the fused
+loop, where gcc is at hand.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import dataclasses
+import math
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+import numba
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+import sim
+
+from . import fastest
+
+MASS = np.dtype(
+    [("x", "f8"), ("y", "f8"), ("vx", "f8"), ("vy", "f8"), ("ax", "f8"), ("ay", "f8"), ("m", "f8")],
+    align=True,
+)
+SPRING = np.dtype(
+    [
+        ("a", "i8"),
+        ("b", "i8"),
+        ("k", "f8"),
+        ("c", "f8"),
+        ("rest", "f8"),
+        ("len", "f8"),
+        ("ux", "f8"),
+        ("uy", "f8"),
+    ],
+    align=True,
+)
+JOINT = np.dtype([("a", "i8"), ("b", "i8"), ("k", "f8"), ("cos", "f8"), ("sin", "f8")], align=True)
+
+STEP = 1e-6
+"""A tiny step: the arithmetic is the same, and the body stays put however often it is measured."""
+
+
+@numba.njit
+def record_steps(masses, springs, joints, gravity, air, dt, steps):
+    """Steps as the tutorial's listing has them, line by line: every field through its array and index."""
+    for _ in range(steps):
+        for i in range(masses.size):
+            masses[i].ax = 0.0
+            masses[i].ay = 0.0
+        for s in range(springs.size):
+            a = springs[s].a
+            b = springs[s].b
+            lx = masses[b].x - masses[a].x
+            ly = masses[b].y - masses[a].y
+            springs[s].len = math.sqrt(lx * lx + ly * ly)
+            springs[s].ux = lx / springs[s].len
+            springs[s].uy = ly / springs[s].len
+            rate = springs[s].ux * (masses[b].vx - masses[a].vx) + springs[s].uy * (
+                masses[b].vy - masses[a].vy
+            )
+            force = -springs[s].k * (springs[s].len - springs[s].rest) - springs[s].c * rate
+            masses[a].ax -= force * springs[s].ux
+            masses[a].ay -= force * springs[s].uy
+            masses[b].ax += force * springs[s].ux
+            masses[b].ay += force * springs[s].uy
+        for j in range(joints.size):
+            p = joints[j].a
+            q = joints[j].b
+            sine = springs[p].ux * springs[q].uy - springs[p].uy * springs[q].ux
+            cosine = springs[p].ux * springs[q].ux + springs[p].uy * springs[q].uy
+            force = -joints[j].k * (joints[j].cos * sine - joints[j].sin * cosine)
+            force_p = force * springs[q].len
+            force_q = -force * springs[p].len
+            masses[springs[p].a].ax -= force_p * springs[p].uy
+            masses[springs[p].a].ay += force_p * springs[p].ux
+            masses[springs[p].b].ax += force_p * springs[p].uy
+            masses[springs[p].b].ay -= force_p * springs[p].ux
+            masses[springs[q].a].ax -= force_q * springs[q].uy
+            masses[springs[q].a].ay += force_q * springs[q].ux
+            masses[springs[q].b].ax += force_q * springs[q].uy
+            masses[springs[q].b].ay -= force_q * springs[q].ux
+        for i in range(1, masses.size):
+            masses[i].ax -= air * masses[i].vx * abs(masses[i].vx)
+            masses[i].ay -= air * masses[i].vy * abs(masses[i].vy)
+            masses[i].vx += masses[i].ax / masses[i].m * dt
+            masses[i].vy += (masses[i].ay / masses[i].m + gravity) * dt
+            masses[i].x += masses[i].vx * dt
+            masses[i].y += masses[i].vy * dt
+
+
+def compiled_c(folder: Path) -> ctypes.CDLL | None:
+    """The C program, compiled with gcc -O3 -march=native; None where there is no gcc."""
+    gcc = shutil.which("gcc")
+    if gcc is None:
+        return None
+    library = folder / "fused.so"
+    source = Path(__file__).with_name("fused.c")
+    subprocess.run(
+        [gcc, "-O3", "-march=native", "-shared", "-fPIC", "-o", library, source, "-lm"], check=True
+    )
+    return ctypes.CDLL(str(library))
+
+
+def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Callable[[], None]]:
+    """The programs, each with a state of its own, all starting alike."""
+    scene = sim.rope(masses=n, length=300.0 / 11.0 * (n - 1), joints=True)
+    # Masses that are exactly in line would make some products zero, and so perhaps cheaper.
+    noise = np.random.default_rng(1).normal(size=(n, 2))
+    chain, general = sim.Simulation(scene, dt=STEP), sim.Simulation(scene, dt=STEP)
+    general._system = dataclasses.replace(general._system, is_chain=False)
+    for simulation in (chain, general):
+        simulation._live.x[:n] += noise[:, 0]
+        simulation._live.y[:n] += noise[:, 1]
+    positions = chain.positions
+    masses = np.zeros(n, MASS)
+    masses["x"], masses["y"], masses["m"] = positions[:, 0], positions[:, 1], 1.0
+    springs = np.zeros(n - 1, SPRING)
+    springs["a"], springs["b"] = np.arange(n - 1), np.arange(1, n)
+    springs["k"], springs["c"], springs["rest"] = 1e4, 40.0, 300.0 / 11.0
+    joints = np.zeros(n - 2, JOINT)
+    joints["a"], joints["b"], joints["k"], joints["cos"] = np.arange(n - 2), np.arange(1, n - 1), 1e4, 1.0
+    runs: dict[str, Callable[[], None]] = {
+        "record arrays": lambda: record_steps(masses, springs, joints, 2000.0, 0.002, STEP, steps),
+        "general path": lambda: _step(general, steps),
+        "chain path": lambda: _step(chain, steps),
+    }
+    if library is not None:
+        x, y = positions.T.copy()
+        vx, vy, free = np.zeros(n), np.zeros(n), np.ones(n)
+        free[0] = 0.0
+        pointers = [ctypes.c_void_p(a.ctypes.data) for a in (x, y, vx, vy, free)]
+        numbers = [ctypes.c_double(v) for v in (1e4, 40.0, 300.0 / 11.0, 1e4, 0.0, 2000.0, 0.002, STEP)]
+        kept = (x, y, vx, vy, free)
+        runs["fused C"] = lambda: _call(library, n, steps, pointers, numbers, kept)
+    return runs
+
+
+def _step(simulation: sim.Simulation, steps: int) -> None:
+    if simulation.step(steps) != steps:
+        raise RuntimeError(f"the body ran away: {simulation.divergence}")
+
+
+def _call(library: ctypes.CDLL, n: int, steps: int, pointers: list, numbers: list, _kept: tuple) -> None:
+    library.fused(ctypes.c_long(n), ctypes.c_long(steps), *pointers, *numbers)
+
+
+def bench(console: Console, repeats: int) -> None:
+    """Measure, and print ns per mass and step and the ratios that matter."""
+    with tempfile.TemporaryDirectory() as folder:
+        library = compiled_c(Path(folder))
+        names = ["record arrays", "general path", "chain path", *(["fused C"] if library else [])]
+        table = Table("masses", *names, "records / chain", "general / chain", "chain / C", box=None)
+        for n in (12, 100, 1000):
+            steps = max(200, 1_200_000 // n)
+            times = fastest(contenders(n, steps, library), repeats)
+            ns = {name: seconds / (n * steps) * 1e9 for name, seconds in times.items()}
+            chain = ns["chain path"]
+            table.add_row(
+                str(n),
+                *(f"{ns[name]:.2f}" for name in names),
+                f"{ns['record arrays'] / chain:.2f}",
+                f"{ns['general path'] / chain:.2f}",
+                f"{chain / ns['fused C']:.2f}" if library else "no gcc",
+            )
+    console.print("symplectic Euler, ns per mass and step")
+    console.print(table)

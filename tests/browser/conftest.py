@@ -1,0 +1,127 @@
+"""The browser, servers in the test's own process, and pages on them."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from collections.abc import Callable, Generator, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Playwright, sync_playwright
+
+import sim
+from app.serve import serving
+from tests.browser.driver import ARTIFACTS, Desk, Served
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+FLAGS = (
+    "--no-sandbox",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    # WebGL without a graphics card.
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--ignore-gpu-blocklist",
+)
+DESKTOP = (960, 620)
+"""Size of the pages of most tests: large enough for all controls, and quick to draw in software."""
+
+Serve = Callable[[str], Served]
+OpenPage = Callable[..., Desk]
+
+
+def _browser_path(playwright: Playwright) -> str:
+    """A Chromium or Chrome on this machine."""
+    asked = os.environ.get("SOFTROD_BROWSER")
+    if asked is not None:
+        if shutil.which(asked) is None:
+            pytest.fail(f"SOFTROD_BROWSER is {asked!r}, which is no program that can be run.", pytrace=False)
+        return asked
+    found = next(filter(None, map(shutil.which, NAMES)), None) or playwright.chromium.executable_path
+    if not Path(found).exists():
+        pytest.fail(
+            "These tests need Chromium or Chrome: install one, or name one in SOFTROD_BROWSER.", pytrace=False
+        )
+    return found
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """One browser for all tests; each has pages of its own."""
+    with sync_playwright() as playwright:
+        path = _browser_path(playwright)
+        browser = playwright.chromium.launch(executable_path=path, args=list(FLAGS), headless=True)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def data_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """Where scenes are saved: never the user's own folder."""
+    folder = tmp_path_factory.mktemp("data")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_DATA_HOME", str(folder))
+        yield folder
+
+
+@pytest.fixture(scope="module")
+def serve() -> Iterator[Serve]:
+    """Starts a server that shows a preset first; those of one module are shared by its tests."""
+    running: dict[str, Served] = {}
+    with ExitStack() as stack:
+
+        def start(scene: str) -> Served:
+            if scene not in running:
+                server, ticker, kernels = stack.enter_context(serving(sim.load_scene(scene), "127.0.0.1", 0))
+                kernels.compile()
+                running[scene] = Served(f"http://127.0.0.1:{server.get_port()}", ticker)
+            return running[scene]
+
+        yield start
+
+
+@pytest.fixture
+def open_page(browser: Browser, serve: Serve, request: pytest.FixtureRequest) -> Iterator[OpenPage]:
+    """Opens pages, each in a browser profile of its own, and looks after the test whether they had errors."""
+    desks: list[Desk] = []
+
+    def open_one(scene: str = "tutorial-3.3", size: tuple[int, int] = DESKTOP, phone: bool = False) -> Desk:
+        context = browser.new_context(
+            viewport={"width": size[0], "height": size[1]},
+            has_touch=phone,
+            device_scale_factor=2 if phone else 1,
+            accept_downloads=True,
+        )
+        context.set_default_timeout(20_000)
+        desk = Desk(serve(scene), context)
+        desks.append(desk)
+        desk.open()
+        return desk
+
+    yield open_one
+    if getattr(request.node, "has_failed", False):
+        ARTIFACTS.mkdir(exist_ok=True)
+        name = re.sub(r"\W+", "-", request.node.name)
+        for i, desk in enumerate(desks):
+            if not desk.page.is_closed():
+                desk.page.screenshot(path=ARTIFACTS / f"failed-{name}-{i}.png")
+    for desk in desks:
+        desk.context.close()
+    errors = [error for desk in desks for error in desk.errors]
+    assert not errors, errors
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Tell the fixtures whether their test failed, for a screenshot of it."""
+    report = yield
+    if report.when == "call" and report.failed:
+        item.has_failed = True  # type: ignore[attr-defined]
+    return report

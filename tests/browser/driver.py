@@ -1,0 +1,377 @@
+"""A page of softrod in a real browser, seen from both sides: what it shows, and what the solver has.
+
+Whatever takes time is waited for by a condition. A fixed pause stands only where nothing may happen.
+"""
+
+from __future__ import annotations
+
+import io
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+import imageio.v3 as iio  # viser brings it along
+import numpy as np
+from numpy.typing import NDArray
+from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page
+
+import sim
+from app.commands import Command
+from app.session import Session
+from app.tab import Tab
+from app.ticker import Ticker
+
+T = TypeVar("T")
+Point = tuple[float, float]
+
+ARTIFACTS = Path(__file__).resolve().parents[2] / "artifacts"
+"""Where screenshots are left for a look; git ignores it."""
+
+LIMIT = 20.0
+"""Seconds after which a condition is given up: generous, since a busy machine draws few frames a second."""
+
+_PROJECT = """points => {
+  const { camera, canvas, nodeRefFromName } = window.__viserMutable;
+  const box = canvas.getBoundingClientRect();
+  camera.updateMatrixWorld();
+  return points.map(([x, y, z]) => {
+    const p = camera.position.clone().set(x, y, z).applyMatrix4(nodeRefFromName[""].matrixWorld);
+    p.project(camera);
+    return [box.left + ((p.x + 1) / 2) * box.width, box.top + ((1 - p.y) / 2) * box.height];
+  });
+}"""
+
+_INSTANCES = """name => {
+  let data = null;
+  window.__viserMutable.nodeRefFromName[name]?.traverse(node => {
+    if (node.isInstancedMesh && node.matricesTexture) {
+      data = Array.from(node.matricesTexture._data.slice(0, 16 * node.instancesCount));
+    }
+  });
+  return data;
+}"""
+
+_CAMERA = """() => {
+  const { camera, cameraControl } = window.__viserMutable;
+  camera.updateMatrixWorld();
+  const target = cameraControl.getTarget(camera.position.clone());
+  return {
+    matrix: camera.matrixWorld.toArray(),
+    target: target.toArray(),
+    azimuth: cameraControl.azimuthAngle,
+    polar: cameraControl.polarAngle,
+    distance: cameraControl.distance,
+  };
+}"""
+
+_FRAMES = """count => new Promise(done => {
+  const next = () => (count-- > 0 ? requestAnimationFrame(next) : done());
+  next();
+})"""
+
+
+@dataclass
+class Served:
+    """A server that runs in the test's own process."""
+
+    url: str
+    ticker: Ticker
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Where the page looks from; in the page's world, seen by its camera."""
+
+    matrix: NDArray[np.float64]
+    target: NDArray[np.float64]
+    azimuth: float
+    polar: float
+    distance: float
+
+    def turned(self, other: Camera) -> bool:
+        """Whether one is turned against the other."""
+        angles = (self.azimuth - other.azimuth, self.polar - other.polar)
+        return bool(np.abs(angles).max() > 1e-6)
+
+    def same(self, other: Camera) -> bool:
+        """Whether nothing at all is different."""
+        return np.allclose(self.matrix, other.matrix, rtol=0.0, atol=1e-9)
+
+
+def until(page: Page, condition: Callable[[], T], what: str, limit: float = LIMIT) -> T:
+    """Wait until a condition holds, letting the browser's events in, and return what it returned."""
+    end = time.monotonic() + limit
+    while True:
+        result = condition()
+        if result:
+            return result
+        if time.monotonic() > end:
+            raise AssertionError(f"in {limit:g} s it did not come to this: {what}")
+        page.wait_for_timeout(20)
+
+
+class Desk:
+    """One open page.
+
+    Attributes:
+        page: Playwright's handle.
+        errors: what went wrong in the page: uncaught errors, errors on the console, complaints of WebGL.
+        frames: messages that the server sent, counted in WebSocket frames.
+    """
+
+    def __init__(self, served: Served, context: BrowserContext) -> None:
+        self.served = served
+        self.context = context
+        self.page = context.new_page()
+        self.errors: list[str] = []
+        self.frames = 0
+        self._client = -1
+        # Without it viser's page draws coarser when it is slow, and pixels would depend on the machine. The
+        # gate turns a query away, so the page only believes that it has one.
+        self.page.add_init_script("history.replaceState(null, '', '?fixedDpr=' + devicePixelRatio)")
+        self.page.on("console", self._hear)
+        self.page.on("pageerror", lambda error: self.errors.append(f"uncaught: {error}"))
+        self.page.on("websocket", lambda socket: socket.on("framereceived", lambda _: self._count()))
+
+    def _hear(self, message: ConsoleMessage) -> None:
+        if message.type == "error" or "GL_INVALID" in message.text or "WebGL: INVALID" in message.text:
+            self.errors.append(f"{message.type}: {message.text}")
+
+    def _count(self) -> None:
+        self.frames += 1
+
+    # --------------------------------------------------------------------- opening
+    def open(self) -> None:
+        """Go to the page (or load it again), and wait until the body is drawn and can be used."""
+        known = max([*self.served.ticker.tabs, self._client])
+        self.page.goto(self.served.url)
+        new = self.until(lambda: [c for c in list(self.served.ticker.tabs) if c > known], "the page connects")
+        self._client = new[0]
+        self.until(lambda: self.tab._session is not None, "the tab has its session")
+        self.page.wait_for_function("window.__softrod?.fits > 0", timeout=LIMIT * 1e3)
+        self.wait_drawn()
+        # viser's word on software rendering would lie over the canvas, and is none of softrod's notices.
+        self.dismiss("Software WebGL")
+
+    def wait_drawn(self) -> None:
+        """Wait until every mass in the page is where the server drew it last, and a frame shows it."""
+        self.until(self._is_drawn, "the page shows what the server drew")
+        self.rest(2)
+
+    def _is_drawn(self) -> bool:
+        drawn, sketch = self.tab._view._drawn, self.tab._view.sketch
+        if drawn is None or sketch is None:
+            return False
+        shown = self.instances("/body/masses")
+        # While a body moves the page is some frames behind; 8 px is far less than any mistake in the drawing.
+        wanted = sketch.masses(drawn.positions)
+        return (
+            shown.shape == wanted.shape and float(np.abs(shown - wanted).max()) < 8.0 * sketch.mapping.scale
+        )
+
+    # --------------------------------------------------------------------- the server's side
+    @property
+    def tab(self) -> Tab:
+        """The server's tab of this page."""
+        return self.served.ticker.tabs[self._client]
+
+    @property
+    def session(self) -> Session:
+        """The session of this page."""
+        session = self.tab._session
+        assert session is not None
+        return session
+
+    @property
+    def simulation(self) -> sim.Simulation:
+        """The solver of this page; the ticker goes on stepping it, so what is read is a snapshot."""
+        return self.session.simulation
+
+    def tell(self, *commands: Command) -> None:
+        """Hand commands to the session, past the page, and wait until they are applied."""
+        for command in commands:
+            self.session.post(command)
+        self.until(lambda: not self.session._queue, "the session takes its commands")
+        self.rest(1)
+
+    # --------------------------------------------------------------------- waiting
+    def until(self, condition: Callable[[], T], what: str, limit: float = LIMIT) -> T:
+        """As the function `until`."""
+        return until(self.page, condition, what, limit)
+
+    def rest(self, frames: int) -> None:
+        """Let the page draw some frames."""
+        self.page.evaluate(_FRAMES, frames)
+
+    def pause(self, seconds: float) -> None:
+        """Let time go by in which something is not to happen."""
+        self.page.wait_for_timeout(seconds * 1e3)
+
+    def settled(self) -> None:
+        """Wait until the body is at rest, as the page says."""
+        self.until(lambda: "at rest" in self.hud(), "the body comes to rest", limit=60.0)
+
+    # --------------------------------------------------------------------- what the page shows
+    def instances(self, name: str) -> NDArray[np.float64]:
+        """(n, 3) places of a node's instances, in the page's world; (0, 3) if there is no such node."""
+        data = self.page.evaluate(_INSTANCES, name)
+        return np.array(data or [], float).reshape(-1, 16)[:, 12:15]
+
+    def masses(self) -> NDArray[np.float64]:
+        """(n, 2) places of the masses in the page, in px of the scene."""
+        places = self.instances("/body/masses")
+        return np.array([self.tab._mapping.to_scene(x, y) for x, y, _ in places[: len(places) // 3]])
+
+    def camera(self) -> Camera:
+        """Where the page looks from now."""
+        seen: dict[str, Any] = self.page.evaluate(_CAMERA)
+        return Camera(
+            np.array(seen["matrix"]),
+            np.array(seen["target"]),
+            seen["azimuth"],
+            seen["polar"],
+            seen["distance"],
+        )
+
+    def at(self, points: Any) -> NDArray[np.float64]:
+        """(n, 2) places on the screen, in CSS px, of (n, 2) places in px of the scene."""
+        world = self.tab._mapping.to_world(np.asarray(points, float).reshape(-1, 2))
+        return np.array(self.page.evaluate(_PROJECT, world.tolist()), float)
+
+    def place(self, mass: int) -> Point:
+        """Where on the screen a mass is, as the solver has it."""
+        x, y = self.at(self.simulation.positions[[mass]])[0]
+        return float(x), float(y)
+
+    def scene_at(self, point: Point) -> NDArray[np.float64]:
+        """(2,) px of the scene that a place on the screen shows."""
+        corners = np.array([(0.0, 0.0), (100.0, 0.0), (0.0, 100.0)])
+        origin, right, down = self.at(corners)
+        basis = np.column_stack((right - origin, down - origin)) / 100.0
+        return np.linalg.solve(basis, np.array(point) - origin)
+
+    def picture(self, save: str | None = None) -> NDArray[np.float64]:
+        """(h, w, 3) sRGB colours 0..255 of the page; also saved in the artifacts, if given a name."""
+        data = self.page.screenshot()
+        if save is not None:
+            ARTIFACTS.mkdir(exist_ok=True)
+            (ARTIFACTS / save).write_bytes(data)
+        return np.asarray(iio.imread(io.BytesIO(data), extension=".png"), float)[:, :, :3]
+
+    def uncovered(self, point: Point) -> bool:
+        """Whether the canvas, and nothing over it, is at a place on the screen."""
+        question = "([x, y]) => document.elementFromPoint(x, y) === window.__viserMutable.canvas"
+        return bool(self.page.evaluate(question, list(point)))
+
+    def hud(self) -> str:
+        """The head-up display's text."""
+        return self.page.locator(".softrod-hud").inner_text()
+
+    def readout(self, name: str) -> str:
+        """A value of the table of the joint that is read out; the Play tab has to be shown."""
+        return self.page.locator(f'//td[text()="{name}"]/following-sibling::td').first.inner_text()
+
+    def notices(self) -> list[tuple[str, str]]:
+        """(title, text) of the notices that are up."""
+        found = []
+        for notice in self.page.locator(".mantine-Notification-root").all():
+            title = notice.locator(".mantine-Notification-title").inner_text()
+            found.append((title, notice.locator(".mantine-Notification-description").inner_text()))
+        return [notice for notice in found if "Software WebGL" not in notice[0]]
+
+    def notice(self, text: str) -> str:
+        """Wait until exactly one notice is up, check that it has the text, put it away, and return it."""
+        self.until(lambda: text in "".join(map(" ".join, self.notices())), f"a notice with {text!r}")
+        notices = self.notices()
+        assert len(notices) == 1, notices
+        self.dismiss(notices[0][0])
+        return " ".join(notices[0])
+
+    def dismiss(self, title: str) -> None:
+        """Put away the notices with that title, if there are any."""
+        notice = self.page.locator(".mantine-Notification-root").filter(has_text=title)
+        for _ in range(notice.count()):
+            notice.first.locator("button").click()
+        self.until(lambda: notice.count() == 0, f"the notice {title!r} goes away")
+
+    # --------------------------------------------------------------------- the panel
+    def show(self, tab: str) -> None:
+        """Turn to one of the panel's tabs."""
+        self.page.get_by_role("tab", name=tab, exact=True).click()
+
+    def label(self, name: str) -> Locator:
+        """The label of a control."""
+        return self.page.locator(f'//label[text()="{name}"]')
+
+    def control(self, name: str) -> Locator:
+        """The control with that label: an input, or the root of a slider."""
+        identity = self.label(name).first.get_attribute("for")
+        return self.page.locator(f'[id="{identity}"]')
+
+    def thumb(self, name: str) -> Locator:
+        """The part of a slider that is moved, which has its value as `aria-valuenow`."""
+        return self.control(name).get_by_role("slider")
+
+    def slider_value(self, name: str) -> float:
+        """Where a slider stands."""
+        return float(self.thumb(name).get_attribute("aria-valuenow") or "nan")
+
+    def click_track(self, name: str, part: float) -> None:
+        """Click on a slider's track, `part` of the way from its low to its high end."""
+        box = self.control(name).locator(".mantine-Slider-track").bounding_box()
+        assert box is not None
+        self.page.mouse.click(box["x"] + part * box["width"], box["y"] + box["height"] / 2)
+
+    def box(self, name: str) -> Locator:
+        """The number box of a setting: the unlabelled one after its slider."""
+        row = f'//label[text()="{name}"]/ancestor::div[contains(@class, "mantine-Flex-root")][1]/..'
+        return self.page.locator(f"{row}/following-sibling::div[1]//input").first
+
+    def type_in(self, name: str, text: str) -> None:
+        """Type a number into a setting's box."""
+        box = self.box(name)
+        box.fill(text)
+        box.press("Enter")
+
+    def choose(self, name: str, option: str) -> None:
+        """Choose from a dropdown."""
+        self.control(name).click()
+        self.page.get_by_role("option", name=option, exact=True).and_(self.page.locator(":visible")).click()
+
+    def button(self, name: str) -> Locator:
+        """A button that can be seen."""
+        button = self.page.get_by_role("button", name=name, exact=True)
+        return button.and_(self.page.locator(":visible"))
+
+    # --------------------------------------------------------------------- the mouse
+    def take(self, start: Point) -> None:
+        """Point somewhere and press the left button."""
+        self.page.mouse.move(*start)
+        # viser finds out what is under the pointer when it moves, at its own pace.
+        self.rest(3)
+        self.page.mouse.move(start[0] + 1.0, start[1])
+        self.rest(3)
+        self.page.mouse.move(*start)
+        self.rest(3)
+        self.page.mouse.down()
+        self.rest(2)
+
+    def lead(self, start: Point, end: Point, steps: int = 8) -> None:
+        """Move the pointer in a straight line, a step per frame that the page draws."""
+        for i in range(1, steps + 1):
+            part = i / steps
+            self.page.mouse.move(*(a + (b - a) * part for a, b in zip(start, end, strict=True)))
+            self.rest(1)
+
+    def let_go(self) -> None:
+        """Release the left button."""
+        self.page.mouse.up()
+        self.rest(2)
+
+    def drag(self, start: Point, end: Point, steps: int = 8) -> None:
+        """Take hold, lead, and let go."""
+        self.take(start)
+        self.lead(start, end, steps)
+        self.let_go()

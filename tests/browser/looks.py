@@ -1,0 +1,40 @@
+"""What a page looks like, against what the solver has."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.colors import palette
+from tests.browser.driver import Desk
+
+PRESETS = ("box", "flag-pole", "hair-tuft", "ring", "tutorial-3.1", "tutorial-3.2", "tutorial-3.3")
+
+
+def colors_off(desk: Desk, dark: bool = False) -> list[float]:
+    """How far the colour at each mass is from what it should be, in 0..255: the nearest pixel of a few."""
+    picture = desk.picture()
+    scale = int(desk.page.evaluate("devicePixelRatio"))
+    scene = desk.session.scene
+    colors = palette(scene.view.colors, dark)
+    held = {anchor.mass for anchor in scene.anchors if not anchor.driven}
+    off = []
+    for mass, (x, y) in enumerate(desk.at(desk.simulation.positions) * scale):
+        wanted = colors.held if mass in held else colors.mass
+        column, row = round(float(x)), round(float(y))
+        patch = picture[max(0, row - 2) : row + 3, max(0, column - 2) : column + 3].reshape(-1, 3)
+        off.append(float(np.abs(patch - wanted).max(1).min()) if len(patch) else 255.0)
+    return off
+
+
+def assert_shown(desk: Desk, dark: bool = False) -> None:
+    """Every mass is in the page, and on the canvas, where the solver has it; of a body that stands still."""
+    desk.until(
+        lambda: (
+            np.shape(desk.masses()) == desk.simulation.positions.shape
+            and np.allclose(desk.masses(), desk.simulation.positions, rtol=0.0, atol=0.05)
+        ),
+        "the page's masses are where the solver has them",
+    )
+    desk.rest(2)
+    off = colors_off(desk, dark)
+    assert max(off) < 12.0, off

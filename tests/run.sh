@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Everything that is tested, on a machine with nothing but Python >= 3.11: finds or installs uv and a
+# Chromium, then runs ruff, pyright and pytest, browser tests included. Fails when no browser can be had.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+if ! command -v uv >/dev/null 2>&1; then
+    echo "installing uv with pip"
+    python3 -m pip install --quiet --disable-pip-version-check uv
+fi
+uv() { if type -P uv >/dev/null; then command uv "$@"; else python3 -m uv "$@"; fi; }
+
+find_browser() {
+    local name
+    for name in "${SOFTROD_BROWSER:-}" chromium chromium-browser google-chrome google-chrome-stable chrome; do
+        if [ -n "$name" ] && command -v "$name" >/dev/null 2>&1; then
+            command -v "$name"
+            return
+        fi
+    done
+    return 1
+}
+
+uv sync --quiet
+
+if ! find_browser >/dev/null; then
+    if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null 2>&1; then
+        echo "installing Chromium with apt-get"
+        apt-get update -qq
+        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium >/dev/null
+    else
+        echo "installing Chromium with Playwright"
+        uv run playwright install chromium
+        SOFTROD_BROWSER=$(uv run python -c '
+from playwright.sync_api import sync_playwright
+with sync_playwright() as playwright:
+    print(playwright.chromium.executable_path)')
+    fi
+fi
+SOFTROD_BROWSER=$(find_browser) || {
+    echo "no Chromium or Chrome was found, and none could be installed; the browser tests need one" >&2
+    exit 1
+}
+export SOFTROD_BROWSER
+echo "browser: $SOFTROD_BROWSER"
+
+uv run ruff check .
+uv run ruff format --check .
+uv run pyright
+uv run pytest "$@"
