@@ -1,0 +1,243 @@
+"""The command line, run as a user runs it."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+import urllib.request
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import sim
+
+Result = subprocess.CompletedProcess[str]
+
+
+def softrod(*words: str | Path) -> Result:
+    """Run the command to its end."""
+    return subprocess.run(
+        [sys.executable, "-m", "app", *map(str, words)],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+
+
+def refused(result: Result, *fragments: str) -> None:
+    """One clear sentence on the error stream, no traceback, status 1."""
+    assert result.returncode == 1
+    assert "Traceback" not in result.stderr
+    assert result.stderr.startswith("softrod: ")
+    assert result.stderr.count("\n") == 1
+    for fragment in fragments:
+        assert fragment in result.stderr
+
+
+def rows_of(path: Path) -> list[list[str]]:
+    with path.open(newline="") as file:
+        return list(csv.reader(file))
+
+
+def test_run_writes_a_table_that_reads_back_exactly(tmp_path: Path) -> None:
+    out = tmp_path / "rope.csv"
+    assert softrod("run", "tutorial-3.3", "--steps", "100", "--every", "40", "--out", out).returncode == 0
+    header, *rows = rows_of(out)
+    assert header[:4] == ["step", "time", "x0", "y0"]
+    assert len(header) == 2 + 24
+    assert [row[0] for row in rows] == ["40", "80"]
+    simulation = sim.Simulation(sim.load_scene("tutorial-3.3"))
+    simulation.step(80)
+    assert [float(value) for value in rows[1][2:]] == simulation.positions.ravel().tolist()
+    assert float(rows[1][1]) == simulation.time
+
+
+def test_run_replays_moves_and_keys(tmp_path: Path) -> None:
+    log, out = tmp_path / "log.jsonl", tmp_path / "out.npz"
+    lines = [
+        {"step": 0, "move": {"mass": 0, "to": [310.0, 170.0]}},
+        {"step": 10, "keys": ["up", "right"]},
+        {"step": 25, "keys": []},
+        {"step": 25, "move": {"mass": 0, "to": [350.0, 190.0]}},
+    ]
+    log.write_text("\n".join(map(json.dumps, lines)))
+    result = softrod("run", "tutorial-3.3", "--duration", "0.1", "--inputs", log, "--out", out)
+    assert result.returncode == 0, result.stderr
+    table = np.load(out)
+    assert table["step"].tolist() == list(range(1, 41))
+    assert table["positions"].shape == (40, 12, 2)
+    simulation = sim.Simulation(sim.load_scene("tutorial-3.3"))
+    simulation.move(0, (310.0, 170.0))
+    simulation.step(10)
+    simulation.keys = {"up", "right"}
+    simulation.step(15)
+    simulation.keys = set()
+    simulation.move(0, (350.0, 190.0))
+    simulation.step(15)
+    assert np.array_equal(table["positions"][-1], simulation.positions)
+
+
+def test_settings_are_applied_and_checked(tmp_path: Path) -> None:
+    out = tmp_path / "o.csv"
+    words = (
+        "run",
+        "tutorial-3.2",
+        "--steps",
+        "1",
+        "--out",
+        out,
+        "--set",
+        "template=-135",
+        "--set",
+        "masses=5",
+    )
+    assert softrod(*words).returncode == 0
+    assert len(rows_of(out)[0]) == 2 + 10
+    for assignment, fragment in (
+        ("gravity=1e99", "-1e+06..1e+06"),
+        ("gravity=nan", "KEY=VALUE"),
+        ("gravity", "KEY=VALUE"),
+        ("weight=1", "there is no such setting"),
+        ("template=30", "180, 135, 90"),
+        ("masses=2.5", "whole number"),
+    ):
+        refused(softrod("run", "tutorial-3.2", "--steps", "1", "--out", out, "--set", assignment), fragment)
+
+
+def test_a_runaway_keeps_its_good_rows_and_says_why(tmp_path: Path) -> None:
+    log, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
+    log.write_text('{"step": 0, "move": {"mass": 0, "to": [400, 150]}}\n')
+    words = ("run", "tutorial-3.3", "--steps", "5000", "--inputs", log, "--out", out)
+    refused(softrod(*words, "--set", "angular_stiffness=60000"), "stability limit", "angular stiffness")
+    rows = rows_of(out)[1:]
+    assert 0 < len(rows) < 5000
+    assert np.isfinite(np.array(rows, float)).all()
+
+
+@pytest.mark.parametrize(
+    ("line", "fragment"),
+    [
+        ('{"step": 0, "move": {"mass": 3, "to": [0, 0]}}', "mass 3 is not held"),
+        ('{"step": 0, "move": {"mass": 99, "to": [0, 0]}}', "mass 99 does not exist"),
+        ('{"step": 0, "move": {"mass": 0, "to": [1e300, 0]}}', "not within"),
+        ('{"step": 0, "keys": ["enter"]}', "'enter' is not one of"),
+        ('{"step": 0, "keys": "up"}', "line 1"),
+        ("nonsense", "line 1"),
+        ('{"step": 5}\n{"step": 4}', "line 2: step 4 comes after a later step"),
+        ('{"step": -1}', "line 1"),
+    ],
+)
+def test_bad_inputs_are_refused(tmp_path: Path, line: str, fragment: str) -> None:
+    log = tmp_path / "log.jsonl"
+    log.write_text(line)
+    words = ("run", "tutorial-3.3", "--steps", "3", "--inputs", log, "--out", tmp_path / "o.csv")
+    refused(softrod(*words), fragment)
+    assert not (tmp_path / "o.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "fragment"),
+    [
+        (("--out", "x.txt", "--steps", "1"), ".csv or .npz"),
+        (("--out", "nowhere/x.csv", "--steps", "1"), "does not exist"),
+        (("--out", "x.csv"), "--steps or --duration"),
+        (("--out", "x.csv", "--steps", "1", "--duration", "1"), "--steps or --duration"),
+        (("--out", "x.csv", "--steps", "-1"), "--steps"),
+        (("--out", "x.csv", "--duration", "nan"), "--duration"),
+        (("--out", "x.csv", "--steps", "1", "--every", "0"), "--every"),
+    ],
+)
+def test_bad_arguments_are_refused(words: tuple[str, ...], fragment: str) -> None:
+    refused(softrod("run", "ring", *words), fragment)
+
+
+def test_an_unknown_scene_names_those_there_are() -> None:
+    refused(softrod("run", "no-such", "--steps", "1", "--out", "x.csv"), "no-such", "tutorial-3.3")
+
+
+def test_scenes_are_listed_with_descriptions() -> None:
+    result = softrod("scenes")
+    assert result.returncode == 0
+    for info in sim.list_scenes():
+        if info.built_in:
+            assert info.name in result.stdout
+            assert info.description.split()[0] in result.stdout
+
+
+def test_check_tells_good_from_bad(tmp_path: Path) -> None:
+    good, bad = tmp_path / "good.json", tmp_path / "bad.json"
+    sim.save_scene(sim.rope(), good)
+    bad.write_text('{"name": "x", "rope": {"mass": -1}}')
+    assert softrod("check", good).returncode == 0
+    result = softrod("check", good, bad, tmp_path / "missing.json")
+    assert result.returncode == 1
+    assert "good.json: rope, 12 masses, is valid" in result.stdout
+    assert "bad.json: rope.mass: -1 is not in the range 1e-06..1e+06 kg" in result.stderr
+    assert "missing.json" in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_help_lists_every_command() -> None:
+    result = softrod("--help")
+    assert result.returncode == 0
+    for command in ("run", "scenes", "check", "bench"):
+        assert f"softrod {command}" in result.stdout
+
+
+def start(*words: str) -> tuple[subprocess.Popen[str], str]:
+    """Start serving, and return the process and the address that it prints."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "app", *words, "--no-open"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    assert process.stdout is not None
+    line = process.stdout.readline()
+    return process, next(word for word in line.split() if word.startswith("http://"))
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_serving_ends_cleanly(number: signal.Signals) -> None:
+    process, address = start("ring", "--port", "0")
+    try:
+        with urllib.request.urlopen(address, timeout=30) as page:
+            assert page.status == 200
+        process.send_signal(number)
+        output, _ = process.communicate(timeout=30)
+    finally:
+        process.kill()
+    assert process.returncode == 0
+    assert "Traceback" not in output
+
+
+def test_a_busy_port_names_the_next_free_one() -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        refused(softrod("ring", "--port", str(port), "--no-open"), f"{port}", "free")
+
+
+def test_a_scene_that_is_not_valid_is_not_served(tmp_path: Path) -> None:
+    bad = tmp_path / "bad.json"
+    bad.write_text('{"name": "x"}')
+    refused(softrod(bad, "--port", "0", "--no-open"), "bad.json", "masses")
+
+
+def test_an_open_address_says_what_it_exposes() -> None:
+    process, _ = start("ring", "--port", "0", "--host", "0.0.0.0")
+    try:
+        process.send_signal(signal.SIGTERM)
+        output, _ = process.communicate(timeout=30)
+    finally:
+        process.kill()
+    assert "password" in output
+    assert os.linesep in output

@@ -1,0 +1,123 @@
+"""What is drawn, without a page: places, turns, colours."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import sim
+from app import shapes
+from app.colors import LIGHT_GAIN, palette, rgb, sent
+from app.drawing import MANY, Mapping, Sketch, nice
+from app.view import Picture
+
+PRESETS = [info.name for info in sim.list_scenes() if info.built_in]
+
+
+def sketch_of(scene: sim.Scene) -> Sketch:
+    return Sketch(scene, palette(scene.view.colors, dark=False))
+
+
+def ends(places: np.ndarray, turns: np.ndarray, scales: np.ndarray) -> np.ndarray:
+    """Where the far ends of instances along x are."""
+    angle = 2.0 * np.arctan2(turns[:, 3], turns[:, 0])
+    return places[:, :2] + scales[:, :1] * np.column_stack((np.cos(angle), np.sin(angle)))
+
+
+@pytest.mark.parametrize("y_down", [True, False])
+def test_the_mapping_goes_there_and_back(y_down: bool) -> None:
+    scene = sim.rope(view=sim.View(frame=(-10.0, 5.0, 50.0, 45.0), y_down=y_down))
+    mapping = Mapping.of(scene)
+    points = np.array([[3.0, 7.0], [20.0, 25.0]])
+    world = mapping.to_world(points)
+    assert world[1, :2] == pytest.approx((0.0, 0.0))
+    for point, (x, y, _) in zip(points, world, strict=True):
+        assert mapping.to_scene(x, y) == pytest.approx(tuple(point))
+    assert (world[0, 1] > world[1, 1]) == y_down
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_springs_are_drawn_from_mass_to_mass(name: str) -> None:
+    scene = sim.load_scene(name)
+    sketch, positions = sketch_of(scene), sim.Simulation(scene).positions
+    places, turns, scales, colors = sketch.spring_arrays(positions, scene.rest_length_scale)
+    world = sketch.mapping.to_world(positions)[:, :2]
+    a = [spring.a for spring in scene.linear_springs]
+    b = [spring.b for spring in scene.linear_springs]
+    assert places[:, :2] == pytest.approx(world[a])
+    assert ends(places, turns, scales) == pytest.approx(world[b])
+    assert colors.dtype == np.uint8
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_wedges_reach_from_rest_angle_to_present_angle(name: str) -> None:
+    """The last slice's far edge lies along spring b as it leaves the shared mass."""
+    scene = sim.load_scene(name)
+    simulation = sim.Simulation(scene)
+    simulation.step(200)
+    sketch, picture = sketch_of(scene), Picture.of(simulation)
+    _, turns, _, _ = sketch.wedge_arrays(picture.positions, picture.deviations)
+    middle = 2.0 * np.degrees(np.arctan2(turns[:, 3], turns[:, 0])).reshape(-1, sketch.slices)
+    world = sketch.mapping.to_world(picture.positions)
+    for j, joint in enumerate(scene.angular_springs):
+        a, b = scene.linear_springs[joint.a], scene.linear_springs[joint.b]
+        (shared,) = {a.a, a.b} & {b.a, b.b}
+        far = b.b if b.a == shared else b.a
+        along = world[far] - world[shared]
+        off = picture.deviations[j] * sketch.mapping.flip
+        wanted = np.degrees(np.arctan2(along[1], along[0])) - off / (2 * sketch.slices)
+        assert (middle[j, -1] - wanted + 180.0) % 360.0 - 180.0 == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_pulled_spring_is_red_and_a_pushed_one_blue() -> None:
+    scene = sim.rope(masses=3, length=200.0, joints=False)
+    sketch = sketch_of(scene)
+    positions = np.array([[0.0, 0.0], [0.0, 150.0], [0.0, 200.0]])
+    *_, colors = sketch.spring_arrays(positions, 1.0)
+    assert (colors[0] == sent(sketch.palette.pulled)).all()
+    assert (colors[1] == sent(sketch.palette.pushed)).all()
+    *_, longer = sketch.spring_arrays(positions, 1.5)
+    assert (longer[0] == sent(sketch.palette.rest)).all()
+
+
+def test_many_masses_are_drawn_with_less() -> None:
+    few, many = sketch_of(sim.rope(masses=MANY)), sketch_of(sim.rope(masses=MANY + 1))
+    assert few.slices > many.slices == 1
+    assert (few.many, many.many) == (False, True)
+
+
+def test_only_held_masses_have_pins_and_only_the_driven_one_has_none() -> None:
+    scene = sim.load_scene("tutorial-3.2")
+    assert sketch_of(scene).pinned.tolist() == [1]
+    assert sketch_of(sim.load_scene("tutorial-3.1")).pinned.tolist() == [1, 2]
+
+
+@pytest.mark.parametrize(
+    "make", [shapes.disc, shapes.ring, shapes.bar, shapes.slice_, shapes.pin, shapes.coil]
+)
+def test_every_face_looks_at_the_viewer(make) -> None:
+    mesh = make()
+    assert len(mesh.faces) > 0
+    assert (mesh.face_normals[:, 2] > 0.5).all()
+
+
+def test_the_tone_map_is_inverted() -> None:
+    """three.js's ACES filmic tone map of what is sent gives back the colour that was wanted."""
+    into = np.array([[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]])
+    out = np.array(
+        [[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]]
+    )
+    # Not the most saturated colours, nor pure white: those lie beyond what the tone map can reach.
+    for color in ("475569", "8592a6", "1971c2", "8e44ad", "dde3ea"):
+        light = sent(rgb(color)) / 255.0 * LIGHT_GAIN / 0.6 @ into.T
+        fitted = (light * (light + 0.0245786) - 0.000090537) / (
+            light * (0.983729 * light + 0.432951) + 0.238081
+        )
+        linear = np.clip(fitted @ out.T, 0.0, 1.0)
+        shown = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055) * 255.0
+        assert shown == pytest.approx(rgb(color), abs=9.0)
+
+
+@pytest.mark.parametrize(("value", "expected"), [(120.0, 100.0), (0.3, 0.2), (1.0, 1.0), (9.9e5, 5e5)])
+def test_grid_squares_are_round_numbers(value: float, expected: float) -> None:
+    assert nice(value) == pytest.approx(expected)

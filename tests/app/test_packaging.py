@@ -1,0 +1,93 @@
+"""Presets are found from a checkout, from a wheel and from an installed tool; the package is what it says."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+LIST = "import sim; print(*(info.name for info in sim.list_scenes() if info.built_in)); print(sim.__file__)"
+
+
+def run(*words: str | Path, **options) -> str:
+    done = subprocess.run(
+        list(map(str, words)), capture_output=True, text=True, timeout=300, check=False, **options
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def uv() -> str:
+    found = shutil.which("uv")
+    assert found is not None, "uv is needed to build and install the package"
+    return found
+
+
+@pytest.fixture(scope="module")
+def wheel(uv: str, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("dist")
+    run(uv, "build", "--wheel", "--quiet", "--out-dir", out, ROOT)
+    return next(out.glob("*.whl"))
+
+
+def test_the_wheel_has_everything_that_runs(wheel: Path) -> None:
+    names = set(zipfile.ZipFile(wheel).namelist())
+    presets = {f"sim/presets/{path.name}" for path in (ROOT / "presets").glob("*.json")}
+    assert len(presets) >= 7
+    assert presets <= names
+    assert {
+        "sim/py.typed",
+        "app/py.typed",
+        "app/page/page.js",
+        "app/page/page.css",
+        "app/bench/fused.c",
+    } <= names
+    assert not any(name.startswith("tests/") for name in names)
+    metadata = next(name for name in names if name.endswith("METADATA"))
+    assert "Private :: Do Not Upload" in zipfile.ZipFile(wheel).read(metadata).decode()
+
+
+def test_presets_are_found_from_a_wheel(wheel: Path, tmp_path: Path) -> None:
+    """Unpacked as an installer does, away from the checkout."""
+    site = tmp_path / "site"
+    zipfile.ZipFile(wheel).extractall(site)
+    names, where = run(sys.executable, "-c", LIST, cwd=tmp_path, env={"PYTHONPATH": str(site)}).splitlines()
+    assert Path(where).is_relative_to(site)
+    assert {"tutorial-3.1", "tutorial-3.2", "tutorial-3.3", "ring", "box", "flag-pole", "hair-tuft"} <= set(
+        names.split()
+    )
+
+
+def test_presets_are_found_from_a_checkout(tmp_path: Path) -> None:
+    names, where = run(sys.executable, "-c", LIST, cwd=tmp_path, env={"PYTHONPATH": str(ROOT)}).splitlines()
+    assert Path(where).is_relative_to(ROOT)
+    assert "tutorial-3.3" in names.split()
+
+
+def test_presets_are_found_from_an_installed_tool(uv: str, tmp_path: Path) -> None:
+    import os
+
+    places = {"UV_TOOL_DIR": tmp_path / "tools", "UV_TOOL_BIN_DIR": tmp_path / "bin"}
+    env = {**os.environ, **{name: str(path) for name, path in places.items()}}
+    env.pop("VIRTUAL_ENV", None)
+    run(uv, "tool", "install", "--quiet", "--python", sys.executable, ROOT, env=env, cwd=tmp_path)
+    listed = run(tmp_path / "bin" / "softrod", "scenes", env=env, cwd=tmp_path)
+    assert "tutorial-3.3" in listed
+    assert "hair-tuft" in listed
+
+
+def test_no_file_names_a_registry_or_a_lock() -> None:
+    tracked = run("git", "ls-files", cwd=ROOT).split()
+    assert "uv.lock" not in tracked
+
+
+def test_the_schema_is_that_of_the_types() -> None:
+    from sim.schema import SCHEMA_PATH, schema_bytes
+
+    assert SCHEMA_PATH.read_bytes() == schema_bytes(), "run: python -m sim.schema"

@@ -1,0 +1,104 @@
+"""Messages of the page's script, which any client can forge, and texts that go into the page."""
+
+from __future__ import annotations
+
+import re
+
+import msgspec
+import pytest
+
+import sim
+from app import commands, readouts, script
+from app.colors import palette
+from app.drawing import Mapping
+from app.session import Session
+
+MAPPING = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
+
+
+@pytest.mark.parametrize(
+    ("message", "expected"),
+    [
+        ("1|keys|UR", commands.HoldKeys(frozenset({"up", "right"}))),
+        ("2|keys|", commands.HoldKeys(frozenset())),
+        ("3|at|1.5,-0.5", commands.Point(450.0, 350.0)),
+        ("4|do|play", commands.Play()),
+        ("5|do|pause", commands.Play(False)),
+        ("6|do|step", commands.DoSteps(1)),
+        ("7|do|reset", commands.Reset()),
+        ("8|do|follow", "follow"),
+    ],
+)
+def test_messages_are_understood(message: str, expected: object) -> None:
+    assert script.parse(message, MAPPING) == expected
+
+
+@pytest.mark.parametrize(
+    "message",
+    [
+        "", "keys|U", "1|keys|X", "1|keys|UUUUU", "1|at|nan,0", "1|at|inf,1", "1|at|1e9,1", "1|at|1",
+        "1|at|1,2,3", "1|at|,", "1|at|99999999,0", "1|do|format", "1|do|", "x|do|play", "1|do|play\n",
+        7, None, ["1|do|play"],
+    ],
+)  # fmt: skip
+def test_nonsense_is_ignored(message: object) -> None:
+    assert script.parse(message, MAPPING) is None
+
+
+def test_a_description_from_a_stranger_s_file_is_escaped() -> None:
+    evil = "<img src=x onerror=alert(1)>"
+    scene = msgspec.structs.replace(sim.rope(), description=evil)
+    assert "<img" not in readouts.description(scene)
+    assert "&lt;img" in readouts.description(scene)
+    assert "<b>" not in script.state_html('"><b>', scene.view.frame, follow=False)
+
+
+@pytest.mark.parametrize("name", ["tutorial-3.1", "tutorial-3.2", "tutorial-3.3", "ring"])
+def test_readouts_are_those_of_the_scene(name: str) -> None:
+    session = Session(sim.load_scene(name))
+    table = readouts.joint_table(session)
+    rows = re.findall(r"<tr><td>([^<]*)</td>", table)
+    expected = {
+        "tutorial-3.1": ["joint", "sine", "cosine", "angle", "angle"],
+        "tutorial-3.2": ["joint", "angle"],
+        "tutorial-3.3": ["joint", "angle", "rest angle"],
+        "ring": ["joint", "angle", "rest angle"],
+    }
+    assert rows == expected[name]
+
+
+def test_the_angle_test_reads_the_tutorial_s_numbers() -> None:
+    session = Session(sim.load_scene("tutorial-3.1"))
+    session.simulation.move(0, (475.0, 300.0))
+    # Springs (-175, 0) and (0, 175): a right angle, clockwise on a screen whose y points down is positive.
+    table = readouts.joint_table(session)
+    assert "-1.0000" in table
+    assert "-90.00°" in table
+    assert "-1.5708 rad" in table
+
+
+def test_a_scene_without_joints_has_no_readout() -> None:
+    assert readouts.joint_table(Session(sim.rope(joints=False))) == ""
+
+
+def test_the_meter_says_when_the_step_is_too_large() -> None:
+    session = Session(sim.set_value(sim.load_scene("tutorial-3.3"), "angular_stiffness", 60_000.0))
+    session.stability = session.simulation.stability()
+    assert "unstable" in readouts.hud(session, palette("softrod", dark=False), at_rest=False)
+    session = Session(sim.load_scene("tutorial-3.3"))
+    session.stability = session.simulation.stability()
+    assert ": stable" in readouts.hud(session, palette("softrod", dark=False), at_rest=False)
+
+
+def test_clicking_a_mass_finds_its_joint() -> None:
+    scene = sim.load_scene("tutorial-3.3")
+    assert readouts.joint_of_mass(scene, 1) == 0
+    assert readouts.joint_of_mass(scene, 5) == 4
+    assert readouts.joint_of_mass(scene, 0) is None
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [(1e6, "1M"), (5000.0, "5k"), (0.0001, "0.0001"), (-180.0, "-180")]
+)
+def test_slider_ends_are_short(value: float, text: str) -> None:
+    assert readouts.short(value) == text
