@@ -7,6 +7,7 @@ import io
 import math
 import signal
 import threading
+import warnings
 import webbrowser
 from collections.abc import Iterator
 
@@ -42,6 +43,8 @@ def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.Vise
         if tab is not None:
             tab.notify(Notice("error", "That file is too large", f"{name}: a scene file has at most 5 MB."))
 
+    # A page can go away in the middle of a frame; the rest of that frame has nobody to go to.
+    warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     # viser prints an address panel of its own.
     with contextlib.redirect_stdout(io.StringIO()):
         server = open_server(host, port, label="softrod", on_oversized=oversized)

@@ -50,6 +50,20 @@ def test_every_preset_opens_and_is_drawn(open_page: OpenPage) -> None:
         assert desk.control("Scene").input_value() == name
 
 
+def test_webgl_has_nothing_to_complain_of(open_page: OpenPage) -> None:
+    desk = open_page()
+    for name in PRESETS:
+        desk.choose("Scene", name)
+        desk.until(lambda name=name: desk.session.scene.name == name, f"{name} is opened")
+        desk.wait_drawn()
+    desk.show("View")
+    for control in ("Gizmos", "Dark", "Gizmos", "Dark"):
+        desk.control(control).click()
+        desk.rest(3)
+        desk.wait_drawn()
+    assert not desk.complaints, f"{len(desk.complaints)} times: {desk.complaints[0]}"
+
+
 @pytest.mark.parametrize("phone", [False, True], ids=["desktop", "phone"])
 def test_screenshots_show_the_whole_body(open_page: OpenPage, phone: bool) -> None:
     desk = open_page(size=(390, 844) if phone else (1280, 760), phone=phone)

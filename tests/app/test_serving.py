@@ -1,0 +1,257 @@
+"""The served page without a browser: what goes over the wire, tabs that come and go, hostile values."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+import viser
+
+import sim
+from app.bench.client import Page
+from app.commands import DragStart, Open
+from app.serve import serving
+from app.session import Session
+from app.tab import Tab
+from app.ticker import Ticker
+from sim.warmup import Kernels
+
+PATIENCE = 30.0
+
+
+def eventually(condition: Callable[[], Any]) -> Any:
+    """Wait until the condition holds, and return what it gave."""
+    deadline = time.monotonic() + PATIENCE
+    while not (result := condition()):
+        assert time.monotonic() < deadline, "it never happened"
+        time.sleep(0.01)
+    return result
+
+
+class Stage:
+    """A server, and pages that connect to it."""
+
+    def __init__(self, server: viser.ViserServer, ticker: Ticker) -> None:
+        self.server, self.ticker = server, ticker
+
+    def page(self) -> Page:
+        return Page(self.server.get_port())
+
+    def new_tab(self, known: set[int]) -> Tab:
+        """The tab of the page that connected last, once its session has begun."""
+
+        def found() -> Tab | None:
+            fresh = [tab for number, tab in list(self.ticker.tabs.items()) if number not in known]
+            return fresh[0] if fresh and fresh[0]._session is not None else None
+
+        return eventually(found)
+
+
+@pytest.fixture(scope="module")
+def stage() -> Iterator[Stage]:
+    with serving(sim.load_scene("tutorial-3.3"), "127.0.0.1", 0) as (server, ticker, kernels):
+        kernels.compile()
+        yield Stage(server, ticker)
+
+
+@pytest.fixture(autouse=True)
+def nobody_is_left(stage: Stage) -> Iterator[None]:
+    yield
+    eventually(lambda: not stage.ticker.tabs)
+
+
+def session_of(tab: Tab) -> Session:
+    assert tab._session is not None
+    return tab._session
+
+
+def nodes(messages: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:
+    return {m["name"]: m for m in messages if "name" in m and "props" in m}
+
+
+def say(page: Page, tab: Tab, *texts: str) -> None:
+    """Send what the page's script would."""
+    for number, text in enumerate(texts):
+        value = f"{time.monotonic_ns() % 10**12 + number}|{text}"
+        page.send(
+            {
+                "type": "GuiUpdateMessage",
+                "uuid": tab._panel.channel._impl.uuid,
+                "updates": {"value": value},
+            }
+        )
+
+
+def test_one_node_per_kind(stage: Stage) -> None:
+    """However many masses: the grid, springs, wedges, the ring, masses; and a gizmo per held mass."""
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        eventually(lambda: "springs" in tab._view._nodes)
+        assert set(tab._view._nodes) == {"grid", "springs", "wedges", "ring", "masses"}
+        assert len(tab._view._gizmos) == 1
+        page.read_for(0.1)
+
+
+def test_a_scene_pays_only_for_what_it_has(stage: Stage) -> None:
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        bare = sim.rope(masses=5, joints=False, driven=None, held=())
+        session_of(tab).post(Open(bare))
+        eventually(lambda: session_of(tab).generation == 1 and tab._generation == 1)
+        assert set(tab._view._nodes) == {"grid", "springs", "masses"}
+        assert not tab._view._gizmos
+        keys = {dial.setting.key for dial in tab._panel._dials}
+        assert "angular_stiffness" not in keys
+        assert "linear_stiffness" in keys
+        page.read_for(0.1)
+
+
+def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        say(page, tab, "do|pause")
+        eventually(lambda: not session_of(tab).playing)
+        page.read_for(0.5)
+        sent = tab._view._sent["masses", "batched_positions"]
+        sketch = tab._view.sketch
+        assert sketch is not None
+        assert np.allclose(sent, sketch.masses(session_of(tab).simulation.positions).astype(np.float32))
+
+
+def test_nothing_is_sent_while_paused(stage: Stage) -> None:
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        page.read_for(1.0)
+        say(page, tab, "do|pause")
+        eventually(lambda: not session_of(tab).playing)
+        page.read_for(1.0)
+        before = page.messages
+        page.read_for(1.5)
+        assert page.messages == before
+        say(page, tab, "do|play")
+        page.read_for(0.5)
+        assert page.messages > before
+
+
+def test_nothing_is_sent_at_rest(stage: Stage) -> None:
+    """The hanging rope swings out; then the clock runs on, and the wire is silent."""
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        session = session_of(tab)
+        still = sim.set_value(sim.rope(gravity=(0.0, 0.0)), "linear_damping", 200.0)
+        session.post(Open(still))
+        eventually(lambda: session.generation == 1)
+        page.read_for(2.0)
+        before, steps = page.messages, session.simulation.step_count
+        page.read_for(1.5)
+        assert session.simulation.step_count > steps
+        assert page.messages == before
+        assert "at rest" in tab._panel._hud.content
+
+
+def test_pages_have_simulations_of_their_own(stage: Stage) -> None:
+    with stage.page() as one:
+        first = stage.new_tab(set())
+        with stage.page() as other:
+            second = stage.new_tab(set(stage.ticker.tabs) - {max(stage.ticker.tabs)})
+            assert first is not second
+            say(one, first, "do|pause")
+            eventually(lambda: not session_of(first).playing)
+            assert session_of(second).playing
+            # The other page knows the first one's channel, and cannot use it.
+            say(other, first, "do|play")
+            other.read_for(0.5)
+            assert not session_of(first).playing
+
+
+def test_a_page_that_goes_in_the_middle_of_a_drag_is_forgotten(stage: Stage) -> None:
+    with stage.page() as stays:
+        first = stage.new_tab(set())
+        known = set(stage.ticker.tabs)
+        with stage.page():
+            second = stage.new_tab(known)
+            session_of(second).post(DragStart(3, 300.0, 250.0))
+            eventually(lambda: session_of(second).dragged == 3)
+        eventually(lambda: set(stage.ticker.tabs) == known)
+        steps = session_of(first).simulation.step_count
+        eventually(lambda: session_of(first).simulation.step_count > steps)
+        stays.read_for(0.1)
+
+
+def test_nothing_is_computed_for_nobody(stage: Stage) -> None:
+    with stage.page() as page:
+        session = session_of(stage.new_tab(set()))
+        page.read_for(0.2)
+    eventually(lambda: not stage.ticker.tabs)
+    steps = session.simulation.step_count
+    used = time.thread_time_ns()
+    time.sleep(0.5)
+    assert session.simulation.step_count == steps
+    assert not stage.ticker._wake.is_set()
+    assert time.thread_time_ns() >= used
+
+
+@pytest.mark.parametrize(
+    "text", ["at|nan,0", "at|1e400,2", "keys|ZZ", "do|shutdown", "at|" + "9" * 40 + ",0", "x" * 5000]
+)
+def test_forged_messages_change_nothing(stage: Stage, text: str) -> None:
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        say(page, tab, "do|pause")
+        eventually(lambda: not session_of(tab).playing)
+        before = session_of(tab).simulation.positions
+        say(page, tab, text)
+        page.read_for(0.3)
+        assert np.array_equal(session_of(tab).simulation.positions, before)
+        say(page, tab, "do|play")
+        eventually(lambda: session_of(tab).playing)
+
+
+@pytest.mark.parametrize("value", [1e9, -1e9, 1e308])
+def test_a_forged_slider_is_clamped(stage: Stage, value: float) -> None:
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        say(page, tab, "do|pause")
+        eventually(lambda: not session_of(tab).playing)
+        for dial in tab._panel._dials:
+            for handle in (dial.slider, dial.box):
+                page.send(
+                    {"type": "GuiUpdateMessage", "uuid": handle._impl.uuid, "updates": {"value": value}}
+                )
+        page.read_for(1.0)
+        scene = session_of(tab).scene
+        assert sim.validate(scene) is scene
+        say(page, tab, "do|play")
+        eventually(lambda: stage.ticker.tabs)
+
+
+def test_a_defect_in_one_tab_leaves_the_others_alone(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    with stage.page() as one, stage.page() as other:
+        first = stage.new_tab(set())
+        second = stage.new_tab({n for n, tab in stage.ticker.tabs.items() if tab is first})
+
+        def fail(budget: float) -> None:
+            raise RuntimeError("a defect")
+
+        monkeypatch.setattr(first, "frame", fail)
+        eventually(lambda: first not in stage.ticker.tabs.values())
+        steps = session_of(second).simulation.step_count
+        eventually(lambda: session_of(second).simulation.step_count > steps)
+        one.read_for(0.05)
+        other.read_for(0.05)
+
+
+def test_before_the_kernels_are_compiled_the_rope_is_drawn_and_waits() -> None:
+    with serving(sim.load_scene("tutorial-3.3"), "127.0.0.1", 0) as (server, ticker, kernels):
+        assert isinstance(kernels, Kernels)
+        with Page(server.get_port()) as page:
+            page.wait_for(lambda m: m.get("name") == "/body/masses" and "props" in m)
+            notice = page.wait_for(lambda m: "Notification" in str(m.get("type")))
+            assert "Compiling" in str(notice)
+            (tab,) = ticker.tabs.values()
+            assert tab._session is None
+            kernels.compile()
+            eventually(lambda: tab._session is not None and tab._session.simulation.step_count > 0)

@@ -1,0 +1,238 @@
+"""Keys: what is held acts and stops, what is pressed once acts once, and none of it moves the camera."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from app import commands
+from app.readouts import KEYS_HELP
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk
+
+NOTHING: frozenset[str] = frozenset()
+
+
+def hold(desk: Desk, key: str, what: str) -> None:
+    """Hold a key until the solver has it."""
+    desk.page.keyboard.down(key)
+    desk.until(lambda: what in desk.simulation.keys, f"{key} reaches the solver")
+
+
+def release(desk: Desk, key: str) -> None:
+    """Release a key, and wait until the solver knows."""
+    desk.page.keyboard.up(key)
+    desk.until(lambda: desk.simulation.keys == NOTHING, f"the solver hears that {key} is released")
+
+
+def assert_stays(desk: Desk) -> None:
+    """Neither rest angles nor rest lengths change while time goes on."""
+    angle, scale = desk.simulation.rest_angles[0], desk.simulation.rest_length_scale
+    steps = desk.simulation.step_count
+    desk.until(lambda: desk.simulation.step_count > steps + 60, "time goes on")
+    assert (desk.simulation.rest_angles[0], desk.simulation.rest_length_scale) == (angle, scale)
+
+
+def test_held_arrows_change_rest_angle_and_length_until_released(open_page: OpenPage) -> None:
+    desk = open_page()
+    camera = desk.camera()
+    desk.show("Body")
+    hold(desk, "ArrowRight", "right")
+    desk.until(lambda: desk.simulation.rest_angles[0] > 6.0, "the rest angle grows")
+    release(desk, "ArrowRight")
+    assert_stays(desk)
+    angle = float(desk.simulation.rest_angles[0])
+    desk.until(lambda: desk.readout("rest angle") == f"{angle:+.2f}°", "the readout shows the rest angle")
+    desk.until(lambda: abs(desk.slider_value("Rest angle") - angle) < 1.0, "the slider shows it")
+    desk.until(lambda: abs(float(desk.box("Rest angle").input_value()) - angle) < 1e-3, "so does its box")
+
+    # With the focus on a slider, which has a use for arrows of its own.
+    desk.thumb("Linear damping").focus()
+    hold(desk, "ArrowLeft", "left")
+    desk.until(lambda: desk.simulation.rest_angles[0] < angle - 3.0, "the rest angle shrinks")
+    release(desk, "ArrowLeft")
+    assert desk.slider_value("Linear damping") == 40.0
+    assert desk.session.scene.linear_springs[0].damping == 40.0
+
+    for key, what, grows in (("ArrowUp", "up", True), ("ArrowDown", "down", False)):
+        before = desk.simulation.rest_length_scale
+        hold(desk, key, what)
+        desk.until(
+            lambda before=before, grows=grows: (
+                desk.simulation.rest_length_scale > 1.05 * before
+                if grows
+                else desk.simulation.rest_length_scale < before / 1.05
+            ),
+            f"{key} changes the rest length",
+        )
+        release(desk, key)
+    scale = desk.simulation.rest_length_scale
+    desk.until(lambda: abs(float(desk.box("Rest length").input_value()) - scale) < 1e-3, "the box shows it")
+    assert_stays(desk)
+
+    # viser moves the camera with these; here it stays where it is, as it does with the arrows.
+    for key in ("KeyW", "KeyA", "KeyS", "KeyD", "KeyQ", "KeyE"):
+        desk.page.keyboard.down(key)
+        desk.pause(0.1)
+        desk.page.keyboard.up(key)
+    desk.rest(2)
+    assert desk.camera().same(camera)
+
+
+def test_no_key_acts_while_text_is_typed(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.show("Files")
+    name = desk.control("Name")
+    name.fill("")
+    name.press_sequentially("rn f0w")
+    desk.page.keyboard.down("ArrowRight")
+    # The solver would have it within a frame or two.
+    desk.pause(0.3)
+    assert desk.simulation.keys == NOTHING
+    desk.page.keyboard.up("ArrowRight")
+    assert name.input_value() == "rn f0w"
+    assert desk.session.playing
+    assert not desk.session.follow
+    assert desk.simulation.rest_angles[0] == 0.0
+
+
+def test_keys_are_released_when_the_window_is_left_or_falls_silent(open_page: OpenPage) -> None:
+    desk = open_page()
+    # Another window gets the release of the key.
+    hold(desk, "ArrowRight", "right")
+    desk.page.evaluate("window.dispatchEvent(new Event('blur'))")
+    desk.until(lambda: desk.simulation.keys == NOTHING, "leaving the window releases the key")
+    assert_stays(desk)
+    desk.page.keyboard.up("ArrowRight")
+
+    # The page says nothing any more: its connection hangs, or its tab is frozen.
+    hold(desk, "ArrowUp", "up")
+    desk.page.evaluate(
+        "() => { window.spoke = __viserMutable.sendMessage; __viserMutable.sendMessage = () => {}; }"
+    )
+    desk.until(lambda: desk.simulation.keys == NOTHING, "a key of which nothing is heard is forgotten")
+    assert_stays(desk)
+    # Once it speaks again, the key is still down.
+    desk.page.evaluate("() => { __viserMutable.sendMessage = window.spoke; }")
+    desk.until(lambda: desk.simulation.keys == {"up"}, "the key is heard again")
+    release(desk, "ArrowUp")
+
+
+def test_keys_that_are_pressed_once(open_page: OpenPage) -> None:
+    desk = open_page()
+    press = desk.page.keyboard.press
+    press("Space")
+    desk.until(lambda: not desk.session.playing, "Space pauses")
+    desk.until(lambda: "paused" in desk.hud(), "the page says so")
+    steps = desk.simulation.step_count
+    press("KeyN")
+    desk.until(lambda: desk.simulation.step_count == steps + 1, "N does one step")
+    desk.pause(0.2)
+    assert desk.simulation.step_count == steps + 1
+    press("Space")
+    desk.until(lambda: desk.simulation.step_count > steps + 50, "Space resumes")
+    press("Escape")
+    desk.until(lambda: not desk.session.playing, "Esc pauses")
+    press("Escape")
+    desk.pause(0.2)
+    assert not desk.session.playing
+    desk.tell(commands.SetValue("rest_angle", 20.0))
+    press("KeyR")
+    desk.until(lambda: desk.simulation.step_count == 0, "R goes back to the start")
+    assert np.allclose(desk.simulation.positions[:, 0], 300.0)
+    desk.until(lambda: "t = 0.00 s" in desk.hud(), "the clock is back, too")
+
+    # 0 shows the whole scene again.
+    first = desk.at(desk.simulation.positions)
+    desk.drag((150.0, 330.0), (190.0, 360.0))
+    desk.page.mouse.wheel(0.0, 200.0)
+    desk.until(lambda: np.abs(desk.at(desk.simulation.positions) - first).max() > 20.0, "the paper is moved")
+    desk.pause(0.4)
+    press("Digit0")
+    desk.until(lambda: np.abs(desk.at(desk.simulation.positions) - first).max() < 0.5, "0 shows all")
+
+
+def test_the_ringed_mass_follows_the_pointer_without_a_button(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.page.keyboard.press("KeyF")
+    desk.until(lambda: desk.session.follow, "F follows")
+    desk.until(lambda: desk.control("Follow pointer").is_checked(), "the switch shows it")
+    desk.rest(2)
+    start, end = (200.0, 300.0), (380.0, 250.0)
+    desk.page.mouse.move(*start)
+    desk.lead(start, end)
+    desk.until(
+        lambda: np.abs(desk.simulation.positions[0] - desk.scene_at(end)).max() < 1.5,
+        "the mass is at the pointer",
+    )
+    # Off the canvas there is nothing to follow.
+    panel = desk.control("Scene").bounding_box()
+    assert panel is not None
+    desk.page.mouse.move(panel["x"] + 20.0, panel["y"] + 300.0)
+    steps = desk.simulation.step_count
+    desk.until(lambda: desk.simulation.step_count > steps + 60, "time goes on")
+    assert np.abs(desk.simulation.positions[0] - desk.scene_at(end)).max() < 1.5
+    assert desk.session.dragged is None
+
+    desk.page.keyboard.press("KeyF")
+    desk.until(lambda: not desk.session.follow, "F stops following")
+    desk.until(lambda: not desk.control("Follow pointer").is_checked(), "the switch shows it")
+    left = desk.simulation.positions[0]
+    desk.lead(start, end)
+    desk.lead(end, start)
+    assert (desk.simulation.positions[0] == left).all()
+
+
+def test_help_and_the_command_palette_list_the_keys(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.button("Help").click()
+    dialog = desk.page.get_by_role("dialog")
+    text = dialog.inner_text()
+    for key, what in KEYS_HELP:
+        assert key in text
+        assert what in text
+    # Keys act on the page behind only once the dialog is gone.
+    desk.page.keyboard.press("KeyN")
+    desk.pause(0.2)
+    assert desk.session.playing
+    dialog.get_by_role("button", name="Close", exact=True).last.click()
+    desk.until(lambda: dialog.count() == 0, "the help goes away")
+
+    desk.page.keyboard.press("Control+k")
+    palette = desk.page.locator(".mantine-Spotlight-action")
+    desk.until(lambda: palette.count() == 7, "the palette opens")
+    listed = " ".join(palette.all_inner_texts())
+    for key in ("Space", "N", "R", "Esc", "F", "0"):
+        assert f"key {key}" in listed
+    palette.filter(has_text="One step").click()
+    desk.until(lambda: not desk.session.playing, "the palette's command is done")
+    steps = desk.simulation.step_count
+    desk.pause(0.2)
+    assert desk.simulation.step_count == steps
+
+
+@pytest.mark.parametrize("phone", [False, True], ids=["mouse", "touch"])
+def test_the_arrow_pad_holds(open_page: OpenPage, phone: bool) -> None:
+    desk = open_page(size=(390, 844), phone=True) if phone else open_page()
+    button = desk.page.get_by_role("button", name="rest angle up")
+    button.scroll_into_view_if_needed()
+    box = button.bounding_box()
+    assert box is not None
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    touch = desk.context.new_cdp_session(desk.page)
+    if phone:
+        touch.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": [{"x": x, "y": y}]})
+    else:
+        desk.page.mouse.move(x, y)
+        desk.page.mouse.down()
+    desk.until(lambda: desk.simulation.keys == {"right"}, "the button holds the key")
+    desk.until(lambda: desk.simulation.rest_angles[0] > 25.0, "it is held for longer than a press")
+    if phone:
+        touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    else:
+        # It holds until the button is let go, wherever the pointer is then.
+        desk.page.mouse.move(x - 300.0, y)
+        assert desk.simulation.keys == {"right"}
+        desk.page.mouse.up()
+    desk.until(lambda: desk.simulation.keys == NOTHING, "it is released")
+    assert_stays(desk)
