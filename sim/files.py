@@ -25,8 +25,8 @@ from .validate import out_of_range, validate
 MAX_FILE_BYTES = 5_000_000
 """Largest scene file that is read or written."""
 
-_NUMBERS = re.compile(rb"(?<=\[)\s+[-+.\deE]+(?:,\s+[-+.\deE]+)*\s+(?=\])")
-"""A vector, which the indented file has on one line."""
+_TEXT_OR_NUMBERS = re.compile(rb'"(?:[^"\\]|\\.)*"|\[\s+[-+.\deE]+(?:,\s+[-+.\deE]+)*\s+\]')
+"""A text, which is left alone, or an array of numbers, which the indented file has on one line."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,12 @@ def encode_scene(scene: Scene) -> bytes:
         for field in BODY_FIELDS:
             fields.pop(field, None)
     text = msgspec.json.format(msgspec.json.encode({**fields, "format": FORMAT_VERSION}), indent=2) + b"\n"
-    return _NUMBERS.sub(lambda numbers: b" ".join(numbers[0].split()), text)
+    return _TEXT_OR_NUMBERS.sub(_on_one_line, text)
+
+
+def _on_one_line(match: re.Match[bytes]) -> bytes:
+    found = match[0]
+    return found if found.startswith(b'"') else b"[" + b" ".join(found[1:-1].split()) + b"]"
 
 
 def decode_scene(data: bytes, source: str) -> Scene:
@@ -95,7 +100,8 @@ def decode_scene(data: bytes, source: str) -> Scene:
     try:
         return validate(msgspec.convert(raw, Scene))
     except msgspec.ValidationError as error:
-        raise SceneError(f"{source}: {_sentence(error, raw)}") from None
+        # A field's name in the file may have line breaks in it; the sentence has none.
+        raise SceneError(" ".join(f"{source}: {_sentence(error, raw)}".split())) from None
     except SceneError as error:
         raise SceneError(f"{source}: {error}") from None
 
@@ -142,8 +148,9 @@ def read_scene(path: Path) -> Scene:
     try:
         with path.open("rb") as file:
             data = file.read(MAX_FILE_BYTES + 1)
-    except OSError as error:
-        raise SceneError(f"{path}: the file cannot be read ({error.strerror or error})") from None
+    except (OSError, ValueError) as error:  # ValueError: no file can have that name
+        reason = getattr(error, "strerror", None) or error
+        raise SceneError(f"{str(path)!r}: the file cannot be read ({reason})") from None
     if len(data) > MAX_FILE_BYTES:
         raise SceneError(f"{path}: the file is larger than the {MAX_FILE_BYTES} bytes that a scene may have")
     return decode_scene(data, str(path))
@@ -161,8 +168,9 @@ def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
         return read_scene(path)
     for folder in (built_in_folder(), user_folder()):
         candidate = folder / f"{text}.json"
-        if candidate.is_file():
-            return read_scene(candidate)
+        with contextlib.suppress(OSError, ValueError):  # a name that no file can have
+            if candidate.is_file():
+                return read_scene(candidate)
     known = ", ".join(info.name for info in list_scenes())
     raise SceneError(f"there is no scene called {text!r}; there are {known}")
 
@@ -203,12 +211,14 @@ def write_atomically(path: Path, data: bytes) -> None:
         with contextlib.suppress(OSError):
             Path(temporary).unlink()
         raise
-    if hasattr(os, "O_DIRECTORY"):  # so that the rename itself survives a power cut
-        folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
-        try:
-            os.fsync(folder)
-        finally:
-            os.close(folder)
+    if hasattr(os, "O_DIRECTORY"):
+        # So that the rename itself survives a power cut; where that cannot be had, the file is written still.
+        with contextlib.suppress(OSError):
+            folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
+            try:
+                os.fsync(folder)
+            finally:
+                os.close(folder)
 
 
 def list_scenes() -> list[SceneInfo]:
@@ -236,7 +246,7 @@ def safe_name(name: str) -> str:
     Raises:
         SceneError: nothing usable is left of it, or a built-in preset has that name.
     """
-    text = unicodedata.normalize("NFKC", name)
+    text = re.sub(r"(?i)\.json$", "", unicodedata.normalize("NFKC", name).strip())
     text = re.sub(r"[^\w\-. ]+", "-", text).strip(" .-_")[:60].rstrip(" .-_")
     if not text or re.fullmatch(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?", text):
         raise SceneError(f"{name!r} cannot be the name of a scene; use letters, digits, spaces, - and _")

@@ -7,6 +7,7 @@ in its type, so that the validation, the error messages and the JSON Schema come
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal
 
 import msgspec
@@ -244,27 +245,32 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 
     def __post_init__(self) -> None:
         # A recipe alone is expanded here, the one door through which every scene comes (files included).
-        if self.rope is not None and not self.masses and _expandable(self.rope):
-            for field, value in zip(BODY_FIELDS, expand_rope(self.rope), strict=True):
+        if self.rope is not None and not self.masses:
+            try:
+                body = expand_rope(self.rope)
+            except (ArithmeticError, AttributeError, TypeError, ValueError):
+                return  # the validation says what is wrong with the recipe
+            for field, value in zip(BODY_FIELDS, body, strict=True):
                 msgspec.structs.force_setattr(self, field, value)
 
 
 BODY_FIELDS = ("masses", "linear_springs", "angular_springs", "anchors")
 
 
-def _expandable(rope: Rope) -> bool:
-    """Whether expanding the recipe cannot fail; the validation says what is wrong otherwise."""
-    return isinstance(rope.masses, int) and 2 <= rope.masses <= MAX_MASSES and any(rope.direction)
-
-
 def expand_rope(
     rope: Rope,
 ) -> tuple[tuple[Mass, ...], tuple[LinearSpring, ...], tuple[AngularSpring, ...], tuple[Anchor, ...]]:
-    """The masses, linear springs, angular springs and anchors of a recipe."""
+    """The masses, linear springs, angular springs and anchors of a recipe.
+
+    Raises:
+        ArithmeticError, TypeError, ValueError: the recipe is not valid.
+    """
     n = rope.masses
+    if not 2 <= n <= MAX_MASSES:
+        raise ValueError("the number of masses is out of range")
     spacing = rope.length / (n - 1)
     dx, dy = rope.direction
-    norm = (dx * dx + dy * dy) ** 0.5
+    norm = math.hypot(dx, dy)
     dx, dy = dx / norm, dy / norm
     masses = tuple(
         Mass(

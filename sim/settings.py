@@ -158,15 +158,17 @@ def _write_rest_angle(scene: Scene, value: float) -> Scene:
 
 
 def _read_gravity(scene: Scene) -> float:
+    """The size of gravity, negative where it points up the screen."""
     x, y = scene.gravity
-    return math.hypot(x, y) if x else (y if scene.view.y_down else -y)
+    down = y if scene.view.y_down else -y
+    return math.copysign(math.hypot(x, y), down or x) if x else down
 
 
 def _write_gravity(scene: Scene, value: float) -> Scene:
     """Along its direction; straight down the screen where there was none."""
     x, y = scene.gravity
-    if x:
-        size = math.hypot(x, y)
+    size = _read_gravity(scene)
+    if x and size:
         gravity = (x / size * value, y / size * value)
     else:
         gravity = (0.0, value if scene.view.y_down else -value)

@@ -16,7 +16,7 @@ from .kernels import guard
 from .kernels.chain import run_chain
 from .kernels.controls import refresh
 from .kernels.general import run_general, run_held
-from .kernels.tables import CONTROL_SCALE, CONTROL_SHIFT, Live, Motion
+from .kernels.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, Live, Motion
 from .scene import Anchor, Pose, Scene
 from .settings import shift_rest_angles
 from .stability import StabilityEstimate, StabilityMeter
@@ -203,7 +203,12 @@ class Simulation:
         if what != guard.GOOD:
             quantity, limit = LIMITS[what]
             self.divergence = Divergence(
-                int(self._system.mass_order[mass]), self._steps, quantity, limit, self.dt, self._diagnose()
+                int(self._system.mass_order[mass - 1]),
+                self._steps,
+                quantity,
+                limit,
+                self.dt,
+                self._diagnose(),
             )
         return done
 
@@ -213,8 +218,8 @@ class Simulation:
         Returns:
             The steps done.
         """
-        if not (math.isfinite(seconds) and seconds >= 0.0):
-            raise InputError(f"advance: {seconds} is not a number of seconds, 0 or more")
+        if not 0.0 <= seconds <= 1e9:
+            raise InputError(f"advance: {seconds:g} is not in the range 0..1e+09 s")
         self._owed += seconds
         # A hair more, so that ten times 0.0025 s are ten steps whatever the rounding.
         n = int(self._owed / self.dt + 1e-9)
@@ -223,11 +228,9 @@ class Simulation:
 
     def reset(self) -> None:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
-        n = self._body.masses
-        for field, row in zip(
-            (self._live.x, self._live.y, self._live.vx, self._live.vy), self._system.start, strict=True
-        ):
-            field[:n] = row
+        live = self._live
+        for field, row in zip((live.x, live.y, live.vx, live.vy), self._system.start, strict=True):
+            field[self._masses] = row
         self._steps = self._steps_before = 0
         self._time_before = self._owed = 0.0
         self._grabbed.clear()
@@ -248,9 +251,9 @@ class Simulation:
         positions, velocities = self.positions, self.velocities
         time, steps, owed, grabbed = self.time, self._steps, self._owed, self._grabbed
         self._install(scene)
-        order, n = self._system.mass_order, self._body.masses
-        self._live.x[:n], self._live.y[:n] = positions[order].T
-        self._live.vx[:n], self._live.vy[:n] = velocities[order].T
+        order = self._system.mass_order
+        self._live.x[self._masses], self._live.y[self._masses] = positions[order].T
+        self._live.vx[self._masses], self._live.vy[self._masses] = velocities[order].T
         self._time_before, self._steps, self._steps_before, self._owed = time, steps, steps, owed
         self._grabbed = grabbed
         self._restart()
@@ -267,6 +270,7 @@ class Simulation:
         self._scene = scene
         self._system = system = build_system(scene)
         self._body = system.body
+        self._masses = slice(1, system.body.masses + 1)
         self._live: Live = new_live(system)
         self._work = new_work(system)
         self._kept = np.zeros((5, self._live.x.size))
@@ -288,15 +292,15 @@ class Simulation:
     def _weigh(self) -> None:
         """Say what forces do to each mass: nothing where it is held."""
         held = self._system.held.copy()
-        held[self._system.mass_place[list(self._grabbed)]] = True
-        n, live, dt = self._body.masses, self._live, self.dt
+        held[self._system.mass_place[list(self._grabbed)] - 1] = True
+        live, dt = self._live, self.dt
         free = np.where(held, 0.0, 1.0)
-        live.vx[:n] *= free
-        live.vy[:n] *= free
-        live.dt_mass[:n] = free * dt * self._system.inverse_mass
-        live.dt_air[:n] = live.dt_mass[:n] * self._scene.air_friction
-        live.dt_gx[:n] = free * dt * self._scene.gravity[0]
-        live.dt_gy[:n] = free * dt * self._scene.gravity[1]
+        live.vx[self._masses] *= free
+        live.vy[self._masses] *= free
+        live.dt_mass[self._masses] = free * dt * self._system.inverse_mass
+        live.dt_air[self._masses] = live.dt_mass[self._masses] * self._scene.air_friction
+        live.dt_gx[self._masses] = free * dt * self._scene.gravity[0]
+        live.dt_gy[self._masses] = free * dt * self._scene.gravity[1]
         self._all_held = bool(held.all())
 
     def _diagnose(self) -> StabilityEstimate:
@@ -305,15 +309,14 @@ class Simulation:
         The last good state is torn apart already, so the body is looked at as it was before it moved; if
         that was stable, in its last shape. Speeds are left out: an exploding body is fast for that reason.
         """
-        n = self._body.masses
         rest = Live(*(field.copy() for field in self._live))
         rest.vx[:] = rest.vy[:] = 0.0
-        torn = rest.x[:n].copy(), rest.y[:n].copy()
-        rest.x[:n], rest.y[:n] = self._system.start[:2]
+        torn = rest.x[self._masses].copy(), rest.y[self._masses].copy()
+        rest.x[self._masses], rest.y[self._masses] = self._system.start[:2]
         estimate = StabilityMeter(self._system).update(rest, self._scene.air_friction)
         if estimate.limit < self.dt:
             return estimate
-        rest.x[:n], rest.y[:n] = torn
+        rest.x[self._masses], rest.y[self._masses] = torn
         return StabilityMeter(self._system).update(rest, self._scene.air_friction)
 
     def _key_rates(self) -> tuple[float, float]:
@@ -322,9 +325,14 @@ class Simulation:
         if rates is None or not self._keys:
             return 1.0, 0.0
         intervals = self.dt / rates.interval
-        growth = rates.rest_length_factor**intervals
+        # However fast the keys: more than the whole range of scales, or than a full turn, is no more.
+        most = math.log(SCALE_MAX / SCALE_MIN)
+        if intervals * math.log(rates.rest_length_factor) < most:
+            growth = rates.rest_length_factor**intervals
+        else:
+            growth = SCALE_MAX / SCALE_MIN
         length = (growth if "up" in self._keys else 1.0) / (growth if "down" in self._keys else 1.0)
-        turn = rates.rest_angle_step * intervals
+        turn = math.remainder(rates.rest_angle_step * intervals, 360.0)
         return length, turn * (("right" in self._keys) - ("left" in self._keys))
 
     def _existing_mass(self, mass: int) -> int:
@@ -338,7 +346,7 @@ class Simulation:
 
     def _held_mass(self, mass: int) -> int:
         place = int(self._system.mass_place[self._existing_mass(mass)])
-        if not (self._system.held[place] or mass in self._grabbed):
+        if not (self._system.held[place - 1] or mass in self._grabbed):
             raise InputError(f"mass {mass} is not held, so it cannot be moved")
         return place
 

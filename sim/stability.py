@@ -51,6 +51,7 @@ class StabilityMeter:
         self._probe = new_live(system)
         self._work = new_work(system)
         n = system.body.masses
+        self._here = slice(1, n + 1)  # the places of the masses
         # Alternating signs are close to the stiffest mode of a chain, and no mode is orthogonal to noise.
         noise = np.random.default_rng(1).normal(size=(2, n))
         self._start = noise + 3.0 * (-1.0) ** np.arange(n)
@@ -65,11 +66,12 @@ class StabilityMeter:
         """
         body, probe = self._system.body, self._probe
         n = body.masses
-        free = live.dt_mass[:n] > 0.0
+        here = self._here
+        free = live.dt_mass[here] > 0.0
         for field in ("x", "y", "vx", "vy", "controls"):
             getattr(probe, field)[:] = getattr(live, field)
         refresh(body, probe)
-        air = 2.0 * air_friction * np.abs(np.array([live.vx[:n], live.vy[:n]]))
+        air = 2.0 * air_friction * np.abs(np.array([live.vx[here], live.vy[here]]))
         # In coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
         root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
         size = min(_SIZE if self._limit else _FIRST_SIZE, 2 * int(free.sum()))
@@ -94,6 +96,8 @@ class StabilityMeter:
         flat = np.array(basis).reshape(len(basis), -1)
         k = flat @ np.array(k_basis).reshape(len(basis), -1).T
         c = flat @ np.array(c_basis).reshape(len(basis), -1).T
+        if not (np.isfinite(k).all() and np.isfinite(c).all()):
+            return StabilityEstimate(np.inf, None)
         limit, mode = _largest_step(k, c)
         if limit == np.inf:
             return StabilityEstimate(np.inf, None)
@@ -103,23 +107,22 @@ class StabilityMeter:
 
     def _product(self, live: Live, w: Floats, velocities: bool) -> Floats:
         """K w, or C w without the air, as a difference of forces. The springs' damping is linear in v."""
-        body, probe, work = self._system.body, self._probe, self._work
-        n = body.masses
+        body, probe, work, here = self._system.body, self._probe, self._work, self._here
         if velocities and not body.damped:
             return np.zeros_like(w)
         fields = (probe.vx, probe.vy) if velocities else (probe.x, probe.y)
-        origin = (live.vx[:n], live.vy[:n]) if velocities else (live.x[:n], live.y[:n])
+        origin = (live.vx[here], live.vy[here]) if velocities else (live.x[here], live.y[here])
         # Small beside the springs, large beside the rounding of coordinates.
-        size = 1e-6 * (1.0 + float(max(np.abs(live.x[:n]).max(), np.abs(live.y[:n]).max())))
+        size = 1e-6 * (1.0 + float(max(np.abs(live.x[here]).max(), np.abs(live.y[here]).max())))
         step = size / max(float(np.abs(w).max()), 1e-300)
         ends = []
         for sign in (1.0, -1.0):
             for field, start, direction in zip(fields, origin, w, strict=True):
-                field[:n] = start + sign * step * direction
+                field[here] = start + sign * step * direction
             internal_forces(body, probe, work)
-            ends.append(np.array([work.fx[:n], work.fy[:n]]))
+            ends.append(np.array([work.fx[here], work.fy[here]]))
         for field, start in zip(fields, origin, strict=True):
-            field[:n] = start
+            field[here] = start
         return (ends[1] - ends[0]) / (2.0 * step)
 
     def _cause(self, live: Live, w: Floats, limit: float, air: Floats) -> Cause:

@@ -17,13 +17,13 @@ class System:
 
     Attributes:
         body: the tables; masses and springs are numbered as the kernels visit them.
-        mass_order: (n,) scene index of the kernels' i-th mass.
-        mass_place: (n,) its inverse: where the kernels keep a mass of the scene.
+        mass_order: (n,) scene index of the mass at place 1, 2, ..., n.
+        mass_place: (n,) the place, from 1 on, of each mass of the scene.
         joint_order: (J,) the kernels' joint for each angular spring of the scene.
         is_chain: whether the body is one chain, so that the fast path applies.
-        inverse_mass: (n,) 1/kg in the kernels' order, also of held masses.
-        held: (n,) whether a mass is held, in the kernels' order.
-        start: (4, n) x, y, vx, vy at the start, in the kernels' order.
+        inverse_mass: (n,) 1/kg, in the order of places, also of held masses.
+        held: (n,) whether a mass is held, in the order of places.
+        start: (4, n) x, y, vx, vy at the start, in the order of places.
     """
 
     body: Body
@@ -46,13 +46,13 @@ def build_system(scene: Scene) -> System:
     n = len(scene.masses)
     mass_order, spring_order = chain or (list(range(n)), list(range(len(scene.linear_springs))))
     mass_place = np.empty(n, np.int64)
-    mass_place[mass_order] = np.arange(n)
+    mass_place[mass_order] = np.arange(1, n + 1)
     spring_place = np.empty(len(spring_order), np.int64)
     spring_place[spring_order] = np.arange(len(spring_order))
     body, joint_order = _body(scene, mass_place, spring_order, spring_place, chain is not None)
     held = np.zeros(n, np.bool_)
     for anchor in scene.anchors:
-        held[mass_place[anchor.mass]] = True
+        held[mass_place[anchor.mass] - 1] = True
     if scene.pose is not None:
         positions, velocities = scene.pose.positions, scene.pose.velocities
     else:
@@ -90,23 +90,21 @@ def joint_stiffness(scene: Scene) -> list[float]:
 def new_live(system: System) -> Live:
     """A state with room for the system's masses; `Simulation` fills it."""
     body = system.body
-    places = padded(body.masses) + 1  # the chain's loops look one place ahead
+    # The chain's loops look one place back and, from the last spring, three ahead.
+    places = body.stiffness.size + 3
 
     def over_masses() -> Floats:
         return np.zeros(places)
 
-    # Padding masses stand apart from each other and from the body, so that no length is zero.
-    far = -1e7 - np.arange(places, dtype=float)
-    room = max(body.stiffness.size, padded(body.joints), places - 1)
     return Live(
-        x=far.copy(),
-        y=far.copy(),
+        x=over_masses(),
+        y=over_masses(),
         vx=over_masses(),
         vy=over_masses(),
         controls=np.array([1.0, 0.0]),
-        pull=np.zeros(room),
-        couple_cos=np.zeros(room),
-        couple_sin=np.zeros(room),
+        pull=np.zeros(body.stiffness.size),
+        couple_cos=np.zeros(max(body.joints, body.stiffness.size) + 1),
+        couple_sin=np.zeros(max(body.joints, body.stiffness.size) + 1),
         dt_mass=over_masses(),
         dt_air=over_masses(),
         dt_gx=over_masses(),
@@ -115,14 +113,9 @@ def new_live(system: System) -> Live:
 
 
 def new_work(system: System) -> Work:
-    """Scratch arrays for the system. Vectors of padding springs are (1, 1), so that no length is zero."""
-    body = system.body
-    room = max(body.stiffness.size, padded(body.joints), padded(body.masses)) + 2
-    return Work(
-        lx=np.ones(room),
-        ly=np.ones(room),
-        **{name: np.zeros(room) for name in Work._fields if name not in ("lx", "ly")},
-    )
+    """Scratch arrays for the system."""
+    room = max(system.body.stiffness.size, system.body.joints) + 3
+    return Work(*(np.zeros(room) for _ in Work._fields))
 
 
 def _chain_order(scene: Scene) -> tuple[list[int], list[int]] | None:
@@ -153,7 +146,7 @@ def _body(
     scene: Scene, mass_place: Indices, spring_order: list[int], spring_place: Indices, is_chain: bool
 ) -> tuple[Body, Indices]:
     n, springs = len(scene.masses), [scene.linear_springs[s] for s in spring_order]
-    # The chain's loops run over as many springs as masses, and its joints lie at their springs' places.
+    # As many springs as masses at least: the chain's loops over masses have the same length.
     room = padded(max(len(springs), n))
     stiffness, damping, rest = (np.zeros(room) for _ in range(3))
     for s, spring in enumerate(springs):
@@ -173,10 +166,10 @@ def _body(
         strength, rest_angle = by_place.copy()
         joint_a, joint_b = np.arange(joints), np.arange(joints) + 1
     joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
-        joint_b, joint_a, len(springs), joint_a.size
+        joint_b, joint_a, len(springs), first=1, nothing=0
     )
     spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = _slots(
-        spring_b, spring_a, n, room
+        spring_b, spring_a, n + 1, first=0, nothing=room
     )
     body = Body(
         masses=n,
@@ -210,16 +203,17 @@ def _body(
 
 
 def _slots(
-    plus: Indices, minus: Indices, owners: int, nothing: int
+    plus: Indices, minus: Indices, owners: int, first: int, nothing: int
 ) -> tuple[Indices, Indices, Indices, Indices, Floats]:
     """For each owner one thing that acts on it with plus and one with minus, and lists of the others.
 
-    `plus[i]` and `minus[i]` are the owners that thing i acts on; `nothing` fills the empty slots.
+    `plus[i]` and `minus[i]` are the owners that thing i acts on. Things are numbered from `first` on, and
+    `nothing` fills the empty slots.
     """
     slots = np.full((2, owners), nothing, np.int64)
     more: list[tuple[int, int, float]] = []
     for slot, owner_of, sign in ((slots[0], plus, 1.0), (slots[1], minus, -1.0)):
-        for thing, owner in enumerate(owner_of):
+        for thing, owner in enumerate(owner_of, start=first):
             if slot[owner] == nothing:
                 slot[owner] = thing
             else:

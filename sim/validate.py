@@ -7,6 +7,7 @@ in code is held to the same limits as one read from a file.
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable, Iterator
 from functools import cache
 from types import UnionType
@@ -152,8 +153,17 @@ def _checker_of_struct(kind: type[msgspec.Struct]) -> Check:
 def _checker_of_plain(kind: type) -> Check:
     def check(value: Any, where: str) -> None:
         if kind is float and isinstance(value, (int, float)) and not isinstance(value, bool):
-            if not math.isfinite(value):
-                raise SceneError(f"{where}: {value} is not a finite number")
+            if not -sys.float_info.max <= value <= sys.float_info.max:  # a NaN is not, either
+                raise SceneError(
+                    f"{where}: {value:.6g} is not a finite number"
+                    if isinstance(value, float)
+                    else f"{where}: a whole number as large as this is not allowed"
+                )
+        elif isinstance(value, str) and kind is str:
+            try:
+                value.encode()
+            except UnicodeEncodeError:
+                raise SceneError(f"{where}: it has characters that cannot be written to a file") from None
         elif not isinstance(value, kind) or (kind is int and isinstance(value, bool)):
             raise SceneError(f"{where}: {_A[kind]} is expected, not {value!r}")
 

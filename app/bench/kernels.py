@@ -117,8 +117,8 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
     chain, general = sim.Simulation(scene, dt=STEP), sim.Simulation(scene, dt=STEP)
     general._system = dataclasses.replace(general._system, is_chain=False)
     for simulation in (chain, general):
-        simulation._live.x[:n] += noise[:, 0]
-        simulation._live.y[:n] += noise[:, 1]
+        simulation._live.x[1 : n + 1] += noise[:, 0]
+        simulation._live.y[1 : n + 1] += noise[:, 1]
     positions = chain.positions
     masses = np.zeros(n, MASS)
     masses["x"], masses["y"], masses["m"] = positions[:, 0], positions[:, 1], 1.0

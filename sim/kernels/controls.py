@@ -27,8 +27,8 @@ def refresh(body, live):
         live.pull[s] = body.stiffness[s] * (body.rest_length[s] * scale)
     for j in range(body.joints):
         rest = math.radians(wrap(body.joint_rest[j] + shift))
-        live.couple_cos[j] = body.joint_stiffness[j] * math.cos(rest)
-        live.couple_sin[j] = body.joint_stiffness[j] * math.sin(rest)
+        live.couple_cos[j + 1] = body.joint_stiffness[j] * math.cos(rest)
+        live.couple_sin[j + 1] = body.joint_stiffness[j] * math.sin(rest)
 
 
 @kernel()

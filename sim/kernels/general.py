@@ -13,6 +13,7 @@ import numpy as np
 from .controls import lead_and_press
 from .guard import DONE, GOOD, STRIDE, WHAT, judge, keep
 from .jit import kernel
+from .tables import SHORTEST_SQUARED
 
 
 @kernel(inline="always")
@@ -34,13 +35,13 @@ def internal_forces(body, live, work):
             dvx[s] = vx[b] - vx[a]
             dvy[s] = vy[b] - vy[a]
     for s in range(springs):
-        inverse[s] = 1.0 / math.sqrt(lx[s] * lx[s] + ly[s] * ly[s])
+        inverse[s] = 1.0 / math.sqrt(max(lx[s] * lx[s] + ly[s] * ly[s], SHORTEST_SQUARED))
     if body.joints:
         for j in range(body.joints):
             a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
             cross = lx[a] * ly[b] - ly[a] * lx[b]
             dot = lx[a] * lx[b] + ly[a] * ly[b]
-            couple[j] = live.couple_cos[j] * cross - live.couple_sin[j] * dot
+            couple[j + 1] = live.couple_cos[j + 1] * cross - live.couple_sin[j + 1] * dot
         for s in range(body.springs):
             turn[s] = couple[np.uint64(body.joint_in[s])] - couple[np.uint64(body.joint_out[s])]
         for i in range(body.more_joint.size):
@@ -73,7 +74,7 @@ def internal_forces(body, live, work):
             along = pull[s] * inverse[s] - stiffness[s]
             tx[s] = along * lx[s]
             ty[s] = along * ly[s]
-    for i in range(body.masses):
+    for i in range(1, body.masses + 1):
         a, b = np.uint64(body.spring_in[i]), np.uint64(body.spring_out[i])
         fx[i] = tx[a] - tx[b]
         fy[i] = ty[a] - ty[b]
@@ -86,6 +87,7 @@ def internal_forces(body, live, work):
 @kernel()
 def run_general(body, live, work, motion, kept, progress, dt, steps, has_air, farthest, fastest):
     """Do `steps` steps, or as many as go well; arguments as those of `run_chain`."""
+    masses = (body.masses + 7) // 8 * 8  # padded
     while progress[DONE] < steps and progress[WHAT] == GOOD:
         done = progress[DONE]
         count = min(progress[STRIDE], steps - done)
@@ -94,8 +96,8 @@ def run_general(body, live, work, motion, kept, progress, dt, steps, has_air, fa
             if motion.active:
                 lead_and_press(body, live, motion, step, steps)
             internal_forces(body, live, work)
-            general_axis(live.x, live.vx, work.fx, live.dt_mass, live.dt_air, live.dt_gx, dt, has_air)
-            general_axis(live.y, live.vy, work.fy, live.dt_mass, live.dt_air, live.dt_gy, dt, has_air)
+            general_axis(live.x, live.vx, work.fx, live.dt_mass, live.dt_air, live.dt_gx, dt, masses, has_air)
+            general_axis(live.y, live.vy, work.fy, live.dt_mass, live.dt_air, live.dt_gy, dt, masses, has_air)
         judge(body, live, kept, progress, count, farthest, fastest)
 
 
@@ -107,17 +109,16 @@ def run_held(body, live, motion, steps):
 
 
 @kernel(inline="always")
-def general_axis(position, velocity, force, dt_mass, dt_air, dt_gravity, dt, has_air):
+def general_axis(position, velocity, force, dt_mass, dt_air, dt_gravity, dt, masses, has_air):
     """v += dt F/m, then x += dt v, along one axis."""
-    masses = position.size - 1
     if has_air:
-        for i in range(masses):
+        for i in range(1, masses + 1):
             v = velocity[i]
             v = v + (force[i] * dt_mass[i] - dt_air[i] * (v * abs(v)) + dt_gravity[i])
             velocity[i] = v
             position[i] += v * dt
     else:
-        for i in range(masses):
+        for i in range(1, masses + 1):
             v = velocity[i] + (force[i] * dt_mass[i] + dt_gravity[i])
             velocity[i] = v
             position[i] += v * dt

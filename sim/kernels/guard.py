@@ -29,7 +29,7 @@ def new_progress() -> Indices:
 @kernel(inline="always")
 def verdict(live, masses, farthest, fastest):
     """(GOOD or what is wrong, the mass that shows it)."""
-    for i in range(masses):
+    for i in range(1, masses + 1):
         x, y, vx, vy = live.x[i], live.y[i], live.vx[i], live.vy[i]
         if not (np.isfinite(x) and np.isfinite(y) and np.isfinite(vx) and np.isfinite(vy)):
             return BAD_NUMBER, i

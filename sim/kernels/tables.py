@@ -1,9 +1,11 @@
 """The arrays that the kernels read and write.
 
-Every array is one-dimensional, C-contiguous, float64 or int64, so that a kernel is compiled once. Arrays
-over masses and springs are padded to a multiple of eight: vector loops then have no scalar rest, which for
-twelve masses is the larger part of the work. A padding mass never moves and a padding spring pulls at
-nothing; both are far apart, so that no length is zero.
+Every array is one-dimensional, C-contiguous, float64 or int64, so that a kernel is compiled once.
+
+Masses stand at places 1 to n: place 0 is padding, so that the chain's loops can look back without a test,
+and the places behind n are filled up to a multiple of eight, so that vector loops have no scalar rest, which
+for twelve masses is the larger part of the work. Springs are filled up likewise. A padding mass never
+moves and a padding spring pulls at nothing.
 """
 
 from __future__ import annotations
@@ -20,7 +22,7 @@ Indices = NDArray[np.int64]
 class Body(NamedTuple):
     """Read-only: how masses are joined, and the springs' constants. S springs, J joints, n masses.
 
-    In a chain, spring s joins masses s and s + 1 and joint j holds springs j and j + 1.
+    In a chain, spring s joins the masses at places s + 1 and s + 2, and joint j holds springs j and j + 1.
     """
 
     masses: int
@@ -37,16 +39,16 @@ class Body(NamedTuple):
     joint_stiffness: Floats  # (J,) kg/s²
     joint_rest: Floats  # (J,) degrees, before the shift
     # The couple of a joint acts on its spring a with one sign and on its spring b with the other. Each spring
-    # names one joint of which it is b and one of which it is a (J where there is none: a couple of
-    # zero); the rare others are in the lists. So the common case is a gather without branches.
+    # names the place of one joint of which it is b and one of which it is a (0 where there is none: a
+    # couple of zero); the rare others are in the lists. So the common case is a gather without branches.
     joint_in: Indices  # (S,)
     joint_out: Indices  # (S,)
     more_joint: Indices
     more_joint_spring: Indices
     more_joint_sign: Floats
-    # The same for the springs of each mass.
-    spring_in: Indices  # (n,)
-    spring_out: Indices  # (n,)
+    # The same for the springs of each place of a mass; there, the padding behind the springs stands for none.
+    spring_in: Indices  # (n + 1,)
+    spring_out: Indices  # (n + 1,)
     more_spring: Indices
     more_spring_mass: Indices
     more_spring_sign: Floats
@@ -55,16 +57,16 @@ class Body(NamedTuple):
 class Live(NamedTuple):
     """Mutable: the state, and what the keys and the hand of the user change while it runs."""
 
-    x: Floats  # (n padded) px
+    x: Floats  # (places) px
     y: Floats
-    vx: Floats  # (n padded) px/s
+    vx: Floats  # (places) px/s
     vy: Floats
     controls: Floats  # rest_length_scale, rest_angle_shift (degrees)
     pull: Floats  # (S padded) stiffness * rest length now
-    couple_cos: Floats  # (J padded) stiffness * cos(rest angle now)
+    couple_cos: Floats  # stiffness * cos(rest angle now), that of joint j at place j + 1
     couple_sin: Floats
     # What a force does to a mass in one step; all zero for a mass that is held.
-    dt_mass: Floats  # (n padded) dt / m
+    dt_mass: Floats  # (places) dt / m
     dt_air: Floats  # (n padded) dt * air friction / m
     dt_gx: Floats  # (n padded) dt * gravity
     dt_gy: Floats
@@ -79,10 +81,10 @@ class Work(NamedTuple):
     dvy: Floats
     inverse: Floats  # 1 / length
     turn: Floats  # what the joints add up to at each spring
-    couple: Floats  # (J padded)
-    tx: Floats  # force on the b end of each spring
+    couple: Floats  # of joint j at place j + 1
+    tx: Floats  # force on the b end of each spring; in a chain at the place of the mass at that end
     ty: Floats
-    fx: Floats  # (n padded)
+    fx: Floats  # (places)
     fy: Floats
 
 
@@ -101,6 +103,11 @@ class Motion(NamedTuple):
 
 CONTROL_SCALE, CONTROL_SHIFT = 0, 1
 SCALE_MIN, SCALE_MAX = 0.01, 100.0
+
+
+SHORTEST_SQUARED = 1e-300
+"""Smallest square of a length (px²) that is divided by. A spring of exactly zero length has no direction;
+with this it pulls at nothing, instead of making everything NaN. No other length is as short."""
 
 
 def padded(count: int) -> int:

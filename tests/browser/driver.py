@@ -32,6 +32,9 @@ ARTIFACTS = Path(__file__).resolve().parents[2] / "artifacts"
 LIMIT = 20.0
 """Seconds after which a condition is given up: generous, since a busy machine draws few frames a second."""
 
+VISERS = ("Software WebGL", "Uploading ", "Received ")
+"""Beginnings of the titles of viser's own notices."""
+
 _PROJECT = """points => {
   const { camera, canvas, nodeRefFromName } = window.__viserMutable;
   const box = canvas.getBoundingClientRect();
@@ -279,12 +282,12 @@ class Desk:
         return self.page.locator(f'//td[text()="{name}"]/following-sibling::td').first.inner_text()
 
     def notices(self) -> list[tuple[str, str]]:
-        """(title, text) of the notices that are up."""
-        found = []
-        for notice in self.page.locator(".mantine-Notification-root").all():
-            title = notice.locator(".mantine-Notification-title").inner_text()
-            found.append((title, notice.locator(".mantine-Notification-description").inner_text()))
-        return [notice for notice in found if "Software WebGL" not in notice[0]]
+        """(title, text) of softrod's notices that are up; viser's own, of software rendering and of files
+        on their way, are left out."""
+        script = """notices => notices.map(notice => ["title", "description"].map(
+            part => notice.querySelector(`.mantine-Notification-${part}`)?.innerText ?? ""))"""
+        found = self.page.locator(".mantine-Notification-root").evaluate_all(script)
+        return [(title, text) for title, text in found if not title.startswith(VISERS)]
 
     def notice(self, text: str) -> str:
         """Wait until exactly one notice is up, check that it has the text, put it away, and return it."""

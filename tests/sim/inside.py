@@ -31,11 +31,10 @@ def general(simulation: Simulation) -> Simulation:
 
 def put(simulation: Simulation, positions: Points, velocities: Points | None = None) -> None:
     """Set the state of all masses, the held ones too."""
-    order, live = simulation._system.mass_order, simulation._live
-    n = len(order)
-    live.x[:n], live.y[:n] = positions[order].T
+    place, live = simulation._system.mass_place, simulation._live
+    live.x[place], live.y[place] = positions.T
     if velocities is not None:
-        live.vx[:n], live.vy[:n] = velocities[order].T
+        live.vx[place], live.vy[place] = velocities.T
 
 
 def spring_forces(simulation: Simulation) -> Points:

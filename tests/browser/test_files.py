@@ -1,0 +1,154 @@
+"""The Files tab: scenes are saved, loaded, deleted, downloaded and uploaded; a bad file changes nothing."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import sim
+from app import commands
+from sim import files
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk
+from tests.browser.looks import assert_shown
+
+
+def save(desk: Desk, name: str) -> None:
+    """Save under a name, and wait until the page says so."""
+    desk.control("Name").fill(name)
+    desk.button("Save").click()
+    desk.notice(f"The scene is saved as {name!r}.")
+
+
+def upload(desk: Desk, path: Path) -> None:
+    """Choose a file to open."""
+    desk.page.locator("input[type=file]").set_input_files(path)
+
+
+def test_a_scene_is_saved_loaded_and_deleted(open_page: OpenPage, data_folder: Path) -> None:
+    desk = open_page()
+    desk.tell(commands.SetValue("angular_stiffness", 4321.0))
+    desk.show("Files")
+    save(desk, "my rope")
+    path = data_folder / "softrod" / "scenes" / "my rope.json"
+    assert path.is_file()
+    desk.control("With pose").check()
+    desk.tell(commands.SetValue("rest_angle", 12.0), commands.DoSteps(150))
+    pose = desk.simulation.positions
+    save(desk, "bent rope")
+
+    # The page is loaded afresh: it starts from the server's scene, and the saved ones are there.
+    desk.open()
+    assert desk.session.scene.name == "tutorial-3.3"
+    desk.show("Files")
+    desk.choose("Saved", "my rope")
+    desk.button("Load").click()
+    desk.until(lambda: desk.session.scene.name == "my rope", "the saved scene is loaded")
+    assert desk.session.scene.angular_springs[0].stiffness == 4321.0
+    assert desk.session.scene.pose is None
+    # With a pose it goes on from where it was; the scene chooser of the Play tab has it, too.
+    desk.tell(commands.Play(False))
+    desk.show("Play")
+    desk.choose("Scene", "bent rope")
+    desk.until(lambda: desk.session.scene.name == "bent rope", "the other one is loaded")
+    assert np.allclose(desk.simulation.positions, pose, atol=1e-6)
+    assert desk.simulation.rest_angles[0] == 12.0
+    assert_shown(desk)
+
+    # Deleting asks first.
+    desk.show("Files")
+    desk.choose("Saved", "my rope")
+    desk.button("Delete").click()
+    dialog = desk.page.get_by_role("dialog")
+    question = dialog.locator("textarea").first
+    assert "my rope" in question.input_value()
+    dialog.get_by_role("button", name="Cancel").click()
+    desk.until(lambda: dialog.count() == 0, "the question goes away")
+    assert path.is_file()
+    desk.button("Delete").click()
+    dialog.get_by_role("button", name="Delete").click()
+    desk.notice("'my rope' is deleted")
+    assert not path.exists()
+    desk.until(lambda: desk.control("Saved").input_value() == "bent rope", "the list is up to date")
+
+
+def test_a_built_in_name_is_refused_and_a_taken_one_asked_about(
+    open_page: OpenPage, data_folder: Path
+) -> None:
+    desk = open_page()
+    desk.show("Files")
+    desk.control("Name").fill("Ring")
+    desk.button("Save").click()
+    assert "built-in" in desk.notice("That did not work")
+    assert not (data_folder / "softrod" / "scenes" / "Ring.json").exists()
+
+    save(desk, "taken")
+    path = data_folder / "softrod" / "scenes" / "taken.json"
+    first = path.read_bytes()
+    desk.tell(commands.SetValue("gravity", 77.0))
+    desk.button("Save").click()
+    dialog = desk.page.get_by_role("dialog")
+    dialog.get_by_role("button", name="Cancel").click()
+    desk.until(lambda: dialog.count() == 0, "the question goes away")
+    assert path.read_bytes() == first
+    desk.button("Save").click()
+    dialog.get_by_role("button", name="Replace").click()
+    desk.notice("saved as 'taken'")
+    assert files.read_scene(path).gravity == (0.0, 77.0)
+
+
+def test_a_download_is_the_scene_and_can_be_opened_again(open_page: OpenPage, tmp_path: Path) -> None:
+    desk = open_page()
+    desk.tell(commands.SetValue("linear_damping", 33.0), commands.SetValue("rest_angle", -20.0))
+    scene = desk.session.scene
+    desk.show("Files")
+    with desk.page.expect_download() as started:
+        desk.button("Download as a file").click()
+    assert started.value.suggested_filename == "tutorial-3.3.json"
+    path = tmp_path / "again.json"
+    started.value.save_as(path)
+    assert files.read_scene(path) == scene
+
+    desk.tell(commands.Open(sim.load_scene("ring")))
+    upload(desk, path)
+    desk.until(lambda: desk.session.scene == scene, "the file is opened")
+    desk.tell(commands.Play(False))
+    assert_shown(desk)
+    assert not desk.notices()
+
+
+def test_a_bad_file_gets_one_notice_and_changes_nothing(open_page: OpenPage, tmp_path: Path) -> None:
+    desk = open_page()
+    desk.show("Files")
+    simulation, scene = desk.simulation, desk.session.scene
+    good: dict[str, Any] = json.loads(files.encode_scene(sim.load_scene("ring")))
+    masses = [{**good["masses"][0], "mass": -3.0}, *good["masses"][1:]]
+    for name, content, said in (
+        ("broken.json", b'{"format": 1, "name": ', "broken.json: this is not a JSON file"),
+        ("large.json", b" " * 5_300_000, "at most 5 MB"),
+        ("newer.json", json.dumps({**good, "format": 99}).encode(), "newer"),
+        ("range.json", json.dumps({**good, "masses": masses}).encode(), "masses[0].mass"),
+        # Within what can be uploaded, over what a scene may have.
+        ("rather-large.json", b" " * 5_100_000, "5000000"),
+    ):
+        path = tmp_path / name
+        path.write_bytes(content)
+        upload(desk, path)
+        assert name in desk.notice(said)
+        if name == "large.json":
+            # It never left the page, so nothing may call its upload a success.
+            assert desk.page.get_by_text("Uploading large.json").count() == 0
+        assert desk.simulation is simulation
+        assert desk.session.scene is scene
+        steps = simulation.step_count
+        desk.until(lambda steps=steps: simulation.step_count > steps, "it runs on")
+    assert not desk.notices()
+    # The button is not blocked: a good file still opens.
+    path = tmp_path / "good.json"
+    path.write_text(json.dumps({**good, "name": "a good one"}))
+    upload(desk, path)
+    desk.until(lambda: desk.session.scene.name == "a good one", "a good file is opened")
+    assert not desk.notices()

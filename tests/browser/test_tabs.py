@@ -1,0 +1,64 @@
+"""Several tabs on one server, and none: each is its own, and nobody computes for nobody."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tests.browser.conftest import OpenPage, Serve
+from tests.browser.driver import until
+
+
+def test_two_tabs_are_separate_and_closing_one_in_a_drag_frees_it(open_page: OpenPage) -> None:
+    # Small, since both draw at the same time.
+    one, other = open_page(size=(720, 460)), open_page(size=(720, 460))
+    assert one.session is not other.session
+    # A control of one is not the other's.
+    one.show("Body")
+    one.type_in("Gravity", "500")
+    one.until(lambda: one.session.scene.gravity == (0.0, 500.0), "gravity is set in one tab")
+    other.show("Body")
+    other.pause(0.3)
+    assert other.session.scene.gravity == (0.0, 2000.0)
+    assert other.box("Gravity").input_value() == "2000"
+
+    # Nor is a drag.
+    start = one.place(0)
+    end = (start[0] + 100.0, start[1] + 30.0)
+    held = other.simulation.positions[0]
+    one.take(start)
+    one.lead(start, end)
+    one.until(lambda: one.simulation.positions[0, 0] > 380.0, "the mass is dragged in one tab")
+    assert (other.simulation.positions[0] == held).all()
+    other.rest(2)
+    assert np.abs(other.masses()[0] - held).max() < 0.05
+
+    # In the middle of it the tab is closed.
+    assert one.session.dragged == 0
+    gone, tabs = one.simulation, one.served.ticker.tabs
+    assert len(tabs) == 2
+    one.page.close()
+    other.until(lambda: len(tabs) == 1, "the closed tab is gone")
+    steps = other.simulation.step_count
+    other.until(lambda: other.simulation.step_count > steps + 60, "the other goes on")
+    stopped = gone.step_count
+    other.pause(0.3)
+    assert gone.step_count == stopped
+
+
+def test_with_no_page_open_nothing_is_computed(open_page: OpenPage, serve: Serve) -> None:
+    ticker = serve("tutorial-3.3").ticker
+    desk = open_page()
+    simulation = desk.simulation
+    until(desk.page, lambda: simulation.step_count > 40, "it runs")
+    # A page of another kind, to wait on.
+    blank = desk.context.new_page()
+    desk.page.close()
+    until(blank, lambda: not ticker.tabs, "the tab is gone")
+    until(blank, lambda: not ticker._wake.is_set(), "the ticker goes to sleep")
+    steps = simulation.step_count
+    blank.wait_for_timeout(400)
+    assert simulation.step_count == steps
+    assert not ticker._wake.is_set()
+    # It wakes up for the next one.
+    again = open_page()
+    again.until(lambda: again.simulation.step_count > 20, "the next page runs")
