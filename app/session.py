@@ -127,14 +127,13 @@ class Session:
         return self._hand[0] if self._hand else None
 
     def tick(self, budget: float, estimate: bool = True) -> None:
-        """One frame: apply what was asked for, then go on as far as the clock and the budget allow.
+        """Go on by one frame, as far as the clock and the budget allow; `drain` comes before.
 
         Args:
             budget: seconds of computing that the frame may take.
             estimate: whether the stability limit may be looked at; not before its kernel is compiled.
         """
         now = self._clock()
-        self.drain(now)
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
             self.simulation.keys = ()
         if not self.playing or self.simulation.divergence is not None:
@@ -149,9 +148,8 @@ class Session:
             self._stability_due = now + STABILITY_EVERY
             self.stability = self.simulation.stability()
 
-    def drain(self, now: float | None = None) -> None:
+    def drain(self) -> None:
         """Apply the commands that wait; also while the clock stands."""
-        now = self._clock() if now is None else now
         for _ in range(len(self._queue)):
             at, command = self._queue.popleft()
             try:

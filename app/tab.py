@@ -111,7 +111,7 @@ class Tab:
             return None
         if self._waiting is not None:
             self._waiting.remove()
-        self._session = session = Session(self._first)
+        session = Session(self._first)
         self._panel = Panel(self.client, session, self._scene_names(self._first.name), self.request)
         with self._panel.files_tab:
             self._files = FilesPanel(self.client, session, self.notify, lambda: self.request("scenes", None))
@@ -126,11 +126,11 @@ class Tab:
             elif message is not None and not isinstance(message, str):
                 session.post(message)
 
+        self._session = session
         return session
 
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
-        self._generation = session.generation
         scene = session.scene
         self._mapping = Mapping.of(scene)
         self._view.build(scene, self._dark, self._gizmos)
@@ -138,6 +138,7 @@ class Tab:
         self._panel.set_scenes(self._scene_names(scene.name), scene.name)
         self._panel.set_style(self._dark)
         self._moved_at = session.now()
+        self._generation = session.generation
 
     def _show(self, session: Session) -> None:
         """Send the picture, the texts and the controls, as far as they changed."""

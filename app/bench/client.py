@@ -6,6 +6,7 @@ What a browser adds (shaders, drawing) is the same whatever is served; what is m
 from __future__ import annotations
 
 import time
+from collections import deque
 from typing import Any
 
 import msgspec
@@ -41,6 +42,7 @@ class Page:
         self._address = f"127.0.0.1:{port}"
         self._patience = patience
         self._unpack = zstandard.ZstdDecompressor()
+        self._unread: deque[dict[str, Any]] = deque()
         self.bytes = 0
         self.messages = 0
 
@@ -91,14 +93,20 @@ class Page:
             TimeoutError: none came.
         """
         deadline = time.monotonic() + timeout
-        while time.monotonic() < deadline:
-            for message in self.receive(deadline - time.monotonic()):
+        while True:
+            # The rest of a frame is kept for whoever waits next.
+            while self._unread:
+                message = self._unread.popleft()
                 if wanted(message):
                     return message
-        raise TimeoutError("the server did not send what was waited for")
+            left = deadline - time.monotonic()
+            if left <= 0.0:
+                raise TimeoutError("the server did not send what was waited for")
+            self._unread.extend(self.receive(left))
 
     def read_for(self, seconds: float) -> None:
-        """Read and count whatever comes."""
+        """Read and count whatever comes, and forget it."""
+        self._unread.clear()
         deadline = time.monotonic() + seconds
         while (left := deadline - time.monotonic()) > 0:
             self.receive(left)

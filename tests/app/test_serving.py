@@ -45,7 +45,7 @@ class Stage:
 
         def found() -> Tab | None:
             fresh = [tab for number, tab in list(self.ticker.tabs.items()) if number not in known]
-            return fresh[0] if fresh and fresh[0]._session is not None else None
+            return fresh[0] if fresh and fresh[0]._generation >= 0 else None
 
         return eventually(found)
 
@@ -155,8 +155,9 @@ def test_nothing_is_sent_at_rest(stage: Stage) -> None:
 def test_pages_have_simulations_of_their_own(stage: Stage) -> None:
     with stage.page() as one:
         first = stage.new_tab(set())
+        known = set(stage.ticker.tabs)
         with stage.page() as other:
-            second = stage.new_tab(set(stage.ticker.tabs) - {max(stage.ticker.tabs)})
+            second = stage.new_tab(known)
             assert first is not second
             say(one, first, "do|pause")
             eventually(lambda: not session_of(first).playing)

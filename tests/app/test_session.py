@@ -38,6 +38,7 @@ class Page:
             self.session.post(command)
         for _ in range(count):
             self.wall.time += FRAME
+            self.session.drain()
             self.session.tick(budget=1.0)
 
 
