@@ -17,6 +17,7 @@ Rgb = NDArray[np.float64]
 # three.js r1xx, ACESFilmicToneMapping: linear sRGB to the fit's space and back.
 _IN = np.array([[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]])
 _OUT = np.array([[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]])
+_IN_BACK, _OUT_BACK = np.linalg.inv(_IN).T, np.linalg.inv(_OUT).T
 _EXPOSURE = 0.6
 LIGHT_GAIN = 2.0
 """The ambient light is pi times this: without the gain nothing gets brighter than e2e2e2."""
@@ -34,13 +35,13 @@ def sent(color: Rgb) -> NDArray[np.uint8]:
     v (v + a) - b over v (c v + d) + e (Hill's fit of ACES), its input matrix, and the light.
     """
     c = np.asarray(color, float) / 255.0
-    c = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4) @ np.linalg.inv(_OUT).T
+    c = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4) @ _OUT_BACK
     c = np.clip(c, 0.0, 0.985)  # the fit never reaches 1
     p = 1.0 - 0.983729 * c
     q = 0.0245786 - 0.4329510 * c
     r = -0.000090537 - 0.238081 * c
     v = (-q + np.sqrt(q * q - 4.0 * p * r)) / (2.0 * p)
-    light = v @ np.linalg.inv(_IN).T * (_EXPOSURE / LIGHT_GAIN)
+    light = v @ _IN_BACK * (_EXPOSURE / LIGHT_GAIN)
     return np.rint(np.clip(light, 0.0, 1.0) * 255.0).astype(np.uint8)
 
 

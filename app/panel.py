@@ -236,22 +236,24 @@ class Panel:
     def _add_palette_commands(self) -> None:
         """The keys again, for the command palette; the page's script acts on the keys themselves."""
         gui = self._client.gui
-        entries: tuple[tuple[str, str, Any, Command | tuple[str, Any]], ...] = (
-            ("Play or pause", "Space", viser.Icon.PLAYER_PLAY, commands.Play()),
-            ("One step", "N", viser.Icon.PLAYER_TRACK_NEXT, commands.DoSteps(1)),
-            ("Reset", "R", viser.Icon.REFRESH, commands.Reset()),
-            ("Pause", "Esc", viser.Icon.PLAYER_PAUSE, commands.Play(False)),
-            ("Follow the pointer, or stop", "F", viser.Icon.POINTER, ("follow", None)),
-            ("Show the whole scene", "0", viser.Icon.MAXIMIZE, ("fit", None)),
-            ("Help", "", viser.Icon.HELP, ("help", None)),
+        entries: tuple[tuple[str, str, Command | str], ...] = (
+            ("Play or pause", "Space", commands.Play()),
+            ("One step", "N", commands.DoSteps(1)),
+            ("Reset", "R", commands.Reset()),
+            ("Pause", "Esc", commands.Play(False)),
+            ("Follow the pointer, or stop", "F", "follow"),
+            ("Show the whole scene", "0", "fit"),
+            ("Every spring longer, shorter", "↑ ↓, held", "help"),
+            ("Every rest angle up, down", "→ ←, held", "help"),
+            ("Help", "", "help"),
         )
-        for label, key, icon, what in entries:
-            command = gui.add_command(label, description=f"key {key}" if key else None, icon=icon)
+        for label, key, what in entries:
+            command = gui.add_command(label, description=f"key {key}" if key else None)
 
             @command.on_trigger
-            async def _(_: object, what: Command | tuple[str, Any] = what) -> None:
-                if isinstance(what, tuple):
-                    self._act(*what)
+            async def _(_: object, what: Command | str = what) -> None:
+                if isinstance(what, str):
+                    self._act(what, None)
                 else:
                     self._session.post(what)
 

@@ -18,7 +18,6 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 import sim
 from sim.warmup import Kernels, is_cached
 
-from . import shapes
 from .colors import LIGHT_GAIN
 from .gate import exposure, open_server
 from .panel import set_theme
@@ -68,17 +67,18 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
     stop = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stop.set())
-    with serving(scene, host, port) as (server, _, kernels):
+    with serving(scene, host, port) as (server, ticker, kernels):
         shown = "127.0.0.1" if host in ("0.0.0.0", "::") else f"[{host}]" if ":" in host else host
         address = f"http://{shown}:{server.get_port()}"
         console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
         warning = exposure(host)
         if warning:
             console.print(f"[yellow]{warning}[/yellow]", highlight=False)
-        compiler = threading.Thread(target=_compile, args=(kernels, console), daemon=True)
-        compiler.start()
         if open_browser:
             webbrowser.open(address)
+        # The first page is drawn first, if it comes soon: both want the interpreter.
+        ticker.drawn.wait(timeout=0.5)
+        threading.Thread(target=_compile, args=(kernels, console), daemon=True).start()
         # A wait with a timeout: without one, some systems deliver no signal to the waiting main thread.
         while not stop.wait(0.5):
             pass
@@ -102,8 +102,7 @@ def _set_stage(server: viser.ViserServer) -> None:
 
 
 def _compile(kernels: Kernels, console: Console) -> None:
-    """Make the meshes, then compile, with a progress bar where that takes a while."""
-    shapes.disc()
+    """Compile, with a progress bar where that takes a while."""
     if is_cached():
         kernels.compile()
         return

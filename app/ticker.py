@@ -27,6 +27,7 @@ class Ticker:
 
     Attributes:
         tabs: client id to tab; the ticker's thread alone changes it.
+        drawn: set once the first page has its picture.
     """
 
     def __init__(self, make_tab: Callable[[viser.ClientHandle], Tab]) -> None:
@@ -37,6 +38,7 @@ class Ticker:
         self._stopping = False
         self._thread = threading.Thread(target=self._run, name="softrod-ticker", daemon=True)
         self.tabs: dict[int, Tab] = {}
+        self.drawn = threading.Event()
 
     def attach(self, server: viser.ViserServer) -> None:
         """Hear of pages that come and go, and start ticking."""
@@ -84,6 +86,8 @@ class Ticker:
             client = self._arrivals.popleft()
             try:
                 self.tabs[client.client_id] = self._make_tab(client)
+                client.flush()
+                self.drawn.set()
             except Exception:
                 _log.exception("a page could not be set up")
         while self._departures:

@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 
-from . import shapes
 from .colors import palette, sent_one
 from .drawing import Z_GIZMO, Z_RING, Floats, Sketch
+from .shapes import meshes
 
 STILL = 0.1
 """Movement (in pixels of a 600 pixel high frame) below which a picture counts as unchanged."""
@@ -97,23 +97,21 @@ class View:
             self._clear()
             self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
             places, angles, scales, colors, self.grid_square = sketch.grid(scene)
-            self._add("grid", shapes.bar(), len(places), colors, places, angles, scales)
+            self._add("grid", "bar", len(places), colors, places, angles, scales)
             n, springs, joints = len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)
             if springs:
-                self._add("springs", shapes.bar() if sketch.many else shapes.coil(), springs)
+                self._add("springs", "bar" if sketch.many else "coil", springs)
             if joints:
-                self._add("wedges", shapes.slice_(), joints * sketch.slices)
+                self._add("wedges", "slice", joints * sketch.slices)
             if len(sketch.pinned):
                 size = 2.0 * sketch.radius[sketch.pinned]
                 held = np.tile(sent_one(sketch.palette.held), (len(size), 1)).astype(np.uint8)
-                self._add("pins", shapes.pin(), len(size), held, scales=size)
+                self._add("pins", "pin", len(size), held, scales=size)
             if sketch.driven is not None:
                 size = 1.75 * sketch.radius[[sketch.driven]]
                 drive = np.array([sent_one(sketch.palette.driven)], np.uint8)
-                self._add("ring", shapes.ring(), 1, drive, scales=size)
-            masses = self._add(
-                "masses", shapes.disc(), 3 * n, sketch.mass_colors(), scales=sketch.mass_scales()
-            )
+                self._add("ring", "ring", 1, drive, scales=size)
+            masses = self._add("masses", "disc", 3 * n, sketch.mass_colors(), scales=sketch.mass_scales())
             self._listen(masses, n)
             if gizmos:
                 self._add_gizmos(sketch)
@@ -170,7 +168,7 @@ class View:
     def _add(
         self,
         name: str,
-        mesh: Any,
+        shape: str,
         count: int,
         colors: NDArray[np.uint8] | None = None,
         places: Floats | None = None,
@@ -179,6 +177,7 @@ class View:
     ) -> viser.BatchedMeshHandle:
         if angles is None:
             angles = np.tile((1.0, 0.0, 0.0, 0.0), (count, 1))
+        mesh = meshes()[shape]
         node = self._client.scene.add_batched_meshes_simple(
             f"/body/{name}",
             mesh.vertices,

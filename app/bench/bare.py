@@ -12,6 +12,7 @@ import io
 import sys
 import threading
 import time
+import warnings
 
 
 def bare(masses: int) -> int:
@@ -19,6 +20,7 @@ def bare(masses: int) -> int:
     import numpy as np
     import viser
 
+    warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     with contextlib.redirect_stdout(io.StringIO()):
         server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
     many = masses > 40
@@ -86,8 +88,13 @@ def softrod(masses: int) -> tuple[int, contextlib.ExitStack]:
     stack = contextlib.ExitStack()
     # The joints turn all the time, so that every frame is drawn.
     scene = sim.set_value(sim.rope(masses=masses, length=300.0), "rest_angle", 4.0)
-    server, _, kernels = stack.enter_context(serving(scene, "127.0.0.1", 0))
-    threading.Thread(target=kernels.compile, daemon=True).start()
+    server, ticker, kernels = stack.enter_context(serving(scene, "127.0.0.1", 0))
+
+    def compile_soon() -> None:
+        ticker.drawn.wait(timeout=0.5)
+        kernels.compile()
+
+    threading.Thread(target=compile_soon, daemon=True).start()
     return server.get_port(), stack
 
 

@@ -10,6 +10,7 @@
     return;
   }
   const softrod = (window.__softrod = { channel: CHANNEL, held: new Set(), sequence: 0, fits: 0 });
+  document.title = "softrod";
   const viser = () => window.__viserMutable;
   const state = () => document.getElementById("softrod-state")?.dataset ?? {};
 

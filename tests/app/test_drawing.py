@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import sim
-from app import shapes
 from app.colors import LIGHT_GAIN, palette, rgb, sent
 from app.drawing import MANY, Mapping, Sketch, nice
+from app.shapes import Mesh, meshes
 from app.view import Picture
 
+ROOT = Path(__file__).parents[2]
 PRESETS = [info.name for info in sim.list_scenes() if info.built_in]
 
 
@@ -92,13 +97,34 @@ def test_only_held_masses_have_pins_and_only_the_driven_one_has_none() -> None:
     assert sketch_of(sim.load_scene("tutorial-3.1")).pinned.tolist() == [1, 2]
 
 
-@pytest.mark.parametrize(
-    "make", [shapes.disc, shapes.ring, shapes.bar, shapes.slice_, shapes.pin, shapes.coil]
-)
-def test_every_face_looks_at_the_viewer(make) -> None:
-    mesh = make()
+def normals(mesh: Mesh) -> np.ndarray:
+    a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
+    normal = np.cross(b - a, c - a)
+    return normal / np.linalg.norm(normal, axis=1, keepdims=True)
+
+
+@pytest.mark.parametrize("name", ["disc", "ring", "bar", "slice", "pin", "coil"])
+def test_every_face_looks_at_the_viewer(name: str) -> None:
+    mesh = meshes()[name]
     assert len(mesh.faces) > 0
-    assert (mesh.face_normals[:, 2] > 0.5).all()
+    assert (normals(mesh)[:, 2] > 0.5).all()
+
+
+def test_meshes_are_kept_and_read_back(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A second start reads them, and does not import trimesh; a spoiled file is made anew."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    code = "import sys, app.shapes as s; print(s.meshes()['coil'].vertices.sum(), 'trimesh' in sys.modules)"
+
+    def start() -> list[str]:
+        words = [sys.executable, "-c", code]
+        return subprocess.run(words, capture_output=True, text=True, check=True, cwd=ROOT).stdout.split()
+
+    first, second = start(), start()
+    assert (first[1], second[1]) == ("True", "False")
+    assert float(first[0]) == pytest.approx(float(second[0]))
+    (file,) = (tmp_path / "softrod").glob("meshes-*.npz")
+    file.write_bytes(b"spoiled")
+    assert start() == first
 
 
 def test_the_tone_map_is_inverted() -> None:
