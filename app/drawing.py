@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from sim import Scene
 
 from .colors import Palette, blend, sent
+from .shapes import COILS
 
 Floats = NDArray[np.float64]
 
@@ -106,6 +107,7 @@ class Sketch:
         self.joint_sense = np.where(leaves, 1.0, -1.0)
         self.wedge_radius = 2.6 * self.radius[self.joint_mass] if n else np.zeros(0)
         self.thickness = self._spring_thickness()
+        self.spring_shape = self._spring_shape()
 
     def _spring_thickness(self) -> Floats:
         """(S,) amplitude of each coil, or width of each bar, in the world."""
@@ -115,6 +117,13 @@ class Sketch:
         if self.many:
             return 0.55 * smaller
         return np.minimum(0.95 * smaller, 0.32 * np.maximum(self.rest_length * self.mapping.scale, 1e-3))
+
+    def _spring_shape(self) -> str:
+        """The mesh that suits most of the springs: a bar, or the coil nearest to their slimness."""
+        if self.many or not len(self.springs):
+            return "bar"
+        slimness = float(np.median(np.maximum(self.rest_length * self.mapping.scale, 1e-9) / self.thickness))
+        return min(COILS, key=lambda name: abs(np.log(COILS[name] / slimness)))
 
     # --------------------------------------------------------------------- masses
     def masses(self, positions: Floats) -> Floats:

@@ -10,7 +10,7 @@ import contextlib
 import hashlib
 import io
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -97,22 +97,24 @@ def _pin() -> trimesh.Trimesh:
     return _flat(points, np.array([[0, 1, 2], [3, 4, 5], [3, 5, 6]]))
 
 
-def _coil(
-    turns: int = 5, points_per_turn: int = 20, line: float = 0.085, lead: float = 0.15
-) -> trimesh.Trimesh:
+def _coil(turns: int, slimness: float) -> trimesh.Trimesh:
     """A coil spring seen from the side, from (0, 0) to (1, 0), of amplitude 1: one flat ribbon.
 
     The coil's wire loops, as a real one does; the front half of each turn lies a little nearer.
+
+    Args:
+        turns: of the coil.
+        slimness: length over amplitude at which it is mostly drawn; there the ribbon is even.
     """
-    t = np.linspace(0.0, turns, turns * points_per_turn + 1)
+    lead, line = 0.5 / slimness, 0.3
+    t = np.linspace(0.0, turns, turns * 20 + 1)
     swell = np.clip(np.minimum(t, turns - t) / 0.5, 0.0, 1.0)
-    x = lead + (1.0 - 2.0 * lead) * t / turns + 0.05 * swell * (np.cos(2.0 * np.pi * t) - 1.0)
+    x = lead + (1.0 - 2.0 * lead) * t / turns + 0.17 / slimness * swell * (np.cos(2.0 * np.pi * t) - 1.0)
     y = np.sin(2.0 * np.pi * t) * swell
     z = 0.004 * np.cos(2.0 * np.pi * t)
     path = np.vstack(([[0.0, 0.0, 0.0], [lead * 0.7, 0.0, 0.0]], np.column_stack((x, y, z))))
     path = np.vstack((path, [[1.0 - lead * 0.7, 0.0, 0.0], [1.0, 0.0, 0.0]]))
-    # The ribbon is even at the proportions it is mostly drawn at: a third as wide as long.
-    shape = np.array([1.0, 0.3])
+    shape = np.array([slimness, 1.0])
     along = np.gradient(path[:, :2] * shape, axis=0)
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     side = np.column_stack((-along[:, 1], along[:, 0])) * (line / 2.0) / shape
@@ -125,11 +127,15 @@ def _coil(
     return _flat(np.vstack((left, right)), faces)
 
 
+COILS = {"coil": 3.3, "coil of slim springs": 7.0, "coil of very slim springs": 16.0}
+"""Coils by their slimness: one scene is drawn with one of them."""
+
+
 _MAKERS: dict[str, Callable[[], trimesh.Trimesh]] = {
     "disc": _disc,
     "ring": _ring,
     "bar": _bar,
     "slice": _slice,
     "pin": _pin,
-    "coil": _coil,
+    **{name: partial(_coil, round(3 + 0.75 * slimness), slimness) for name, slimness in COILS.items()},
 }

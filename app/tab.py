@@ -58,7 +58,7 @@ class Tab:
         self._view = View(client, self._touched, self._clicked)
         self._session: Session | None = None
         self._mapping = Mapping.of(scene)
-        self._view.build(scene, self._dark, gizmos=False)
+        self._view.build(scene, self._dark)
         self._view.draw(Picture.at_start(scene))
 
     # --------------------------------------------------------------------- handlers, any thread
@@ -133,7 +133,8 @@ class Tab:
         """Another body: other nodes and other controls."""
         scene = session.scene
         self._mapping = Mapping.of(scene)
-        self._view.build(scene, self._dark, self._gizmos)
+        self._view.build(scene, self._dark)
+        self._view.show_gizmos(self._gizmos)
         self._panel.build(scene.name)
         self._panel.set_scenes(self._scene_names(scene.name), scene.name)
         self._panel.set_style(self._dark)
@@ -169,7 +170,7 @@ class Tab:
                 self._generation = -1
             elif what == "gizmos":
                 self._gizmos = argument
-                self._generation = -1
+                self._view.show_gizmos(argument)
             elif what == "fit":
                 self._fits += 1
             elif what == "follow":

@@ -86,21 +86,25 @@ class View:
         self._nodes: dict[str, Any] = {}
         self._sent: dict[tuple[str, str], NDArray[Any]] = {}
         self._gizmos: list[tuple[int, viser.TransformControlsHandle]] = []
+        self._built: tuple[Scene, bool] | None = None
         self._drawn: Picture | None = None
         self._gizmo_in_hand: int | None = None
         self.sketch: Sketch | None = None
         self.grid_square = 0.0
 
-    def build(self, scene: Scene, dark: bool, gizmos: bool) -> None:
+    def build(self, scene: Scene, dark: bool) -> None:
         """Put up the nodes of a scene, in place of those of the one before; `draw` then fills them in."""
+        if self._built == (scene, dark):
+            return
         with self._client.atomic():
             self._clear()
+            self._built = (scene, dark)
             self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
             places, angles, scales, colors, self.grid_square = sketch.grid(scene)
             self._add("grid", "bar", len(places), colors, places, angles, scales)
             n, springs, joints = len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)
             if springs:
-                self._add("springs", "bar" if sketch.many else "coil", springs)
+                self._add("springs", sketch.spring_shape, springs)
             if joints:
                 self._add("wedges", "slice", joints * sketch.slices)
             if len(sketch.pinned):
@@ -113,8 +117,15 @@ class View:
                 self._add("ring", "ring", 1, drive, scales=size)
             masses = self._add("masses", "disc", 3 * n, sketch.mass_colors(), scales=sketch.mass_scales())
             self._listen(masses, n)
-            if gizmos:
-                self._add_gizmos(sketch)
+
+    def show_gizmos(self, on: bool) -> None:
+        """Put up a gizmo at each held mass, or take them away."""
+        if on != bool(self._gizmos) and self.sketch is not None:
+            with self._client.atomic():
+                self._remove_gizmos()
+                if on:
+                    self._add_gizmos(self.sketch)
+            self._drawn = None  # so that the next picture puts them in place
 
     def draw(self, picture: Picture, force: bool = False) -> bool:
         """Send what changed since the last picture, and return whether anything did.
@@ -157,13 +168,18 @@ class View:
         return bool(moved < STILL * pixel and turned < 0.5 and grown < 1e-3)
 
     def _clear(self) -> None:
-        for node in (*self._nodes.values(), *(gizmo for _, gizmo in self._gizmos)):
+        for node in self._nodes.values():
             node.remove()
         self._nodes.clear()
         self._sent.clear()
+        self._remove_gizmos()
+        self._drawn = None
+
+    def _remove_gizmos(self) -> None:
+        for _, gizmo in self._gizmos:
+            gizmo.remove()
         self._gizmos.clear()
         self._gizmo_in_hand = None
-        self._drawn = None
 
     def _add(
         self,
