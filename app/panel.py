@@ -25,13 +25,17 @@ PANEL_WIDTH = 348
 TOUCHED = 0.4
 """Seconds for which a slider that its user moved is left alone by the server."""
 
+TYPED = 3.0
+"""Seconds after which a box that was left with a number that cannot be set shows what is set."""
+
 _SPEED_MARKS = tuple((i, text) for i, text in enumerate(("⅛", "¼", "½", "1", "2", "4")))
 
 
 class Dial:
     """A slider and a number box for one setting; the slider of a logarithmic one is over powers of ten.
 
-    The slider covers the useful range, the box all that is allowed.
+    The slider covers the useful range, the box all that is allowed. While its user types, the box is left
+    alone: half a number ("0." of "0.001") may be out of range, and is then not taken.
     """
 
     def __init__(
@@ -40,8 +44,11 @@ class Dial:
         self.setting = setting
         self._post = post
         self._touched = -math.inf
+        self._known = value  # what the solver has, as far as this dial knows
         low, high = setting.slider
         self._low, self._high = self._to_slider(low), self._to_slider(high)
+        # On its way to 25, a number of masses passes 2, which would be a rope without any joint.
+        self._least = low if setting.integer else setting.low
         if setting.integer:
             slider_step = box_step = 1.0
         elif setting.logarithmic:
@@ -65,34 +72,37 @@ class Dial:
         @self.slider.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is not None:
-                value = self._send(self._from_slider(self.slider.value))
-                if value is not None:
+                value = self._from_slider(self.slider.value)
+                if self._send(value):
                     self.box.value = _rounded(value)
 
         @self.box.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is not None:
-                value = self._send(self.box.value)
-                if value is not None:
+                value = self.box.value
+                if self._send(value):
                     self.slider.value = self._place(value)
 
     def show(self, value: float) -> None:
-        """Show a value that did not come from this page's user."""
-        if time.monotonic() - self._touched < TOUCHED:
+        """Show what the solver has, if that is not what this page's user is just setting."""
+        idle = time.monotonic() - self._touched
+        if idle < TOUCHED or (_alike(value, self._known) and idle < TYPED):
             return
-        if not math.isclose(value, self.box.value, rel_tol=1e-6, abs_tol=1e-9):
+        self._known = value
+        if not _alike(value, self.box.value):
             self.box.value = _rounded(value)
         place = self._place(value)
         if abs(place - self.slider.value) >= 0.5 * self._slider_step:
             self.slider.value = place
 
-    def _send(self, value: float) -> float | None:
+    def _send(self, value: float) -> bool:
+        """Hand a value on, if it is one that can be set."""
         self._touched = time.monotonic()
-        if not math.isfinite(value):
-            return None
-        value = min(max(value, self.setting.low), self.setting.high)
+        if not self._least <= value <= self.setting.high:
+            return False
+        self._known = value
         self._post(value)
-        return value
+        return True
 
     def _place(self, value: float) -> float:
         """Where the slider stands for a value, at the end of its range for one beyond it."""
@@ -105,6 +115,10 @@ class Dial:
         place = min(max(place, self._low), self._high)
         # Three digits are as fine as a hand can move it.
         return float(f"{10.0**place:.3g}") if self.setting.logarithmic else float(place)
+
+
+def _alike(a: float, b: float) -> bool:
+    return math.isclose(a, b, rel_tol=1e-6, abs_tol=1e-9)
 
 
 def _rounded(value: float) -> float:
@@ -143,6 +157,8 @@ class Panel:
         self._act = act
         self._dials: list[Dial] = []
         self._body: list[Any] = []
+        self._applicable: list[Setting] | None = None
+        self._template: Any = None
         self._shown_revision = -1
         gui = client.gui
         gui.set_panel_label("softrod")
@@ -259,29 +275,38 @@ class Panel:
 
     # --------------------------------------------------------------------- what a scene needs
     def build(self, name: str) -> None:
-        """Put up the controls that the session's scene has a use for."""
-        for element in self._body:
-            element.remove()
-        self._body.clear()
-        self._dials.clear()
+        """Put up the controls that the session's scene has a use for.
+
+        Those that stay are kept: their user may be in the middle of moving one.
+        """
         scene, gui = self._session.scene, self._client.gui
         if name in self.chooser.options and self.chooser.value != name:
             self.chooser.value = name
         self._about.content = readouts.description(scene)
         self._pad.visible = scene.arrow_keys is not None
         self._follow.visible = self._session.driven is not None
-        applicable = settings_of(scene)
+        self._shown_revision = -1
+        applicable = [
+            setting
+            for setting in settings_of(scene)
+            if setting.key != "rest_angle" or scene.template is None  # a template sets it
+        ]
+        if self._applicable == applicable:
+            return
+        self._applicable = applicable
+        for element in self._body:
+            element.remove()
+        self._body.clear()
+        self._dials.clear()
         with self._body_tab:
             for setting in applicable:
                 if setting.key == "template":
                     self._add_templates()
-                elif setting.key != "rest_angle" or scene.template is None:
+                else:
                     self._add_dial(setting)
             if not applicable:
-                self._body.append(
-                    gui.add_html('<div class="softrod-text">Every mass of this scene is held.</div>')
-                )
-        self._shown_revision = -1
+                nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
+                self._body.append(gui.add_html(nothing))
 
     def _add_dial(self, setting: Setting) -> None:
         def post(value: float) -> None:
@@ -293,9 +318,8 @@ class Panel:
 
     def _add_templates(self) -> None:
         names = tuple(f"{angle}°" for angle in TEMPLATES)
-        choice = self._client.gui.add_dropdown(
-            "Angle template", names, initial_value=f"{self._session.scene.template}°"
-        )
+        choice = self._client.gui.add_dropdown("Angle template", names)
+        self._template = choice
         self._body.append(choice)
 
         @choice.on_update
@@ -330,6 +354,9 @@ class Panel:
             self._follow.value = session.follow
         for dial in self._dials:
             dial.show(dial.setting.read(scene))
+        template = f"{scene.template}°"
+        if self._template is not None and scene.template is not None and self._template.value != template:
+            self._template.value = template
 
     def refresh_readouts(self, dark: bool, at_rest: bool) -> None:
         """Show the clock, the meter, the angle and the rates as they are now."""

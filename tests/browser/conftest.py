@@ -30,7 +30,7 @@ FLAGS = (
     "--enable-unsafe-swiftshader",
     "--ignore-gpu-blocklist",
 )
-DESKTOP = (960, 620)
+DESKTOP = (880, 580)
 """Size of the pages of most tests: large enough for all controls, and quick to draw in software."""
 
 Serve = Callable[[str], Served]

@@ -79,7 +79,9 @@ def test_held_arrows_change_rest_angle_and_length_until_released(open_page: Open
     assert desk.camera().same(camera)
 
 
-def test_no_key_acts_while_text_is_typed(open_page: OpenPage) -> None:
+def test_keys_are_not_held_in_a_text_nor_when_the_window_is_left_or_silent(
+    open_page: OpenPage,
+) -> None:
     desk = open_page()
     desk.show("Files")
     name = desk.control("Name")
@@ -95,10 +97,8 @@ def test_no_key_acts_while_text_is_typed(open_page: OpenPage) -> None:
     assert not desk.session.follow
     assert desk.simulation.rest_angles[0] == 0.0
 
-
-def test_keys_are_released_when_the_window_is_left_or_falls_silent(open_page: OpenPage) -> None:
-    desk = open_page()
     # Another window gets the release of the key.
+    name.evaluate("field => field.blur()")
     hold(desk, "ArrowRight", "right")
     desk.page.evaluate("window.dispatchEvent(new Event('blur'))")
     desk.until(lambda: desk.simulation.keys == NOTHING, "leaving the window releases the key")
@@ -198,12 +198,13 @@ def test_help_and_the_command_palette_list_the_keys(open_page: OpenPage) -> None
     dialog.get_by_role("button", name="Close", exact=True).last.click()
     desk.until(lambda: dialog.count() == 0, "the help goes away")
 
+    desk.pause(0.5)  # the dialog hands the keyboard back when it has faded away
     desk.page.keyboard.press("Control+k")
     palette = desk.page.locator(".mantine-Spotlight-action")
-    desk.until(lambda: palette.count() == 7, "the palette opens")
+    desk.until(lambda: palette.count() > 0, "the palette opens")
     listed = " ".join(palette.all_inner_texts())
-    for key in ("Space", "N", "R", "Esc", "F", "0"):
-        assert f"key {key}" in listed
+    for key, _ in KEYS_HELP:
+        assert f"key {key}" in listed or key == "Ctrl K"  # which opens the palette itself
     palette.filter(has_text="One step").click()
     desk.until(lambda: not desk.session.playing, "the palette's command is done")
     steps = desk.simulation.step_count
