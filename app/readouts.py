@@ -105,7 +105,11 @@ def rates_table(session: Session) -> str:
 
 def description(scene: sim.Scene) -> str:
     """A scene's description, which may come from anyone's file."""
-    return f'<div class="softrod-text">{html.escape(scene.description)}</div>' if scene.description else ""
+    return (
+        f'<div class="softrod-text softrod-about">{html.escape(scene.description)}</div>'
+        if scene.description
+        else ""
+    )
 
 
 def joint_of_mass(scene: sim.Scene, mass: int) -> int | None:

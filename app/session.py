@@ -78,6 +78,7 @@ class Session:
         self.notices: list[Notice] = []
         self.stability = StabilityEstimate(math.inf, None)
         self._stability_due = 0.0
+        self._estimated = -1  # revision at the last look
         self._keys_at = -math.inf
         self._hand: tuple[int, float, float] | None = None  # mass, and where it is held off the pointer
         self._pointer: tuple[float, float] | None = None
@@ -136,16 +137,18 @@ class Session:
         now = self._clock()
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
             self.simulation.keys = ()
-        if not self.playing or self.simulation.divergence is not None:
-            return
-        steps = self.pacer.grant(now, self.simulation.dt, budget)
-        self._steer(glide=True)
-        began = time.perf_counter()
-        done = self.simulation.step(steps)
-        self.pacer.record(now, self.simulation.dt, done, time.perf_counter() - began)
-        self._after_steps()
-        if estimate and now >= self._stability_due:
+        running = self.playing and self.simulation.divergence is None
+        if running:
+            steps = self.pacer.grant(now, self.simulation.dt, budget)
+            self._steer(glide=True)
+            began = time.perf_counter()
+            done = self.simulation.step(steps)
+            self.pacer.record(now, self.simulation.dt, done, time.perf_counter() - began)
+            self._after_steps()
+        # While the clock stands, only what its user changes can move the limit.
+        if estimate and now >= self._stability_due and (running or self._estimated != self.revision):
             self._stability_due = now + STABILITY_EVERY
+            self._estimated = self.revision
             self.stability = self.simulation.stability()
 
     def drain(self) -> None:

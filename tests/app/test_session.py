@@ -276,6 +276,14 @@ def test_the_meter_warns_before_that(page: Page) -> None:
     assert calm > page.session.simulation.dt
 
 
+def test_the_meter_follows_changes_while_paused(page: Page) -> None:
+    page.frames(2, commands.Play(False))
+    page.frames(2, commands.SetValue("angular_stiffness", 1e8))
+    assert page.session.stability.limit < 1e-4
+    page.frames(2, commands.Open(sim.load_scene("ring")))
+    assert 1e-3 < page.session.stability.limit < 1e-2
+
+
 def test_a_snapshot_holds_the_keys_work_and_the_pose(page: Page) -> None:
     page.frames(20, commands.HoldKeys(frozenset({"up"})))
     bare: Future[sim.Scene] = Future()
