@@ -45,6 +45,7 @@ class Dial:
         self._post = post
         self._touched = -math.inf
         self._known = value  # what the solver has, as far as this dial knows
+        self._retired = False
         low, high = setting.slider
         self._low, self._high = self._to_slider(low), self._to_slider(high)
         # On its way to 25, a number of masses passes 2, which would be a rope without any joint.
@@ -83,6 +84,10 @@ class Dial:
                 if self._send(value):
                     self.slider.value = self._place(value)
 
+    def retire(self) -> None:
+        """It is about to be taken out of the page: what its user still sends is ignored."""
+        self._retired = True
+
     def show(self, value: float) -> None:
         """Show what the solver has, if that is not what this page's user is just setting."""
         idle = time.monotonic() - self._touched
@@ -98,7 +103,7 @@ class Dial:
     def _send(self, value: float) -> bool:
         """Hand a value on, if it is one that can be set."""
         self._touched = time.monotonic()
-        if not self._least <= value <= self.setting.high:
+        if self._retired or not self._least <= value <= self.setting.high:
             return False
         self._known = value
         self._post(value)
@@ -294,6 +299,8 @@ class Panel:
         if self._applicable == applicable:
             return
         self._applicable = applicable
+        for dial in self._dials:
+            dial.retire()
         for element in self._body:
             element.remove()
         self._body.clear()

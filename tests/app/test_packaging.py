@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
@@ -24,7 +25,7 @@ def run(*words: str | Path, **options) -> str:
 
 @pytest.fixture(scope="module")
 def uv() -> str:
-    found = shutil.which("uv")
+    found = os.environ.get("UV") or shutil.which("uv")  # `uv run` says where it is
     assert found is not None, "uv is needed to build and install the package"
     return found
 
@@ -71,8 +72,6 @@ def test_presets_are_found_from_a_checkout(tmp_path: Path) -> None:
 
 
 def test_presets_are_found_from_an_installed_tool(uv: str, tmp_path: Path) -> None:
-    import os
-
     places = {"UV_TOOL_DIR": tmp_path / "tools", "UV_TOOL_BIN_DIR": tmp_path / "bin"}
     env = {**os.environ, **{name: str(path) for name, path in places.items()}}
     env.pop("VIRTUAL_ENV", None)
