@@ -7,6 +7,7 @@ import io
 import math
 import signal
 import threading
+import time
 import warnings
 import webbrowser
 from collections.abc import Iterator
@@ -64,9 +65,10 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
         GateError, PortBusy: as `serving`.
     """
     console = Console()
-    stop = threading.Event()
+    signals: list[int] = []
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: stop.set())
+        # Only an append: a second signal can come in the middle of this handler, and must find no lock.
+        signal.signal(number, lambda number, _: signals.append(number))
     with serving(scene, host, port) as (server, ticker, kernels):
         shown = "127.0.0.1" if host in ("0.0.0.0", "::") else f"[{host}]" if ":" in host else host
         address = f"http://{shown}:{server.get_port()}"
@@ -79,9 +81,8 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
         # The first page is drawn first, if it comes soon: both want the interpreter.
         ticker.drawn.wait(timeout=0.5)
         threading.Thread(target=_compile, args=(kernels, console), daemon=True).start()
-        # A wait with a timeout: without one, some systems deliver no signal to the waiting main thread.
-        while not stop.wait(0.5):
-            pass
+        while not signals:
+            time.sleep(0.1)
     console.print("softrod has ended.")
 
 
