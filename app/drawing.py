@@ -219,8 +219,8 @@ class Sketch:
         )
 
     # --------------------------------------------------------------------- paper
-    def grid(self, scene: Scene) -> tuple[Floats, Floats, Floats, NDArray[np.uint8], float]:
-        """Thin bars of a grid far beyond the frame; as `spring_arrays`, and a main square's width in px."""
+    def grid(self, scene: Scene) -> tuple[Floats, Floats, Floats, NDArray[np.uint8]]:
+        """Thin bars of a grid far beyond the frame; as `spring_arrays`."""
         xmin, ymin, xmax, ymax = scene.view.frame
         size = max(xmax - xmin, ymax - ymin)
         major = nice(size / 5.0)
@@ -239,7 +239,7 @@ class Sketch:
         width = np.where(np.tile(is_major, 2), 0.012, 0.010)
         scales = np.column_stack((np.full(len(places), length), width, np.ones(len(places))))
         colors = np.where(np.tile(is_major, 2)[:, None], self.palette.grid_major, self.palette.grid)
-        return places, turns(angles), scales, sent(colors), major
+        return places, turns(angles), scales, sent(colors)
 
 
 def _raised(points: Floats, z: float) -> Floats:

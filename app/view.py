@@ -90,7 +90,6 @@ class View:
         self._drawn: Picture | None = None
         self._gizmo_in_hand: int | None = None
         self.sketch: Sketch | None = None
-        self.grid_square = 0.0
 
     def build(self, scene: Scene, dark: bool) -> None:
         """Put up the nodes of a scene, in place of those of the one before; `draw` then fills them in."""
@@ -100,7 +99,7 @@ class View:
             self._clear()
             self._built = (scene, dark)
             self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
-            places, angles, scales, colors, self.grid_square = sketch.grid(scene)
+            places, angles, scales, colors = sketch.grid(scene)
             self._add("grid", "bar", len(places), colors, places, angles, scales)
             n, springs, joints = len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)
             if springs:

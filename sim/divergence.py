@@ -33,7 +33,8 @@ class Divergence:
         quantity: "position" or "speed" passed its limit, or a "number" became NaN or infinite.
         limit: the limit passed, px or px/s; infinite for "number".
         dt: the time step used, s.
-        stability: the estimated stability limit at the last good state.
+        stability: the stability limit to blame: that of the body as it was at its start, or, if that
+            was stable, in its last good shape.
     """
 
     mass: int
