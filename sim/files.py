@@ -97,6 +97,8 @@ def decode_scene(data: bytes, source: str) -> Scene:
             f"{source}: format: version {version} is newer than {FORMAT_VERSION}, the newest that this "
             "softrod reads; a newer softrod can open it"
         )
+    if version == 1:
+        raw = _from_format_1(raw)
     try:
         return validate(msgspec.convert(raw, Scene))
     except msgspec.ValidationError as error:
@@ -104,6 +106,14 @@ def decode_scene(data: bytes, source: str) -> Scene:
         raise SceneError(" ".join(f"{source}: {_sentence(error, raw)}".split())) from None
     except SceneError as error:
         raise SceneError(f"{source}: {error}") from None
+
+
+def _from_format_1(raw: dict[str, Any]) -> dict[str, Any]:
+    """Format 1 knew the tutorial's law and its step only, so it did not say so."""
+    integrator = raw.get("integrator", {})
+    if isinstance(integrator, dict):
+        integrator = {"method": "symplectic_euler", **integrator}
+    return {"force_law": "tutorial", **raw, "format": FORMAT_VERSION, "integrator": integrator}
 
 
 def _sentence(error: msgspec.ValidationError, raw: Any) -> str:

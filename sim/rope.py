@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from .scene import ArrowKeys, Integrator, Rope, Scene, Vector, View
+from .scene import ArrowKeys, Circle, ForceLaw, Integrator, Rope, Scene, Vector, View
 from .validate import validate
 
 
@@ -20,21 +20,24 @@ def rope(
     stiffness: float = 10_000.0,
     damping: float = 40.0,
     angular_stiffness: float = 10_000.0,
+    angular_damping: float = 0.0,
     rest_angle: float = 0.0,
     joints: bool = True,
     mass: float = 1.0,
     radius: float = 6.0,
     held: tuple[int, ...] = (0,),
     driven: int | None = 0,
+    circle: Circle | None = None,
     gravity: Vector = (0.0, 2000.0),
     air_friction: float = 0.002,
+    force_law: ForceLaw = "conservative",
     integrator: Integrator | None = None,
     arrow_keys: ArrowKeys | None = None,
     view: View | None = None,
 ) -> Scene:
     """A scene with one straight rope; the defaults are the tutorial's constants.
 
-    The parameters up to `driven` are those of `sim.scene.Rope`, the others those of `sim.scene.Scene`;
+    The parameters up to `circle` are those of `sim.scene.Rope`, the others those of `sim.scene.Scene`;
     units and ranges are given there. The rope hangs down the screen unless `direction` says otherwise.
 
     Raises:
@@ -49,12 +52,14 @@ def rope(
         stiffness=stiffness,
         damping=damping,
         angular_stiffness=angular_stiffness,
+        angular_damping=angular_damping,
         rest_angle=rest_angle,
         joints=joints,
         mass=mass,
         radius=radius,
         held=held,
         driven=driven,
+        circle=circle,
     )
     return validate(
         Scene(
@@ -63,6 +68,7 @@ def rope(
             rope=recipe,
             gravity=gravity,
             air_friction=air_friction,
+            force_law=force_law,
             integrator=integrator or Integrator(),
             arrow_keys=arrow_keys or ArrowKeys(),
             view=view or View(),

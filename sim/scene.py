@@ -13,8 +13,8 @@ from typing import Annotated, Literal
 import msgspec
 from msgspec import Meta
 
-FORMAT_VERSION = 1
-"""Version of the file format that this release writes; newer files are refused."""
+FORMAT_VERSION = 2
+"""Version of the file format that this release writes; older files are read, newer ones are refused."""
 
 MAX_MASSES = 20_000
 MAX_SPRINGS = 100_000
@@ -39,6 +39,23 @@ Radius = Annotated[float, _range(1e-3, 1e4, "px", "The radius a mass is drawn wi
 Index = Annotated[int, Meta(ge=0, lt=MAX_SPRINGS)]
 Name = Annotated[str, Meta(min_length=1, max_length=60)]
 Vector = tuple[Coordinate, Coordinate]
+
+ForceLaw = Literal["tutorial", "conservative", "angle"]
+"""How an angular spring pulls; see `AngularSpring`."""
+
+Method = Literal[
+    "auto",
+    "symplectic_euler",
+    "velocity_verlet",
+    "rk4",
+    "generalized_alpha",
+    "stable_spring",
+    "dopri5",
+    "dop853",
+    "rodas4",
+    "rodas5p",
+]
+"""How time is stepped; `sim.methods` describes each."""
 
 Template = Literal[180, 135, 90, 45, 0, -45, -90, -135]
 """The tutorial's eight ready-made rest angles, in degrees."""
@@ -83,30 +100,63 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
     """A spring that holds two linear springs, which share a mass, at an angle.
 
     With V the angle from spring `a` to spring `b` (positive from +x towards +y), both springs feel a
-    couple of size stiffness |L_a| |L_b| sin(V - rest_angle), with opposite signs.
+    couple with opposite signs. Its size depends on the scene's force law:
+
+    - "tutorial": stiffness |L_a| |L_b| sin(V - rest_angle), and nothing along the springs. It is the gradient
+      of no energy.
+    - "conservative": the gradient of stiffness |L_a| |L_b| (1 - cos(V - rest_angle)), which is the same
+      couple and a pull along each spring.
+    - "angle": the gradient of stiffness |L_a| |L_b| (V - rest_angle)² / 2; it jumps where V is opposite to
+      the rest angle.
+
+    Damping adds a couple damping |L_a| |L_b| dV/dt under every law.
 
     Attributes:
         a, b: indices of two linear springs that share exactly one mass.
         stiffness: 0..1e9 kg/s².
+        damping: 0..1e6 kg/s.
         rest_angle: -180..180 °.
     """
 
     a: Index
     b: Index
     stiffness: Stiffness
+    damping: Damping = 0.0
     rest_angle: Angle = 0.0
 
 
+class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """An anchor's own motion: round and round a circle that starts where the anchor is.
+
+    At time t the anchor is off its place by radius (sin p, 1 - cos p), with the phase
+    p = 2 pi frequency (t - ramp (1 - exp(-t / ramp))), which starts without a jerk.
+
+    Attributes:
+        radius: 0..1e4 px.
+        frequency: -100..100 Hz; negative runs the other way round.
+        ramp: 1e-3..100 s, the time in which it gets going.
+    """
+
+    radius: Annotated[float, _range(0.0, 1e4, "px", "Radius of an anchor's circle")]
+    frequency: Annotated[float, _range(-100.0, 100.0, "Hz", "Turns per second")] = 1.0
+    ramp: Annotated[float, _range(1e-3, 100.0, "s", "Time in which the motion gets going")] = 0.1
+
+
 class Anchor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A mass that is held: it only moves when someone moves it, and its velocity counts as zero.
+    """A mass that is held: it only moves when someone moves it, or on a circle of its own.
+
+    A mass moved by hand counts as standing still in the damping under the force law "tutorial", as it does
+    in the tutorial; everything else goes by the velocity that an anchor has.
 
     Attributes:
         mass: index of the mass.
         driven: whether the pointer drives it; at most one anchor of a scene is driven.
+        circle: its own motion, or None.
     """
 
     mass: Index
     driven: bool = False
+    circle: Circle | None = None
 
 
 class Rope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -122,12 +172,13 @@ class Rope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         offset: -1000..1000; shifts the whole rope by that many spring lengths.
         direction: any vector but zero.
         stiffness, damping: of every linear spring, 0..1e9 kg/s² and 0..1e6 kg/s.
-        angular_stiffness: of every angular spring, 0..1e9 kg/s².
+        angular_stiffness, angular_damping: of every angular spring, 0..1e9 kg/s² and 0..1e6 kg/s.
         rest_angle: of every angular spring, -180..180 °.
         joints: whether there are angular springs at all; with stiffness 0 they only measure.
         mass, radius: of every mass, kg and px.
         held: indices of masses that are held.
         driven: index of the held mass that the pointer drives, or None.
+        circle: motion of mass 0, if it is held, or None.
     """
 
     masses: Annotated[int, Meta(ge=2, le=MAX_MASSES)] = 12
@@ -138,24 +189,30 @@ class Rope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     stiffness: Stiffness = 10_000.0
     damping: Damping = 40.0
     angular_stiffness: Stiffness = 10_000.0
+    angular_damping: Damping = 0.0
     rest_angle: Angle = 0.0
     joints: bool = True
     mass: Kilograms = 1.0
     radius: Radius = 6.0
     held: tuple[Index, ...] = (0,)
     driven: Index | None = None
+    circle: Circle | None = None
 
 
 class Integrator(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """How time is stepped.
 
     Attributes:
-        method: "symplectic_euler": all forces from the present state, then velocities, then positions.
-        dt: the step, 1e-6..1 s.
+        method: see `sim.methods`. "auto" keeps to the tolerance and chooses by itself; "symplectic_euler" is
+            the tutorial's.
+        dt: 1e-6..1 s. The step of a method with a fixed step. The others choose their own steps, and `dt` is
+            only the unit in which the clock goes.
+        tolerance: 1e-12..1e3 px; the position error that a method with error control aims at after a second.
     """
 
-    method: Literal["symplectic_euler"] = "symplectic_euler"
+    method: Method = "auto"
     dt: Annotated[float, _range(1e-6, 1.0, "s", "Time step")] = 0.0025
+    tolerance: Annotated[float, _range(1e-12, 1e3, "px", "Tolerance of the error control")] = 0.1
 
 
 class ArrowKeys(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -212,7 +269,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     expanded when the scene is made, so that code may always read the masses and springs.
 
     Attributes:
-        format: version of the file format, 1.
+        format: version of the file format, 2.
         name: 1..60 characters.
         description: what to see and do, at most 2000 characters.
         rope: the recipe, or None.
@@ -222,6 +279,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         rest_length_scale: 0.01..100; multiplies every rest length.
         template: one of the tutorial's eight rest angles for every joint, or None. The angular springs
             must then have that rest angle. The diagonal templates are sqrt(2) stiffer than the general law.
+        force_law: how the angular springs pull, see `AngularSpring`.
         integrator, arrow_keys, view: see there; `arrow_keys` None means that the keys do nothing.
         pose: a saved state to start from, or None to start from the masses' own positions.
     """
@@ -238,6 +296,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     air_friction: Annotated[float, _range(0.0, 1000.0, "kg/px", "Air friction")] = 0.0
     rest_length_scale: Annotated[float, _range(0.01, 100.0, "", "Factor of all rest lengths")] = 1.0
     template: Template | None = None
+    force_law: ForceLaw = "conservative"
     integrator: Integrator = Integrator()
     arrow_keys: ArrowKeys | None = None
     view: View = View()
@@ -288,12 +347,20 @@ def expand_rope(
         for s in range(n - 1)
     )
     angular = tuple(
-        AngularSpring(a=j, b=j + 1, stiffness=rope.angular_stiffness, rest_angle=rope.rest_angle)
+        AngularSpring(
+            a=j,
+            b=j + 1,
+            stiffness=rope.angular_stiffness,
+            damping=rope.angular_damping,
+            rest_angle=rope.rest_angle,
+        )
         for j in range(n - 2 if rope.joints else 0)
     )
     # A recipe keeps its anchors when it gets shorter, as far as those masses still exist.
     held = {i for i in rope.held if i < n}
     if rope.driven is not None and rope.driven < n:
         held.add(rope.driven)
-    anchors = tuple(Anchor(mass=i, driven=i == rope.driven) for i in sorted(held))
+    anchors = tuple(
+        Anchor(mass=i, driven=i == rope.driven, circle=rope.circle if i == 0 else None) for i in sorted(held)
+    )
     return masses, linear, angular, anchors

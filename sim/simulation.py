@@ -16,7 +16,16 @@ from .kernels import guard
 from .kernels.chain import run_chain
 from .kernels.controls import refresh
 from .kernels.general import run_general, run_held
-from .kernels.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, Live, Motion
+from .kernels.tables import (
+    CONTROL_SCALE,
+    CONTROL_SHIFT,
+    NO_JOINTS,
+    SCALE_MAX,
+    SCALE_MIN,
+    TUTORIAL,
+    Live,
+    Motion,
+)
 from .scene import Anchor, Pose, Scene
 from .settings import shift_rest_angles
 from .stability import StabilityEstimate, StabilityMeter
@@ -191,7 +200,7 @@ class Simulation:
             run_held(self._body, self._live, motion, n)
             done, what, mass = n, guard.GOOD, -1
         else:
-            run = run_chain if self._system.is_chain else run_general
+            run = run_chain if self._body.chain and self._body.law in (NO_JOINTS, TUTORIAL) and not self._body.twisted else run_general
             progress = guard.new_progress()
             run(
                 self._body, self._live, self._work, motion, self._kept, progress, self.dt, n,
@@ -297,6 +306,10 @@ class Simulation:
         free = np.where(held, 0.0, 1.0)
         live.vx[self._masses] *= free
         live.vy[self._masses] *= free
+        live.inverse_mass[self._masses] = free * self._system.inverse_mass
+        live.air[self._masses] = live.inverse_mass[self._masses] * self._scene.air_friction
+        live.gx[self._masses] = free * self._scene.gravity[0]
+        live.gy[self._masses] = free * self._scene.gravity[1]
         live.dt_mass[self._masses] = free * dt * self._system.inverse_mass
         live.dt_air[self._masses] = live.dt_mass[self._masses] * self._scene.air_friction
         live.dt_gx[self._masses] = free * dt * self._scene.gravity[0]

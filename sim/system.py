@@ -7,8 +7,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .kernels.tables import Body, Floats, Indices, Live, Work, padded
+from .kernels.tables import (
+    ANGLE,
+    CONSERVATIVE,
+    NO_JOINTS,
+    TUTORIAL,
+    Body,
+    Floats,
+    Indices,
+    Live,
+    Work,
+    padded,
+)
 from .scene import Scene
+
+
+_LAWS = {"tutorial": TUTORIAL, "conservative": CONSERVATIVE, "angle": ANGLE}
 
 
 @dataclass(frozen=True)
@@ -20,7 +34,6 @@ class System:
         mass_order: (n,) scene index of the mass at place 1, 2, ..., n.
         mass_place: (n,) the place, from 1 on, of each mass of the scene.
         joint_order: (J,) the kernels' joint for each angular spring of the scene.
-        is_chain: whether the body is one chain, so that the fast path applies.
         inverse_mass: (n,) 1/kg, in the order of places, also of held masses.
         held: (n,) whether a mass is held, in the order of places.
         start: (4, n) x, y, vx, vy at the start, in the order of places.
@@ -30,7 +43,6 @@ class System:
     mass_order: Indices
     mass_place: Indices
     joint_order: Indices
-    is_chain: bool
     inverse_mass: Floats
     held: np.ndarray
     start: Floats
@@ -65,7 +77,6 @@ def build_system(scene: Scene) -> System:
         mass_order=np.array(mass_order, np.int64),
         mass_place=mass_place,
         joint_order=joint_order,
-        is_chain=chain is not None,
         inverse_mass=1.0 / np.array([scene.masses[i].mass for i in mass_order], float),
         held=held,
         start=np.ascontiguousarray(start),
@@ -119,6 +130,7 @@ def new_live(system: System) -> Live:
         "pull": (body.stiffness.size, 0),
         "couple_cos": (joints, 0),
         "couple_sin": (joints, 0),
+        "couple_rest": (joints, 0),
     }
     live = Live(*_slab([sizes.get(field, (places, 1)) for field in Live._fields], page_offset=0))
     live.controls[0] = 1.0
@@ -172,13 +184,14 @@ def _body(
     joint_b = spring_place[np.array([joint.b for joint in scene.angular_springs], np.int64)]
     strength = np.array(joint_stiffness(scene), float)
     rest_angle = np.array([joint.rest_angle for joint in scene.angular_springs], float)
+    resistance = np.array([joint.damping for joint in scene.angular_springs], float)
     joint_order = np.arange(joint_a.size)
     if is_chain and joint_a.size:
         joint_order = joint_a
         joints = max(0, len(springs) - 1)
-        by_place = np.zeros((2, joints))
-        by_place[:, joint_a] = strength, rest_angle
-        strength, rest_angle = by_place.copy()
+        by_place = np.zeros((3, joints))
+        by_place[:, joint_a] = strength, rest_angle, resistance
+        strength, rest_angle, resistance = by_place.copy()
         joint_a, joint_b = np.arange(joints), np.arange(joints) + 1
     joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
         joint_b, joint_a, len(springs), first=1, nothing=0
@@ -186,11 +199,16 @@ def _body(
     spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = _slots(
         spring_b, spring_a, n + 1, first=0, nothing=room
     )
+    couple_size, couple_damping = np.zeros((2, max(joint_a.size, room) + 1))
+    couple_size[1 : joint_a.size + 1], couple_damping[1 : joint_a.size + 1] = strength, resistance
     body = Body(
         masses=n,
         springs=len(springs),
         joints=joint_a.size,
         damped=bool(damping.any()),
+        twisted=bool(resistance.any()),
+        chain=is_chain,
+        law=_LAWS[scene.force_law] if joint_a.size else NO_JOINTS,
         spring_a=spring_a,
         spring_b=spring_b,
         stiffness=stiffness,
@@ -200,6 +218,8 @@ def _body(
         joint_b=joint_b,
         joint_stiffness=np.ascontiguousarray(strength),
         joint_rest=np.ascontiguousarray(rest_angle),
+        couple_size=couple_size,
+        couple_damping=couple_damping,
         joint_in=joint_in,
         joint_out=joint_out,
         more_joint=more_joint,

@@ -29,6 +29,7 @@ def refresh(body, live):
         rest = math.radians(wrap(body.joint_rest[j] + shift))
         live.couple_cos[j + 1] = body.joint_stiffness[j] * math.cos(rest)
         live.couple_sin[j + 1] = body.joint_stiffness[j] * math.sin(rest)
+        live.couple_rest[j + 1] = rest
 
 
 @kernel()

@@ -29,6 +29,9 @@ class Body(NamedTuple):
     springs: int
     joints: int
     damped: bool  # any linear spring has damping
+    twisted: bool  # any angular spring has damping
+    chain: bool  # the springs run head to tail through all masses, in order
+    law: int  # NO_JOINTS, TUTORIAL, CONSERVATIVE or ANGLE
     spring_a: Indices  # (S,) mass at the start of each spring
     spring_b: Indices
     stiffness: Floats  # (S padded) kg/s²
@@ -38,6 +41,8 @@ class Body(NamedTuple):
     joint_b: Indices
     joint_stiffness: Floats  # (J,) kg/s²
     joint_rest: Floats  # (J,) degrees, before the shift
+    couple_size: Floats  # stiffness of joint j at place j + 1, kg/s²; zero where there is none
+    couple_damping: Floats  # damping of joint j at place j + 1, kg/s
     # The couple of a joint acts on its spring a with one sign and on its spring b with the other. Each spring
     # names the place of one joint of which it is b and one of which it is a (0 where there is none: a
     # couple of zero); the rare others are in the lists. So the common case is a gather without branches.
@@ -65,6 +70,12 @@ class Live(NamedTuple):
     pull: Floats  # (S padded) stiffness * rest length now
     couple_cos: Floats  # stiffness * cos(rest angle now), that of joint j at place j + 1
     couple_sin: Floats
+    couple_rest: Floats  # rest angle now, radians, that of joint j at place j + 1
+    # What acts on each mass beside the springs; all zero for a mass that is held.
+    inverse_mass: Floats  # (places) 1/kg
+    air: Floats  # (places) air friction / mass, 1/px
+    gx: Floats  # (places) px/s²
+    gy: Floats
     # What a force does to a mass in one step; all zero for a mass that is held.
     dt_mass: Floats  # (places) dt / m
     dt_air: Floats  # (n padded) dt * air friction / m
@@ -80,8 +91,12 @@ class Work(NamedTuple):
     dvx: Floats
     dvy: Floats
     inverse: Floats  # 1 / length
-    turn: Floats  # what the joints add up to at each spring
+    length: Floats  # of spring s at place s + 1; zero at place 0
+    turning: Floats  # rate at which a spring turns, 1/s, that of spring s at place s + 1
+    turn: Floats  # what the couples of its joints add up to at each spring
+    draw: Floats  # what the energies of its joints add up to at each spring
     couple: Floats  # of joint j at place j + 1
+    energy: Floats  # of joint j at place j + 1, under a law that has one
     tx: Floats  # force on the b end of each spring; in a chain at the place of the mass at that end
     ty: Floats
     fx: Floats  # (places)
@@ -101,6 +116,9 @@ class Motion(NamedTuple):
     angle_step: float  # added to every rest angle, per step, degrees
 
 
+NO_JOINTS, TUTORIAL, CONSERVATIVE, ANGLE = 0, 1, 2, 3
+"""Values of `Body.law`."""
+
 CONTROL_SCALE, CONTROL_SHIFT = 0, 1
 SCALE_MIN, SCALE_MAX = 0.01, 100.0
 
@@ -113,3 +131,20 @@ with this it pulls at nothing, instead of making everything NaN. No other length
 def padded(count: int) -> int:
     """The count, rounded up to a multiple of eight."""
     return -(-count // 8) * 8
+
+
+class Matrix(NamedTuple):
+    """What an implicit step needs: the factors of its matrix and, where the body is no chain, the pattern."""
+
+    blocks: Floats  # the factors; see `band` and `sparse`
+    ux: Floats  # (S padded) unit vectors of the springs, where the matrix was built
+    uy: Floats
+    inverse: Floats  # 1 / length there
+    # Empty for a chain. Rows are numbered in the order of elimination.
+    order: Indices  # (n,) place of the mass that row i belongs to
+    row_start: Indices  # (n + 1,) first block of each row
+    column: Indices  # of each block, ascending in a row
+    diagonal: Indices  # (n,) block on the diagonal
+    slot: Indices  # (n,) scratch: block of the present row in each column
+    spring_target: Indices  # (4 S,) blocks that a spring adds to, at rows and columns bb, ba, ab, aa
+    joint_target: Indices  # (16 J,) blocks that a joint adds to, likewise for each pair of its springs

@@ -1,0 +1,209 @@
+"""Two by two blocks: how the forces of a spring and of a joint answer to its vectors.
+
+A block is a tuple (xx, xy, yx, yy). Derivatives are of the force on the b end of a spring (its tension), by a
+spring's vector; with the factor g of an implicit step, the derivative by the rate of that vector, times
+g, is added, since velocity is eliminated from the systems that implicit steps solve.
+"""
+
+from __future__ import annotations
+
+import math
+
+from .jit import kernel
+from .tables import CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
+
+
+@kernel(forceinline=True)
+def times(a, b):
+    """The product of two blocks."""
+    return (
+        a[0] * b[0] + a[1] * b[2],
+        a[0] * b[1] + a[1] * b[3],
+        a[2] * b[0] + a[3] * b[2],
+        a[2] * b[1] + a[3] * b[3],
+    )
+
+
+@kernel(forceinline=True)
+def minus(a, b):
+    """The difference of two blocks."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]
+
+
+@kernel(forceinline=True)
+def plus(a, b):
+    """The sum of two blocks."""
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]
+
+
+@kernel(forceinline=True)
+def inverted(a):
+    """The inverse of a block; infinities where it has none."""
+    factor = 1.0 / (a[0] * a[3] - a[1] * a[2])
+    return a[3] * factor, -a[1] * factor, -a[2] * factor, a[0] * factor
+
+
+@kernel(forceinline=True)
+def outer(factor, a, b):
+    """factor a bᵀ, of two vectors."""
+    x, y = factor * a[0], factor * a[1]
+    return x * b[0], x * b[1], y * b[0], y * b[1]
+
+
+@kernel(forceinline=True)
+def spring_block(stiffness, damping, pull, length, vector, rate, g, definite):
+    """Of the tension of a linear spring, by its own vector.
+
+    `definite` leaves out what could make the matrix of an implicit step indefinite: the sideways push of a
+    compressed spring, and the turning of the damping force.
+    """
+    x, y = vector
+    inv = 1.0 / length
+    inv2 = inv * inv
+    if definite:
+        taut = max(stiffness - pull * inv, 0.0)
+        along = (stiffness - taut + g * damping) * inv2
+        return -taut - along * x * x, -along * x * y, -along * x * y, -taut - along * y * y
+    speed = x * rate[0] + y * rate[1]
+    e = pull * inv - stiffness - damping * speed * inv2
+    radial = -pull * inv * inv2 + 2.0 * damping * speed * inv2 * inv2 - g * damping * inv2
+    ex = radial * x - damping * inv2 * rate[0]
+    ey = radial * y - damping * inv2 * rate[1]
+    return e + x * ex, x * ey, y * ex, e + y * ey
+
+
+@kernel(forceinline=True)
+def joint_blocks(law, size, cos, sin, rest, damping, a, b, len_a, len_b, rate_a, rate_b, g, definite):
+    """Of the tensions that a joint adds to its springs a and b, by their vectors: aa, ab, ba, bb.
+
+    Args:
+        law: as in `Body.law`.
+        size, cos, sin: the stiffness, and that times cosine and sine of the rest angle.
+        rest: rest angle, radians.
+        damping: of the joint.
+        a, b: vectors of the springs.
+        len_a, len_b: their lengths.
+        rate_a, rate_b: the rates of the vectors.
+        g: factor of the derivative by the rates.
+        definite: whether the matrix -[[aa, ab], [ba, bb]] has to be positive semidefinite. It is then
+            that of the conservative law, which is the square of sqrt(|B|/|A|) A - sqrt(|A|/|B|) R(-r) B,
+            with the square roots taken as constants (Gauss-Newton).
+    """
+    inv_a, inv_b = 1.0 / len_a, 1.0 / len_b
+    normal_a = (a[1] * inv_a * inv_a, -a[0] * inv_a * inv_a)
+    normal_b = (b[1] * inv_b * inv_b, -b[0] * inv_b * inv_b)
+    turn_a = _normal_by_vector(a, normal_a, inv_a)
+    turn_b = _normal_by_vector(b, normal_b, inv_b)
+    product = len_a * len_b
+    if definite:
+        pa, pb = -size * len_b * inv_a, -size * len_a * inv_b
+        aa = (pa, 0.0, 0.0, pa)
+        ab = (cos, sin, -sin, cos)
+        ba = (cos, -sin, sin, cos)
+        bb = (pb, 0.0, 0.0, pb)
+    elif law == CONSERVATIVE:
+        unit_a, unit_b = (a[0] * inv_a, a[1] * inv_a), (b[0] * inv_b, b[1] * inv_b)
+        pa, pb = -size * len_b * inv_a, -size * len_a * inv_b
+        aa = minus((pa, 0.0, 0.0, pa), outer(pa, unit_a, unit_a))
+        bb = minus((pb, 0.0, 0.0, pb), outer(pb, unit_b, unit_b))
+        ab = plus((cos, sin, -sin, cos), outer(-size, unit_a, unit_b))
+        ba = (ab[0], ab[2], ab[1], ab[3])
+    elif law == TUTORIAL:
+        couple = cos * (a[0] * b[1] - a[1] * b[0]) - sin * (a[0] * b[0] + a[1] * b[1])
+        by_a = (cos * b[1] - sin * b[0], -cos * b[0] - sin * b[1])
+        by_b = (-cos * a[1] - sin * a[0], cos * a[0] - sin * a[1])
+        aa = minus(outer(-1.0, normal_a, by_a), _scaled(couple, turn_a))
+        ab = outer(-1.0, normal_a, by_b)
+        ba = outer(1.0, normal_b, by_a)
+        bb = plus(outer(1.0, normal_b, by_b), _scaled(couple, turn_b))
+    else:
+        unit_a, unit_b = (a[0] * inv_a, a[1] * inv_a), (b[0] * inv_b, b[1] * inv_b)
+        off = deflection(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1], rest)
+        couple = size * product * off
+        push = 0.5 * size * off * off
+        pa, pb = -push * len_b * inv_a, -push * len_a * inv_b
+        aa = minus((pa, 0.0, 0.0, pa), outer(pa, unit_a, unit_a))
+        aa = minus(aa, outer(size * off * len_b, unit_a, normal_a))
+        aa = minus(aa, outer(size * off * len_b, normal_a, unit_a))
+        aa = minus(aa, outer(size * product, normal_a, normal_a))
+        aa = minus(aa, _scaled(couple, turn_a))
+        bb = minus((pb, 0.0, 0.0, pb), outer(pb, unit_b, unit_b))
+        bb = plus(bb, outer(size * off * len_a, unit_b, normal_b))
+        bb = plus(bb, outer(size * off * len_a, normal_b, unit_b))
+        bb = minus(bb, outer(size * product, normal_b, normal_b))
+        bb = plus(bb, _scaled(couple, turn_b))
+        ab = outer(-push, unit_a, unit_b)
+        ab = plus(ab, outer(size * off * len_b, unit_a, normal_b))
+        ab = minus(ab, outer(size * off * len_a, normal_a, unit_b))
+        ab = plus(ab, outer(size * product, normal_a, normal_b))
+        ba = (ab[0], ab[2], ab[1], ab[3])
+    if damping > 0.0:
+        strength = damping * product
+        # dV/dt is the turning rate of b less that of a; a spring turns at -normal . rate.
+        turning = (
+            normal_a[0] * rate_a[0]
+            + normal_a[1] * rate_a[1]
+            - normal_b[0] * rate_b[0]
+            - normal_b[1] * rate_b[1]
+        )
+        couple = strength * turning
+        by_a = (g * strength * normal_a[0], g * strength * normal_a[1])
+        by_b = (-g * strength * normal_b[0], -g * strength * normal_b[1])
+        if not definite:
+            by_a = (
+                by_a[0]
+                + damping * len_b * inv_a * turning * a[0]
+                + strength * (turn_a[0] * rate_a[0] + turn_a[2] * rate_a[1]),
+                by_a[1]
+                + damping * len_b * inv_a * turning * a[1]
+                + strength * (turn_a[1] * rate_a[0] + turn_a[3] * rate_a[1]),
+            )
+            by_b = (
+                by_b[0]
+                + damping * len_a * inv_b * turning * b[0]
+                - strength * (turn_b[0] * rate_b[0] + turn_b[2] * rate_b[1]),
+                by_b[1]
+                + damping * len_a * inv_b * turning * b[1]
+                - strength * (turn_b[1] * rate_b[0] + turn_b[3] * rate_b[1]),
+            )
+            aa = minus(aa, _scaled(couple, turn_a))
+            bb = plus(bb, _scaled(couple, turn_b))
+        aa = minus(aa, outer(1.0, normal_a, by_a))
+        ab = minus(ab, outer(1.0, normal_a, by_b))
+        ba = plus(ba, outer(1.0, normal_b, by_a))
+        bb = plus(bb, outer(1.0, normal_b, by_b))
+    return aa, ab, ba, bb
+
+
+@kernel(forceinline=True)
+def _scaled(factor, block):
+    return factor * block[0], factor * block[1], factor * block[2], factor * block[3]
+
+
+@kernel(forceinline=True)
+def _normal_by_vector(vector, normal, inv):
+    """Derivative of perp(L) / |L|² by L."""
+    x, y = 2.0 * inv * inv * vector[0], 2.0 * inv * inv * vector[1]
+    return (
+        -normal[0] * x,
+        inv * inv - normal[0] * y,
+        -inv * inv - normal[1] * x,
+        -normal[1] * y,
+    )
+
+
+@kernel(forceinline=True)
+def length_of(x, y):
+    """The length of a vector, never quite zero."""
+    return math.sqrt(max(x * x + y * y, SHORTEST_SQUARED))
+
+
+@kernel(forceinline=True)
+def deflection(cross, dot, rest):
+    """How far an angle is from its rest angle, wrapped into [-pi, pi]; cross and dot are of its springs."""
+    off = math.atan2(cross, dot) - rest
+    if off > math.pi:
+        return off - 2.0 * math.pi
+    if off < -math.pi:
+        return off + 2.0 * math.pi
+    return off

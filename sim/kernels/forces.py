@@ -1,0 +1,238 @@
+"""What the springs do to the masses: forces on any topology, and accelerations.
+
+With L the vector of a spring and perp(L) = (L.y, -L.x), a joint that holds springs A and B has a couple G and,
+under a law with an energy, that energy U. It adds -(U A + G perp(A)) / |A|² to the force on the b end of its
+first spring and -(U B - G perp(B)) / |B|² to that of its second: U is proportional to |A| and to |B|, so
+U / |A| is its derivative along A. With V the angle from A to B and r the rest angle, the laws are
+
+- tutorial: G = K |A||B| sin(V - r), U left out;
+- conservative: the same G, U = K |A||B| (1 - cos(V - r));
+- angle: G = K |A||B| (V - r), U = K |A||B| (V - r)² / 2;
+
+and none but the last needs more trigonometry than cos r and sin r, which are in the tables. Angular
+damping adds C |A||B| dV/dt to G.
+
+Loops that gather through indices are kept apart from loops over the springs in order, so that the latter,
+which hold the square root, the division and most of the arithmetic, are vectorised.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from .blocks import deflection
+from .jit import kernel
+from .tables import ANGLE, CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
+
+
+@kernel(inline="always")
+def internal_forces(body, live, work, x, y, vx, vy):
+    """Forces of all springs on all masses, into `work.fx` and `work.fy`."""
+    lx, ly, dvx, dvy, inverse = work.lx, work.ly, work.dvx, work.dvy, work.inverse
+    turn, draw, tx, ty, fx, fy = work.turn, work.draw, work.tx, work.ty, work.fx, work.fy
+    couple, energy = work.couple, work.energy
+    stiffness, damping, pull = body.stiffness, body.damping, live.pull
+    springs = stiffness.size  # padded
+    # Unsigned indices: numba otherwise tests each one for being negative.
+    for s in range(body.springs):
+        a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
+        lx[s] = x[b] - x[a]
+        ly[s] = y[b] - y[a]
+    if body.damped or body.twisted:
+        for s in range(body.springs):
+            a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
+            dvx[s] = vx[b] - vx[a]
+            dvy[s] = vy[b] - vy[a]
+    for s in range(springs):
+        inverse[s] = 1.0 / math.sqrt(max(lx[s] * lx[s] + ly[s] * ly[s], SHORTEST_SQUARED))
+    if body.joints:
+        joint_couples(body, live, work)
+        for s in range(body.springs):
+            turn[s] = couple[np.uint64(body.joint_in[s])] - couple[np.uint64(body.joint_out[s])]
+        for i in range(body.more_joint.size):
+            turn[body.more_joint_spring[i]] += body.more_joint_sign[i] * couple[body.more_joint[i]]
+    if body.law == CONSERVATIVE or body.law == ANGLE:
+        for s in range(body.springs):
+            draw[s] = energy[np.uint64(body.joint_in[s])] + energy[np.uint64(body.joint_out[s])]
+        for i in range(body.more_joint.size):
+            draw[body.more_joint_spring[i]] += energy[body.more_joint[i]]
+        for s in range(springs):
+            inv = inverse[s]
+            inv2 = inv * inv
+            rate = lx[s] * dvx[s] + ly[s] * dvy[s]
+            along = pull[s] * inv - stiffness[s] - (damping[s] * rate + draw[s]) * inv2
+            across = turn[s] * inv2
+            tx[s] = along * lx[s] + across * ly[s]
+            ty[s] = along * ly[s] - across * lx[s]
+    elif body.joints and body.damped:
+        for s in range(springs):
+            inv = inverse[s]
+            inv2 = inv * inv
+            rate = lx[s] * dvx[s] + ly[s] * dvy[s]
+            along = pull[s] * inv - stiffness[s] - damping[s] * rate * inv2
+            across = turn[s] * inv2
+            tx[s] = along * lx[s] + across * ly[s]
+            ty[s] = along * ly[s] - across * lx[s]
+    elif body.joints:
+        for s in range(springs):
+            inv = inverse[s]
+            along = pull[s] * inv - stiffness[s]
+            across = turn[s] * (inv * inv)
+            tx[s] = along * lx[s] + across * ly[s]
+            ty[s] = along * ly[s] - across * lx[s]
+    elif body.damped:
+        for s in range(springs):
+            inv = inverse[s]
+            rate = lx[s] * dvx[s] + ly[s] * dvy[s]
+            along = pull[s] * inv - stiffness[s] - damping[s] * rate * (inv * inv)
+            tx[s] = along * lx[s]
+            ty[s] = along * ly[s]
+    else:
+        for s in range(springs):
+            along = pull[s] * inverse[s] - stiffness[s]
+            tx[s] = along * lx[s]
+            ty[s] = along * ly[s]
+    for i in range(1, body.masses + 1):
+        a, b = np.uint64(body.spring_in[i]), np.uint64(body.spring_out[i])
+        fx[i] = tx[a] - tx[b]
+        fy[i] = ty[a] - ty[b]
+    for i in range(body.more_spring.size):
+        m, s, sign = body.more_spring_mass[i], body.more_spring[i], body.more_spring_sign[i]
+        fx[m] += sign * tx[s]
+        fy[m] += sign * ty[s]
+
+
+@kernel()
+def joint_couples(body, live, work):
+    """The couple and, where the law has one, the energy of every joint, from the vectors in `work`."""
+    lx, ly, inverse, couple, energy = work.lx, work.ly, work.inverse, work.couple, work.energy
+    if body.law == TUTORIAL:
+        for j in range(body.joints):
+            a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
+            cross = lx[a] * ly[b] - ly[a] * lx[b]
+            dot = lx[a] * lx[b] + ly[a] * ly[b]
+            couple[j + 1] = live.couple_cos[j + 1] * cross - live.couple_sin[j + 1] * dot
+    elif body.law == CONSERVATIVE:
+        for j in range(body.joints):
+            a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
+            cross = lx[a] * ly[b] - ly[a] * lx[b]
+            dot = lx[a] * lx[b] + ly[a] * ly[b]
+            cos, sin = live.couple_cos[j + 1], live.couple_sin[j + 1]
+            product = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
+            couple[j + 1] = cos * cross - sin * dot
+            energy[j + 1] = body.couple_size[j + 1] * math.sqrt(product) - (cos * dot + sin * cross)
+    else:
+        for j in range(body.joints):
+            a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
+            cross = lx[a] * ly[b] - ly[a] * lx[b]
+            off = deflection(cross, lx[a] * lx[b] + ly[a] * ly[b], live.couple_rest[j + 1])
+            product = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
+            couple[j + 1] = body.couple_size[j + 1] * math.sqrt(product) * off
+            energy[j + 1] = 0.5 * couple[j + 1] * off
+    if body.twisted:
+        turning = work.turning
+        for s in range(body.springs):
+            inv = inverse[s]
+            turning[s + 1] = (lx[s] * work.dvy[s] - ly[s] * work.dvx[s]) * (inv * inv)
+        for j in range(body.joints):
+            a, b = body.joint_a[j], body.joint_b[j]
+            product = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
+            rate = turning[b + 1] - turning[a + 1]
+            couple[j + 1] += body.couple_damping[j + 1] * math.sqrt(product) * rate
+
+
+@kernel()
+def accelerations(body, live, work, q, v, a):
+    """Accelerations of all masses at positions q and velocities v; zero where a mass is held.
+
+    q, v and a are flat: x of every place, then y of every place.
+    """
+    places = q.size // 2
+    x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
+    if body.chain:
+        chain_tensions(body, live, work, x, y, vx, vy)
+        springs = body.stiffness.size
+        tx, ty = work.tx, work.ty
+        ax, ay = a[:places], a[places:]
+        w, air, gx, gy = live.inverse_mass, live.air, live.gx, live.gy
+        for i in range(1, springs + 1):
+            ax[i] = (tx[i] - tx[i + 1]) * w[i] - air[i] * (vx[i] * abs(vx[i])) + gx[i]
+        for i in range(1, springs + 1):
+            ay[i] = (ty[i] - ty[i + 1]) * w[i] - air[i] * (vy[i] * abs(vy[i])) + gy[i]
+    else:
+        internal_forces(body, live, work, x, y, vx, vy)
+        fx, fy = work.fx, work.fy
+        for i in range(1, body.masses + 1):
+            w, air = live.inverse_mass[i], live.air[i]
+            a[i] = fx[i] * w - air * (vx[i] * abs(vx[i])) + live.gx[i]
+            a[places + i] = fy[i] * w - air * (vy[i] * abs(vy[i])) + live.gy[i]
+
+
+@kernel(inline="always")
+def chain_tensions(body, live, work, x, y, vx, vy):
+    """The force on the b end of every spring of a chain, at the place of the mass there: s + 2."""
+    springs = body.stiffness.size  # padded
+    inverse, tx, ty = work.inverse, work.tx, work.ty
+    stiffness, damping, pull = body.stiffness, body.damping, live.pull
+    cos, sin, size = live.couple_cos, live.couple_sin, body.couple_size
+    if body.law == ANGLE or body.twisted:
+        couple, energy, lx, ly = work.couple, work.energy, work.lx, work.ly
+        dvx, dvy = work.dvx, work.dvy
+        for s in range(springs):
+            lx[s], ly[s] = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
+            dvx[s], dvy[s] = vx[s + 2] - vx[s + 1], vy[s + 2] - vy[s + 1]
+            inverse[s] = 1.0 / math.sqrt(max(lx[s] * lx[s] + ly[s] * ly[s], SHORTEST_SQUARED))
+        joint_couples(body, live, work)
+        for s in range(body.springs):
+            inv = inverse[s]
+            rate = lx[s] * dvx[s] + ly[s] * dvy[s]
+            along = pull[s] * inv - stiffness[s] - (damping[s] * rate + energy[s] + energy[s + 1]) * (inv * inv)
+            across = (couple[s] - couple[s + 1]) * (inv * inv)
+            tx[s + 2] = along * lx[s] + across * ly[s]
+            ty[s + 2] = along * ly[s] - across * lx[s]
+    elif body.law == CONSERVATIVE:
+        length = work.length
+        for s in range(springs):
+            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
+            square = max(bx * bx + by * by, SHORTEST_SQUARED)
+            inv = 1.0 / math.sqrt(square)
+            inverse[s] = inv
+            length[s + 1] = square * inv
+        for s in range(springs):
+            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
+            inv = inverse[s]
+            rate = bx * (vx[s + 2] - vx[s + 1]) + by * (vy[s + 2] - vy[s + 1])
+            ax, ay = x[s + 1] - x[s], y[s + 1] - y[s]
+            cx, cy = x[s + 3] - x[s + 2], y[s + 3] - y[s + 2]
+            # K (R(r) A + R(-r) C) - K (|A| + |C|) u: the gradient of both energies, without their difference.
+            push = size[s] * length[s] + size[s + 1] * length[s + 2]
+            along = (pull[s] - push) * inv - stiffness[s] - damping[s] * rate * (inv * inv)
+            tx[s + 2] = along * bx + cos[s] * ax - sin[s] * ay + cos[s + 1] * cx + sin[s + 1] * cy
+            ty[s + 2] = along * by + sin[s] * ax + cos[s] * ay - sin[s + 1] * cx + cos[s + 1] * cy
+    elif body.law == TUTORIAL:
+        for s in range(springs):
+            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
+            inverse[s] = 1.0 / math.sqrt(max(bx * bx + by * by, SHORTEST_SQUARED))
+        for s in range(springs):
+            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
+            inv = inverse[s]
+            inv2 = inv * inv
+            rate = bx * (vx[s + 2] - vx[s + 1]) + by * (vy[s + 2] - vy[s + 1])
+            along = pull[s] * inv - stiffness[s] - damping[s] * rate * inv2
+            ax, ay = x[s + 1] - x[s], y[s + 1] - y[s]
+            cx, cy = x[s + 3] - x[s + 2], y[s + 3] - y[s + 2]
+            before = cos[s] * (ax * by - ay * bx) - sin[s] * (ax * bx + ay * by)
+            behind = cos[s + 1] * (bx * cy - by * cx) - sin[s + 1] * (bx * cx + by * cy)
+            across = (before - behind) * inv2
+            tx[s + 2] = along * bx + across * by
+            ty[s + 2] = along * by - across * bx
+    else:
+        for s in range(springs):
+            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
+            inv = 1.0 / math.sqrt(max(bx * bx + by * by, SHORTEST_SQUARED))
+            rate = bx * (vx[s + 2] - vx[s + 1]) + by * (vy[s + 2] - vy[s + 1])
+            along = pull[s] * inv - stiffness[s] - damping[s] * rate * (inv * inv)
+            tx[s + 2] = along * bx
+            ty[s + 2] = along * by

@@ -1,0 +1,120 @@
+"""Where the matrix of an implicit step has blocks, and in which order masses are best eliminated."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .kernels.band import ROW
+from .kernels.tables import Body, Floats, Indices, Matrix
+
+
+def new_matrix(body: Body) -> Matrix:
+    """Room for the matrix of a body. For any topology but a chain the pattern is found here, once.
+
+    The order is SuperLU's minimum degree, through SciPy; the pattern of the factors follows by
+    elimination on the graph of masses, in which a spring joins its two masses and a joint all of its three
+    or four.
+    """
+    springs = [np.zeros(body.stiffness.size) for _ in range(3)]
+    if body.chain:
+        nothing = np.zeros(0, np.int64)
+        return Matrix(
+            np.zeros(ROW * (body.stiffness.size + 3)), *springs, *(nothing for _ in Matrix._fields[4:])
+        )
+    n = body.masses
+    a, b = body.spring_a - 1, body.spring_b - 1
+    ja, jb = body.joint_a, body.joint_b
+    ends = np.array([b, a]).T  # (S, 2)
+    spring_pairs = _pairs(ends, ends)
+    of_joint = [_pairs(ends[s], ends[t]) for s in (ja, jb) for t in (ja, jb)]
+    joint_pairs = np.concatenate(of_joint, 1) if len(ja) else np.zeros((0, 16, 2), np.int64)
+    neighbours: list[set[int]] = [set() for _ in range(n)]
+    for pairs in (spring_pairs, joint_pairs):
+        for row, column in np.unique(pairs.reshape(-1, 2), axis=0).tolist():
+            neighbours[row].add(column)
+    for i in range(n):
+        neighbours[i].add(i)
+    order = _minimum_degree(neighbours)
+    position = np.empty(n, np.int64)
+    position[order] = np.arange(n)
+    rows = _fill(neighbours, order, position)
+    row_start = np.concatenate(([0], np.cumsum([len(row) for row in rows]))).astype(np.int64)
+    column = np.concatenate([np.array(row, np.int64) for row in rows])
+    # A block's number, from its row and column: keys are ascending, so a search finds it.
+    keys = np.repeat(np.arange(n), np.diff(row_start)) * n + column
+
+    def targets(pairs: Indices) -> Indices:
+        return np.searchsorted(keys, (position[pairs[..., 0]] * n + position[pairs[..., 1]]).ravel())
+
+    return Matrix(
+        np.zeros(4 * column.size),
+        *springs,
+        order=order + 1,
+        row_start=row_start,
+        column=column,
+        diagonal=np.searchsorted(keys, np.arange(n) * n + np.arange(n)),
+        slot=np.zeros(n, np.int64),
+        spring_target=targets(spring_pairs),
+        joint_target=targets(joint_pairs),
+    )
+
+
+def fill(body: Body, matrix: Matrix) -> tuple[int, int]:
+    """(blocks of the matrix, blocks of its factors): how much elimination fills in."""
+    if body.chain:
+        n = body.masses
+        width = 2 if body.joints else 1
+        band = sum(n - abs(k) for k in range(-width, width + 1) if abs(k) < n)
+        return band, band
+    used = np.unique(np.concatenate((matrix.spring_target, matrix.joint_target, matrix.diagonal)))
+    return int(used.size), int(matrix.column.size)
+
+
+def _pairs(rows: Indices, columns: Indices) -> Indices:
+    """(k, 4, 2) the (row, column) of each combination of ends: first with first, first with second, ..."""
+    return np.stack(
+        [np.stack((rows[:, i], columns[:, j]), 1) for i in (0, 1) for j in (0, 1)], 1
+    ).astype(np.int64)
+
+
+def _minimum_degree(neighbours: list[set[int]]) -> Indices:
+    # Only bodies that are no chains, under an implicit method, pay for the import.
+    from scipy.sparse import csc_matrix
+    from scipy.sparse.linalg import splu
+
+    n = len(neighbours)
+    start = np.concatenate(([0], np.cumsum([len(row) for row in neighbours])))
+    index = np.concatenate([np.fromiter(sorted(row), np.int64) for row in neighbours])
+    # Any diagonally dominant numbers: only the pattern matters.
+    value: Floats = np.full(index.size, -1.0)
+    value[index == np.repeat(np.arange(n), np.diff(start))] = n + 1.0
+    factors = splu(
+        csc_matrix((value, index, start), (n, n)),
+        permc_spec="MMD_AT_PLUS_A",
+        diag_pivot_thresh=0.0,
+        options={"SymmetricMode": True},
+    )
+    order = np.empty(n, np.int64)
+    order[factors.perm_c] = np.arange(n)
+    return order
+
+
+def _fill(neighbours: list[set[int]], order: Indices, position: Indices) -> list[list[int]]:
+    """The columns of each row of the factors, in the order of elimination.
+
+    Eliminating a mass joins its later neighbours; it is enough to hand them on to the first of those.
+    """
+    n = len(neighbours)
+    upper: list[set[int]] = [
+        {int(p) for p in position[list(neighbours[m])] if p > i} for i, m in enumerate(order)
+    ]
+    rows: list[list[int]] = [[] for _ in range(n)]
+    for i in range(n):
+        later = sorted(upper[i])
+        if later:
+            upper[later[0]].update(later[1:])
+        for j in later:
+            rows[j].append(i)
+        rows[i].append(i)
+        rows[i].extend(later)
+    return rows
