@@ -8,7 +8,7 @@ from .kernels.band import ROW
 from .kernels.tables import Body, Floats, Indices, Matrix
 
 
-def new_matrix(body: Body) -> Matrix:
+def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     """Room for the matrix of a body. For any topology but a chain the pattern is found here, once.
 
     The order is SuperLU's minimum degree, through SciPy; the pattern of the factors follows by
@@ -16,10 +16,11 @@ def new_matrix(body: Body) -> Matrix:
     or four.
     """
     springs = [np.zeros(body.stiffness.size) for _ in range(3)]
+    trees = forest(body, held)
     if body.chain:
         nothing = np.zeros(0, np.int64)
         return Matrix(
-            np.zeros(ROW * (body.stiffness.size + 3)), *springs, *(nothing for _ in Matrix._fields[4:])
+            np.zeros(ROW * (body.stiffness.size + 3)), *springs, *trees, *(nothing for _ in Matrix._fields[6:])
         )
     n = body.masses
     a, b = body.spring_a - 1, body.spring_b - 1
@@ -49,6 +50,7 @@ def new_matrix(body: Body) -> Matrix:
     return Matrix(
         np.zeros(4 * column.size),
         *springs,
+        *trees,
         order=order + 1,
         row_start=row_start,
         column=column,
@@ -118,3 +120,38 @@ def _fill(neighbours: list[set[int]], order: Indices, position: Indices) -> list
         rows[i].append(i)
         rows[i].extend(later)
     return rows
+
+
+def forest(body: Body, held: np.ndarray) -> tuple[Indices, Indices]:
+    """(walk, parent): see `Matrix`. A held mass, or the first of a part that has none, hangs on nothing."""
+    n = body.masses
+    parent = np.zeros(body.stiffness.size + 3, np.int64)
+    ends = list(zip(body.spring_a.tolist(), body.spring_b.tolist(), strict=True))
+    neighbours: list[list[int]] = [[] for _ in range(n + 1)]
+    for a, b in ends:
+        neighbours[a].append(b)
+        neighbours[b].append(a)
+    seen = [False] * (n + 1)
+    walk: list[int] = []
+    roots = [*(np.flatnonzero(held) + 1).tolist(), *range(1, n + 1)]
+    # All held masses are roots before any other mass is reached from one of them.
+    queue = [m for m in roots if m <= n and held[m - 1]]
+    for m in queue:
+        seen[m] = True
+    starts = iter(roots)
+    at = 0
+    while True:
+        while at < len(queue):
+            m = queue[at]
+            at += 1
+            walk.append(m)
+            for o in neighbours[m]:
+                if not seen[o]:
+                    seen[o] = True
+                    parent[o] = m
+                    queue.append(o)
+        free = next((m for m in starts if not seen[m]), None)
+        if free is None:
+            return np.array(walk, np.int64), parent
+        seen[free] = True
+        queue.append(free)

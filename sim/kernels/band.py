@@ -9,18 +9,18 @@ Row i of `matrix.blocks` then holds L2, L1, the inverse of the pivot D, and D^-1
 from __future__ import annotations
 
 from .blocks import inverted, joint_blocks, length_of, minus, plus, spring_block, times
-from .jit import kernel
+from .jit import FAST, kernel
 
 ROW = 20
 """Numbers in a row."""
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def _scaled_row(w, block):
     return -w * block[0], -w * block[1], -w * block[2], -w * block[3]
 
 
-@kernel()
+@kernel(fastmath=FAST)
 def factorise_chain(body, live, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
     places = q.size // 2
@@ -106,7 +106,7 @@ def factorise_chain(body, live, matrix, q, v, a, g, definite):
     return regular
 
 
-@kernel()
+@kernel(forceinline=True, fastmath=FAST)
 def solve_chain(body, matrix, b):
     """Solve in place; b is flat, x of every place, then y."""
     places = b.size // 2

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 
-from .jit import kernel
+from .jit import FAST, kernel
 from .tables import CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def times(a, b):
     """The product of two blocks."""
     return (
@@ -24,33 +24,33 @@ def times(a, b):
     )
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def minus(a, b):
     """The difference of two blocks."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def plus(a, b):
     """The sum of two blocks."""
     return a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def inverted(a):
     """The inverse of a block; infinities where it has none."""
     factor = 1.0 / (a[0] * a[3] - a[1] * a[2])
     return a[3] * factor, -a[1] * factor, -a[2] * factor, a[0] * factor
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def outer(factor, a, b):
     """factor a bᵀ, of two vectors."""
     x, y = factor * a[0], factor * a[1]
     return x * b[0], x * b[1], y * b[0], y * b[1]
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def spring_block(stiffness, damping, pull, length, vector, rate, g, definite):
     """Of the tension of a linear spring, by its own vector.
 
@@ -72,7 +72,7 @@ def spring_block(stiffness, damping, pull, length, vector, rate, g, definite):
     return e + x * ex, x * ey, y * ex, e + y * ey
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def joint_blocks(law, size, cos, sin, rest, damping, a, b, len_a, len_b, rate_a, rate_b, g, definite):
     """Of the tensions that a joint adds to its springs a and b, by their vectors: aa, ab, ba, bb.
 
@@ -175,12 +175,12 @@ def joint_blocks(law, size, cos, sin, rest, damping, a, b, len_a, len_b, rate_a,
     return aa, ab, ba, bb
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def _scaled(factor, block):
     return factor * block[0], factor * block[1], factor * block[2], factor * block[3]
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def _normal_by_vector(vector, normal, inv):
     """Derivative of perp(L) / |L|² by L."""
     x, y = 2.0 * inv * inv * vector[0], 2.0 * inv * inv * vector[1]
@@ -192,13 +192,13 @@ def _normal_by_vector(vector, normal, inv):
     )
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def length_of(x, y):
     """The length of a vector, never quite zero."""
     return math.sqrt(max(x * x + y * y, SHORTEST_SQUARED))
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def deflection(cross, dot, rest):
     """How far an angle is from its rest angle, wrapped into [-pi, pi]; cross and dot are of its springs."""
     off = math.atan2(cross, dot) - rest

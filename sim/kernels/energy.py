@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 
 from .blocks import deflection, length_of
-from .jit import kernel
+from .jit import FAST, kernel
 from .tables import ANGLE
 
 KINETIC, LINEAR, ANGULAR, GRAVITY = 0, 1, 2, 3
 ANCHORS, DAMPING, AIR, LAW = 0, 1, 2, 3
 
 
-@kernel()
+@kernel(fastmath=FAST)
 def energies(body, live, mass, gravity_x, gravity_y, q, v, out):
     """Kinetic, linear, angular and gravity's energy (kg px²/s²), the last from height 0, into `out`.
 

@@ -23,7 +23,7 @@ import math
 import numpy as np
 
 from .blocks import deflection
-from .jit import kernel
+from .jit import FAST, kernel
 from .tables import ANGLE, CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
 
 
@@ -143,7 +143,7 @@ def joint_couples(body, live, work):
             couple[j + 1] += body.couple_damping[j + 1] * math.sqrt(product) * rate
 
 
-@kernel()
+@kernel(forceinline=True, fastmath=FAST)
 def accelerations(body, live, work, q, v, a):
     """Accelerations of all masses at positions q and velocities v; zero where a mass is held.
 
@@ -151,7 +151,8 @@ def accelerations(body, live, work, q, v, a):
     """
     places = q.size // 2
     x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
-    if body.chain:
+    # What most bodies need is compiled into each integrator, since a call costs more than a short chain.
+    if body.chain and body.law != ANGLE and not body.twisted:
         chain_tensions(body, live, work, x, y, vx, vy)
         springs = body.stiffness.size
         tx, ty = work.tx, work.ty
@@ -162,37 +163,29 @@ def accelerations(body, live, work, q, v, a):
         for i in range(1, springs + 1):
             ay[i] = (ty[i] - ty[i + 1]) * w[i] - air[i] * (vy[i] * abs(vy[i])) + gy[i]
     else:
-        internal_forces(body, live, work, x, y, vx, vy)
-        fx, fy = work.fx, work.fy
-        for i in range(1, body.masses + 1):
-            w, air = live.inverse_mass[i], live.air[i]
-            a[i] = fx[i] * w - air * (vx[i] * abs(vx[i])) + live.gx[i]
-            a[places + i] = fy[i] * w - air * (vy[i] * abs(vy[i])) + live.gy[i]
+        any_accelerations(body, live, work, x, y, vx, vy, a)
 
 
-@kernel(inline="always")
+@kernel(fastmath=FAST)
+def any_accelerations(body, live, work, x, y, vx, vy, a):
+    """`accelerations` of any body, under any law."""
+    places = x.size
+    internal_forces(body, live, work, x, y, vx, vy)
+    fx, fy = work.fx, work.fy
+    for i in range(1, body.masses + 1):
+        w, air = live.inverse_mass[i], live.air[i]
+        a[i] = fx[i] * w - air * (vx[i] * abs(vx[i])) + live.gx[i]
+        a[places + i] = fy[i] * w - air * (vy[i] * abs(vy[i])) + live.gy[i]
+
+
+@kernel(forceinline=True, fastmath=FAST)
 def chain_tensions(body, live, work, x, y, vx, vy):
     """The force on the b end of every spring of a chain, at the place of the mass there: s + 2."""
     springs = body.stiffness.size  # padded
     inverse, tx, ty = work.inverse, work.tx, work.ty
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
     cos, sin, size = live.couple_cos, live.couple_sin, body.couple_size
-    if body.law == ANGLE or body.twisted:
-        couple, energy, lx, ly = work.couple, work.energy, work.lx, work.ly
-        dvx, dvy = work.dvx, work.dvy
-        for s in range(springs):
-            lx[s], ly[s] = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            dvx[s], dvy[s] = vx[s + 2] - vx[s + 1], vy[s + 2] - vy[s + 1]
-            inverse[s] = 1.0 / math.sqrt(max(lx[s] * lx[s] + ly[s] * ly[s], SHORTEST_SQUARED))
-        joint_couples(body, live, work)
-        for s in range(body.springs):
-            inv = inverse[s]
-            rate = lx[s] * dvx[s] + ly[s] * dvy[s]
-            along = pull[s] * inv - stiffness[s] - (damping[s] * rate + energy[s] + energy[s + 1]) * (inv * inv)
-            across = (couple[s] - couple[s + 1]) * (inv * inv)
-            tx[s + 2] = along * lx[s] + across * ly[s]
-            ty[s + 2] = along * ly[s] - across * lx[s]
-    elif body.law == CONSERVATIVE:
+    if body.law == CONSERVATIVE:
         length = work.length
         for s in range(springs):
             bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]

@@ -9,12 +9,13 @@ from __future__ import annotations
 import numpy as np
 
 from .controls import refresh
-from .jit import kernel
-from .tables import Indices
+from .jit import FAST, kernel
+from .tables import COUNT_MASS, COUNT_WHAT, Indices
 
 CHECK_EVERY = 64
 
-GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED = 0, 1, 2, 3
+GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED, STUCK = 0, 1, 2, 3, 4
+"""What is wrong with a state; STUCK: no step from it is short enough."""
 
 DONE, STRIDE, WHAT, MASS = 0, 1, 2, 3
 """Places in the `progress` array: steps done, steps until the next look, GOOD or what is wrong, and the
@@ -80,3 +81,30 @@ def judge(body, live, kept, progress, count, farthest, fastest):
     if count == 1:
         progress[WHAT] = what
         progress[MASS] = mass
+
+
+@kernel(fastmath=FAST)
+def sound(body, flow, q, v):
+    """Whether a state is one to keep; what is wrong with it goes into `flow.count`."""
+    farthest, fastest = flow.limits[0], flow.limits[1]
+    bad = 0
+    for j in range(q.size):
+        bad += not (abs(q[j]) <= farthest)
+        bad += not (abs(v[j]) <= fastest)
+    if bad == 0:
+        return True
+    places = q.size // 2
+    for i in range(1, body.masses + 1):
+        for j in (i, places + i):
+            what = GOOD
+            if not (np.isfinite(q[j]) and np.isfinite(v[j])):
+                what = BAD_NUMBER
+            elif abs(q[j]) > farthest:
+                what = BAD_POSITION
+            elif abs(v[j]) > fastest:
+                what = BAD_SPEED
+            if what != GOOD:
+                flow.count[COUNT_WHAT] = what
+                flow.count[COUNT_MASS] = i
+                return False
+    return True

@@ -65,11 +65,16 @@ def is_cached() -> bool:
     return folder is not None and next(folder.glob("**/*.nbc"), None) is not None
 
 
+FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
+"""For kernels that need not do the tutorial's arithmetic to the last bit: sums may be fused and reordered. NaN
+and infinities keep their meaning, since guards and error estimates go by them."""
+
+
 def kernel(**options: Any) -> Callable[[Callable[..., Any]], Any]:
     """Compile a kernel: no Python objects, GIL released, machine code kept on disk.
 
-    IEEE double arithmetic, in the order written: no fastmath, so that a run is the same bit for bit
-    every time.
+    IEEE double arithmetic, in the order written, unless `fastmath=FAST`: a run is the same bit for bit
+    every time on one machine, and the tutorial's on every machine.
     """
 
     def decorate(function: Callable[..., Any]) -> Any:

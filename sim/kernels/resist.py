@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 from .blocks import length_of
-from .jit import kernel
+from .jit import FAST, kernel
 from .tables import SHORTEST_SQUARED
 
 
-@kernel()
+@kernel(fastmath=FAST)
 def remember_directions(body, matrix, q):
     """Keep the springs' directions at positions q, for `add_resistance`."""
     places = q.size // 2
@@ -27,40 +27,51 @@ def remember_directions(body, matrix, q):
             ux[s], uy[s], inverse[s] = x * inv, y * inv, inv
 
 
-@kernel()
+@kernel(forceinline=True, fastmath=FAST)
 def add_resistance(body, live, work, matrix, v, z, factor, out):
     """out += factor Jv z, with Jv at velocities v and at the positions last given to `remember_directions`."""
     places = z.size // 2
-    zx, zy = z[:places], z[places:]
+    if not body.chain or body.twisted:
+        _add_any_resistance(body, live, matrix, v, z, factor, out)
+        return
+    zx, zy, vx, vy = z[:places], z[places:], v[:places], v[places:]
     ox, oy = out[:places], out[places:]
     w, air = live.inverse_mass, live.air
     springs = body.stiffness.size
     ux, uy, tx, ty, damping = matrix.ux, matrix.uy, work.tx, work.ty, body.damping
-    if body.chain and body.damped:
-        for s in range(springs):
-            along = -damping[s] * (ux[s] * (zx[s + 2] - zx[s + 1]) + uy[s] * (zy[s + 2] - zy[s + 1]))
-            tx[s + 2] = along * ux[s]
-            ty[s + 2] = along * uy[s]
-        for i in range(1, springs + 1):
-            ox[i] += factor * w[i] * (tx[i] - tx[i + 1])
-        for i in range(1, springs + 1):
-            oy[i] += factor * w[i] * (ty[i] - ty[i + 1])
-    elif body.damped:
+    for s in range(springs):
+        along = -damping[s] * (ux[s] * (zx[s + 2] - zx[s + 1]) + uy[s] * (zy[s + 2] - zy[s + 1]))
+        tx[s + 2] = along * ux[s]
+        ty[s + 2] = along * uy[s]
+    for i in range(1, springs + 1):
+        ox[i] += factor * (w[i] * (tx[i] - tx[i + 1]) - 2.0 * air[i] * abs(vx[i]) * zx[i])
+    for i in range(1, springs + 1):
+        oy[i] += factor * (w[i] * (ty[i] - ty[i + 1]) - 2.0 * air[i] * abs(vy[i]) * zy[i])
+
+
+@kernel(fastmath=FAST)
+def _add_any_resistance(body, live, matrix, v, z, factor, out):
+    places = z.size // 2
+    zx, zy = z[:places], z[places:]
+    ox, oy = out[:places], out[places:]
+    w, air = live.inverse_mass, live.air
+    ux, uy = matrix.ux, matrix.uy
+    if body.damped:
         for s in range(body.springs):
             a, b = body.spring_a[s], body.spring_b[s]
-            along = -factor * damping[s] * (ux[s] * (zx[b] - zx[a]) + uy[s] * (zy[b] - zy[a]))
+            along = -factor * body.damping[s] * (ux[s] * (zx[b] - zx[a]) + uy[s] * (zy[b] - zy[a]))
             ox[b] += w[b] * along * ux[s]
             oy[b] += w[b] * along * uy[s]
             ox[a] -= w[a] * along * ux[s]
             oy[a] -= w[a] * along * uy[s]
     if body.twisted:
         _add_twist(body, w, matrix, zx, zy, factor, ox, oy)
-    for i in range(1, springs + 1 if body.chain else body.masses + 1):
+    for i in range(1, body.masses + 1):
         ox[i] -= factor * 2.0 * air[i] * abs(v[i]) * zx[i]
         oy[i] -= factor * 2.0 * air[i] * abs(v[places + i]) * zy[i]
 
 
-@kernel()
+@kernel(fastmath=FAST)
 def _add_twist(body, w, matrix, zx, zy, factor, ox, oy):
     ux, uy, inverse = matrix.ux, matrix.uy, matrix.inverse
     for j in range(body.joints):

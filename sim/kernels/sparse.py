@@ -9,10 +9,10 @@ from __future__ import annotations
 import numpy as np
 
 from .blocks import inverted, joint_blocks, length_of, spring_block
-from .jit import kernel
+from .jit import FAST, kernel
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def _add(blocks, target, sign, block):
     i = 4 * target
     blocks[i] += sign * block[0]
@@ -21,7 +21,7 @@ def _add(blocks, target, sign, block):
     blocks[i + 3] += sign * block[3]
 
 
-@kernel()
+@kernel(fastmath=FAST)
 def assemble(body, live, matrix, q, v, g, definite):
     """Sum the derivatives of the forces (not of the accelerations), Jx + g Jv without air, into the pattern."""
     places = q.size // 2
@@ -75,7 +75,7 @@ def assemble(body, live, matrix, q, v, g, definite):
             i += 4
 
 
-@kernel()
+@kernel(fastmath=FAST)
 def factorise_sparse(body, live, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
     places = q.size // 2
@@ -117,7 +117,7 @@ def factorise_sparse(body, live, matrix, q, v, a, g, definite):
     return regular
 
 
-@kernel()
+@kernel(fastmath=FAST)
 def solve_sparse(body, matrix, b):
     """Solve in place; b is flat, x of every place, then y."""
     places = b.size // 2

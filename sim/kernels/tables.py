@@ -140,6 +140,9 @@ class Matrix(NamedTuple):
     ux: Floats  # (S padded) unit vectors of the springs, where the matrix was built
     uy: Floats
     inverse: Floats  # 1 / length there
+    # A spanning forest: an order of the masses in which the one that a mass hangs on comes before it.
+    walk: Indices  # (n,) places
+    parent: Indices  # (places) the place that a mass hangs on; 0 for one that is held, or first in its part
     # Empty for a chain. Rows are numbered in the order of elimination.
     order: Indices  # (n,) place of the mass that row i belongs to
     row_start: Indices  # (n + 1,) first block of each row
@@ -148,3 +151,105 @@ class Matrix(NamedTuple):
     slot: Indices  # (n,) scratch: block of the present row in each column
     spring_target: Indices  # (4 S,) blocks that a spring adds to, at rows and columns bb, ba, ab, aa
     joint_target: Indices  # (16 J,) blocks that a joint adds to, likewise for each pair of its springs
+
+
+class Drive(NamedTuple):
+    """How held masses move, and what held keys do, from the start of a call on."""
+
+    moving: bool  # any mass of the list moves, or a key is held
+    pressed: bool  # a key is held
+    start: float  # time at the start of the call, s
+    mass: Indices  # (M,) places of the masses
+    x: Floats  # (M,) px, where each is at the start, without its circle
+    y: Floats
+    vx: Floats  # (M,) px/s
+    vy: Floats
+    hand: float  # 0 where a mass moved by hand counts as standing still in the damping, 1 elsewhere
+    radius: Floats  # (M,) px, of its circle
+    omega: Floats  # (M,) 1/s
+    ramp: Floats  # (M,) s
+    scale: float  # of rest lengths at the start
+    shift: float  # of rest angles at the start, degrees
+    growth: float  # logarithm of the factor of rest lengths, 1/s
+    turn: float  # degrees/s added to the rest angles
+
+
+class Flow(NamedTuple):
+    """Mutable: the state as the integrators other than the tutorial's go by it, and their scratch.
+
+    Vectors are flat: x of every place, then y of every place.
+    """
+
+    q: Floats  # px
+    v: Floats  # px/s
+    a: Floats  # px/s², of the state
+    clock: Floats  # see the CLOCK_ constants
+    limits: Floats  # farthest coordinate, px, and fastest speed, px/s, that a good state has
+    count: Indices  # see the COUNT_ constants
+    rows: NDArray[np.float64]  # (R, 2 places) scratch
+    history: NDArray[np.float64]  # (4, 2 places) what generalized-alpha carries from step to step
+
+
+CLOCK_TIME = 0
+"""Place in `Flow.clock`: simulated time, s."""
+CLOCK_STEP = 1
+"""Place in `Flow.clock`: the next step that the method in use would try, s; 0 when it has to find out."""
+CLOCK_CAP = 2
+"""Place in `Flow.clock`: the largest step that seems to be stable, s."""
+CLOCK_LAST, CLOCK_LAST_BUT_ONE = 3, 4
+"""Places in `Flow.clock`: the last two steps that `Flow.history` knows of, s; 0 where it does not."""
+CLOCKS = 5
+
+COUNT_FRESH, COUNT_STEPS, COUNT_REJECTED, COUNT_WHAT, COUNT_MASS = 0, 1, 2, 3, 4
+COUNT_FORCES, COUNT_MATRICES, COUNT_RESCUES = 5, 6, 7
+"""Places in `Flow.count`: whether `a` is that of the state; steps done and rejected; GOOD or what is
+wrong, and the mass that shows it; evaluations of the accelerations, matrices factorised, and steps of
+last resort."""
+COUNTS = 8
+
+
+class Tableau(NamedTuple):
+    """An explicit Runge-Kutta(-Nyström) method for q'' = f(t, q, q').
+
+    Stage i is at q + c_i h v + h² sum abar_ij k_j and v + h sum a_ij k_j. Rows are padded with zeros to a
+    multiple of four stages.
+    """
+
+    stages: int  # evaluations of a step; the first of the next step is the last of this one
+    order: int  # power of the step that the error estimate goes with
+    paired: bool  # there are two error estimates
+    c: Floats  # (stages + 1,) the last is the end of the step
+    a: NDArray[np.float64]  # (stages + 1, padded); the last row is b
+    abar: NDArray[np.float64]
+    error: Floats  # (padded) weights of the estimated position error
+    second: Floats  # (padded) of a second estimate, of lower order, as in DOP853
+
+
+class Rosenbrock(NamedTuple):
+    """A Rosenbrock method, in the form in which each stage is one solve (Hairer & Wanner II, IV.7).
+
+    Rows are padded with zeros to a multiple of four stages.
+    """
+
+    stages: int
+    order: int  # power of the step that the error estimate goes with
+    gamma: float
+    c: Floats  # (stages + 1,) times of the stages; the last is the end of the step
+    slope: Floats  # (stages,) weights of the derivative by time
+    a: NDArray[np.float64]  # (stages + 1, padded); the last row gives the end of the step
+    coupling: NDArray[np.float64]  # (stages, padded)
+    error: Floats  # (padded) weights of the error estimate
+
+
+class Ledger(NamedTuple):
+    """What has changed the energy since the ledger was opened; scratch for finding it out."""
+
+    active: bool
+    work: Floats  # (5,) kg px²/s², see the WORK_ constants
+    mass: Floats  # (places) kg
+    rows: NDArray[np.float64]  # (4, 2 places) scratch
+
+
+WORK_ANCHORS, WORK_DAMPING, WORK_AIR, WORK_LAW, WORK_KEYS = 0, 1, 2, 3, 4
+"""Places in `Ledger.work`: done by moved anchors; taken away by damping and by air (negative); done by a law
+without an energy; done by keys that change rest lengths and angles."""

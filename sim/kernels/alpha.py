@@ -1,0 +1,236 @@
+"""Generalized-alpha, for long and stiff bodies: one implicit force a step, solved for by Newton's method.
+
+The method is that of Chung & Hulbert (1993), written for the end of the step: the force there is unknown, the
+one at its start is carried along. A long rod turns by much in a step while it hardly stretches, which is
+anything but linear in positions. So predictor and Newton's updates turn and stretch each spring of a
+spanning forest, and positions follow from those.
+"""
+
+from __future__ import annotations
+
+from .drive import drive_to
+from .forces import accelerations
+from .guard import GOOD, sound
+from .implicit import factorise, solve
+from .jit import FAST, kernel
+from .ledger import tally
+from .steps import HOPELESS, SHORTEST_STEP, biggest, first_step, fitting_step, freshen, step_after
+from .tables import (
+    CLOCK_LAST,
+    CLOCK_LAST_BUT_ONE,
+    CLOCK_STEP,
+    CLOCK_TIME,
+    COUNT_FORCES,
+    COUNT_MATRICES,
+    COUNT_REJECTED,
+    COUNT_STEPS,
+    COUNT_WHAT,
+)
+
+_ITERATIONS = 8
+_ERROR = 0.1
+"""The error of a step as a part of the distance between prediction and solution, found by trying."""
+
+
+@kernel(fastmath=FAST)
+def run_alpha(
+    body, live, work, matrix, drive, flow, ledger, rho, end, fixed, tolerance, attempts
+):  # fmt: skip
+    """Go on to `end`; arguments as those of `run_explicit`.
+
+    Args:
+        rho: what is left of the fastest motions after each step, 0..1 (the spectral radius at infinity).
+    """
+    freshen(body, live, work, drive, flow)
+    clock, count = flow.clock, flow.count
+    q, v, rows = flow.q, flow.v, flow.rows
+    start, to_q, to_v, to_a, move, guess, force = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6]
+    inner = flow.history[0]  # the method's own acceleration
+    am, af = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
+    gamma = 0.5 - am + af
+    beta = 0.25 * (1.0 - am + af) ** 2
+    weight = 1.0 / (1.0 - af)
+    if clock[CLOCK_LAST] == 0.0:
+        for j in range(q.size):
+            inner[j] = flow.a[j]
+    precision = 0.05 * tolerance if fixed == 0.0 else 1e-9
+    t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
+    if fixed > 0.0:
+        h = fixed
+    elif h <= 0.0:
+        h = 4.0 * first_step(flow, drive, tolerance)
+    failed = False
+    for _ in range(attempts):
+        if not (t < end and count[COUNT_WHAT] == GOOD):
+            break
+        step = fitting_step(t, end, h)
+        inverse = 1.0 / (beta * step * step)
+        g2 = weight * (1.0 - am) * inverse
+        g1 = gamma / (beta * step)
+        for j in range(q.size):
+            start[j] = q[j] + step * v[j] + step * step * (0.5 - beta) * inner[j]
+            to_q[j] = start[j] + step * step * beta * inner[j]
+        if drive.moving:
+            drive_to(body, live, drive, t + step, to_q, to_v)
+        _predict(matrix, flow, step, to_q)
+        for j in range(q.size):
+            guess[j] = to_q[j]
+        converged = False
+        last = 1e300
+        for iteration in range(_ITERATIONS):
+            for j in range(q.size):
+                to_a[j] = (to_q[j] - start[j]) * inverse
+                to_v[j] = v[j] + step * ((1.0 - gamma) * inner[j] + gamma * to_a[j])
+            if drive.moving:
+                drive_to(body, live, drive, t + step, to_q, to_v)
+            accelerations(body, live, work, to_q, to_v, force)
+            for j in range(q.size):
+                move[j] = force[j] + weight * (af * flow.a[j] - (1.0 - am) * to_a[j] - am * inner[j])
+            for k in range(drive.mass.size):
+                m = drive.mass[k]
+                move[m], move[q.size // 2 + m] = 0.0, 0.0
+            # The second iteration is close enough to the first to do with its matrix.
+            if iteration != 1 or last > 10.0 * tolerance:
+                factorise(body, live, matrix, to_q, to_v, g2, g1, False)
+                count[COUNT_MATRICES] += 1
+            solve(body, matrix, move)
+            count[COUNT_FORCES] += 1
+            size = biggest(move)
+            if not size < 1e8 or (iteration >= 2 and size > 0.5 * last):
+                break
+            _turn_and_stretch(matrix, to_q, move, rows[7])
+            if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
+                converged = True
+                break
+            last = size
+        error = HOPELESS
+        if converged:
+            for j in range(q.size):
+                to_a[j] = (to_q[j] - start[j]) * inverse
+                to_v[j] = v[j] + step * ((1.0 - gamma) * inner[j] + gamma * to_a[j])
+                force[j] = weight * ((1.0 - am) * to_a[j] + am * inner[j] - af * flow.a[j])
+                guess[j] -= to_q[j]
+            for k in range(drive.mass.size):
+                m = drive.mass[k]
+                for j in (m, q.size // 2 + m):
+                    to_a[j], force[j] = 0.0, 0.0
+            if drive.moving:
+                drive_to(body, live, drive, t + step, to_q, to_v)
+            error = 0.0
+            if fixed == 0.0:
+                known = 1.0 if clock[CLOCK_LAST_BUT_ONE] > 0.0 else 0.3
+                error = known * _ERROR * biggest(guess) / tolerance
+        good = error <= 1.5 and sound(body, flow, to_q, to_v)
+        if good:
+            if ledger.active:
+                tally(body, live, work, ledger, drive, flow, t, to_q, to_v, force, step)
+            t = end if step == end - t else t + step
+            _remember(matrix, flow, step)
+            for j in range(q.size):
+                q[j], v[j], flow.a[j], inner[j] = to_q[j], to_v[j], force[j], to_a[j]
+            count[COUNT_STEPS] += 1
+        else:
+            count[COUNT_REJECTED] += 1
+            if drive.pressed:
+                drive_to(body, live, drive, t, q, v)
+        h = step_after(flow, h, step, error, 3, good, failed)
+        failed = not good
+        if fixed > 0.0:
+            h = min(h, fixed)
+        elif not good and h < 1e-6 and h > SHORTEST_STEP:
+            # Perhaps it is what was carried along that is no good.
+            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0
+            accelerations(body, live, work, q, v, flow.a)
+            for j in range(q.size):
+                inner[j] = flow.a[j]
+    clock[CLOCK_TIME] = t
+    clock[CLOCK_STEP] = h
+
+
+@kernel(fastmath=FAST)
+def _remember(matrix, flow, step):
+    """Shift the history of the springs' vectors by a step; called before the state is replaced."""
+    clock, places = flow.clock, flow.q.size // 2
+    last, older = flow.history[1], flow.history[2]
+    for i in range(matrix.walk.size):
+        m = matrix.walk[i]
+        p = matrix.parent[m]
+        for j, k in ((m, p), (places + m, places + p)):
+            older[j] = last[j]
+            last[j] = flow.q[j] - flow.q[k]
+    clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_LAST]
+    clock[CLOCK_LAST] = step
+
+
+@kernel(fastmath=FAST)
+def _predict(matrix, flow, step, to_q):
+    """Extrapolate how each spring of the forest turned and stretched in the last two steps.
+
+    In complex numbers: a vector becomes vector * (1 + z), and z, less its square's half, is extrapolated as a
+    polynomial of time. The masses without a parent are where they are in `to_q` already.
+    """
+    clock, places, q = flow.clock, flow.q.size // 2, flow.q
+    last, older = flow.history[1], flow.history[2]
+    h1, h0 = clock[CLOCK_LAST], clock[CLOCK_LAST_BUT_ONE]
+    if h1 == 0.0:
+        return
+    c1, c0 = step / h1, 0.0
+    if h0 > 0.0:
+        ratio = (h1 + step) / (h0 + h1)
+        c1, c0 = c1 * (1.0 + ratio), -step / h0 * ratio
+    for i in range(matrix.walk.size):
+        m = matrix.walk[i]
+        p = matrix.parent[m]
+        if p == 0:
+            continue
+        x, y = q[m] - q[p], q[places + m] - q[places + p]
+        re, im = _logarithm(x, y, last[m], last[places + m])
+        re, im = c1 * re, c1 * im
+        if c0 != 0.0:
+            more = _logarithm(last[m], last[places + m], older[m], older[places + m])
+            re, im = re + c0 * more[0], im + c0 * more[1]
+        x, y = _turned(x, y, 1.0 + re, im)
+        to_q[m], to_q[places + m] = to_q[p] + x, to_q[places + p] + y
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _logarithm(x, y, x0, y0):
+    """Of (x + iy) / (x0 + iy0), to second order in the turn."""
+    inverse = 1.0 / max(x0 * x0 + y0 * y0, 1e-300)
+    re, im = (x * x0 + y * y0) * inverse - 1.0, (y * x0 - x * y0) * inverse
+    return re + 0.5 * im * im, im
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _turned(x, y, stretch, turn):
+    """A vector turned (by Cayley's map, without trigonometry) and stretched; as it is if that is wild."""
+    half = 0.5 * turn
+    if not (0.4 < stretch and stretch < 2.5 and abs(half) < 0.7):
+        return x, y
+    scale = stretch / (1.0 + half * half)
+    cos, sin = (1.0 - half * half) * scale, 2.0 * half * scale
+    return cos * x - sin * y, sin * x + cos * y
+
+
+@kernel(fastmath=FAST)
+def _turn_and_stretch(matrix, q, move, old):
+    """Apply an update to the positions q, turning and stretching each spring of the forest."""
+    places = q.size // 2
+    for j in range(q.size):
+        old[j] = q[j]
+    for i in range(matrix.walk.size):
+        m = matrix.walk[i]
+        p = matrix.parent[m]
+        if p == 0:
+            q[m] += move[m]
+            q[places + m] += move[places + m]
+            continue
+        x, y = old[m] - old[p], old[places + m] - old[places + p]
+        dx, dy = move[m] - move[p], move[places + m] - move[places + p]
+        inverse = 1.0 / max(x * x + y * y, 1e-300)
+        stretch, turn = 1.0 + (x * dx + y * dy) * inverse, (x * dy - y * dx) * inverse
+        if 0.4 < stretch and stretch < 2.5 and abs(turn) < 1.4:
+            x, y = _turned(x, y, stretch, turn)
+        else:
+            x, y = x + dx, y + dy
+        q[m], q[places + m] = q[p] + x, q[places + p] + y

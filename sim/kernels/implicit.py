@@ -1,0 +1,24 @@
+"""The linear systems of implicit steps, on whatever topology."""
+
+from __future__ import annotations
+
+from .band import factorise_chain, solve_chain
+from .jit import FAST, kernel
+from .sparse import factorise_sparse, solve_sparse
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def factorise(body, live, matrix, q, v, a, g, definite):
+    """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
+    if body.chain:
+        return factorise_chain(body, live, matrix, q, v, a, g, definite)
+    return factorise_sparse(body, live, matrix, q, v, a, g, definite)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def solve(body, matrix, b):
+    """Solve with the last factors, in place; b is flat, x of every place, then y."""
+    if body.chain:
+        solve_chain(body, matrix, b)
+    else:
+        solve_sparse(body, matrix, b)

@@ -1,0 +1,145 @@
+"""What has changed a body's energy: the books of a step."""
+
+from __future__ import annotations
+
+import math
+
+from .blocks import deflection, length_of
+from .drive import drive_to
+from .forces import internal_forces
+from .jit import FAST, kernel
+from .tables import (
+    ANGLE,
+    TUTORIAL,
+    WORK_AIR,
+    WORK_ANCHORS,
+    WORK_DAMPING,
+    WORK_KEYS,
+    WORK_LAW,
+)
+
+# Gauss-Legendre nodes and weights on (0, 1), of order six.
+_NODES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
+_WEIGHTS = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
+
+
+@kernel(fastmath=FAST)
+def between(h, u, q0, v0, a0, q1, v1, a1, q, v):
+    """Positions and velocities at the part u of a step h, into q and v: the quintic through both its ends.
+
+    It meets positions, velocities and accelerations there (Hermite), so that positions are exact to h⁶.
+    """
+    w = 1.0 - u
+    for j in range(q.size):
+        # Of the polynomial q0 + h v0 u + h² a0 u²/2 + u³ (c3 + c4 u + c5 u²).
+        d = q1[j] - q0[j] - h * v0[j] - 0.5 * h * h * a0[j]
+        e = h * (v1[j] - v0[j]) - h * h * a0[j]
+        f = h * h * (a1[j] - a0[j])
+        c3 = 10.0 * d - 4.0 * e + 0.5 * f
+        c4 = -15.0 * d + 7.0 * e - f
+        c5 = 6.0 * d - 3.0 * e + 0.5 * f
+        q[j] = q0[j] + u * (h * v0[j] + u * (0.5 * h * h * a0[j] + u * (c3 + u * (c4 + u * c5))))
+        v[j] = v0[j] + u * (h * a0[j] + u * (3.0 * c3 + u * (4.0 * c4 + u * 5.0 * c5)) / h)
+
+
+@kernel(fastmath=FAST)
+def tally(body, live, work, ledger, drive, flow, t, q1, v1, a1, h):
+    """Add the work of a step of length h from the state in `flow`, at time t, to q1, v1, a1."""
+    q, v, still = ledger.rows[0], ledger.rows[1], ledger.rows[2]
+    for i in range(3):
+        u = _NODES[i]
+        between(h, u, flow.q, flow.v, flow.a, q1, v1, a1, q, v)
+        if drive.moving:
+            drive_to(body, live, drive, t + u * h, q, v)
+        _tally_powers(body, live, work, ledger, drive, _WEIGHTS[i] * h, q, v, still)
+    if drive.pressed:
+        drive_to(body, live, drive, t + h, q, v)
+
+
+@kernel(fastmath=FAST)
+def _tally_powers(body, live, work, ledger, drive, h, q, v, still):
+    """Add h times the powers at a state. `still` is all zeros."""
+    places = q.size // 2
+    x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
+    sums, mass = ledger.work, ledger.mass
+    fx, fy, free = work.fx, work.fy, live.inverse_mass
+    # The force of the springs and joints, and then that of the dampers alone, which is linear in v.
+    internal_forces(body, live, work, x, y, still[:places], still[places:])
+    for i in range(drive.mass.size):
+        m = drive.mass[i]
+        # Its true velocity; `v` may have it standing still.
+        tx, ty = vx[m] + (1.0 - drive.hand) * drive.vx[i], vy[m] + (1.0 - drive.hand) * drive.vy[i]
+        sums[WORK_ANCHORS] -= h * (fx[m] * tx + fy[m] * ty)
+    power = 0.0
+    for i in range(1, body.masses + 1):
+        power -= fx[i] * vx[i] + fy[i] * vy[i]
+        if free[i] > 0.0:
+            drag = live.air[i] * mass[i]
+            sums[WORK_AIR] -= h * drag * (vx[i] * vx[i] * abs(vx[i]) + vy[i] * vy[i] * abs(vy[i]))
+    if body.damped or body.twisted:
+        for i in range(drive.mass.size):
+            m = drive.mass[i]
+            sums[WORK_ANCHORS] += h * (fx[m] * vx[m] + fy[m] * vy[m])
+        internal_forces(body, live, work, x, y, vx, vy)
+        for i in range(1, body.masses + 1):
+            power += fx[i] * vx[i] + fy[i] * vy[i]
+        for i in range(drive.mass.size):
+            m = drive.mass[i]
+            sums[WORK_ANCHORS] -= h * (fx[m] * vx[m] + fy[m] * vy[m])
+        sums[WORK_DAMPING] += h * power
+    if body.law == TUTORIAL:
+        sums[WORK_LAW] += h * _power_of_law(body, live, x, y, vx, vy, drive)
+    if drive.pressed:
+        sums[WORK_KEYS] += h * _power_of_keys(body, live, drive, x, y)
+
+
+@kernel(fastmath=FAST)
+def _power_of_law(body, live, x, y, vx, vy, drive):
+    """The power of what the tutorial's law leaves out of a gradient: U (|A|'/|A| + |B|'/|B|) of each joint."""
+    power = 0.0
+    for j in range(body.joints):
+        s, r = body.joint_a[j], body.joint_b[j]
+        a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
+        ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
+        aa, bb = length_of(ax, ay), length_of(bx, by)
+        size = body.couple_size[j + 1] * aa * bb
+        cross, dot = ax * by - ay * bx, ax * bx + ay * by
+        sine = math.sin(0.5 * deflection(cross, dot, live.couple_rest[j + 1]))
+        energy = 2.0 * size * sine * sine
+        ua, ub = _true(drive, a0, a1, vx, vy), _true(drive, b0, b1, vx, vy)
+        power += energy * (ax * ua[0] + ay * ua[1]) / (aa * aa)
+        power += energy * (bx * ub[0] + by * ub[1]) / (bb * bb)
+    return power
+
+
+@kernel(fastmath=FAST)
+def _true(drive, a, b, vx, vy):
+    """The rate of a spring's vector, from mass a to mass b, also where the hand counts as standing still."""
+    ux, uy = vx[b] - vx[a], vy[b] - vy[a]
+    if drive.hand == 0.0:
+        for i in range(drive.mass.size):
+            if drive.mass[i] == b:
+                ux, uy = ux + drive.vx[i], uy + drive.vy[i]
+            if drive.mass[i] == a:
+                ux, uy = ux - drive.vx[i], uy - drive.vy[i]
+    return ux, uy
+
+
+@kernel(fastmath=FAST)
+def _power_of_keys(body, live, drive, x, y):
+    """The power of rest lengths and rest angles that change."""
+    power = 0.0
+    for s in range(body.springs):
+        if body.stiffness[s] > 0.0:
+            a, b = body.spring_a[s], body.spring_b[s]
+            stretch = body.stiffness[s] * length_of(x[b] - x[a], y[b] - y[a]) - live.pull[s]
+            power -= stretch * drive.growth * live.pull[s] / body.stiffness[s]
+    for j in range(body.joints):
+        s, r = body.joint_a[j], body.joint_b[j]
+        a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
+        ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
+        off = deflection(ax * by - ay * bx, ax * bx + ay * by, live.couple_rest[j + 1])
+        size = body.couple_size[j + 1] * length_of(ax, ay) * length_of(bx, by)
+        couple = size * off if body.law == ANGLE else size * math.sin(off)
+        power -= couple * math.radians(drive.turn)
+    return power

@@ -1,0 +1,152 @@
+"""Any Rosenbrock method: implicit, but each stage is one linear solve with the same matrix.
+
+Velocity is eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solves (g² I - g Jv - Jx) x = r_v + g r_q -
+Jv r_q, and w = g x - r_q.
+"""
+
+from __future__ import annotations
+
+from .drive import drive_to
+from .forces import accelerations
+from .guard import GOOD, sound
+from .implicit import factorise, solve
+from .jit import FAST, kernel
+from .ledger import tally
+from .resist import add_resistance, remember_directions
+from .steps import HOPELESS, biggest, first_step, fitting_step, freshen, replace_state, step_after
+from .tables import (
+    CLOCK_STEP,
+    CLOCK_TIME,
+    COUNT_FORCES,
+    COUNT_MATRICES,
+    COUNT_REJECTED,
+    COUNT_STEPS,
+    COUNT_WHAT,
+)
+
+_MOST_STAGES = 8
+
+
+@kernel(fastmath=FAST)
+def run_rosenbrock(
+    body, live, work, matrix, drive, flow, ledger, method, end, fixed, tolerance, attempts
+):  # fmt: skip
+    """Go on to `end` with a Rosenbrock method; arguments as those of `run_explicit`."""
+    freshen(body, live, work, drive, flow)
+    clock, count = flow.clock, flow.count
+    q, v, rows = flow.q, flow.v, flow.rows
+    xs, ws = rows[:_MOST_STAGES], rows[_MOST_STAGES : 2 * _MOST_STAGES]
+    to_q, to_v, to_a = rows[2 * _MOST_STAGES], rows[2 * _MOST_STAGES + 1], rows[2 * _MOST_STAGES + 2]
+    rest, by_time = rows[2 * _MOST_STAGES + 3], rows[2 * _MOST_STAGES + 4]
+    stages = method.stages
+    t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
+    if fixed > 0.0:
+        h = fixed
+    elif h <= 0.0:
+        h = first_step(flow, drive, tolerance)
+    failed = False
+    for _ in range(attempts):
+        if not (t < end and count[COUNT_WHAT] == GOOD):
+            break
+        step = fitting_step(t, end, h)
+        g = 1.0 / (method.gamma * step)
+        regular = factorise(body, live, matrix, q, v, g * g, g, False)
+        remember_directions(body, matrix, q)
+        if drive.moving:
+            _by_time(body, live, work, drive, flow, t, step, to_q, to_v, to_a, by_time)
+        count[COUNT_MATRICES] += 1
+        for i in range(stages + 1):
+            for j in range(q.size):
+                to_q[j], to_v[j] = q[j], v[j]
+            if i == 0:
+                for j in range(q.size):
+                    to_a[j] = flow.a[j]
+            else:
+                _accumulate(to_q, 1.0, method.a[i], xs, i)
+                _accumulate(to_v, 1.0, method.a[i], ws, i)
+                if drive.moving:
+                    drive_to(body, live, drive, t + method.c[i] * step, to_q, to_v)
+                accelerations(body, live, work, to_q, to_v, to_a)
+            if i == stages:
+                break
+            x, w = xs[i], ws[i]
+            for j in range(q.size):
+                rest[j], x[j] = to_v[j], to_a[j]
+            if i > 0:
+                _accumulate(rest, 1.0 / step, method.coupling[i], xs, i)
+                _accumulate(x, 1.0 / step, method.coupling[i], ws, i)
+            if drive.moving:
+                slope = method.slope[i] * step
+                for j in range(q.size):
+                    x[j] += slope * by_time[j]
+                for k in range(drive.mass.size):
+                    m = drive.mass[k]
+                    rest[m], rest[q.size // 2 + m] = 0.0, 0.0
+            for j in range(q.size):
+                x[j] += g * rest[j]
+            add_resistance(body, live, work, matrix, v, rest, -1.0, x)
+            solve(body, matrix, x)
+            for j in range(q.size):
+                w[j] = g * x[j] - rest[j]
+        count[COUNT_FORCES] += stages
+        error = 0.0
+        if fixed == 0.0:
+            for j in range(q.size):
+                rest[j] = 0.0
+            _accumulate(rest, 1.0, method.error, xs, stages)
+            error = biggest(rest) / tolerance
+            if not error < HOPELESS:
+                error = HOPELESS
+        good = regular and error <= 1.0 and sound(body, flow, to_q, to_v)
+        if good:
+            if ledger.active:
+                tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
+            t = end if step == end - t else t + step
+            replace_state(flow, to_q, to_v, to_a)
+            count[COUNT_STEPS] += 1
+        else:
+            count[COUNT_REJECTED] += 1
+            for i in range(2 * _MOST_STAGES):  # sums run over stages with weight zero, too
+                for j in range(q.size):
+                    rows[i, j] = 0.0
+            if drive.pressed:
+                drive_to(body, live, drive, t, q, v)
+        if fixed == 0.0:
+            h = step_after(flow, h, step, error, method.order, good, failed)
+            failed = not good
+    clock[CLOCK_TIME] = t
+    clock[CLOCK_STEP] = h
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _accumulate(out, factor, weights, rows, count):
+    """out += factor sum weights_l rows_l, over the first `count` rows."""
+    for i in range(0, count, 4):
+        w0, w1, w2, w3 = (
+            factor * weights[i],
+            factor * weights[i + 1],
+            factor * weights[i + 2],
+            factor * weights[i + 3],
+        )
+        r0, r1, r2, r3 = rows[i], rows[i + 1], rows[i + 2], rows[i + 3]
+        for j in range(out.size):
+            out[j] += w0 * r0[j] + w1 * r1[j] + w2 * r2[j] + w3 * r3[j]
+
+
+@kernel(fastmath=FAST)
+def _by_time(body, live, work, drive, flow, t, h, q, v, a, out):
+    """The derivative of the accelerations by time, with the free masses where they are.
+
+    A difference over a small part of the step: what is driven is smooth within a call.
+    """
+    part = 1e-4 * h
+    for j in range(q.size):
+        q[j], v[j] = flow.q[j], flow.v[j]
+    drive_to(body, live, drive, t + part, q, v)
+    accelerations(body, live, work, q, v, out)
+    drive_to(body, live, drive, t - part, q, v)
+    accelerations(body, live, work, q, v, a)
+    for j in range(q.size):
+        out[j] = (out[j] - a[j]) / (2.0 * part)
+    if drive.pressed:
+        drive_to(body, live, drive, t, q, v)

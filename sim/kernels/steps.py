@@ -1,0 +1,95 @@
+"""What all integrators but the tutorial's share: where a step ends, and how long the next one is."""
+
+from __future__ import annotations
+
+import math
+
+from .drive import drive_to
+from .forces import accelerations
+from .guard import STUCK
+from .jit import FAST, kernel
+from .tables import CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT
+
+SHORTEST_STEP = 1e-12
+"""A step (s) that is not worth shortening any more."""
+
+HOPELESS = 1e30
+"""An error estimate (in tolerances) that stands for infinities and NaN."""
+
+
+@kernel(fastmath=FAST)
+def freshen(body, live, work, drive, flow):
+    """Make sure that the held masses are where they are to be, and that `flow.a` is of the present state."""
+    if flow.count[COUNT_FRESH] == 0:
+        if drive.moving:
+            drive_to(body, live, drive, flow.clock[CLOCK_TIME], flow.q, flow.v)
+        accelerations(body, live, work, flow.q, flow.v, flow.a)
+        flow.count[COUNT_FORCES] += 1
+        flow.count[COUNT_FRESH] = 1
+
+
+@kernel(forceinline=True)
+def fitting_step(t, end, h):
+    """The step to try: not beyond the end, and without leaving a sliver."""
+    rest = end - t
+    if h >= 0.999999 * rest:
+        return rest
+    if 2.0 * h > rest:
+        return 0.5 * rest
+    return h
+
+
+@kernel(fastmath=FAST)
+def first_step(flow, drive, tolerance):
+    """A first step, s: the time in which the accelerations move a mass by the tolerance."""
+    most = 1e-9
+    for j in range(flow.a.size):
+        most = max(most, abs(flow.a[j]))
+    h = math.sqrt(tolerance / most)
+    for i in range(drive.mass.size):
+        if drive.radius[i] > 0.0:
+            h = min(h, 0.25 * drive.ramp[i])
+    return h
+
+
+@kernel(forceinline=True)
+def step_after(flow, h, step, error, order, good, after_failure):
+    """The step to try next, s.
+
+    Args:
+        h: the step that the error control had in mind.
+        step: the step that was tried, which the end of a call may have cut short.
+        error: its error estimate, in tolerances.
+        order: power of the step that the estimate goes with.
+        good: whether it was kept.
+        after_failure: whether the one before it was not.
+    """
+    factor = 5.0
+    if error > 1e-12:
+        factor = min(5.0, max(0.2, 0.9 * error ** (-1.0 / order)))
+    if not good:
+        h = step * min(factor, 0.5)
+        if h < SHORTEST_STEP:
+            flow.count[COUNT_WHAT] = STUCK
+        return h
+    if after_failure:
+        factor = min(factor, 1.0)
+    # A step that was cut short says little about longer ones.
+    return max(h, step * factor) if step < 0.999 * h else step * factor
+
+
+@kernel(forceinline=True)
+def replace_state(flow, q, v, a):
+    """Take over the state at the end of a step."""
+    for j in range(q.size):
+        flow.q[j], flow.v[j], flow.a[j] = q[j], v[j], a[j]
+
+
+@kernel(fastmath=FAST)
+def biggest(values):
+    """The largest size of the values; NaN if one is."""
+    most = 0.0
+    for j in range(values.size):
+        size = abs(values[j])
+        most = size if not size <= most else most
+    return most

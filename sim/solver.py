@@ -1,0 +1,211 @@
+"""Runs any method but the tutorial's over a stretch of time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .kernels import guard
+from .kernels.alpha import run_alpha
+from .kernels.explicit import run_explicit
+from .kernels.rosenbrock import run_rosenbrock
+from .kernels.tables import (
+    CLOCK_STEP,
+    CLOCK_TIME,
+    CLOCKS,
+    COUNT_FORCES,
+    COUNT_FRESH,
+    COUNT_MASS,
+    COUNT_MATRICES,
+    COUNT_REJECTED,
+    COUNT_RESCUES,
+    COUNT_STEPS,
+    COUNT_WHAT,
+    COUNTS,
+    TUTORIAL,
+    CONTROL_SCALE,
+    CONTROL_SHIFT,
+    Drive,
+    Flow,
+    Ledger,
+    Live,
+    Matrix,
+    Work,
+)
+from .kernels.verlet import run_verlet
+from .methods import METHODS
+from .pattern import new_matrix
+from .scene import MAX_COORDINATE, MAX_SPEED, Scene
+from .system import System
+
+_ROWS = 24
+RHO = 0.8
+"""What generalized-alpha leaves of the fastest motions in each step."""
+
+UNLIMITED = 2**62
+
+
+@dataclass
+class Effort:
+    """What a method did since its counters were last taken.
+
+    Attributes:
+        steps, rejected: steps kept and steps tried in vain.
+        forces, matrices: evaluations of the accelerations, and matrices factorised.
+        rescues: steps of last resort.
+    """
+
+    steps: int = 0
+    rejected: int = 0
+    forces: int = 0
+    matrices: int = 0
+    rescues: int = 0
+
+
+class Solver:
+    """The state of one body in flat arrays, and the methods that move it on.
+
+    Args:
+        scene: a valid scene.
+        system: its tables.
+        live: parameters that change; positions and velocities there are not used.
+        work: scratch.
+    """
+
+    def __init__(self, scene: Scene, system: System, live: Live, work: Work) -> None:
+        self.scene, self.system, self.live, self.work = scene, system, live, work
+        self.places = live.x.size
+        wide = 2 * self.places
+        self.flow = Flow(
+            q=np.zeros(wide),
+            v=np.zeros(wide),
+            a=np.zeros(wide),
+            clock=np.zeros(CLOCKS),
+            limits=np.array([MAX_COORDINATE, MAX_SPEED]),
+            count=np.zeros(COUNTS, np.int64),
+            rows=np.zeros((_ROWS, wide)),
+            history=np.zeros((4, wide)),
+        )
+        self.ledger = Ledger(False, np.zeros(5), np.zeros(self.places), np.zeros((4, wide)))
+        self._matrix: Matrix | None = None
+        circles = {a.mass: a.circle for a in scene.anchors if a.circle is not None}
+        self._circle = {int(system.mass_place[m]): circle for m, circle in circles.items()}
+        self._hand = 0.0 if system.body.law == TUTORIAL else 1.0
+
+    @property
+    def matrix(self) -> Matrix:
+        """What implicit steps need; made when it is first asked for."""
+        if self._matrix is None:
+            self._matrix = new_matrix(self.system.body, self.system.held)
+        return self._matrix
+
+    @property
+    def time(self) -> float:
+        """Simulated time, s."""
+        return float(self.flow.clock[CLOCK_TIME])
+
+    def load(self, time: float) -> None:
+        """Take over the state in `live`, at a time; what was carried from step to step is forgotten."""
+        flow, live, p = self.flow, self.live, self.places
+        flow.q[:p], flow.q[p:], flow.v[:p], flow.v[p:] = live.x, live.y, live.vx, live.vy
+        flow.clock[:] = 0.0
+        flow.clock[CLOCK_TIME] = time
+        flow.count[:] = 0
+
+    def store(self) -> None:
+        """Hand the state over to `live`."""
+        flow, live, p = self.flow, self.live, self.places
+        live.x[:], live.y[:], live.vx[:], live.vy[:] = flow.q[:p], flow.q[p:], flow.v[:p], flow.v[p:]
+
+    def drive(
+        self, until: float, targets: dict[int, tuple[float, float]], growth: float, turn: float
+    ) -> Drive:
+        """How masses move and keys act until a time: targets by place, and what keys do per second."""
+        t = self.time
+        duration = max(until - t, 1e-300)
+        places = sorted({*targets, *self._circle})
+        rows = []
+        for m in places:
+            circle = self._circle.get(m)
+            x, y = self.flow.q[m], self.flow.q[self.places + m]
+            ox, oy = offset(circle, t) if circle else (0.0, 0.0)
+            vx = vy = 0.0
+            if m in targets:
+                ex, ey = offset(circle, until) if circle else (0.0, 0.0)
+                vx = (targets[m][0] - ex - (x - ox)) / duration
+                vy = (targets[m][1] - ey - (y - oy)) / duration
+            radius, omega, ramp = (
+                (circle.radius, 2.0 * np.pi * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
+            )
+            rows.append((x - ox, y - oy, vx, vy, radius, omega, ramp))
+        columns = np.array(rows, float).reshape(-1, 7).T.copy()
+        pressed = growth != 0.0 or turn != 0.0
+        return Drive(
+            moving=bool(places) or pressed,
+            pressed=pressed,
+            start=t,
+            mass=np.array(places, np.int64),
+            x=columns[0],
+            y=columns[1],
+            vx=columns[2],
+            vy=columns[3],
+            hand=self._hand,
+            radius=columns[4],
+            omega=columns[5],
+            ramp=columns[6],
+            scale=float(self.live.controls[CONTROL_SCALE]),
+            shift=float(self.live.controls[CONTROL_SHIFT]),
+            growth=growth,
+            turn=turn,
+        )
+
+    def run(
+        self,
+        method: str,
+        until: float,
+        drive: Drive,
+        *,
+        dt: float = 0.0,
+        tolerance: float = 0.0,
+        attempts: int = UNLIMITED,
+    ) -> None:
+        """Go on to a time, with a fixed step `dt` or under a tolerance; `what` tells how it ended."""
+        info = METHODS[method]
+        body = self.system.body
+        common = (body, self.live, self.work)
+        fixed = 0.0 if info.adaptive else dt
+        local = max(tolerance * info.strictness, 1e-13) if info.adaptive else 1.0
+        rest = (until, fixed, local, attempts)
+        if info.kind == "explicit":
+            run_explicit(*common, drive, self.flow, self.ledger, info.table, *rest)
+        elif info.kind == "verlet":
+            run_verlet(*common, drive, self.flow, self.ledger, *rest)
+        elif info.kind == "rosenbrock":
+            run_rosenbrock(*common, self.matrix, drive, self.flow, self.ledger, info.table, *rest)
+        elif info.kind == "alpha":
+            run_alpha(*common, self.matrix, drive, self.flow, self.ledger, RHO, *rest)
+
+    def touch(self) -> None:
+        """Say that the state or what acts on it has changed from outside."""
+        self.flow.count[COUNT_FRESH] = 0
+
+    @property
+    def what(self) -> int:
+        """guard.GOOD, or what is wrong with the state that the next step would lead to."""
+        return int(self.flow.count[COUNT_WHAT])
+
+    def effort(self) -> Effort:
+        """What was done since the last call of this."""
+        count = self.flow.count
+        places = (COUNT_STEPS, COUNT_REJECTED, COUNT_FORCES, COUNT_MATRICES, COUNT_RESCUES)
+        effort = Effort(*(int(count[i]) for i in places))
+        count[list(places)] = 0
+        return effort
+
+
+def offset(circle, time: float) -> tuple[float, float]:
+    """How far an anchor on a circle is off its place, px."""
+    fade = np.exp(-time / circle.ramp)
+    phase = 2.0 * np.pi * circle.frequency * (time - circle.ramp * (1.0 - fade))
+    return circle.radius * float(np.sin(phase)), circle.radius * (1.0 - float(np.cos(phase)))
