@@ -14,12 +14,13 @@ from .stability import StabilityEstimate
 FARTHEST = MAX_COORDINATE
 FASTEST = MAX_SPEED
 
-Quantity = Literal["number", "position", "speed"]
+Quantity = Literal["number", "position", "speed", "step"]
 
 LIMITS: dict[int, tuple[Quantity, float]] = {
     guard.BAD_NUMBER: ("number", math.inf),
     guard.BAD_POSITION: ("position", FARTHEST),
     guard.BAD_SPEED: ("speed", FASTEST),
+    guard.STUCK: ("step", 0.0),
 }
 
 
@@ -48,6 +49,7 @@ class Divergence:
         what = {
             "number": f"mass {self.mass} would get a position or velocity that is not a finite number",
             "position": f"mass {self.mass} would pass the position limit of {self.limit:g} px",
+            "step": "no step from here is short enough",
             "speed": f"mass {self.mass} would pass the speed limit of {self.limit:g} px/s",
         }[self.quantity]
         return f"stopped before step {self.step}: {what}; {self.reason}"

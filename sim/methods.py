@@ -52,7 +52,7 @@ _ALL = (
     ),
     MethodInfo(
         "velocity_verlet", "Velocity Verlet", "verlet", 2, False, False,
-        "As cheap as Euler's and of second order; the same limit.",
+        "As cheap as Euler's and of second order; the same limit.", strictness=0.005,
     ),
     MethodInfo(
         "rk4", "Runge-Kutta 4", "explicit", 4, False, False,

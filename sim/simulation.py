@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Iterable
 from typing import Literal
@@ -13,24 +14,21 @@ from numpy.typing import NDArray
 from .divergence import FARTHEST, FASTEST, LIMITS, Divergence
 from .errors import InputError
 from .kernels import guard
-from .kernels.chain import run_chain
 from .kernels.controls import refresh
-from .kernels.general import run_general, run_held
 from .kernels.tables import (
     CONTROL_SCALE,
     CONTROL_SHIFT,
-    NO_JOINTS,
     SCALE_MAX,
     SCALE_MIN,
-    TUTORIAL,
     Live,
-    Motion,
 )
 from .scene import Anchor, Pose, Scene
 from .settings import shift_rest_angles
 from .stability import StabilityEstimate, StabilityMeter
+from .stepping import Outcome, Presses, Targets, stepper_for
 from .system import build_system, new_live, new_work, same_topology
 from .validate import validate
+from .weaken import weakened
 
 Key = Literal["up", "down", "left", "right"]
 KEYS: frozenset[str] = frozenset(("up", "down", "left", "right"))
@@ -42,7 +40,7 @@ class Simulation:
     Args:
         scene: a valid scene.
         dt: time step, 1e-6..1 s; None for the scene's own.
-        integrator: "symplectic_euler"; None for the scene's own.
+        integrator: name of a method (`sim.methods`); None for the scene's own.
 
     Attributes:
         keys: the arrow keys held, a set of "up", "down", "left", "right"; they act in every step.
@@ -85,7 +83,7 @@ class Simulation:
     @property
     def time(self) -> float:
         """Simulated time since the start or the last reset, s."""
-        return self._time_before + (self._steps - self._steps_before) * self.dt
+        return self._time
 
     @property
     def dt(self) -> float:
@@ -157,6 +155,7 @@ class Simulation:
         place, (x, y) = self._held_mass(mass), self._place(to)
         self._targets.pop(place, None)
         self._live.x[place], self._live.y[place] = x, y
+        self._moved = True
 
     def lead(self, mass: int, to: tuple[float, float]) -> None:
         """Lead a held mass somewhere: in a straight line, over all steps of the next call of `step`.
@@ -183,43 +182,16 @@ class Simulation:
             raise InputError(f"step: {n} is not a number of steps")
         if self.divergence is not None or n == 0:
             return 0
-        places = np.array(list(self._targets), np.int64)
-        targets = np.array(list(self._targets.values()), float).reshape(-1, 2)
-        factor, angle = self._key_rates()
-        motion = Motion(
-            active=bool(self._targets) or (factor, angle) != (1.0, 0.0),
-            mass=places,
-            from_x=self._live.x[places],
-            from_y=self._live.y[places],
-            to_x=targets[:, 0].copy(),
-            to_y=targets[:, 1].copy(),
-            length_factor=factor,
-            angle_step=angle,
-        )
-        if self._all_held:
-            run_held(self._body, self._live, motion, n)
-            done, what, mass = n, guard.GOOD, -1
-        else:
-            run = run_chain if self._body.chain and self._body.law in (NO_JOINTS, TUTORIAL) and not self._body.twisted else run_general
-            progress = guard.new_progress()
-            run(
-                self._body, self._live, self._work, motion, self._kept, progress, self.dt, n,
-                self._scene.air_friction > 0.0, FARTHEST, FASTEST,
-            )  # fmt: skip
-            done, _, what, mass = (int(p) for p in progress)
-        self._steps += done
-        self._targets.clear()
-        if what != guard.GOOD:
-            quantity, limit = LIMITS[what]
-            self.divergence = Divergence(
-                int(self._system.mass_order[mass - 1]),
-                self._steps,
-                quantity,
-                limit,
-                self.dt,
-                self._diagnose(),
-            )
-        return done
+        if self._moved:
+            self._stepper.begin(self._time)
+            self._moved = False
+        outcome = self._stepper.step(n, self._targets, self._presses(), self._all_held)
+        self._time = self._stepper.time
+        self._steps += outcome.steps
+        self._targets = {}
+        if outcome.what != guard.GOOD:
+            self.divergence = self._explain(outcome)
+        return outcome.steps
 
     def advance(self, seconds: float) -> int:
         """Do as many steps as fit into the seconds, the rest being kept for the next call.
@@ -240,8 +212,8 @@ class Simulation:
         live = self._live
         for field, row in zip((live.x, live.y, live.vx, live.vy), self._system.start, strict=True):
             field[self._masses] = row
-        self._steps = self._steps_before = 0
-        self._time_before = self._owed = 0.0
+        self._steps = 0
+        self._time = self._owed = 0.0
         self._grabbed.clear()
         self._restart()
 
@@ -258,12 +230,11 @@ class Simulation:
             self.reset()
             return
         positions, velocities = self.positions, self.velocities
-        time, steps, owed, grabbed = self.time, self._steps, self._owed, self._grabbed
+        grabbed = self._grabbed
         self._install(scene)
         order = self._system.mass_order
         self._live.x[self._masses], self._live.y[self._masses] = positions[order].T
         self._live.vx[self._masses], self._live.vy[self._masses] = velocities[order].T
-        self._time_before, self._steps, self._steps_before, self._owed = time, steps, steps, owed
         self._grabbed = grabbed
         self._restart()
 
@@ -277,17 +248,21 @@ class Simulation:
     def _install(self, scene: Scene) -> None:
         """Build tables and room for a valid scene; the state is still to be filled in."""
         self._scene = scene
-        self._system = system = build_system(scene)
+        system = build_system(scene)
+        if scene.integrator.method == "stable_spring":
+            body = weakened(system.body, system.inverse_mass, system.held, scene.integrator.dt)
+            system = dataclasses.replace(system, body=body)
+        self._system = system
         self._body = system.body
         self._masses = slice(1, system.body.masses + 1)
         self._live: Live = new_live(system)
         self._work = new_work(system)
-        self._kept = np.zeros((5, self._live.x.size))
+        self._stepper = stepper_for(scene, system, self._live, self._work)
         springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
         joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
         self._joint_ends = springs[joints[:, 0]], springs[joints[:, 1]]
         self._meter: StabilityMeter | None = None
-        self._targets: dict[int, tuple[float, float]] = {}
+        self._targets: Targets = {}
         self._grabbed: set[int] = set()
 
     def _restart(self) -> None:
@@ -315,6 +290,12 @@ class Simulation:
         live.dt_gx[self._masses] = free * dt * self._scene.gravity[0]
         live.dt_gy[self._masses] = free * dt * self._scene.gravity[1]
         self._all_held = bool(held.all())
+        self._moved = True
+
+    def _explain(self, outcome: Outcome) -> Divergence:
+        quantity, limit = LIMITS[outcome.what]
+        mass = int(self._system.mass_order[outcome.place - 1]) if outcome.place > 0 else 0
+        return Divergence(mass, self._steps, quantity, limit, self.dt, self._diagnose())
 
     def _diagnose(self) -> StabilityEstimate:
         """The stability limit to blame for a divergence.
@@ -332,11 +313,11 @@ class Simulation:
         rest.x[self._masses], rest.y[self._masses] = torn
         return StabilityMeter(self._system).update(rest, self._scene.air_friction)
 
-    def _key_rates(self) -> tuple[float, float]:
-        """(factor of the rest lengths, degrees added to the rest angles) per step, for the keys held."""
+    def _presses(self) -> Presses:
+        """What the keys held do in one time step."""
         rates = self._scene.arrow_keys
         if rates is None or not self._keys:
-            return 1.0, 0.0
+            return Presses()
         intervals = self.dt / rates.interval
         # However fast the keys: more than the whole range of scales, or than a full turn, is no more.
         most = math.log(SCALE_MAX / SCALE_MIN)
@@ -346,7 +327,7 @@ class Simulation:
             growth = SCALE_MAX / SCALE_MIN
         length = (growth if "up" in self._keys else 1.0) / (growth if "down" in self._keys else 1.0)
         turn = math.remainder(rates.rest_angle_step * intervals, 360.0)
-        return length, turn * (("right" in self._keys) - ("left" in self._keys))
+        return Presses(length, turn * (("right" in self._keys) - ("left" in self._keys)))
 
     def _existing_mass(self, mass: int) -> int:
         if (

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
 from .kernels import guard
 from .kernels.alpha import run_alpha
+from .kernels.auto import run_auto
+from .kernels.controls import circle_at
 from .kernels.explicit import run_explicit
 from .kernels.rosenbrock import run_rosenbrock
 from .kernels.tables import (
-    CLOCK_STEP,
+    AUTO_NEW,
     CLOCK_TIME,
     CLOCKS,
     COUNT_FORCES,
@@ -36,12 +40,15 @@ from .kernels.tables import (
 from .kernels.verlet import run_verlet
 from .methods import METHODS
 from .pattern import new_matrix
-from .scene import MAX_COORDINATE, MAX_SPEED, Scene
+from .scene import MAX_COORDINATE, MAX_SPEED, Circle, Scene
 from .system import System
 
 _ROWS = 24
 RHO = 0.8
 """What generalized-alpha leaves of the fastest motions in each step."""
+
+LOW_TOLERANCE = 3e-3
+"""Tolerance, px, from which on `auto` uses methods of low order."""
 
 UNLIMITED = 2**62
 
@@ -85,12 +92,15 @@ class Solver:
             limits=np.array([MAX_COORDINATE, MAX_SPEED]),
             count=np.zeros(COUNTS, np.int64),
             rows=np.zeros((_ROWS, wide)),
+            mind=np.array(AUTO_NEW),
             history=np.zeros((4, wide)),
         )
         self.ledger = Ledger(False, np.zeros(5), np.zeros(self.places), np.zeros((4, wide)))
         self._matrix: Matrix | None = None
         circles = {a.mass: a.circle for a in scene.anchors if a.circle is not None}
         self._circle = {int(system.mass_place[m]): circle for m, circle in circles.items()}
+        n = system.body.masses
+        self._cost = (880.0 + 185.0 * n) / (90.0 + 4.3 * n)
         self._hand = 0.0 if system.body.law == TUTORIAL else 1.0
 
     @property
@@ -110,6 +120,7 @@ class Solver:
         flow, live, p = self.flow, self.live, self.places
         flow.q[:p], flow.q[p:], flow.v[:p], flow.v[p:] = live.x, live.y, live.vx, live.vy
         flow.clock[:] = 0.0
+        flow.mind[:] = AUTO_NEW
         flow.clock[CLOCK_TIME] = time
         flow.count[:] = 0
 
@@ -129,14 +140,14 @@ class Solver:
         for m in places:
             circle = self._circle.get(m)
             x, y = self.flow.q[m], self.flow.q[self.places + m]
-            ox, oy = offset(circle, t) if circle else (0.0, 0.0)
+            ox, oy = offset(circle, t)
             vx = vy = 0.0
             if m in targets:
-                ex, ey = offset(circle, until) if circle else (0.0, 0.0)
+                ex, ey = offset(circle, until)
                 vx = (targets[m][0] - ex - (x - ox)) / duration
                 vy = (targets[m][1] - ey - (y - oy)) / duration
             radius, omega, ramp = (
-                (circle.radius, 2.0 * np.pi * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
+                (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
             )
             rows.append((x - ox, y - oy, vx, vy, radius, omega, ramp))
         columns = np.array(rows, float).reshape(-1, 7).T.copy()
@@ -186,9 +197,29 @@ class Solver:
         elif info.kind == "alpha":
             run_alpha(*common, self.matrix, drive, self.flow, self.ledger, RHO, *rest)
 
+        elif info.kind == "auto":
+            low = tolerance >= LOW_TOLERANCE
+            explicit, implicit = METHODS["dop853"], METHODS["rodas4" if low else "rodas5p"]
+            strictness = METHODS["velocity_verlet"].strictness if low else explicit.strictness
+            tolerances = np.array([strictness, implicit.strictness]) * tolerance
+            run_auto(
+                *common, self.matrix, drive, self.flow, self.ledger, explicit.table, implicit.table,
+                low, self._cost, until, tolerances, attempts,
+            )  # fmt: skip
+
     def touch(self) -> None:
         """Say that the state or what acts on it has changed from outside."""
         self.flow.count[COUNT_FRESH] = 0
+
+    def stop(self, places: Iterable[int]) -> None:
+        """Some held masses are led no more."""
+        for place in places:
+            self.flow.v[place] = self.flow.v[self.places + place] = 0.0
+
+    @property
+    def place(self) -> int:
+        """The place of the mass that shows what is wrong."""
+        return int(self.flow.count[COUNT_MASS])
 
     @property
     def what(self) -> int:
@@ -204,8 +235,9 @@ class Solver:
         return effort
 
 
-def offset(circle, time: float) -> tuple[float, float]:
-    """How far an anchor on a circle is off its place, px."""
-    fade = np.exp(-time / circle.ramp)
-    phase = 2.0 * np.pi * circle.frequency * (time - circle.ramp * (1.0 - fade))
-    return circle.radius * float(np.sin(phase)), circle.radius * (1.0 - float(np.cos(phase)))
+def offset(circle: Circle | None, time: float) -> tuple[float, float]:
+    """How far an anchor is off its place at a time, px: on its circle, if it has one."""
+    if circle is None:
+        return 0.0, 0.0
+    x, y, _, _ = circle_at(time, circle.radius, math.tau * circle.frequency, circle.ramp)
+    return x, y

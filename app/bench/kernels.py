@@ -115,7 +115,9 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
     # Masses that are exactly in line would make some products zero, and so perhaps cheaper.
     noise = np.random.default_rng(1).normal(size=(n, 2))
     chain, general = sim.Simulation(scene, dt=STEP), sim.Simulation(scene, dt=STEP)
-    general._system = dataclasses.replace(general._system, is_chain=False)
+    general._stepper._system = dataclasses.replace(  # type: ignore[union-attr]
+        general._system, body=general._body._replace(chain=False)
+    )
     for simulation in (chain, general):
         simulation._live.x[1 : n + 1] += noise[:, 0]
         simulation._live.y[1 : n + 1] += noise[:, 1]

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 
-from .controls import lead_and_press
+from .controls import lead_and_press, place_led
 from .guard import DONE, GOOD, STRIDE, WHAT, judge, keep
 from .jit import kernel
 from .tables import SHORTEST_SQUARED
@@ -80,6 +80,8 @@ def run_chain(body, live, work, motion, kept, progress, dt, steps, has_air, fart
                     ty[s + 2] = along * (y[s + 2] - y[s + 1])
             chain_axis(x, vx, tx, live.dt_mass, live.dt_air, live.dt_gx, dt, springs, has_air)
             chain_axis(y, vy, ty, live.dt_mass, live.dt_air, live.dt_gy, dt, springs, has_air)
+            if motion.active:
+                place_led(live, motion, step, steps)  # those that have a speed were moved on by it
         judge(body, live, kept, progress, count, farthest, fastest)
 
 

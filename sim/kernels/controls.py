@@ -34,18 +34,37 @@ def refresh(body, live):
 
 @kernel()
 def lead_and_press(body, live, motion, step, steps):
-    """Step `step` of `steps`: first the pointer sets its masses, then the keys do their work."""
-    part = (step + 1) / steps
-    for i in range(motion.mass.size):
-        m = motion.mass[i]
-        if step + 1 == steps:
-            live.x[m] = motion.to_x[i]
-            live.y[m] = motion.to_y[i]
-        else:
-            live.x[m] = motion.from_x[i] + (motion.to_x[i] - motion.from_x[i]) * part
-            live.y[m] = motion.from_y[i] + (motion.to_y[i] - motion.from_y[i]) * part
+    """Step `step` of `steps`: first the pointer and the circles set their masses, then the keys do their work."""
+    place_led(live, motion, step, steps)
     if motion.length_factor != 1.0 or motion.angle_step != 0.0:
         scale = live.controls[CONTROL_SCALE] * motion.length_factor
         live.controls[CONTROL_SCALE] = min(max(scale, SCALE_MIN), SCALE_MAX)
         live.controls[CONTROL_SHIFT] = wrap(live.controls[CONTROL_SHIFT] + motion.angle_step)
         refresh(body, live)
+
+
+@kernel()
+def place_led(live, motion, step, steps):
+    """Put the masses that are led, and those on circles, where they are at the end of a step."""
+    part = (step + 1) / steps
+    for i in range(motion.mass.size):
+        m = motion.mass[i]
+        x, y, vx, vy = motion.to_x[i], motion.to_y[i], motion.vx[i], motion.vy[i]
+        if step + 1 < steps:
+            x = motion.from_x[i] + (motion.to_x[i] - motion.from_x[i]) * part
+            y = motion.from_y[i] + (motion.to_y[i] - motion.from_y[i]) * part
+        if motion.radius[i] > 0.0:
+            dx, dy, du, dv = circle_at(
+                motion.start + (step + 1) * motion.dt, motion.radius[i], motion.omega[i], motion.ramp[i]
+            )
+            x, y, vx, vy = x + dx, y + dy, vx + du, vy + dv
+        live.x[m], live.y[m], live.vx[m], live.vy[m] = x, y, vx, vy
+
+
+@kernel()
+def circle_at(t, radius, omega, ramp):
+    """How far an anchor on a circle is off its place at time t, and how fast it is: x, y, vx, vy."""
+    fade = math.exp(-t / ramp)
+    phase, rate = omega * (t - ramp * (1.0 - fade)), omega * (1.0 - fade)
+    sine, cosine = math.sin(phase), math.cos(phase)
+    return radius * sine, radius * (1.0 - cosine), radius * cosine * rate, radius * sine * rate

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from .controls import refresh
+from .controls import circle_at, refresh
 from .jit import kernel
 from .tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN
 
@@ -19,14 +19,8 @@ def drive_to(body, live, drive, t, q, v):
         x, y = drive.x[i] + drive.vx[i] * since, drive.y[i] + drive.vy[i] * since
         vx, vy = drive.vx[i] * drive.hand, drive.vy[i] * drive.hand
         if drive.radius[i] > 0.0:
-            fade = math.exp(-t / drive.ramp[i])
-            phase = drive.omega[i] * (t - drive.ramp[i] * (1.0 - fade))
-            rate = drive.omega[i] * (1.0 - fade)
-            sine, cosine = math.sin(phase), math.cos(phase)
-            x += drive.radius[i] * sine
-            y += drive.radius[i] * (1.0 - cosine)
-            vx += drive.radius[i] * cosine * rate
-            vy += drive.radius[i] * sine * rate
+            dx, dy, du, dv = circle_at(t, drive.radius[i], drive.omega[i], drive.ramp[i])
+            x, y, vx, vy = x + dx, y + dy, vx + du, vy + dv
         q[m], q[places + m] = x, y
         v[m], v[places + m] = vx, vy
     if drive.pressed:

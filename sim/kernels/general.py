@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .controls import lead_and_press
+from .controls import lead_and_press, place_led
 from .forces import internal_forces
 from .guard import DONE, GOOD, STRIDE, WHAT, judge, keep
 from .jit import kernel
@@ -22,6 +22,8 @@ def run_general(body, live, work, motion, kept, progress, dt, steps, has_air, fa
             internal_forces(body, live, work, live.x, live.y, live.vx, live.vy)
             general_axis(live.x, live.vx, work.fx, live.dt_mass, live.dt_air, live.dt_gx, dt, masses, has_air)
             general_axis(live.y, live.vy, work.fy, live.dt_mass, live.dt_air, live.dt_gy, dt, masses, has_air)
+            if motion.active:
+                place_led(live, motion, step, steps)  # those that have a speed were moved on by it
         judge(body, live, kept, progress, count, farthest, fastest)
 
 

@@ -112,6 +112,13 @@ class Motion(NamedTuple):
     from_y: Floats
     to_x: Floats  # (M,) reached at the last step of the call
     to_y: Floats
+    vx: Floats  # (M,) px/s, as the damping has it
+    vy: Floats
+    radius: Floats  # (M,) px, of the circle that a mass goes round beside; 0 for none
+    omega: Floats  # (M,) 1/s
+    ramp: Floats  # (M,) s
+    start: float  # time at the start of the call, s
+    dt: float  # s
     length_factor: float  # of every rest length, per step
     angle_step: float  # added to every rest angle, per step, degrees
 
@@ -187,6 +194,7 @@ class Flow(NamedTuple):
     limits: Floats  # farthest coordinate, px, and fastest speed, px/s, that a good state has
     count: Indices  # see the COUNT_ constants
     rows: NDArray[np.float64]  # (R, 2 places) scratch
+    mind: Floats  # what `auto` has learnt, see the AUTO_ constants
     history: NDArray[np.float64]  # (4, 2 places) what generalized-alpha carries from step to step
 
 
@@ -199,6 +207,12 @@ CLOCK_CAP = 2
 CLOCK_LAST, CLOCK_LAST_BUT_ONE = 3, 4
 """Places in `Flow.clock`: the last two steps that `Flow.history` knows of, s; 0 where it does not."""
 CLOCKS = 5
+
+AUTO_EXPLICIT_STEP, AUTO_IMPLICIT_STEP, AUTO_EXPLICIT_PACE, AUTO_IMPLICIT_PACE, AUTO_TURNS = 0, 1, 2, 3, 4
+"""Places in `Flow.mind`: the next step of both methods, s; simulated time for the computing of an explicit
+step, s, negative where unknown; turns so far."""
+AUTO_NEW = (0.0, 0.0, -1.0, -1.0, 0.0)
+"""What `auto` knows at first."""
 
 COUNT_FRESH, COUNT_STEPS, COUNT_REJECTED, COUNT_WHAT, COUNT_MASS = 0, 1, 2, 3, 4
 COUNT_FORCES, COUNT_MATRICES, COUNT_RESCUES = 5, 6, 7

@@ -15,6 +15,11 @@ from sim.files import built_in_folder
 PRESETS = sorted(path.stem for path in built_in_folder().glob("*.json"))
 
 
+def euler(dt: float = 0.0025) -> Integrator:
+    """The tutorial's method."""
+    return Integrator(method="symplectic_euler", dt=dt)
+
+
 def chain(
     places: list[tuple[float, float]],
     *,
@@ -42,7 +47,8 @@ def chain(
         angular_springs=tuple(AngularSpring(a=j, b=j + 1, stiffness=angular_stiffness) for j in joints),
         anchors=tuple(Anchor(mass=i) for i in held),
         gravity=gravity,
-        integrator=Integrator(dt=dt),
+        force_law="tutorial",
+        integrator=euler(dt),
     )
 
 
@@ -94,7 +100,8 @@ def tangle(
             for i in joined
         ),
         anchors=tuple(Anchor(mass=i) for i in held),
-        integrator=Integrator(dt=dt),
+        force_law="tutorial",
+        integrator=euler(dt),
     )
 
 
@@ -119,7 +126,8 @@ def star(arms: int) -> Scene:
             AngularSpring(a=a, b=b, stiffness=40.0 + a + 10.0 * b, rest_angle=20.0 * (a - b))
             for a, b in itertools.combinations(range(arms), 2)
         ),
-        integrator=Integrator(dt=1e-3),
+        force_law="tutorial",
+        integrator=euler(1e-3),
     )
 
 

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene, Simulation
-from sim.kernels.general import internal_forces
+from sim.kernels.forces import internal_forces
+from sim.stepping import stepper_for
 from sim.system import System
 
 Points = NDArray[np.float64]
@@ -20,12 +21,18 @@ def system_of(simulation: Simulation) -> System:
 
 def is_chain(simulation: Simulation) -> bool:
     """Whether the simulation takes the fast path for chains."""
-    return simulation._system.is_chain
+    return simulation._body.chain
 
 
 def general(simulation: Simulation) -> Simulation:
     """The same simulation, made to take the path for any topology."""
-    simulation._system = dataclasses.replace(simulation._system, is_chain=False)
+    body = simulation._body._replace(chain=False)
+    simulation._body = body
+    simulation._system = dataclasses.replace(simulation._system, body=body)
+    simulation._stepper = stepper_for(
+        simulation._scene, simulation._system, simulation._live, simulation._work
+    )
+    simulation._moved = True
     return simulation
 
 
@@ -35,12 +42,14 @@ def put(simulation: Simulation, positions: Points, velocities: Points | None = N
     live.x[place], live.y[place] = positions.T
     if velocities is not None:
         live.vx[place], live.vy[place] = velocities.T
+    simulation._moved = True
 
 
 def spring_forces(simulation: Simulation) -> Points:
     """(n, 2) what all springs and joints do to each mass at the present state, without air and gravity."""
     work = simulation._work
-    internal_forces(simulation._body, simulation._live, work)
+    live = simulation._live
+    internal_forces(simulation._body, live, work, live.x, live.y, live.vx, live.vy)
     place = simulation._system.mass_place
     return np.column_stack((work.fx[place], work.fy[place]))
 

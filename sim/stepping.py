@@ -1,0 +1,186 @@
+"""How a body is moved on by whole time steps: by the tutorial's kernels, or by any other method."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .kernels import guard
+from .kernels.chain import run_chain
+from .kernels.general import run_general, run_held
+from .kernels.tables import NO_JOINTS, TUTORIAL, Live, Motion, Work
+from .methods import METHODS
+from .scene import MAX_COORDINATE, MAX_SPEED, Scene
+from .solver import UNLIMITED, Effort, Solver, offset
+from .system import System
+
+Targets = dict[int, tuple[float, float]]
+"""Where masses that are led are to be at the end of a call, by place, px."""
+
+
+@dataclass(frozen=True)
+class Presses:
+    """What held keys do to all rest lengths and rest angles.
+
+    Attributes:
+        factor: of the rest lengths, per time step.
+        angle: degrees added to the rest angles, per time step.
+    """
+
+    factor: float = 1.0
+    angle: float = 0.0
+
+    @property
+    def any(self) -> bool:
+        """Whether they do anything."""
+        return (self.factor, self.angle) != (1.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a call went.
+
+    Attributes:
+        steps: whole time steps done.
+        what: guard.GOOD, or what is wrong with the state that would come next.
+        place: the mass that shows it.
+    """
+
+    steps: int
+    what: int = guard.GOOD
+    place: int = -1
+
+
+class EulerStepper:
+    """Symplectic Euler, step by step as the tutorial has it; also for the stable spring."""
+
+    def __init__(self, scene: Scene, system: System, live: Live, work: Work) -> None:
+        self._scene, self._system, self._live, self._work = scene, system, live, work
+        self._kept = np.zeros((5, live.x.size))
+        self._start, self._dt = 0.0, scene.integrator.dt
+        self._steps = 0
+        self._effort = Effort()
+        circles = {int(system.mass_place[a.mass]): a.circle for a in scene.anchors if a.circle is not None}
+        self._circle = circles
+        self._hand = 0.0 if system.body.law == TUTORIAL else 1.0
+
+    @property
+    def time(self) -> float:
+        """Simulated time, s."""
+        return self._start + self._steps * self._dt
+
+    def begin(self, time: float) -> None:
+        """The state in `live` is that of a time, s, and has come from elsewhere."""
+        self._start, self._steps = time, 0
+
+    def step(self, steps: int, targets: Targets, presses: Presses, all_held: bool) -> Outcome:
+        """Do some steps; fewer when the body runs away."""
+        body, live = self._system.body, self._live
+        motion = self._motion(steps, targets, presses)
+        self._effort.steps += steps
+        self._effort.forces += steps
+        if all_held:
+            run_held(body, live, motion, steps)
+            self._steps += steps
+            return Outcome(steps)
+        plain = body.law in (NO_JOINTS, TUTORIAL) and not body.twisted
+        run = run_chain if body.chain and plain else run_general
+        progress = guard.new_progress()
+        run(
+            body, live, self._work, motion, self._kept, progress, self._dt, steps,
+            self._scene.air_friction > 0.0, MAX_COORDINATE, MAX_SPEED,
+        )  # fmt: skip
+        done, _, what, place = (int(p) for p in progress)
+        self._steps += done
+        return Outcome(done, what, place)
+
+    def effort(self) -> Effort:
+        """What was done since the last call of this."""
+        effort, self._effort = self._effort, Effort()
+        return effort
+
+    def _motion(self, steps: int, targets: Targets, presses: Presses) -> Motion:
+        live, t = self._live, self.time
+        duration = steps * self._dt
+        places = sorted({*targets, *self._circle})
+        rows = []
+        for m in places:
+            circle = self._circle.get(m)
+            ox, oy = offset(circle, t)
+            x, y = live.x[m] - ox, live.y[m] - oy
+            tx, ty = x, y
+            if m in targets:
+                ex, ey = offset(circle, t + duration)
+                tx, ty = targets[m][0] - ex, targets[m][1] - ey
+            radius, omega, ramp = (
+                (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
+            )
+            vx, vy = ((to - at) / duration * self._hand for to, at in ((tx, x), (ty, y)))
+            rows.append((x, y, tx, ty, vx, vy, radius, omega, ramp))
+        columns = np.array(rows, float).reshape(-1, 9).T.copy()
+        return Motion(
+            bool(places) or presses.any,
+            np.array(places, np.int64),
+            *columns,
+            start=t,
+            dt=self._dt,
+            length_factor=presses.factor,
+            angle_step=presses.angle,
+        )
+
+
+class FlowStepper:
+    """Any other method, from one whole time step to a later one."""
+
+    def __init__(self, scene: Scene, system: System, live: Live, work: Work) -> None:
+        self._scene, self._live = scene, live
+        self.solver = Solver(scene, system, live, work)
+        self._led: Targets = {}
+        self._goal = 0.0
+        self._held = np.flatnonzero(system.held) + 1
+
+    @property
+    def time(self) -> float:
+        """Simulated time, s."""
+        return self.solver.time
+
+    def begin(self, time: float) -> None:
+        """The state in `live` is that of a time, s, and has come from elsewhere."""
+        self.solver.load(time)
+        self._goal = time
+
+    def step(
+        self, steps: int, targets: Targets, presses: Presses, all_held: bool, attempts: int = UNLIMITED
+    ) -> Outcome:
+        """Go on by some time steps; by fewer when the attempts run out or the body runs away."""
+        solver, integrator = self.solver, self._scene.integrator
+        dt = integrator.dt
+        until = self._goal + steps * dt
+        growth = math.log(presses.factor) / dt
+        if targets or self._led:
+            solver.stop(self._led)
+            solver.touch()
+        drive = solver.drive(until, targets, growth, presses.angle / dt)
+        self._led = targets
+        solver.run(
+            integrator.method, until, drive, dt=dt, tolerance=integrator.tolerance, attempts=attempts
+        )
+        solver.store()
+        done = int((solver.time - self._goal) / dt + 1e-6)
+        self._goal += done * dt
+        return Outcome(done, solver.what, solver.place)
+
+    def effort(self) -> Effort:
+        """What was done since the last call of this."""
+        return self.solver.effort()
+
+
+Stepper = EulerStepper | FlowStepper
+
+
+def stepper_for(scene: Scene, system: System, live: Live, work: Work) -> Stepper:
+    """What the scene's method asks for."""
+    kind = EulerStepper if METHODS[scene.integrator.method].kind == "euler" else FlowStepper
+    return kind(scene, system, live, work)
