@@ -20,7 +20,10 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     if body.chain:
         nothing = np.zeros(0, np.int64)
         return Matrix(
-            np.zeros(ROW * (body.stiffness.size + 3)), *springs, *trees, *(nothing for _ in Matrix._fields[6:])
+            np.zeros(ROW * (body.stiffness.size + 3)),
+            *springs,
+            *trees,
+            *(nothing for _ in Matrix._fields[6:]),
         )
     n = body.masses
     a, b = body.spring_a - 1, body.spring_b - 1
@@ -47,10 +50,15 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     def targets(pairs: Indices) -> Indices:
         return np.searchsorted(keys, (position[pairs[..., 0]] * n + position[pairs[..., 1]]).ravel())
 
+    ux, uy, inverse = springs
+    walk, parent = trees
     return Matrix(
-        np.zeros(4 * column.size),
-        *springs,
-        *trees,
+        blocks=np.zeros(4 * column.size),
+        ux=ux,
+        uy=uy,
+        inverse=inverse,
+        walk=walk,
+        parent=parent,
         order=order + 1,
         row_start=row_start,
         column=column,
@@ -74,9 +82,9 @@ def fill(body: Body, matrix: Matrix) -> tuple[int, int]:
 
 def _pairs(rows: Indices, columns: Indices) -> Indices:
     """(k, 4, 2) the (row, column) of each combination of ends: first with first, first with second, ..."""
-    return np.stack(
-        [np.stack((rows[:, i], columns[:, j]), 1) for i in (0, 1) for j in (0, 1)], 1
-    ).astype(np.int64)
+    return np.stack([np.stack((rows[:, i], columns[:, j]), 1) for i in (0, 1) for j in (0, 1)], 1).astype(
+        np.int64
+    )
 
 
 def _minimum_degree(neighbours: list[set[int]]) -> Indices:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Iterable
 from typing import Literal
 
@@ -11,21 +10,21 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from .divergence import FARTHEST, FASTEST, LIMITS, Divergence
+from .books import Books, EnergyBook
+from .divergence import FARTHEST, LIMITS, Divergence
 from .errors import InputError
 from .kernels import guard
 from .kernels.controls import refresh
 from .kernels.tables import (
     CONTROL_SCALE,
     CONTROL_SHIFT,
-    SCALE_MAX,
-    SCALE_MIN,
     Live,
 )
 from .scene import Anchor, Pose, Scene
 from .settings import shift_rest_angles
+from .solver import UNLIMITED, Effort
 from .stability import StabilityEstimate, StabilityMeter
-from .stepping import Outcome, Presses, Targets, stepper_for
+from .stepping import FlowStepper, Outcome, Targets, presses_of, stepper_for
 from .system import build_system, new_live, new_work, same_topology
 from .validate import validate
 from .weaken import weakened
@@ -132,6 +131,19 @@ class Simulation:
             self._meter = StabilityMeter(self._system)
         return self._meter.update(self._live, self._scene.air_friction)
 
+    def effort(self) -> Effort:
+        """What the method did since the last call of this."""
+        return self._stepper.effort()
+
+    def energy(self) -> EnergyBook:
+        """The energies, and what has changed them since this was first called (or since the last reset).
+
+        From then on books are kept, which takes time in every step.
+        """
+        if self._books is None:
+            self._books = self._new_books()
+        return self._books.read()
+
     # --------------------------------------------------------------------- acting
     @property
     def keys(self) -> frozenset[str]:
@@ -154,8 +166,11 @@ class Simulation:
         """
         place, (x, y) = self._held_mass(mass), self._place(to)
         self._targets.pop(place, None)
+        before = self._books.total() if self._books else 0.0
         self._live.x[place], self._live.y[place] = x, y
         self._moved = True
+        if self._books:
+            self._books.moved(before)
 
     def lead(self, mass: int, to: tuple[float, float]) -> None:
         """Lead a held mass somewhere: in a straight line, over all steps of the next call of `step`.
@@ -176,8 +191,12 @@ class Simulation:
         self._targets.pop(int(self._system.mass_place[mass]), None)
         self._weigh()
 
-    def step(self, n: int = 1) -> int:
-        """Do n steps, and return how many were done: fewer when the body runs away, see `divergence`."""
+    def step(self, n: int = 1, attempts: int | None = None) -> int:
+        """Go on by n time steps, and return how many were done.
+
+        They are fewer when the body runs away, see `divergence`, and where `attempts` do not suffice: a
+        method that chooses its own steps may try that many. Then `time` has come as far as they led.
+        """
         if n < 0:
             raise InputError(f"step: {n} is not a number of steps")
         if self.divergence is not None or n == 0:
@@ -185,7 +204,7 @@ class Simulation:
         if self._moved:
             self._stepper.begin(self._time)
             self._moved = False
-        outcome = self._stepper.step(n, self._targets, self._presses(), self._all_held)
+        outcome = self._go(n, attempts)
         self._time = self._stepper.time
         self._steps += outcome.steps
         self._targets = {}
@@ -216,6 +235,8 @@ class Simulation:
         self._time = self._owed = 0.0
         self._grabbed.clear()
         self._restart()
+        if self._books is not None:
+            self._books = self._new_books()
 
     def replace(self, scene: Scene) -> None:
         """Go on with another scene. Where it joins the same masses in the same way, positions, velocities and
@@ -230,15 +251,23 @@ class Simulation:
             self.reset()
             return
         positions, velocities = self.positions, self.velocities
-        grabbed = self._grabbed
+        grabbed, books = self._grabbed, self._books
+        if books is not None:
+            books.close()
         self._install(scene)
         order = self._system.mass_order
         self._live.x[self._masses], self._live.y[self._masses] = positions[order].T
         self._live.vx[self._masses], self._live.vy[self._masses] = velocities[order].T
         self._grabbed = grabbed
         self._restart()
+        if books is not None:
+            self._books = self._new_books()
+            self._books.take_over(books)
 
     # --------------------------------------------------------------------- inside
+    def _new_books(self) -> Books:
+        return Books(self._scene, self._system, self._live, self._work, self._stepper)
+
     def _with_overrides(self, scene: Scene) -> Scene:
         if isinstance(scene, Scene) and self._overrides:
             integrator = msgspec.structs.replace(scene.integrator, **self._overrides)
@@ -262,6 +291,7 @@ class Simulation:
         joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
         self._joint_ends = springs[joints[:, 0]], springs[joints[:, 1]]
         self._meter: StabilityMeter | None = None
+        self._books: Books | None = None
         self._targets: Targets = {}
         self._grabbed: set[int] = set()
 
@@ -292,6 +322,27 @@ class Simulation:
         self._all_held = bool(held.all())
         self._moved = True
 
+    def _go(self, n: int, attempts: int | None) -> Outcome:
+        stepper, presses = self._stepper, presses_of(self._scene, self._keys)
+        if isinstance(stepper, FlowStepper):
+            limit = UNLIMITED if attempts is None else attempts
+            return stepper.step(n, self._targets, presses, self._all_held, limit)
+        if self._books is None:
+            return stepper.step(n, self._targets, presses, self._all_held)
+        outcome = Outcome(0)
+        start = {m: (float(self._live.x[m]), float(self._live.y[m])) for m in self._targets}
+        for i in range(n):
+            part = (i + 1) / n
+            targets = {
+                m: (start[m][0] + (x - start[m][0]) * part, start[m][1] + (y - start[m][1]) * part)
+                for m, (x, y) in self._targets.items()
+            }
+            one = self._books.euler_step(stepper, targets, presses, self._all_held)
+            outcome = Outcome(outcome.steps + one.steps, one.what, one.place)
+            if one.what != guard.GOOD:
+                break
+        return outcome
+
     def _explain(self, outcome: Outcome) -> Divergence:
         quantity, limit = LIMITS[outcome.what]
         mass = int(self._system.mass_order[outcome.place - 1]) if outcome.place > 0 else 0
@@ -312,22 +363,6 @@ class Simulation:
             return estimate
         rest.x[self._masses], rest.y[self._masses] = torn
         return StabilityMeter(self._system).update(rest, self._scene.air_friction)
-
-    def _presses(self) -> Presses:
-        """What the keys held do in one time step."""
-        rates = self._scene.arrow_keys
-        if rates is None or not self._keys:
-            return Presses()
-        intervals = self.dt / rates.interval
-        # However fast the keys: more than the whole range of scales, or than a full turn, is no more.
-        most = math.log(SCALE_MAX / SCALE_MIN)
-        if intervals * math.log(rates.rest_length_factor) < most:
-            growth = rates.rest_length_factor**intervals
-        else:
-            growth = SCALE_MAX / SCALE_MIN
-        length = (growth if "up" in self._keys else 1.0) / (growth if "down" in self._keys else 1.0)
-        turn = math.remainder(rates.rest_angle_step * intervals, 360.0)
-        return Presses(length, turn * (("right" in self._keys) - ("left" in self._keys)))
 
     def _existing_mass(self, mass: int) -> int:
         if (

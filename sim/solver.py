@@ -13,11 +13,14 @@ from .kernels.alpha import run_alpha
 from .kernels.auto import run_auto
 from .kernels.controls import circle_at
 from .kernels.explicit import run_explicit
+from .kernels.rescue import rescue
 from .kernels.rosenbrock import run_rosenbrock
 from .kernels.tables import (
     AUTO_NEW,
     CLOCK_TIME,
     CLOCKS,
+    CONTROL_SCALE,
+    CONTROL_SHIFT,
     COUNT_FORCES,
     COUNT_FRESH,
     COUNT_MASS,
@@ -28,8 +31,7 @@ from .kernels.tables import (
     COUNT_WHAT,
     COUNTS,
     TUTORIAL,
-    CONTROL_SCALE,
-    CONTROL_SHIFT,
+    WORKS,
     Drive,
     Flow,
     Ledger,
@@ -38,7 +40,7 @@ from .kernels.tables import (
     Work,
 )
 from .kernels.verlet import run_verlet
-from .methods import METHODS
+from .methods import METHODS, MethodInfo
 from .pattern import new_matrix
 from .scene import MAX_COORDINATE, MAX_SPEED, Circle, Scene
 from .system import System
@@ -49,6 +51,9 @@ RHO = 0.8
 
 LOW_TOLERANCE = 3e-3
 """Tolerance, px, from which on `auto` uses methods of low order."""
+
+RESCUE_STEP = 1e-3
+"""Length of a step of last resort, s."""
 
 UNLIMITED = 2**62
 
@@ -90,12 +95,13 @@ class Solver:
             a=np.zeros(wide),
             clock=np.zeros(CLOCKS),
             limits=np.array([MAX_COORDINATE, MAX_SPEED]),
-            count=np.zeros(COUNTS, np.int64),
+            counts=np.zeros(COUNTS, np.int64),
             rows=np.zeros((_ROWS, wide)),
             mind=np.array(AUTO_NEW),
             history=np.zeros((4, wide)),
         )
-        self.ledger = Ledger(False, np.zeros(5), np.zeros(self.places), np.zeros((4, wide)))
+        self.ledger = Ledger(False, np.zeros(WORKS), np.zeros(self.places), np.zeros((4, wide)))
+        self.ledger.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
         circles = {a.mass: a.circle for a in scene.anchors if a.circle is not None}
         self._circle = {int(system.mass_place[m]): circle for m, circle in circles.items()}
@@ -122,7 +128,7 @@ class Solver:
         flow.clock[:] = 0.0
         flow.mind[:] = AUTO_NEW
         flow.clock[CLOCK_TIME] = time
-        flow.count[:] = 0
+        flow.counts[:] = 0
 
     def store(self) -> None:
         """Hand the state over to `live`."""
@@ -183,11 +189,21 @@ class Solver:
     ) -> None:
         """Go on to a time, with a fixed step `dt` or under a tolerance; `what` tells how it ended."""
         info = METHODS[method]
-        body = self.system.body
-        common = (body, self.live, self.work)
-        fixed = 0.0 if info.adaptive else dt
         local = max(tolerance * info.strictness, 1e-13) if info.adaptive else 1.0
-        rest = (until, fixed, local, attempts)
+        fixed = 0.0 if info.adaptive else dt
+        while True:
+            done = int(self.flow.counts[COUNT_STEPS] + self.flow.counts[COUNT_REJECTED])
+            self._run(info, until, drive, fixed, tolerance if info.kind == "auto" else local, attempts)
+            attempts -= int(self.flow.counts[COUNT_STEPS] + self.flow.counts[COUNT_REJECTED]) - done
+            if self.what != guard.STUCK or not info.implicit or self.time >= until or attempts <= 0:
+                return
+            self._rescue(until, drive)
+
+    def _run(
+        self, info: MethodInfo, until: float, drive: Drive, fixed: float, tolerance: float, attempts: int
+    ) -> None:
+        common = (self.system.body, self.live, self.work)
+        rest = (until, fixed, tolerance, attempts)
         if info.kind == "explicit":
             run_explicit(*common, drive, self.flow, self.ledger, info.table, *rest)
         elif info.kind == "verlet":
@@ -196,20 +212,36 @@ class Solver:
             run_rosenbrock(*common, self.matrix, drive, self.flow, self.ledger, info.table, *rest)
         elif info.kind == "alpha":
             run_alpha(*common, self.matrix, drive, self.flow, self.ledger, RHO, *rest)
-
-        elif info.kind == "auto":
+        else:
             low = tolerance >= LOW_TOLERANCE
             explicit, implicit = METHODS["dop853"], METHODS["rodas4" if low else "rodas5p"]
             strictness = METHODS["velocity_verlet"].strictness if low else explicit.strictness
-            tolerances = np.array([strictness, implicit.strictness]) * tolerance
+            tolerances = np.maximum(np.array([strictness, implicit.strictness]) * tolerance, 1e-13)
             run_auto(
                 *common, self.matrix, drive, self.flow, self.ledger, explicit.table, implicit.table,
                 low, self._cost, until, tolerances, attempts,
             )  # fmt: skip
 
+    def _rescue(self, until: float, drive: Drive) -> None:
+        """Leave a state that no method can leave."""
+        body = self.system.body
+        lengths = body.rest_length[: body.springs] * self.live.controls[CONTROL_SCALE]
+        typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
+        h = min(RESCUE_STEP, until - self.time)
+        rescue(
+            body, self.live, self.work, self.matrix, drive, self.flow, self.ledger, *self.scene.gravity,
+            h, 1e-6 * typical, typical,
+        )  # fmt: skip
+        self.flow.mind[:] = AUTO_NEW
+
+    def open_ledger(self) -> None:
+        """Keep books from now on of what changes the energy."""
+        self.ledger = self.ledger._replace(active=True)
+        self.ledger.work[:] = 0.0
+
     def touch(self) -> None:
         """Say that the state or what acts on it has changed from outside."""
-        self.flow.count[COUNT_FRESH] = 0
+        self.flow.counts[COUNT_FRESH] = 0
 
     def stop(self, places: Iterable[int]) -> None:
         """Some held masses are led no more."""
@@ -219,19 +251,19 @@ class Solver:
     @property
     def place(self) -> int:
         """The place of the mass that shows what is wrong."""
-        return int(self.flow.count[COUNT_MASS])
+        return int(self.flow.counts[COUNT_MASS])
 
     @property
     def what(self) -> int:
         """guard.GOOD, or what is wrong with the state that the next step would lead to."""
-        return int(self.flow.count[COUNT_WHAT])
+        return int(self.flow.counts[COUNT_WHAT])
 
     def effort(self) -> Effort:
         """What was done since the last call of this."""
-        count = self.flow.count
+        counts = self.flow.counts
         places = (COUNT_STEPS, COUNT_REJECTED, COUNT_FORCES, COUNT_MATRICES, COUNT_RESCUES)
-        effort = Effort(*(int(count[i]) for i in places))
-        count[list(places)] = 0
+        effort = Effort(*(int(counts[i]) for i in places))
+        counts[list(places)] = 0
         return effort
 
 

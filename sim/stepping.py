@@ -10,7 +10,7 @@ import numpy as np
 from .kernels import guard
 from .kernels.chain import run_chain
 from .kernels.general import run_general, run_held
-from .kernels.tables import NO_JOINTS, TUTORIAL, Live, Motion, Work
+from .kernels.tables import NO_JOINTS, SCALE_MAX, SCALE_MIN, TUTORIAL, Live, Motion, Work
 from .methods import METHODS
 from .scene import MAX_COORDINATE, MAX_SPEED, Scene
 from .solver import UNLIMITED, Effort, Solver, offset
@@ -36,6 +36,23 @@ class Presses:
     def any(self) -> bool:
         """Whether they do anything."""
         return (self.factor, self.angle) != (1.0, 0.0)
+
+
+def presses_of(scene: Scene, keys: frozenset[str]) -> Presses:
+    """What the keys held do in one time step of a scene."""
+    rates, dt = scene.arrow_keys, scene.integrator.dt
+    if rates is None or not keys:
+        return Presses()
+    intervals = dt / rates.interval
+    # However fast the keys: more than the whole range of scales, or than a full turn, is no more.
+    most = math.log(SCALE_MAX / SCALE_MIN)
+    if intervals * math.log(rates.rest_length_factor) < most:
+        growth = rates.rest_length_factor**intervals
+    else:
+        growth = SCALE_MAX / SCALE_MIN
+    length = (growth if "up" in keys else 1.0) / (growth if "down" in keys else 1.0)
+    turn = math.remainder(rates.rest_angle_step * intervals, 360.0)
+    return Presses(length, turn * (("right" in keys) - ("left" in keys)))
 
 
 @dataclass(frozen=True)
@@ -164,9 +181,7 @@ class FlowStepper:
             solver.touch()
         drive = solver.drive(until, targets, growth, presses.angle / dt)
         self._led = targets
-        solver.run(
-            integrator.method, until, drive, dt=dt, tolerance=integrator.tolerance, attempts=attempts
-        )
+        solver.run(integrator.method, until, drive, dt=dt, tolerance=integrator.tolerance, attempts=attempts)
         solver.store()
         done = int((solver.time - self._goal) / dt + 1e-6)
         self._goal += done * dt

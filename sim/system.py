@@ -21,7 +21,6 @@ from .kernels.tables import (
 )
 from .scene import Scene
 
-
 _LAWS = {"tutorial": TUTORIAL, "conservative": CONSERVATIVE, "angle": ANGLE}
 
 

@@ -42,9 +42,17 @@ def run_alpha(
         rho: what is left of the fastest motions after each step, 0..1 (the spectral radius at infinity).
     """
     freshen(body, live, work, drive, flow)
-    clock, count = flow.clock, flow.count
+    clock, count = flow.clock, flow.counts
     q, v, rows = flow.q, flow.v, flow.rows
-    start, to_q, to_v, to_a, move, guess, force = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6]
+    start, to_q, to_v, to_a, move, guess, force = (
+        rows[0],
+        rows[1],
+        rows[2],
+        rows[3],
+        rows[4],
+        rows[5],
+        rows[6],
+    )
     inner = flow.history[0]  # the method's own acceleration
     am, af = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
     gamma = 0.5 - am + af
@@ -205,7 +213,7 @@ def _logarithm(x, y, x0, y0):
 def _turned(x, y, stretch, turn):
     """A vector turned (by Cayley's map, without trigonometry) and stretched; as it is if that is wild."""
     half = 0.5 * turn
-    if not (0.4 < stretch and stretch < 2.5 and abs(half) < 0.7):
+    if not (stretch > 0.4 and stretch < 2.5 and abs(half) < 0.7):
         return x, y
     scale = stretch / (1.0 + half * half)
     cos, sin = (1.0 - half * half) * scale, 2.0 * half * scale
@@ -229,7 +237,7 @@ def _turn_and_stretch(matrix, q, move, old):
         dx, dy = move[m] - move[p], move[places + m] - move[places + p]
         inverse = 1.0 / max(x * x + y * y, 1e-300)
         stretch, turn = 1.0 + (x * dx + y * dy) * inverse, (x * dy - y * dx) * inverse
-        if 0.4 < stretch and stretch < 2.5 and abs(turn) < 1.4:
+        if stretch > 0.4 and stretch < 2.5 and abs(turn) < 1.4:
             x, y = _turned(x, y, stretch, turn)
         else:
             x, y = x + dx, y + dy

@@ -45,7 +45,7 @@ def run_auto(
         tolerances: of one step, explicit and implicit, px.
         attempts: steps to try at most.
     """
-    clock, count, mind = flow.clock, flow.count, flow.mind
+    clock, count, mind = flow.clock, flow.counts, flow.mind
     left = attempts
     while clock[CLOCK_TIME] < end and left > 0 and count[COUNT_WHAT] == GOOD:
         turn = int(mind[AUTO_TURNS])

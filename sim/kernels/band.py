@@ -1,8 +1,8 @@
 """The matrix of an implicit step on a chain, factorised in one pass.
 
-The matrix is a I - g Jv - Jx, with Jx and Jv the derivatives of the accelerations by positions and by velocities:
-velocity is eliminated, so there are two unknowns a mass. On a chain it has five diagonals of two by two
-blocks; rows are built and eliminated one after the other (block LU without pivoting between blocks).
+The matrix is a I - g Jv - Jx, with Jx and Jv the derivatives of the accelerations by positions and by
+velocities: velocity is eliminated, so there are two unknowns a mass. On a chain it has five diagonals of two
+by two blocks; rows are built and eliminated one after the other (block LU without pivoting between blocks).
 Row i of `matrix.blocks` then holds L2, L1, the inverse of the pivot D, and D^-1 U1, D^-1 U2.
 """
 

@@ -34,7 +34,7 @@ def refresh(body, live):
 
 @kernel()
 def lead_and_press(body, live, motion, step, steps):
-    """Step `step` of `steps`: first the pointer and the circles set their masses, then the keys do their work."""
+    """Step `step` of `steps`: first pointer and circles set their masses, then the keys do their work."""
     place_led(live, motion, step, steps)
     if motion.length_factor != 1.0 or motion.angle_step != 0.0:
         scale = live.controls[CONTROL_SCALE] * motion.length_factor

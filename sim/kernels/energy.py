@@ -16,8 +16,8 @@ ANCHORS, DAMPING, AIR, LAW = 0, 1, 2, 3
 def energies(body, live, mass, gravity_x, gravity_y, q, v, out):
     """Kinetic, linear, angular and gravity's energy (kg px²/s²), the last from height 0, into `out`.
 
-    The masses that are held count neither for the first nor for the last. Under the tutorial's law, the angular
-    energy is that of the conservative law.
+    The masses that are held count neither for the first nor for the last. Under the tutorial's law, the
+    angular energy is that of the conservative law.
     """
     places = q.size // 2
     kinetic, linear, angular, height = 0.0, 0.0, 0.0, 0.0

@@ -30,7 +30,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
         attempts: steps to try at most.
     """
     freshen(body, live, work, drive, flow)
-    clock, count = flow.clock, flow.count
+    clock, count = flow.clock, flow.counts
     q, v, rates = flow.q, flow.v, flow.rows
     last = rates.shape[0] - 1
     to_q, to_v, probe = rates[last], rates[last - 1], rates[last - 2]

@@ -85,7 +85,7 @@ def judge(body, live, kept, progress, count, farthest, fastest):
 
 @kernel(fastmath=FAST)
 def sound(body, flow, q, v):
-    """Whether a state is one to keep; what is wrong with it goes into `flow.count`."""
+    """Whether a state is one to keep; what is wrong with it goes into `flow.counts`."""
     farthest, fastest = flow.limits[0], flow.limits[1]
     bad = 0
     for j in range(q.size):
@@ -104,7 +104,7 @@ def sound(body, flow, q, v):
             elif abs(v[j]) > fastest:
                 what = BAD_SPEED
             if what != GOOD:
-                flow.count[COUNT_WHAT] = what
-                flow.count[COUNT_MASS] = i
+                flow.counts[COUNT_WHAT] = what
+                flow.counts[COUNT_MASS] = i
                 return False
     return True

@@ -66,8 +66,8 @@ def is_cached() -> bool:
 
 
 FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
-"""For kernels that need not do the tutorial's arithmetic to the last bit: sums may be fused and reordered. NaN
-and infinities keep their meaning, since guards and error estimates go by them."""
+"""For kernels that need not do the tutorial's arithmetic to the last bit: sums may be fused and reordered.
+NaN and infinities keep their meaning, since guards and error estimates go by them."""
 
 
 def kernel(**options: Any) -> Callable[[Callable[..., Any]], Any]:

@@ -29,7 +29,6 @@ def between(h, u, q0, v0, a0, q1, v1, a1, q, v):
 
     It meets positions, velocities and accelerations there (Hermite), so that positions are exact to h⁶.
     """
-    w = 1.0 - u
     for j in range(q.size):
         # Of the polynomial q0 + h v0 u + h² a0 u²/2 + u³ (c3 + c4 u + c5 u²).
         d = q1[j] - q0[j] - h * v0[j] - 0.5 * h * h * a0[j]
@@ -95,7 +94,7 @@ def _tally_powers(body, live, work, ledger, drive, h, q, v, still):
 
 @kernel(fastmath=FAST)
 def _power_of_law(body, live, x, y, vx, vy, drive):
-    """The power of what the tutorial's law leaves out of a gradient: U (|A|'/|A| + |B|'/|B|) of each joint."""
+    """The power of what the tutorial's law lacks to be a gradient: U (|A|'/|A| + |B|'/|B|) of each joint."""
     power = 0.0
     for j in range(body.joints):
         s, r = body.joint_a[j], body.joint_b[j]

@@ -29,7 +29,7 @@ def remember_directions(body, matrix, q):
 
 @kernel(forceinline=True, fastmath=FAST)
 def add_resistance(body, live, work, matrix, v, z, factor, out):
-    """out += factor Jv z, with Jv at velocities v and at the positions last given to `remember_directions`."""
+    """out += factor Jv z, with Jv at velocities v and the positions last given to `remember_directions`."""
     places = z.size // 2
     if not body.chain or body.twisted:
         _add_any_resistance(body, live, matrix, v, z, factor, out)

@@ -1,7 +1,7 @@
 """Any Rosenbrock method: implicit, but each stage is one linear solve with the same matrix.
 
-Velocity is eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solves (g² I - g Jv - Jx) x = r_v + g r_q -
-Jv r_q, and w = g x - r_q.
+Velocity is eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solves
+(g² I - g Jv - Jx) x = r_v + g r_q - Jv r_q, and w = g x - r_q.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def run_rosenbrock(
 ):  # fmt: skip
     """Go on to `end` with a Rosenbrock method; arguments as those of `run_explicit`."""
     freshen(body, live, work, drive, flow)
-    clock, count = flow.clock, flow.count
+    clock, count = flow.clock, flow.counts
     q, v, rows = flow.q, flow.v, flow.rows
     xs, ws = rows[:_MOST_STAGES], rows[_MOST_STAGES : 2 * _MOST_STAGES]
     to_q, to_v, to_a = rows[2 * _MOST_STAGES], rows[2 * _MOST_STAGES + 1], rows[2 * _MOST_STAGES + 2]

@@ -23,7 +23,7 @@ def _add(blocks, target, sign, block):
 
 @kernel(fastmath=FAST)
 def assemble(body, live, matrix, q, v, g, definite):
-    """Sum the derivatives of the forces (not of the accelerations), Jx + g Jv without air, into the pattern."""
+    """Sum the derivatives of the forces (not the accelerations), Jx + g Jv without air, into the pattern."""
     places = q.size // 2
     blocks = matrix.blocks
     for i in range(blocks.size):

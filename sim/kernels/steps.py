@@ -20,12 +20,12 @@ HOPELESS = 1e30
 @kernel(fastmath=FAST)
 def freshen(body, live, work, drive, flow):
     """Make sure that the held masses are where they are to be, and that `flow.a` is of the present state."""
-    if flow.count[COUNT_FRESH] == 0:
+    if flow.counts[COUNT_FRESH] == 0:
         if drive.moving:
             drive_to(body, live, drive, flow.clock[CLOCK_TIME], flow.q, flow.v)
         accelerations(body, live, work, flow.q, flow.v, flow.a)
-        flow.count[COUNT_FORCES] += 1
-        flow.count[COUNT_FRESH] = 1
+        flow.counts[COUNT_FORCES] += 1
+        flow.counts[COUNT_FRESH] = 1
 
 
 @kernel(forceinline=True)
@@ -70,7 +70,7 @@ def step_after(flow, h, step, error, order, good, after_failure):
     if not good:
         h = step * min(factor, 0.5)
         if h < SHORTEST_STEP:
-            flow.count[COUNT_WHAT] = STUCK
+            flow.counts[COUNT_WHAT] = STUCK
         return h
     if after_failure:
         factor = min(factor, 1.0)

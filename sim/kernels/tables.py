@@ -192,7 +192,7 @@ class Flow(NamedTuple):
     a: Floats  # px/s², of the state
     clock: Floats  # see the CLOCK_ constants
     limits: Floats  # farthest coordinate, px, and fastest speed, px/s, that a good state has
-    count: Indices  # see the COUNT_ constants
+    counts: Indices  # see the COUNT_ constants
     rows: NDArray[np.float64]  # (R, 2 places) scratch
     mind: Floats  # what `auto` has learnt, see the AUTO_ constants
     history: NDArray[np.float64]  # (4, 2 places) what generalized-alpha carries from step to step
@@ -216,7 +216,7 @@ AUTO_NEW = (0.0, 0.0, -1.0, -1.0, 0.0)
 
 COUNT_FRESH, COUNT_STEPS, COUNT_REJECTED, COUNT_WHAT, COUNT_MASS = 0, 1, 2, 3, 4
 COUNT_FORCES, COUNT_MATRICES, COUNT_RESCUES = 5, 6, 7
-"""Places in `Flow.count`: whether `a` is that of the state; steps done and rejected; GOOD or what is
+"""Places in `Flow.counts`: whether `a` is that of the state; steps done and rejected; GOOD or what is
 wrong, and the mass that shows it; evaluations of the accelerations, matrices factorised, and steps of
 last resort."""
 COUNTS = 8
@@ -259,11 +259,12 @@ class Ledger(NamedTuple):
     """What has changed the energy since the ledger was opened; scratch for finding it out."""
 
     active: bool
-    work: Floats  # (5,) kg px²/s², see the WORK_ constants
+    work: Floats  # (WORKS,) kg px²/s², see the WORK_ constants
     mass: Floats  # (places) kg
     rows: NDArray[np.float64]  # (4, 2 places) scratch
 
 
-WORK_ANCHORS, WORK_DAMPING, WORK_AIR, WORK_LAW, WORK_KEYS = 0, 1, 2, 3, 4
+WORK_ANCHORS, WORK_DAMPING, WORK_AIR, WORK_LAW, WORK_KEYS, WORK_RESCUE = 0, 1, 2, 3, 4, 5
 """Places in `Ledger.work`: done by moved anchors; taken away by damping and by air (negative); done by a law
-without an energy; done by keys that change rest lengths and angles."""
+without an energy; done by keys that change rest lengths and angles; taken away by steps of last resort."""
+WORKS = 6

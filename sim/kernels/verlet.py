@@ -23,12 +23,12 @@ from .tables import (
 def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, attempts):
     """Go on to `end` by x += h v + h²/2 a, v += h/2 (a + a'); arguments as those of `run_explicit`.
 
-    Forces that depend on velocities take v + h a for the new ones, which keeps the second order. The error of a
-    step is taken to be h² |a' - a| / 12. Near the stability limit that says nothing for a while and
+    Forces that depend on velocities take v + h a for the new ones, which keeps the second order. The error of
+    a step is taken to be h² |a' - a| / 12. Near the stability limit that says nothing for a while and
     then everything at once, so a step that failed is remembered as a limit, which is raised slowly.
     """
     freshen(body, live, work, drive, flow)
-    clock, count = flow.clock, flow.count
+    clock, count = flow.clock, flow.counts
     q, v, a, rows = flow.q, flow.v, flow.a, flow.rows
     to_q, to_v, to_a = rows[0], rows[1], rows[2]
     t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
