@@ -19,12 +19,8 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     trees = forest(body, held)
     if body.chain:
         nothing = np.zeros(0, np.int64)
-        return Matrix(
-            np.zeros(ROW * (body.stiffness.size + 3)),
-            *springs,
-            *trees,
-            *(nothing for _ in Matrix._fields[6:]),
-        )
+        rest = [nothing for _ in Matrix._fields[6:]]
+        return Matrix._make((np.zeros(ROW * (body.stiffness.size + 3)), *springs, *trees, *rest))
     n = body.masses
     a, b = body.spring_a - 1, body.spring_b - 1
     ja, jb = body.joint_a, body.joint_b

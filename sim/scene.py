@@ -31,7 +31,7 @@ def _range(low: float, high: float, unit: str, what: str) -> Meta:
 Coordinate = Annotated[float, _range(-MAX_COORDINATE, MAX_COORDINATE, "px", "A coordinate")]
 Speed = Annotated[float, _range(-MAX_SPEED, MAX_SPEED, "px/s", "A component of a velocity")]
 Length = Annotated[float, _range(0.0, 1e6, "px", "A length")]
-Stiffness = Annotated[float, _range(0.0, 1e9, "kg/s²", "Stiffness")]
+Stiffness = Annotated[float, _range(0.0, 1e15, "kg/s²", "Stiffness")]
 Damping = Annotated[float, _range(0.0, 1e6, "kg/s", "Damping")]
 Angle = Annotated[float, _range(-180.0, 180.0, "°", "An angle")]
 Kilograms = Annotated[float, _range(1e-6, 1e6, "kg", "A mass")]
@@ -84,7 +84,7 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
 
     Attributes:
         a, b: indices of two different masses.
-        stiffness: 0..1e9 kg/s² (newtons per metre, were a px a metre).
+        stiffness: 0..1e15 kg/s² (newtons per metre, were a px a metre).
         damping: 0..1e6 kg/s.
         rest_length: 0..1e6 px.
     """
@@ -113,7 +113,7 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
 
     Attributes:
         a, b: indices of two linear springs that share exactly one mass.
-        stiffness: 0..1e9 kg/s².
+        stiffness: 0..1e15 kg/s².
         damping: 0..1e6 kg/s.
         rest_angle: -180..180 °.
     """
@@ -171,8 +171,8 @@ class Rope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         start: px.
         offset: -1000..1000; shifts the whole rope by that many spring lengths.
         direction: any vector but zero.
-        stiffness, damping: of every linear spring, 0..1e9 kg/s² and 0..1e6 kg/s.
-        angular_stiffness, angular_damping: of every angular spring, 0..1e9 kg/s² and 0..1e6 kg/s.
+        stiffness, damping: of every linear spring, 0..1e15 kg/s² and 0..1e6 kg/s.
+        angular_stiffness, angular_damping: of every angular spring, 0..1e15 kg/s² and 0..1e6 kg/s.
         rest_angle: of every angular spring, -180..180 °.
         joints: whether there are angular springs at all; with stiffness 0 they only measure.
         mass, radius: of every mass, kg and px.

@@ -52,6 +52,9 @@ RHO = 0.8
 LOW_TOLERANCE = 3e-3
 """Tolerance, px, from which on `auto` uses methods of low order."""
 
+LONG = 200
+"""Masses from which on `auto` tries generalized-alpha, too: what it is good at is long rods."""
+
 RESCUE_STEP = 1e-3
 """Length of a step of last resort, s."""
 
@@ -106,7 +109,8 @@ class Solver:
         circles = {a.mass: a.circle for a in scene.anchors if a.circle is not None}
         self._circle = {int(system.mass_place[m]): circle for m, circle in circles.items()}
         n = system.body.masses
-        self._cost = (880.0 + 185.0 * n) / (90.0 + 4.3 * n)
+        costs = np.array([90.0 + 4.3 * n, 880.0 + 185.0 * n, 500.0 + 110.0 * n]) / (90.0 + 4.3 * n)
+        self._costs = costs if n >= LONG else costs[:2]
         self._hand = 0.0 if system.body.law == TUTORIAL else 1.0
 
     @property
@@ -215,11 +219,12 @@ class Solver:
         else:
             low = tolerance >= LOW_TOLERANCE
             explicit, implicit = METHODS["dop853"], METHODS["rodas4" if low else "rodas5p"]
-            strictness = METHODS["velocity_verlet"].strictness if low else explicit.strictness
-            tolerances = np.maximum(np.array([strictness, implicit.strictness]) * tolerance, 1e-13)
+            first = METHODS["velocity_verlet"] if low else explicit
+            arms = (first, implicit, METHODS["generalized_alpha"])[: self._costs.size]
+            tolerances = np.array([max(arm.strictness * tolerance, 1e-13) for arm in arms])
             run_auto(
                 *common, self.matrix, drive, self.flow, self.ledger, explicit.table, implicit.table,
-                low, self._cost, until, tolerances, attempts,
+                low, RHO, self._costs, tolerances, until, attempts,
             )  # fmt: skip
 
     def _rescue(self, until: float, drive: Drive) -> None:

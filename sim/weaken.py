@@ -1,10 +1,10 @@
 """The stable spring: every spring as stiff as symplectic Euler bears, and no stiffer.
 
 After M. Nissen, "Towards a simpler, stiffer and more stable spring" (2014): a spring between masses m1 and m2
-with f = -(m_red / dt²) C_k x - (m_red / dt) C_d v, m_red = m1 m2 / (m1 + m2), cannot explode for C_k, C_d up to 1,
-divided among the springs that share a mass. Here a spring keeps the stiffness and the damping that its scene
-gives it as long as they are below that. A joint is treated alike: what stands for the reduced mass is the
-inertia that its angle has, at rest lengths.
+with f = -(m_red / dt²) C_k x - (m_red / dt) C_d v, m_red = m1 m2 / (m1 + m2), cannot explode for C_k, C_d up
+to 1, divided among the springs that share a mass. Here a spring keeps the stiffness and the damping that its
+scene gives it as long as they are below that. A joint is treated alike: what stands for the reduced mass is
+the inertia that its angle has, at rest lengths.
 """
 
 from __future__ import annotations

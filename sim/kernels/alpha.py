@@ -8,13 +8,23 @@ spanning forest, and positions follow from those.
 
 from __future__ import annotations
 
+import math
+
 from .drive import drive_to
 from .forces import accelerations
 from .guard import GOOD, sound
 from .implicit import factorise, solve
 from .jit import FAST, kernel
 from .ledger import tally
-from .steps import HOPELESS, SHORTEST_STEP, biggest, first_step, fitting_step, freshen, step_after
+from .steps import (
+    HOPELESS,
+    SHORTEST_STEP,
+    WORTH_SHORTENING,
+    biggest,
+    first_step,
+    freshen,
+    step_after,
+)
 from .tables import (
     CLOCK_LAST,
     CLOCK_LAST_BUT_ONE,
@@ -71,7 +81,8 @@ def run_alpha(
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
             break
-        step = fitting_step(t, end, h)
+        # Equal steps up to the end: what is carried along is of first order only where steps change.
+        step = (end - t) / math.ceil((end - t) / h - 1e-6)
         inverse = 1.0 / (beta * step * step)
         g2 = weight * (1.0 - am) * inverse
         g1 = gamma / (beta * step)
@@ -128,7 +139,7 @@ def run_alpha(
             if fixed == 0.0:
                 known = 1.0 if clock[CLOCK_LAST_BUT_ONE] > 0.0 else 0.3
                 error = known * _ERROR * biggest(guess) / tolerance
-        good = error <= 1.5 and sound(body, flow, to_q, to_v)
+        good = error <= 1.5 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good:
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, force, step)
@@ -138,10 +149,13 @@ def run_alpha(
                 q[j], v[j], flow.a[j], inner[j] = to_q[j], to_v[j], force[j], to_a[j]
             count[COUNT_STEPS] += 1
         else:
+            error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
             if drive.pressed:
                 drive_to(body, live, drive, t, q, v)
-        h = step_after(flow, h, step, error, 3, good, failed)
+        after = step_after(flow, h, step, error, 3, good, failed)
+        if not good or after > 1.5 * h or after < 0.8 * h:
+            h = after
         failed = not good
         if fixed > 0.0:
             h = min(h, fixed)

@@ -9,7 +9,16 @@ from .forces import accelerations
 from .guard import GOOD, sound
 from .jit import FAST, kernel
 from .ledger import tally
-from .steps import HOPELESS, biggest, first_step, fitting_step, freshen, replace_state, step_after
+from .steps import (
+    HOPELESS,
+    WORTH_SHORTENING,
+    biggest,
+    first_step,
+    fitting_step,
+    freshen,
+    replace_state,
+    step_after,
+)
 from .tables import (
     CLOCK_STEP,
     CLOCK_TIME,
@@ -58,7 +67,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
             error = _estimate(tableau, rates, probe, step) / tolerance
             if not error < HOPELESS:
                 error = HOPELESS
-        good = error <= 1.0 and sound(body, flow, to_q, to_v)
+        good = error <= 1.0 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good:
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, rates[stages], step)
@@ -66,6 +75,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
             replace_state(flow, to_q, to_v, rates[stages])
             count[COUNT_STEPS] += 1
         else:
+            error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
             for i in range(stages + 1):  # sums run over stages with weight zero, too
                 for j in range(q.size):

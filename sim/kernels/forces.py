@@ -1,9 +1,9 @@
 """What the springs do to the masses: forces on any topology, and accelerations.
 
 With L the vector of a spring and perp(L) = (L.y, -L.x), a joint that holds springs A and B has a couple G
-and, under a law with an energy, that energy U. It adds -(U A + G perp(A)) / |A|² to the force on the b end of its
-first spring and -(U B - G perp(B)) / |B|² to that of its second: U is proportional to |A| and to |B|, so
-U / |A| is its derivative along A. With V the angle from A to B and r the rest angle, the laws are
+and, under a law with an energy, that energy U. It adds -(U A + G perp(A)) / |A|² to the force on the b end
+of its first spring and -(U B - G perp(B)) / |B|² to that of its second: U is proportional to |A| and to |B|,
+so U / |A| is its derivative along A. With V the angle from A to B and r the rest angle, the laws are
 
 - tutorial: G = K |A||B| sin(V - r), U left out;
 - conservative: the same G, U = K |A||B| (1 - cos(V - r));

@@ -84,8 +84,11 @@ def judge(body, live, kept, progress, count, farthest, fastest):
 
 
 @kernel(fastmath=FAST)
-def sound(body, flow, q, v):
-    """Whether a state is one to keep; what is wrong with it goes into `flow.counts`."""
+def sound(body, flow, q, v, shortened):
+    """Whether a state is one to keep; what is wrong with it goes into `flow.counts`.
+
+    Unless `shortened`: then a shorter step is worth a try first, and it is only not kept.
+    """
     farthest, fastest = flow.limits[0], flow.limits[1]
     bad = 0
     for j in range(q.size):
@@ -93,6 +96,8 @@ def sound(body, flow, q, v):
         bad += not (abs(v[j]) <= fastest)
     if bad == 0:
         return True
+    if not shortened:
+        return False
     places = q.size // 2
     for i in range(1, body.masses + 1):
         for j in (i, places + i):

@@ -13,7 +13,16 @@ from .implicit import factorise, solve
 from .jit import FAST, kernel
 from .ledger import tally
 from .resist import add_resistance, remember_directions
-from .steps import HOPELESS, biggest, first_step, fitting_step, freshen, replace_state, step_after
+from .steps import (
+    HOPELESS,
+    WORTH_SHORTENING,
+    biggest,
+    first_step,
+    fitting_step,
+    freshen,
+    replace_state,
+    step_after,
+)
 from .tables import (
     CLOCK_STEP,
     CLOCK_TIME,
@@ -97,7 +106,9 @@ def run_rosenbrock(
             error = biggest(rest) / tolerance
             if not error < HOPELESS:
                 error = HOPELESS
-        good = regular and error <= 1.0 and sound(body, flow, to_q, to_v)
+        good = (
+            regular and error <= 1.0 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
+        )
         if good:
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
@@ -105,6 +116,7 @@ def run_rosenbrock(
             replace_state(flow, to_q, to_v, to_a)
             count[COUNT_STEPS] += 1
         else:
+            error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
             for i in range(2 * _MOST_STAGES):  # sums run over stages with weight zero, too
                 for j in range(q.size):

@@ -13,6 +13,9 @@ from .tables import CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT
 SHORTEST_STEP = 1e-12
 """A step (s) that is not worth shortening any more."""
 
+WORTH_SHORTENING = 1e-9
+"""A step (s) so short that one that is still bad tells of the body, and not of the step."""
+
 HOPELESS = 1e30
 """An error estimate (in tolerances) that stands for infinities and NaN."""
 

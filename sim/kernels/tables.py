@@ -208,10 +208,13 @@ CLOCK_LAST, CLOCK_LAST_BUT_ONE = 3, 4
 """Places in `Flow.clock`: the last two steps that `Flow.history` knows of, s; 0 where it does not."""
 CLOCKS = 5
 
-AUTO_EXPLICIT_STEP, AUTO_IMPLICIT_STEP, AUTO_EXPLICIT_PACE, AUTO_IMPLICIT_PACE, AUTO_TURNS = 0, 1, 2, 3, 4
-"""Places in `Flow.mind`: the next step of both methods, s; simulated time for the computing of an explicit
-step, s, negative where unknown; turns so far."""
-AUTO_NEW = (0.0, 0.0, -1.0, -1.0, 0.0)
+ARM_EXPLICIT, ARM_ROSENBROCK, ARM_ALPHA = 0, 1, 2
+"""The methods that `auto` chooses from."""
+
+AUTO_STEP, AUTO_PACE, AUTO_TURNS, AUTO_LAST = 0, 3, 6, 7
+"""Places in `Flow.mind`: the next step of each method, s; simulated time for the computing of an explicit
+step, s, of each, negative where unknown; turns so far; the method that had the last one."""
+AUTO_NEW = (0.0, 0.0, 0.0, -1.0, -1.0, -1.0, 0.0, 0.0)
 """What `auto` knows at first."""
 
 COUNT_FRESH, COUNT_STEPS, COUNT_REJECTED, COUNT_WHAT, COUNT_MASS = 0, 1, 2, 3, 4

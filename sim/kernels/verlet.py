@@ -7,7 +7,7 @@ from .forces import accelerations
 from .guard import GOOD, sound
 from .jit import FAST, kernel
 from .ledger import tally
-from .steps import HOPELESS, first_step, fitting_step, freshen, replace_state, step_after
+from .steps import HOPELESS, WORTH_SHORTENING, first_step, fitting_step, freshen, replace_state, step_after
 from .tables import (
     CLOCK_CAP,
     CLOCK_STEP,
@@ -63,7 +63,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
                 to_v[j] = v[j] + half * (a[j] + to_a[j])
             if drive.moving:
                 drive_to(body, live, drive, t + step, to_q, to_v)
-        good = error <= 1.0 and sound(body, flow, to_q, to_v)
+        good = error <= 1.0 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good:
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
@@ -71,6 +71,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
             replace_state(flow, to_q, to_v, to_a)
             count[COUNT_STEPS] += 1
         else:
+            error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
         if fixed == 0.0:
             if good:
