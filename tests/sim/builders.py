@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -18,6 +19,11 @@ PRESETS = sorted(path.stem for path in built_in_folder().glob("*.json"))
 def euler(dt: float = 0.0025) -> Integrator:
     """The tutorial's method."""
     return Integrator(method="symplectic_euler", dt=dt)
+
+
+def tutorial_rope(**changes: Any) -> Scene:
+    """A rope with the tutorial's constants, law and method; `changes` are arguments of `sim.rope`."""
+    return sim.rope(**{"force_law": "tutorial", "integrator": euler(), **changes})
 
 
 def chain(

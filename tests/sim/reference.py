@@ -168,6 +168,8 @@ def example_3() -> Body:
 def body_of(scene: Scene) -> Body:
     """Any scene of the general law, so that the same sums can check other topologies."""
     assert scene.template is None
+    assert scene.force_law == "tutorial" or not scene.angular_springs
+    assert not any(joint.damping for joint in scene.angular_springs)
     held = {anchor.mass for anchor in scene.anchors}
     body = Body(
         points=[

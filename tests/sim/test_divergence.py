@@ -11,7 +11,7 @@ import pytest
 import sim
 from sim import Scene, Simulation
 from tests.sim import reference
-from tests.sim.builders import chain, row
+from tests.sim.builders import chain, row, tutorial_rope
 from tests.sim.inside import general, put
 
 REPLACE = msgspec.structs.replace
@@ -223,7 +223,7 @@ def test_too_stiff_linear_springs_are_blamed_as_such() -> None:
 
 @pytest.mark.parametrize("joints", [True, False])
 def test_a_violent_move_is_not_blamed_on_the_step(joints: bool) -> None:
-    simulation = Simulation(sim.rope(joints=joints))
+    simulation = Simulation(tutorial_rope(joints=joints))
     simulation.move(0, (90_000.0, 0.0))
     simulation.step(100)
     divergence = simulation.divergence

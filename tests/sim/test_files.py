@@ -25,6 +25,7 @@ from sim.files import (
     save_user_scene,
     user_folder,
 )
+from sim.scene import Circle
 from tests.sim.builders import PRESETS, star, tangle
 
 REPLACE = msgspec.structs.replace
@@ -80,6 +81,13 @@ SCENES = [
     sim.rope(),
     sim.rope(masses=2, joints=False, held=(), driven=None, direction=(-0.3, 1e-9), length=0.1 + 0.2),
     sim.rope(masses=700, arrow_keys=ArrowKeys(rest_length_factor=1.0 + 2.0**-52), gravity=(5e-324, -1e6)),
+    sim.rope(
+        angular_damping=3.0,
+        circle=Circle(radius=20.0, frequency=-2.5, ramp=0.3),
+        force_law="angle",
+        integrator=sim.Integrator(method="rodas5p", tolerance=1e-7),
+    ),
+    REPLACE(star(5), anchors=(sim.Anchor(mass=2, circle=Circle(radius=0.1 + 0.2)),)),
     tangle(1, held=(2,)),
     star(7),
     REPLACE(star(4), name='"quoted" \\ ü 中 \x00', description="two\nlines\tand a tab"),
@@ -105,7 +113,7 @@ def test_a_recipe_stays_a_recipe_in_its_file() -> None:
     raw = json.loads(encode_scene(sim.rope(masses=500)))
     assert raw["rope"]["masses"] == 500
     assert not {"masses", "linear_springs", "angular_springs", "anchors"} & set(raw)
-    assert raw["format"] == 1
+    assert raw["format"] == 2
 
 
 def test_files_are_readable_json_with_vectors_on_one_line() -> None:
@@ -159,9 +167,9 @@ def test_files_that_are_no_json_object(data: bytes, sentence: str) -> None:
 @pytest.mark.parametrize(
     ("raw", "field"),
     [
-        (minimal(format=2), "format: version 2 is newer than 1"),
+        (minimal(format=3), "format: version 3 is newer than 2"),
         (minimal(format=10**30), "format: version"),
-        (minimal(format=2, unheard_of={"of": "later"}), "format: version 2 is newer"),
+        (minimal(format=3, unheard_of={"of": "later"}), "format: version 3 is newer"),
         (minimal(format=0), "format: 0 is not in the range 1"),
         (minimal(format=True), "format: "),
         (minimal(format="1"), "format: "),

@@ -13,7 +13,7 @@ import sim
 from sim import AngularSpring, LinearSpring, Mass, Scene, Simulation
 from sim.settings import TEMPLATES
 from tests.sim import reference
-from tests.sim.builders import chain, row, star, tangle
+from tests.sim.builders import chain, row, star, tangle, tutorial_rope
 from tests.sim.inside import Points, forces_of, general, is_chain, put, spring_forces, system_of
 
 REPLACE = msgspec.structs.replace
@@ -41,6 +41,7 @@ def two_springs(v: float, rest: float, template: sim.scene.Template | None = Non
         ),
         angular_springs=(AngularSpring(a=0, b=1, stiffness=5.0, rest_angle=rest),),
         template=template,
+        force_law="tutorial",
     )
 
 
@@ -155,7 +156,7 @@ def test_templates_are_the_general_law_and_the_diagonal_ones_are_stronger(
 def test_straight_rope_without_gravity_stays_straight_and_still(
     path: Callable[[Simulation], Simulation], direction: tuple[float, float]
 ) -> None:
-    scene = sim.rope(masses=9, direction=direction, gravity=(0.0, 0.0), held=(), driven=None)
+    scene = tutorial_rope(masses=9, direction=direction, gravity=(0.0, 0.0), held=(), driven=None)
     simulation = path(Simulation(scene))
     start = simulation.positions
     simulation.step(4000)

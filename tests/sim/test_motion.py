@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 import sim
-from sim import ArrowKeys, InputError, Mass, Scene, Simulation
-from tests.sim.builders import chain, row
+from sim import ArrowKeys, InputError, Integrator, Mass, Scene, Simulation
+from sim.scene import Method
+from tests.sim.builders import chain, euler, row, tutorial_rope
 
 REPLACE = msgspec.structs.replace
 
@@ -77,7 +78,7 @@ def test_rest_angles_wrap_at_180(key: str, start: float, expected: float) -> Non
 
 @pytest.mark.parametrize("key", ["right", "left"])
 def test_rest_angles_turn_round_as_often_as_one_likes(key: str) -> None:
-    simulation = with_keys(sim.rope(masses=4, held=(0, 1, 2, 3)), key)
+    simulation = with_keys(tutorial_rope(masses=4, held=(0, 1, 2, 3)), key)
     simulation.step(3 * 3600 + 100)
     expected = 10.0 if key == "right" else -10.0
     assert simulation.rest_angles == pytest.approx([expected] * 2, abs=1e-6)
@@ -91,7 +92,7 @@ def test_minus_180_is_shown_as_180() -> None:
 
 def test_rest_length_scale_stays_within_its_range() -> None:
     # Held, so that nothing breaks while the lengths go where no rope could follow.
-    everywhere = sim.rope(masses=3, held=(0, 1, 2))
+    everywhere = tutorial_rope(masses=3, held=(0, 1, 2))
     for key, limit in (("up", 100.0), ("down", 0.01)):
         simulation = with_keys(everywhere, key)
         simulation.step(3000)
@@ -136,9 +137,17 @@ def test_a_template_scene_that_keys_have_turned_keeps_its_stiffness() -> None:
 
 @pytest.mark.parametrize("rates", [{"rest_length_factor": 2.0}, {"rest_angle_step": 90.0}])
 @pytest.mark.parametrize("keys", [{"up", "right"}, {"down", "left"}, {"up", "down"}])
-def test_the_fastest_keys_allowed_leave_a_valid_scene(rates: dict[str, float], keys: set[str]) -> None:
+@pytest.mark.parametrize("method", ["symplectic_euler", "auto"])
+def test_the_fastest_keys_allowed_leave_a_valid_scene(
+    rates: dict[str, float], keys: set[str], method: Method
+) -> None:
     # 2500 intervals in one step, which is more than a factor or an angle can grow by in a number.
-    scene = sim.rope(masses=3, held=(0, 1, 2), arrow_keys=ArrowKeys(**rates, interval=1e-6))
+    scene = sim.rope(
+        masses=3,
+        held=(0, 1, 2),
+        arrow_keys=ArrowKeys(**rates, interval=1e-6),
+        integrator=Integrator(method=method),
+    )
     simulation = with_keys(scene, *keys)
     simulation.step(2)
     sim.validate(simulation.scene)
@@ -184,7 +193,7 @@ def test_energy_of_an_undamped_spring_stays_bounded() -> None:
         masses=(Mass(position=(0.0, 0.0)), Mass(position=(12.0, 0.0), velocity=(0.0, 30.0))),
         linear_springs=chain(row(2), stiffness=400.0).linear_springs,
         anchors=chain(row(2), held=(0,)).anchors,
-        integrator=sim.Integrator(dt=0.005),
+        integrator=euler(0.005),
     )
     simulation = Simulation(scene)
 

@@ -9,7 +9,7 @@ import pytest
 
 import sim
 from sim import InputError, Simulation
-from tests.sim.builders import askew, chain, row
+from tests.sim.builders import askew, chain, row, tutorial_rope
 from tests.sim.inside import same_state
 
 
@@ -155,7 +155,7 @@ def test_the_scene_does_not_show_grabs_and_reset_ends_them(rope: Simulation) -> 
 
 
 def test_a_body_that_is_held_everywhere_only_follows_the_pointer_and_keys() -> None:
-    scene = sim.rope(masses=4, held=(0, 1, 2, 3))
+    scene = tutorial_rope(masses=4, held=(0, 1, 2, 3))
     simulation = Simulation(scene)
     start = simulation.positions
     simulation.keys = {"up", "right"}

@@ -23,7 +23,7 @@ from sim import (
     View,
     validate,
 )
-from sim.scene import MAX_MASSES, MAX_SPRINGS
+from sim.scene import MAX_MASSES, MAX_SPRINGS, Circle
 from sim.validate import number_range
 from tests.sim.walking import Route, routes, spelled, with_value
 
@@ -40,14 +40,14 @@ BODY = Scene(
         LinearSpring(a=0, b=1, stiffness=100.0, damping=1.0, rest_length=10.0),
         LinearSpring(a=1, b=2, stiffness=100.0, damping=1.0, rest_length=10.0),
     ),
-    angular_springs=(AngularSpring(a=0, b=1, stiffness=10.0, rest_angle=90.0),),
-    anchors=(Anchor(mass=0, driven=True),),
+    angular_springs=(AngularSpring(a=0, b=1, stiffness=10.0, damping=0.5, rest_angle=90.0),),
+    anchors=(Anchor(mass=0, driven=True, circle=Circle(radius=5.0)),),
     arrow_keys=ArrowKeys(),
     pose=Pose(positions=((0.0, 0.0), (10.0, 1.0), (20.0, 5.0)), velocities=((0.0, 0.0),) * 3),
 )
 """A scene with something in every field but the recipe."""
 
-ROPE = Scene(name="rope", rope=Rope(masses=4, driven=0))
+ROPE = Scene(name="rope", rope=Rope(masses=4, driven=0, circle=Circle(radius=5.0)))
 
 
 def refused(scene: Any) -> str:
@@ -76,7 +76,7 @@ def test_valid_scenes_are_returned_as_they_are() -> None:
 
 # ------------------------------------------------------------------------- what belongs together
 RULES: list[tuple[Scene, str]] = [
-    (REPLACE(BODY, format=2), r"format: .*version 2, newer than 1"),
+    (REPLACE(BODY, format=3), r"format: .*version 3, newer than 2"),
     (Scene(name="none"), r"masses: a scene needs at least one mass, or a rope"),
     (changed("linear_springs.1.b", 3), r"linear_springs\[1\]\.b: mass 3 does not exist \(0\.\.2\)"),
     (changed("linear_springs.0.a", 7), r"linear_springs\[0\]\.a: mass 7 does not exist"),
@@ -151,6 +151,9 @@ TYPES: list[tuple[Scene, str]] = [
     (changed("format", True), "format"),
     (changed("template", 30), "template"),
     (changed("integrator.method", "leapfrog"), "integrator.method"),
+    (changed("integrator.method", True), "integrator.method"),
+    (changed("force_law", "cosine"), "force_law"),
+    (changed("anchors.0.circle", 5.0), "anchors[0].circle"),
     (changed("view.unit", ""), "view.unit"),
     (changed("view.unit", "centimetre"), "view.unit"),
     (changed("view.colors", "blue"), "view.colors"),
@@ -195,9 +198,9 @@ def test_the_walk_finds_the_numbers() -> None:
     assert {
         "gravity[1]", "masses[0].mass", "linear_springs[0].damping", "angular_springs[0].rest_angle",
         "integrator.dt", "arrow_keys.interval", "view.frame[3]", "pose.velocities[0][1]", "rope.offset",
-        "rope.direction[0]",
+        "rope.direction[0]", "rope.circle.ramp", "anchors[0].circle.frequency", "integrator.tolerance",
     } <= found  # fmt: skip
-    assert len(found) >= 38
+    assert len(found) >= 47
 
 
 def with_number(scene: Scene, route: Route, value: Any) -> Scene:
@@ -236,13 +239,15 @@ def test_whole_numbers_too_large_for_a_decimal_one_are_refused() -> None:
 
 
 @pytest.mark.parametrize(("kind", "field", "low", "high"), [
-    (Mass, "mass", 1e-6, 1e6), (Mass, "radius", 1e-3, 1e4), (LinearSpring, "stiffness", 0.0, 1e9),
+    (Mass, "mass", 1e-6, 1e6), (Mass, "radius", 1e-3, 1e4), (LinearSpring, "stiffness", 0.0, 1e15),
     (LinearSpring, "damping", 0.0, 1e6), (LinearSpring, "rest_length", 0.0, 1e6),
-    (AngularSpring, "stiffness", 0.0, 1e9), (AngularSpring, "rest_angle", -180.0, 180.0),
+    (AngularSpring, "stiffness", 0.0, 1e15), (AngularSpring, "rest_angle", -180.0, 180.0),
     (sim.Integrator, "dt", 1e-6, 1.0), (Scene, "air_friction", 0.0, 1000.0),
     (Scene, "rest_length_scale", 0.01, 100.0), (ArrowKeys, "rest_length_factor", 1.0, 2.0),
     (ArrowKeys, "rest_angle_step", 0.0, 90.0), (ArrowKeys, "interval", 1e-6, 10.0),
-    (Rope, "length", 1e-3, 1e6), (Rope, "offset", -1000.0, 1000.0),
+    (Rope, "length", 1e-3, 1e6), (Rope, "offset", -1000.0, 1000.0), (AngularSpring, "damping", 0.0, 1e6),
+    (sim.Integrator, "tolerance", 1e-12, 1e3), (Circle, "radius", 0.0, 1e4),
+    (Circle, "frequency", -100.0, 100.0), (Circle, "ramp", 1e-3, 100.0),
 ])  # fmt: skip
 def test_ranges_are_those_documented_and_their_ends_belong_to_them(
     kind: type, field: str, low: float, high: float
@@ -274,6 +279,26 @@ def test_a_recipe_is_expanded_as_the_scene_is_made() -> None:
     assert [(s.a, s.b, s.rest_length) for s in scene.linear_springs] == [(0, 1, 4.0), (1, 2, 4.0)]
     assert [(j.a, j.b) for j in scene.angular_springs] == [(0, 1)]
     assert [(a.mass, a.driven) for a in scene.anchors] == [(0, False), (2, True)]
+
+
+def test_a_recipe_hands_on_its_angular_damping_and_the_circle_of_its_first_mass() -> None:
+    circle = Circle(radius=7.0, frequency=3.0)
+    scene = validate(rope_with(angular_damping=2.5, held=(0, 3), circle=circle))
+    assert [joint.damping for joint in scene.angular_springs] == [2.5, 2.5]
+    assert [(a.mass, a.circle) for a in scene.anchors] == [(0, circle), (3, None)]
+    assert validate(rope_with(held=(3,), circle=circle)).anchors == (Anchor(mass=3),)
+    built = sim.rope(angular_damping=2.5, circle=circle, force_law="angle", joints=True)
+    assert (built.anchors[0].circle, built.angular_springs[0].damping, built.force_law) == (
+        circle,
+        2.5,
+        "angle",
+    )
+
+
+def test_a_scene_says_nothing_of_laws_and_methods_and_gets_the_usual_ones() -> None:
+    scene = validate(Scene(name="one", masses=(Mass(position=(0.0, 0.0)),)))
+    assert (scene.format, scene.force_law, scene.integrator.method) == (2, "conservative", "auto")
+    assert sim.rope().force_law == "conservative"
 
 
 def test_a_recipe_without_joints_and_with_anchors_it_is_too_short_for() -> None:
