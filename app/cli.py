@@ -27,7 +27,8 @@ Settings = Annotated[
         name="set",
         metavar="KEY=VALUE",
         help="set a number of the scene; may be repeated. Keys: linear_stiffness, linear_damping, "
-        "angular_stiffness, rest_length_scale, rest_angle, gravity, air_friction, masses, dt, template",
+        "angular_stiffness, angular_damping, rest_length_scale, rest_angle, gravity, air_friction, masses, "
+        "dt, tolerance, template; and force_law and method, which are names",
     ),
 ]
 
@@ -75,6 +76,8 @@ class Run:
     """A log of moves and keys, one JSON object a line, ordered by step."""
     every: int = 1
     """Write one row after each so many steps."""
+    energy: bool = False
+    """Add columns of the energies, and of what has changed them."""
     settings: Settings = ()
 
     def run(self) -> int:
@@ -87,7 +90,9 @@ class Run:
         steps = self._steps(scene.integrator.dt)
         if isinstance(steps, str):
             return _fail(steps)
-        recording, problem = headless.run(scene, steps, entries, self.every, Console(stderr=True))
+        recording, problem = headless.run(
+            scene, steps, entries, self.every, Console(stderr=True), self.energy
+        )
         recording.write(self.out)
         if problem is not None:
             return _fail(f"{problem}; {self.out} has the {len(recording.steps)} rows before it")

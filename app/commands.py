@@ -66,6 +66,29 @@ class SetValue:
 
 
 @dataclass(frozen=True)
+class SetChoice:
+    """Something of a list was chosen, by its key in `sim.settings.CHOICES`."""
+
+    key: str
+    value: str
+
+
+@dataclass(frozen=True)
+class Compare:
+    """A second body is wanted that does the same by another method, or a reference, or none ("")."""
+
+    method: str
+    law: str
+
+
+@dataclass(frozen=True)
+class KeepBooks:
+    """Whether the energy is to be followed."""
+
+    on: bool
+
+
+@dataclass(frozen=True)
 class Open:
     """Another scene is to be shown from its beginning."""
 
@@ -115,6 +138,6 @@ class Snapshot:
 
 
 Command = (
-    HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | Open | Play | DoSteps | Reset
-    | Speed | SelectJoint | Snapshot
+    HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | Compare | KeepBooks
+    | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot
 )  # fmt: skip

@@ -28,6 +28,9 @@ FULL_STRAIN = 0.10
 FULL_DEVIATION = 30.0
 """Degrees off the rest angle at which a wedge has the full colour."""
 
+GHOST_WIDTH = 0.04
+"""Of a second body's springs, in the world."""
+
 WORLD_SIZE = 6.0
 """What the longer side of the scene's frame measures in the page's world."""
 
@@ -45,6 +48,10 @@ Z_GRID, Z_PIN, Z_SPRING, Z_WEDGE, Z_RING, Z_RIM, Z_MASS, Z_SHINE = (
     0.03,
     0.04,
 )
+
+
+Z_GHOST = 0.06
+"""Over the body: a thin line beside which the body stays visible."""
 
 
 @dataclass(frozen=True)
@@ -216,6 +223,20 @@ class Sketch:
             turns(middle.ravel()),
             scales,
             colors.repeat(m, axis=0),
+        )
+
+    # --------------------------------------------------------------------- ghost
+    def ghost_arrays(self, positions: Floats) -> tuple[Floats, Floats, Floats]:
+        """Places, turns and scales of the thin bars that stand for the springs of a second body."""
+        world = self.mapping.to_world(positions, Z_GHOST)
+        start = world[self.springs[:, 0]]
+        vector = world[self.springs[:, 1], :2] - start[:, :2]
+        length = np.hypot(vector[:, 0], vector[:, 1])
+        width = np.full(len(length), GHOST_WIDTH)
+        return (
+            start,
+            turns(np.arctan2(vector[:, 1], vector[:, 0])),
+            np.column_stack((length, width, np.ones(len(length)))),
         )
 
     # --------------------------------------------------------------------- paper

@@ -14,6 +14,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 import sim
+from sim.books import ENERGY_FIELDS, EnergyBook
 from sim.errors import InputError
 from sim.files import write_atomically
 
@@ -75,9 +76,12 @@ class Recording:
     steps: list[int] = field(default_factory=list)
     times: list[float] = field(default_factory=list)
     positions: list[np.ndarray] = field(default_factory=list)
+    energies: list[EnergyBook] | None = None
 
     def add(self, simulation: sim.Simulation) -> None:
         """Note the present state."""
+        if self.energies is not None:
+            self.energies.append(simulation.energy())
         self.steps.append(simulation.step_count)
         self.times.append(simulation.time)
         self.positions.append(simulation.positions)
@@ -85,13 +89,21 @@ class Recording:
     def write(self, path: Path) -> None:
         """Write as CSV (17 significant digits) or NPZ (`step`, `time`, `positions` of shape (rows, n, 2)).
 
+        With energies, there is a column, or an array, for each field of `sim.EnergyBook`.
+
         Raises:
             InputError: the ending is neither, or the file cannot be written.
         """
         positions = np.array(self.positions).reshape(len(self.steps), self.masses, 2)
         if path.suffix == ".npz":
             data = io.BytesIO()
-            np.savez(data, step=np.array(self.steps), time=np.array(self.times), positions=positions)
+            books = self.energies or ()
+            energies = {
+                name: np.array([getattr(book, name) for book in books])
+                for name in (ENERGY_FIELDS if self.energies is not None else ())
+            }
+            steps, times = np.array(self.steps), np.array(self.times)
+            np.savez(data, allow_pickle=False, step=steps, time=times, positions=positions, **energies)
             content = data.getvalue()
         else:
             content = self._csv(positions).encode()
@@ -103,11 +115,13 @@ class Recording:
     def _csv(self, positions: np.ndarray) -> str:
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
-        writer.writerow(["step", "time", *(f"{axis}{i}" for i in range(self.masses) for axis in "xy")])
-        for step, time, row in zip(
-            self.steps, self.times, positions.reshape(len(self.steps), -1), strict=True
-        ):
-            writer.writerow([step, f"{time:.17g}", *(f"{value:.17g}" for value in row)])
+        names = ENERGY_FIELDS if self.energies is not None else ()
+        axes = [f"{axis}{i}" for i in range(self.masses) for axis in "xy"]
+        writer.writerow(["step", "time", *names, *axes])
+        flat = positions.reshape(len(self.steps), -1)
+        for i, (step, time, row) in enumerate(zip(self.steps, self.times, flat, strict=True)):
+            energies = [getattr(self.energies[i], name) for name in names] if self.energies else []
+            writer.writerow([step, *(f"{value:.17g}" for value in (time, *energies, *row))])
         return text.getvalue()
 
 
@@ -124,7 +138,7 @@ def check_output(path: Path) -> None:
 
 
 def run(
-    scene: sim.Scene, steps: int, entries: list[Entry], every: int, console: Console
+    scene: sim.Scene, steps: int, entries: list[Entry], every: int, console: Console, energy: bool = False
 ) -> tuple[Recording, str | None]:
     """Simulate, and return the rows and why it stopped early (None if it did not).
 
@@ -134,12 +148,14 @@ def run(
         entries: inputs, in order of their steps.
         every: rows are taken after each step that is a multiple of this.
         console: for the progress bar of a long run.
+        energy: whether the rows have the energies.
 
     Raises:
         InputError: an input asks for what cannot be done; the sentence names its step.
     """
     simulation = sim.Simulation(scene)
-    recording = Recording(len(scene.masses))
+    recording = Recording(len(scene.masses), energies=[] if energy else None)
+    simulation.keep_books(energy)
     with Progress(console=console, transient=True, disable=steps < LONG_RUN) as progress:
         task = progress.add_task("simulating", total=steps)
         for target in _stops(steps, entries, every):

@@ -10,9 +10,14 @@ import math
 from collections import deque
 from dataclasses import dataclass
 
+from sim.solver import Effort
+
 LONGEST_FRAME = 0.1
 """Seconds of wall time that one frame can owe; after a longer silence (a stalled machine, a suspended
 laptop) the body goes on from where it was instead of leaping."""
+
+_FEWEST_ATTEMPTS = 8
+"""Steps that a method may try in any frame: a body too heavy for the budget still moves."""
 
 _WINDOW = 1.0
 """Seconds over which the rates are averaged."""
@@ -24,7 +29,8 @@ class Rates:
 
     Attributes:
         real_time_factor: simulated seconds per second.
-        steps_per_second: steps done per second.
+        steps_per_second: steps of the method done per second.
+        rejected_per_second: steps tried in vain per second.
         solver_ms: time in the solver per frame, ms.
         behind: simulated seconds that the clock has lost since it was started.
         losing: simulated seconds that it lost in the last second.
@@ -32,6 +38,7 @@ class Rates:
 
     real_time_factor: float = 0.0
     steps_per_second: float = 0.0
+    rejected_per_second: float = 0.0
     solver_ms: float = 0.0
     behind: float = 0.0
     losing: float = 0.0
@@ -47,7 +54,8 @@ class Pacer:
         self._owed = 0.0
         self._step_cost = 0.0
         self._lost = 0.0
-        self._frames: deque[tuple[float, float, int, float, float]] = deque()
+        self._attempt_cost = 0.0
+        self._frames: deque[tuple[float, float, int, int, float, float]] = deque()
 
     def restart(self) -> None:
         """Owe nothing and forget the rates, as after a pause."""
@@ -82,12 +90,29 @@ class Pacer:
         self._lost = lost
         return steps
 
-    def record(self, now: float, dt: float, steps: int, seconds: float) -> None:
-        """Note what a frame did: steps done and seconds they took."""
+    def attempts(self, budget: float) -> int:
+        """How many steps a method that chooses them itself may try in a budget of seconds."""
+        return max(_FEWEST_ATTEMPTS, int(budget / self._attempt_cost)) if self._attempt_cost else 1000
+
+    def record(self, now: float, dt: float, steps: int, seconds: float, effort: Effort, missed: int) -> None:
+        """Note what a frame did.
+
+        Args:
+            now: wall time, s.
+            dt: time step, s.
+            steps: time steps done.
+            seconds: what they took.
+            effort: what the method did for them.
+            missed: time steps that were granted and not reached.
+        """
         if steps:
-            cost = seconds / steps
-            self._step_cost = cost if not self._step_cost else 0.8 * self._step_cost + 0.2 * cost
-        self._frames.append((now, steps * dt, steps, seconds, self._lost))
+            self._step_cost = _smoothed(self._step_cost, seconds / steps)
+        tried = effort.steps + effort.rejected
+        if tried:
+            self._attempt_cost = _smoothed(self._attempt_cost, seconds / tried)
+        self.behind += missed * dt
+        lost = self._lost + missed * dt
+        self._frames.append((now, steps * dt, effort.steps, effort.rejected, seconds, lost))
         while self._frames and self._frames[0][0] < now - _WINDOW:
             self._frames.popleft()
 
@@ -97,8 +122,13 @@ class Pacer:
             return Rates(behind=self.behind)
         # The first frame's work was done before the window began.
         span = max(now - self._frames[0][0], 1e-3)
-        simulated = sum(frame[1] for frame in self._frames) - self._frames[0][1]
-        steps = sum(frame[2] for frame in self._frames) - self._frames[0][2]
-        busy = sum(frame[3] for frame in self._frames) / len(self._frames)
-        losing = sum(frame[4] for frame in self._frames)
-        return Rates(simulated / span, steps / span, busy * 1e3, self.behind, losing)
+        sums = [sum(column) for column in zip(*self._frames, strict=True)]
+        simulated, steps, rejected = (sums[i] - self._frames[0][i] for i in (1, 2, 3))
+        busy, losing = sums[4] / len(self._frames), sums[5]
+        return Rates(
+            simulated / span, steps / span, rejected / span, busy * 1e3, behind=self.behind, losing=losing
+        )
+
+
+def _smoothed(before: float, now: float) -> float:
+    return now if not before else 0.8 * before + 0.2 * now

@@ -7,127 +7,34 @@ events have no client, and are ignored, so that nothing loops.
 
 from __future__ import annotations
 
-import math
-import time
 from collections.abc import Callable
 from typing import Any
 
 import viser
 
+from sim.methods import METHODS
+from sim.scene import Scene
 from sim.settings import TEMPLATES, Setting, settings_of
 
 from . import commands, readouts, script
 from .colors import palette
 from .commands import Command
+from .dial import Dial
 from .session import SPEEDS, Session
+from .solver_panel import SolverPanel
 
 PANEL_WIDTH = 348
-TOUCHED = 0.4
-"""Seconds for which a slider that its user moved is left alone by the server."""
-
-TYPED = 3.0
-"""Seconds after which a box that was left with a number that cannot be set shows what is set."""
+SOLVER_DIALS = ("dt", "tolerance")
+"""Settings whose dials stand in the Solver tab."""
 
 _SPEED_MARKS = tuple((i, text) for i, text in enumerate(("⅛", "¼", "½", "1", "2", "4")))
 
 
-class Dial:
-    """A slider and a number box for one setting; the slider of a logarithmic one is over powers of ten.
-
-    The slider covers the useful range, the box all that is allowed. While its user types, the box is left
-    alone: half a number ("0." of "0.001") may be out of range, and is then not taken.
-    """
-
-    def __init__(
-        self, client: viser.ClientHandle, setting: Setting, value: float, post: Callable[[float], None]
-    ) -> None:
-        self.setting = setting
-        self._post = post
-        self._touched = -math.inf
-        self._known = value  # what the solver has, as far as this dial knows
-        self._retired = False
-        low, high = setting.slider
-        self._low, self._high = self._to_slider(low), self._to_slider(high)
-        # On its way to 25, a number of masses passes 2, which would be a rope without any joint.
-        self._least = low if setting.integer else setting.low
-        if setting.integer:
-            slider_step = box_step = 1.0
-        elif setting.logarithmic:
-            slider_step, box_step = 0.01, low / 100.0
-        else:
-            slider_step = box_step = 10.0 ** math.floor(math.log10((high - low) / 500.0))
-        self._slider_step = slider_step
-        self.slider = client.gui.add_slider(
-            setting.label,
-            min=self._low,
-            max=self._high,
-            step=slider_step,
-            initial_value=self._place(value),
-            marks=((self._low, readouts.short(low)), (self._high, readouts.short(high))),
-            hint=f"{setting.low:g} to {setting.high:g} {setting.unit}".rstrip(),
-        )
-        self.box = client.gui.add_number(
-            "", initial_value=_rounded(value), min=setting.low, max=setting.high, step=box_step
-        )
-
-        @self.slider.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                value = self._from_slider(self.slider.value)
-                if self._send(value):
-                    self.box.value = _rounded(value)
-
-        @self.box.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                value = self.box.value
-                if self._send(value):
-                    self.slider.value = self._place(value)
-
-    def retire(self) -> None:
-        """It is about to be taken out of the page: what its user still sends is ignored."""
-        self._retired = True
-
-    def show(self, value: float) -> None:
-        """Show what the solver has, if that is not what this page's user is just setting."""
-        idle = time.monotonic() - self._touched
-        if idle < TOUCHED or (_alike(value, self._known) and idle < TYPED):
-            return
-        self._known = value
-        if not _alike(value, self.box.value):
-            self.box.value = _rounded(value)
-        place = self._place(value)
-        if abs(place - self.slider.value) >= 0.5 * self._slider_step:
-            self.slider.value = place
-
-    def _send(self, value: float) -> bool:
-        """Hand a value on, if it is one that can be set."""
-        self._touched = time.monotonic()
-        if self._retired or not self._least <= value <= self.setting.high:
-            return False
-        self._known = value
-        self._post(value)
-        return True
-
-    def _place(self, value: float) -> float:
-        """Where the slider stands for a value, at the end of its range for one beyond it."""
-        return min(max(self._to_slider(value), self._low), self._high)
-
-    def _to_slider(self, value: float) -> float:
-        return math.log10(max(value, 1e-12)) if self.setting.logarithmic else float(value)
-
-    def _from_slider(self, place: float) -> float:
-        place = min(max(place, self._low), self._high)
-        # Three digits are as fine as a hand can move it.
-        return float(f"{10.0**place:.3g}") if self.setting.logarithmic else float(place)
-
-
-def _alike(a: float, b: float) -> bool:
-    return math.isclose(a, b, rel_tol=1e-6, abs_tol=1e-9)
-
-
-def _rounded(value: float) -> float:
-    return float(f"{value:.7g}")
+def _has_dial(setting: Setting, scene: Scene) -> bool:
+    """Whether a setting that a scene has a use for is shown: some are set by others."""
+    if setting.key == "rest_angle":
+        return scene.template is None
+    return setting.key != "dt" or not METHODS[scene.integrator.method].adaptive
 
 
 def set_theme(gui: viser.GuiApi, dark: bool) -> None:
@@ -177,6 +84,9 @@ class Panel:
         self.tabs = gui.add_tab_group()
         self._build_play(scenes)
         self._body_tab = self.tabs.add_tab("Body")
+        self._solver_tab = self.tabs.add_tab("Solver")
+        with self._solver_tab:
+            self._solver = SolverPanel(client, session)
         self.files_tab = self.tabs.add_tab("Files")
         self._build_view()
         self._add_palette_commands()
@@ -238,7 +148,6 @@ class Panel:
             dark = gui.add_checkbox("Dark", initial_value=False)
             gizmos = gui.add_checkbox("Gizmos", initial_value=True, hint="arrows to drag held masses by")
             fit = gui.add_button("Show all", icon=viser.Icon.MAXIMIZE, color="gray", hint="key 0")
-            self._rates = gui.add_html("")
 
         @dark.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -291,11 +200,8 @@ class Panel:
         self._pad.visible = scene.arrow_keys is not None
         self._follow.visible = self._session.driven is not None
         self._shown_revision = -1
-        applicable = [
-            setting
-            for setting in settings_of(scene)
-            if setting.key != "rest_angle" or scene.template is None  # a template sets it
-        ]
+        self._solver.build()
+        applicable = [setting for setting in settings_of(scene) if _has_dial(setting, scene)]
         if self._applicable == applicable:
             return
         self._applicable = applicable
@@ -309,8 +215,13 @@ class Panel:
             for setting in applicable:
                 if setting.key == "template":
                     self._add_templates()
-                else:
+                elif setting.key not in SOLVER_DIALS:
                     self._add_dial(setting)
+        with self._solver_tab:
+            for setting in applicable:
+                if setting.key in SOLVER_DIALS:
+                    self._add_dial(setting)
+        with self._body_tab:
             if not applicable:
                 nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
                 self._body.append(gui.add_html(nothing))
@@ -349,6 +260,7 @@ class Panel:
         scene = session.scene
         if self._shown_revision != session.revision:
             self._shown_revision = session.revision
+            self._solver.refresh_controls()
             running = session.playing
             label = "Pause" if running else "Play"
             if self._play.label != label:
@@ -372,10 +284,10 @@ class Panel:
         for element, content in (
             (self._hud, readouts.hud(session, colors, at_rest)),
             (self._readout, readouts.joint_table(session)),
-            (self._rates, readouts.rates_table(session)),
         ):
             if element.content != content:
                 element.content = content
+        self._solver.refresh_readouts()
 
     def set_state(self, scene: str) -> None:
         """Tell the page's script about the scene and the follow switch."""

@@ -6,6 +6,7 @@ import html
 import math
 
 import sim
+from sim.methods import METHODS
 
 from .colors import Palette
 from .session import Session
@@ -36,7 +37,7 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
             f'<span class="softrod-lag">{rates.real_time_factor:.2g} × real time: the clock is '
             f"{rates.behind:.1f} s behind</span>"
         )
-    if math.isfinite(session.stability.limit):
+    if math.isfinite(session.stability.limit) and METHODS[session.simulation.method].kind == "euler":
         lines.append(_meter(session.simulation.dt / session.stability.limit, session.stability.limit))
     if len(session.simulation.anchors) < len(session.simulation.scene.masses):
         gradient = ",".join(colors.css(name) for name in ("pushed", "rest", "pulled"))
@@ -87,6 +88,11 @@ def joint_table(session: Session) -> str:
     return f'<table class="softrod-table">{"".join(rows)}</table>'
 
 
+def _table(rows: dict[str, str]) -> str:
+    cells = "".join(f"<tr><td>{name}</td><td>{value}</td></tr>" for name, value in rows.items())
+    return f'<table class="softrod-table">{cells}</table>'
+
+
 def rates_table(session: Session) -> str:
     """How fast it runs."""
     rates = session.pacer.rates(session.now())
@@ -96,11 +102,59 @@ def rates_table(session: Session) -> str:
         "solver, per frame": f"{rates.solver_ms:.3f} ms",
         "clock behind by": f"{rates.behind:.2f} s",
     }
-    return (
-        '<table class="softrod-table">'
-        + "".join(f"<tr><td>{name}</td><td>{value}</td></tr>" for name, value in rows.items())
-        + "</table>"
-    )
+    if METHODS[session.simulation.method].adaptive:
+        rows["rejected per second"] = f"{rates.rejected_per_second:.0f}"
+    if session.rescues:
+        rows["steps of last resort"] = f"{session.rescues}"
+    return _table(rows)
+
+
+def ghost_table(session: Session) -> str:
+    """How far the second body is from the first, and what it costs."""
+    ghost = session.ghost
+    if ghost is None:
+        return ""
+    unit = html.escape(session.scene.view.unit)
+    rows = {
+        "ghost": html.escape(ghost.label),
+        "apart now": f"{ghost.distance:.3g} {unit}",
+        "apart at most": f"{ghost.worst:.3g} {unit}",
+        "ghost's solver, per frame": f"{1e3 * ghost.cost:.3f} ms",
+    }
+    if ghost.simulation.divergence is not None:
+        rows["ghost stopped"] = "it ran away"
+    return _table(rows)
+
+
+_ENERGY_NAMES = {
+    "kinetic": "kinetic",
+    "linear": "linear springs",
+    "angular": "angular springs",
+    "gravity": "height",
+    "anchors": "work of moved anchors",
+    "damping": "lost to damping",
+    "air": "lost to air",
+    "law": "made by the tutorial's law",
+    "keys": "work of the keys",
+    "changes": "changes of settings",
+    "rescues": "lost in last resort",
+    "residual": "residual: the method's error",
+}
+
+
+def energy_table(session: Session) -> str:
+    """The energies and what has changed them; what has never been anything is left out."""
+    if not session.books:
+        return ""
+    book = session.simulation.energy()
+    rows = {}
+    for key, name in _ENERGY_NAMES.items():
+        value = getattr(book, key)
+        if key in ("damping", "air", "rescues"):
+            value = -value
+        if value or key in ("kinetic", "residual"):
+            rows[name] = f"{value:.4g}"
+    return _table(rows)
 
 
 def description(scene: sim.Scene) -> str:

@@ -109,5 +109,5 @@ def _compile(kernels: Kernels, console: Console) -> None:
         return
     columns = (TextColumn("compiling {task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True) as progress:
-        task = progress.add_task("the solver (once)", total=4)
+        task = progress.add_task("the solver (once)", total=6)
         kernels.compile(lambda done, of, what: progress.update(task, completed=done, description=what))

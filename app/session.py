@@ -18,12 +18,14 @@ import msgspec
 import sim
 from sim.divergence import FARTHEST
 from sim.errors import InputError, SceneError, SettingError
-from sim.settings import SETTINGS
+from sim.methods import METHODS
+from sim.settings import SETTINGS, set_choice
 from sim.simulation import KEYS
 from sim.stability import StabilityEstimate
 
 from . import commands
 from .commands import Command
+from .ghost import Ghost
 from .pacing import Pacer
 
 KEYS_FORGOTTEN_AFTER = 0.5
@@ -36,6 +38,9 @@ MAX_QUEUE = 4000
 FRAME = 1.0 / 60.0
 DRAG_EVENT = 0.05
 """Seconds between two of viser's own reports of a drag; a mass is led smoothly from one to the next."""
+
+MOST_ATTEMPTS = 20_000
+"""Steps that a method may try for single steps of the clock, which have no frame to keep to."""
 
 STABILITY_EVERY = 0.25
 """Seconds between two looks at the stability limit."""
@@ -63,6 +68,9 @@ class Session:
         notices: what the page has still to be told.
         pacer: the clock.
         stability: the last look at the stability limit.
+        ghost: the second body, if one is wanted.
+        books: whether the energy is followed.
+        rescues: steps of last resort since the scene was opened or reset.
     """
 
     def __init__(self, scene: sim.Scene, clock: Callable[[], float] = time.monotonic) -> None:
@@ -86,6 +94,9 @@ class Session:
         self._pointed_at = -math.inf  # when the page's script last told where the pointer is
         self._last_steer = clock()
         self._by_gizmo = False
+        self.ghost: Ghost | None = None
+        self.books = False
+        self.rescues = 0
 
     def now(self) -> float:
         """Wall time, s, by the clock that everything here goes by."""
@@ -136,14 +147,19 @@ class Session:
         """
         now = self._clock()
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
-            self.simulation.keys = ()
+            self._hold(frozenset())
         running = self.playing and self.simulation.divergence is None
         if running:
-            steps = self.pacer.grant(now, self.simulation.dt, budget)
+            # A method with steps of its own is held to the budget by what it may try.
+            own = METHODS[self.simulation.method].adaptive
+            steps = self.pacer.grant(now, self.simulation.dt, math.inf if own else budget)
             self._steer(glide=True)
             began = time.perf_counter()
-            done = self.simulation.step(steps)
-            self.pacer.record(now, self.simulation.dt, done, time.perf_counter() - began)
+            done = self.simulation.step(steps, attempts=self.pacer.attempts(budget))
+            seconds, effort = time.perf_counter() - began, self.simulation.effort()
+            self.rescues += effort.rescues
+            self.pacer.record(now, self.simulation.dt, done, seconds, effort, missed=steps - done)
+            self._follow_ghost(done)
             self._after_steps()
         # While the clock stands, only what its user changes can move the limit.
         if estimate and now >= self._stability_due and (running or self._estimated != self.revision):
@@ -166,7 +182,7 @@ class Session:
     def _apply(self, command: Command, at: float) -> None:
         match command:
             case commands.HoldKeys(keys):
-                self.simulation.keys = keys & KEYS
+                self._hold(keys & KEYS)
                 self._keys_at = at
             case commands.Point(x, y):
                 self._pointed_at = at
@@ -186,6 +202,16 @@ class Session:
                 self._let_go()
             case commands.SetValue(key, value):
                 self._set(key, value)
+            case commands.SetChoice(key, value):
+                self._replace(set_choice(self.simulation.scene, key, value))
+                self.generation += 1  # other controls
+            case commands.Compare(method, law):
+                self.ghost = Ghost(self.simulation, method, law) if method else None
+                self.revision += 1
+            case commands.KeepBooks(on):
+                self.books = on
+                self.simulation.keep_books(on)
+                self.revision += 1
             case commands.Open(scene):
                 self._open(scene)
             case commands.Play(on):
@@ -193,11 +219,15 @@ class Session:
             case commands.DoSteps(steps):
                 self.play(False)
                 self._steer(glide=True)
-                self.simulation.step(max(0, min(steps, 1000)))
+                self._follow_ghost(self.simulation.step(max(0, min(steps, 1000)), attempts=MOST_ATTEMPTS))
                 self._after_steps()
             case commands.Reset():
                 self._let_go()
                 self.simulation.reset()
+                self.rescues = 0
+                if self.ghost is not None:
+                    self.ghost.simulation.reset()
+                    self.ghost.start_from(self.simulation)
                 self.pacer.restart()
                 self.revision += 1
             case commands.Speed(factor):
@@ -221,7 +251,8 @@ class Session:
 
     def _take(self, mass: int, x: float, y: float) -> None:
         self._let_go()
-        self.simulation.grab(mass)
+        for simulation in self._bodies():
+            simulation.grab(mass)
         px, py = self.simulation.positions[mass]
         self._hand = (mass, px - x, py - y)
         self._pointer = (x, y)
@@ -232,7 +263,8 @@ class Session:
             # Where the pointer left it: the last frame may not have led it all the way.
             self._steer(glide=False)
             self._hand = None
-            self.simulation.release(mass)
+            for simulation in self._bodies():
+                simulation.release(mass)
         if not self.follow:
             self._pointer = None
 
@@ -250,7 +282,8 @@ class Session:
             return
         x, y = _clamp(x), _clamp(y)
         if not glide:
-            self.simulation.move(mass, (x, y))
+            for simulation in self._bodies():
+                simulation.move(mass, (x, y))
             return
         # This frame's share of the way to where the mass is to be when the next report comes.
         now = self._clock()
@@ -258,17 +291,25 @@ class Session:
         self._last_steer = now
         share = min(1.0, frame / max(frame, self._arrival - now + frame))
         px, py = self.simulation.positions[mass]
-        self.simulation.lead(mass, (px + (x - px) * share, py + (y - py) * share))
+        for simulation in self._bodies():
+            simulation.lead(mass, (px + (x - px) * share, py + (y - py) * share))
 
     def _set(self, key: str, value: float) -> None:
         setting = SETTINGS.get(key)
         if setting is None or not math.isfinite(value):
             return
-        scene = sim.set_value(self.simulation.scene, key, min(max(value, setting.low), setting.high))
+        self._replace(sim.set_value(self.simulation.scene, key, min(max(value, setting.low), setting.high)))
+
+    def _replace(self, scene: sim.Scene) -> None:
+        """Go on with changed settings."""
         rebuilt = len(scene.masses) != len(self.simulation.scene.masses)
         if rebuilt:
             self._let_go()
         self.simulation.replace(scene)
+        if self.ghost is not None:
+            self.ghost.simulation.replace(self.ghost.variant(scene))
+            if rebuilt:
+                self.ghost.start_from(self.simulation)
         if rebuilt:
             self.generation += 1
             self.joint = min(self.joint, max(0, len(scene.angular_springs) - 1))
@@ -279,6 +320,9 @@ class Session:
         simulation = sim.Simulation(scene)
         self._let_go()
         self.simulation = simulation
+        self.simulation.keep_books(self.books)
+        self.ghost = None
+        self.rescues = 0
         self.follow = False
         self._pointer = None
         self.joint = 0
@@ -287,6 +331,19 @@ class Session:
         self.pacer.restart()
         self._stability_due = 0.0
         self.stability = StabilityEstimate(math.inf, None)
+
+    def _bodies(self) -> list[sim.Simulation]:
+        """The body, and its ghost."""
+        return [self.simulation, *([self.ghost.simulation] if self.ghost is not None else [])]
+
+    def _hold(self, keys: frozenset[str]) -> None:
+        for simulation in self._bodies():
+            simulation.keys = keys
+
+    def _follow_ghost(self, steps: int) -> None:
+        if self.ghost is not None:
+            self.ghost.step(steps)
+            self.ghost.compare(self.simulation)
 
     def _after_steps(self) -> None:
         divergence = self.simulation.divergence

@@ -93,24 +93,15 @@ class Tab:
         session.drain()
         if session.generation != self._generation:
             self._rebuild(session)
-        if self._kernels.ready_for(session.scene):
+        if self._ready(session):
             session.tick(budget, estimate=self._kernels.general.is_set())
         self._show(session)
         self._tell(session)
 
     def _begin(self) -> Session | None:
         """The session, once its kernels are compiled; until then the page shows that it waits."""
-        if not self._kernels.ready_for(self._first):
-            if self._waiting is None:
-                self._waiting = self.client.add_notification(
-                    "Compiling the solver",
-                    "This happens once; the body moves in a few seconds.",
-                    loading=True,
-                    with_close_button=False,
-                )
+        if not self._wait_unless(self._kernels.ready_for(self._first)):
             return None
-        if self._waiting is not None:
-            self._waiting.remove()
         session = Session(self._first)
         self._panel = Panel(self.client, session, self._scene_names(self._first.name), self.request)
         with self._panel.files_tab:
@@ -128,6 +119,27 @@ class Tab:
 
         self._session = session
         return session
+
+    def _ready(self, session: Session) -> bool:
+        """Whether all that the session uses is compiled."""
+        ready = self._kernels.ready_for(session.scene)
+        if session.ghost is not None or session.books:
+            ready = ready and self._kernels.every.is_set()
+        return self._wait_unless(ready)
+
+    def _wait_unless(self, ready: bool) -> bool:
+        """Show that the page waits for the solver, as long as it does."""
+        if not ready and self._waiting is None:
+            self._waiting = self.client.add_notification(
+                "Compiling the solver",
+                "This happens once. The tutorial's own method is ready in seconds, the others in a minute.",
+                loading=True,
+                with_close_button=False,
+            )
+        elif ready and self._waiting is not None:
+            self._waiting.remove()
+            self._waiting = None
+        return ready
 
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
@@ -148,7 +160,10 @@ class Tab:
         # A change of the controls, or the end of a run, is drawn exactly; a moving body only when it shows.
         changed = session.revision != self._last_revision or running != self._was_playing
         self._last_revision, self._was_playing = session.revision, running
-        if self._view.draw(Picture.of(session.simulation), force=changed or not running):
+        if self._view.draw(
+            Picture.of(session.simulation, session.ghost.simulation if session.ghost else None),
+            force=changed or not running,
+        ):
             self._moved_at = now
         at_rest = now - self._moved_at > RESTING_AFTER
         self._panel.set_state(f"{self._generation}.{self._fits}")

@@ -38,17 +38,24 @@ class Picture:
         positions: (n, 2) px.
         deviations: (J,) present angle minus rest angle, degrees in (-180, 180].
         rest_length_scale: factor of the rest lengths.
+        ghost: (n, 2) px, where the masses of a second body are, or None.
     """
 
     positions: Floats
     deviations: Floats
     rest_length_scale: float
+    ghost: Floats | None = None
 
     @staticmethod
-    def of(simulation: Simulation) -> Picture:
-        """The present state."""
+    def of(simulation: Simulation, ghost: Simulation | None = None) -> Picture:
+        """The present state, and that of a second body."""
         off = simulation.angles - simulation.rest_angles
-        return Picture(simulation.positions, 180.0 - (180.0 - off) % 360.0, simulation.rest_length_scale)
+        return Picture(
+            simulation.positions,
+            180.0 - (180.0 - off) % 360.0,
+            simulation.rest_length_scale,
+            ghost.positions if ghost is not None else None,
+        )
 
     @staticmethod
     def at_start(scene: Scene) -> Picture:
@@ -147,6 +154,7 @@ class View:
             if sketch.driven is not None:
                 self._put("ring", sketch.mapping.to_world(positions[[sketch.driven]], Z_RING))
             self._put("masses", sketch.masses(positions))
+            self._draw_ghost(sketch, picture.ghost)
             for mass, gizmo in self._gizmos:
                 # While a gizmo is dragged it belongs to the pointer.
                 if mass != self._gizmo_in_hand:
@@ -156,12 +164,31 @@ class View:
         return True
 
     # --------------------------------------------------------------------- inside
+    def _draw_ghost(self, sketch: Sketch, positions: Floats | None) -> None:
+        """A second body is there only while it is compared with."""
+        if positions is None or not len(sketch.springs):
+            node = self._nodes.pop("ghost", None)
+            if node is not None:
+                node.remove()
+                for key in [key for key in self._sent if key[0] == "ghost"]:
+                    del self._sent[key]
+            return
+        if "ghost" not in self._nodes:
+            count = len(sketch.springs)
+            color = np.tile(sent_one(sketch.palette.driven), (count, 1)).astype(np.uint8)
+            self._add("ghost", "bar", count, color)
+        self._put("ghost", *sketch.ghost_arrays(positions))
+
     def _is_still(self, picture: Picture) -> bool:
         drawn, sketch = self._drawn, self.sketch
         if drawn is None or sketch is None or drawn.positions.shape != picture.positions.shape:
             return False
+        if (drawn.ghost is None) != (picture.ghost is None):
+            return False
         pixel = 1.0 / (100.0 * sketch.mapping.scale)  # the frame is 6 units, or 600 pixels, long
         moved = np.abs(picture.positions - drawn.positions).max(initial=0.0)
+        if drawn.ghost is not None and picture.ghost is not None:
+            moved = max(moved, np.abs(picture.ghost - drawn.ghost).max(initial=0.0))
         turned = np.abs(picture.deviations - drawn.deviations).max(initial=0.0)
         grown = abs(picture.rest_length_scale / drawn.rest_length_scale - 1.0)
         return bool(moved < STILL * pixel and turned < 0.5 and grown < 1e-3)

@@ -10,6 +10,7 @@ Nothing here knows of the page; `import sim` is enough to use it in a script:
     print(simulation.positions)
 """
 
+from .books import EnergyBook
 from .errors import InputError, SceneError, SettingError
 from .files import list_scenes, load_scene, save_scene
 from .rope import rope
@@ -17,6 +18,7 @@ from .scene import (
     Anchor,
     AngularSpring,
     ArrowKeys,
+    Circle,
     Integrator,
     LinearSpring,
     Mass,
@@ -25,7 +27,7 @@ from .scene import (
     Scene,
     View,
 )
-from .settings import set_value
+from .settings import set_choice, set_value
 from .simulation import Divergence, Simulation
 from .validate import validate
 
@@ -33,7 +35,9 @@ __all__ = [
     "Anchor",
     "AngularSpring",
     "ArrowKeys",
+    "Circle",
     "Divergence",
+    "EnergyBook",
     "InputError",
     "Integrator",
     "LinearSpring",
@@ -49,6 +53,7 @@ __all__ = [
     "load_scene",
     "rope",
     "save_scene",
+    "set_choice",
     "set_value",
     "validate",
 ]

@@ -9,6 +9,7 @@ import numpy as np
 from .kernels.controls import refresh
 from .kernels.energy import energies
 from .kernels.forces import accelerations
+from .kernels.guard import GOOD
 from .kernels.ledger import tally
 from .kernels.steps import freshen
 from .kernels.tables import (
@@ -127,10 +128,27 @@ class Books:
         """Remember what is read now, for the books that take over."""
         self._last = self.read()
 
-    def euler_step(
+    def euler_steps(
+        self, stepper: EulerStepper, steps: int, targets: Targets, presses: Presses, all_held: bool
+    ) -> Outcome:
+        """Steps of the tutorial's kernels, one by one, with their work entered."""
+        done, live = 0, self._live
+        start = {m: (float(live.x[m]), float(live.y[m])) for m in targets}
+        for i in range(steps):
+            part = (i + 1) / steps
+            ends = {
+                m: (start[m][0] + (x - start[m][0]) * part, start[m][1] + (y - start[m][1]) * part)
+                for m, (x, y) in targets.items()
+            }
+            outcome = self._euler_step(stepper, ends, presses, all_held)
+            done += outcome.steps
+            if outcome.what != GOOD:
+                return Outcome(done, outcome.what, outcome.place)
+        return Outcome(done)
+
+    def _euler_step(
         self, stepper: EulerStepper, targets: Targets, presses: Presses, all_held: bool
     ) -> Outcome:
-        """One step of the tutorial's kernels, with its work entered."""
         solver, live, body, dt = self._solver, self._live, self._system.body, self._scene.integrator.dt
         time = stepper.time
         growth, turn = np.log(presses.factor) / dt, presses.angle / dt

@@ -10,13 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import get_args
+from typing import Any, get_args
 
 import msgspec
 
 from .errors import SceneError, SettingError
+from .methods import METHODS
 from .rope import with_rope
-from .scene import AngularSpring, Integrator, LinearSpring, Rope, Scene, Template
+from .scene import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template
 from .system import joint_stiffness
 from .validate import number_range, validate
 
@@ -56,6 +57,43 @@ def settings_of(scene: Scene) -> list[Setting]:
     return [setting for setting in SETTINGS.values() if setting.applies(scene)]
 
 
+@dataclass(frozen=True)
+class Choice:
+    """One thing about a scene that is chosen from a list, by name.
+
+    Attributes:
+        key, label: its name in commands, and its name for people.
+        options: what there is to choose from, and what people call it.
+        read: what a scene has.
+        write: the scene with another choice, unvalidated.
+        applies: whether a scene has any use for it.
+    """
+
+    key: str
+    label: str
+    options: dict[str, str]
+    read: Callable[[Scene], str]
+    write: Callable[[Scene, str], Scene]
+    applies: Callable[[Scene], bool]
+
+
+def set_choice(scene: Scene, key: str, value: str) -> Scene:
+    """The scene with another choice made.
+
+    Raises:
+        SettingError: there is no such choice, the scene has no use for it, or the value is none of its
+            options.
+    """
+    choice = CHOICES.get(key)
+    if choice is None:
+        raise SettingError(f"{key}: there is no such choice; there are {', '.join(CHOICES)}")
+    if not choice.applies(scene):
+        raise SettingError(f"{key}: the scene {scene.name!r} has no use for it")
+    if value not in choice.options:
+        raise SettingError(f"{key}: {value!r} is not one of {', '.join(choice.options)}")
+    return validate(choice.write(scene, value))
+
+
 def set_value(scene: Scene, key: str, value: float) -> Scene:
     """The scene with one setting changed.
 
@@ -89,6 +127,9 @@ def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
     """
     for assignment in assignments:
         key, equals, text = assignment.partition("=")
+        if key.strip() in CHOICES and equals:
+            scene = set_choice(scene, key.strip(), text.strip())
+            continue
         try:
             value = float(text)
         except ValueError:
@@ -185,12 +226,16 @@ def _write_template(scene: Scene, value: float) -> Scene:
     return msgspec.structs.replace(scene, template=template)
 
 
-def _replace(field: str) -> Callable[[Scene, float], Scene]:
+def _replace(field: str) -> Callable[[Scene, Any], Scene]:
     return lambda scene, value: msgspec.structs.replace(scene, **{field: value})
 
 
-def _write_dt(scene: Scene, value: float) -> Scene:
-    return msgspec.structs.replace(scene, integrator=msgspec.structs.replace(scene.integrator, dt=value))
+def _of_integrator(field: str) -> Callable[[Scene, Any], Scene]:
+    def write(scene: Scene, value: Any) -> Scene:
+        integrator = msgspec.structs.replace(scene.integrator, **{field: value})
+        return msgspec.structs.replace(scene, integrator=integrator)
+
+    return write
 
 
 # ------------------------------------------------------------------------- when they apply
@@ -237,6 +282,11 @@ _ALL = (
         _scaled("stiffness", "angular_springs", "angular_stiffness"), _has_joints, logarithmic=True,
     ),
     _setting(
+        "angular_damping", "Angular damping", (0.0, 200.0), number_range(AngularSpring, "damping"),
+        _largest("damping", "angular_springs"), _scaled("damping", "angular_springs", "angular_damping"),
+        _has_joints,
+    ),
+    _setting(
         "rest_length_scale", "Rest length", (0.1, 4.0), number_range(Scene, "rest_length_scale"),
         lambda scene: scene.rest_length_scale, _replace("rest_length_scale"), _has_springs, logarithmic=True,
     ),
@@ -263,8 +313,35 @@ _ALL = (
     ),
     _setting(
         "dt", "Time step", (1e-4, 0.01), number_range(Integrator, "dt"),
-        lambda scene: scene.integrator.dt, _write_dt, moves, logarithmic=True,
+        lambda scene: scene.integrator.dt, _of_integrator("dt"), moves, logarithmic=True,
+    ),
+    _setting(
+        "tolerance", "Tolerance", (1e-6, 10.0), number_range(Integrator, "tolerance"),
+        lambda scene: scene.integrator.tolerance, _of_integrator("tolerance"),
+        lambda scene: moves(scene) and METHODS[scene.integrator.method].adaptive, logarithmic=True,
     ),
 )  # fmt: skip
 
 SETTINGS: dict[str, Setting] = {setting.key: setting for setting in _ALL}
+
+CHOICES: dict[str, Choice] = {
+    "force_law": Choice(
+        "force_law",
+        "Force law",
+        {"tutorial": "Tutorial", "conservative": "Conservative", "angle": "Angle itself"},
+        lambda scene: scene.force_law,
+        _replace("force_law"),
+        _has_joints,
+    ),
+    "method": Choice(
+        "method",
+        "Integrator",
+        {name: method.label for name, method in METHODS.items()},
+        lambda scene: scene.integrator.method,
+        _of_integrator("method"),
+        moves,
+    ),
+}
+"""The choices, by their keys."""
+
+assert set(CHOICES["force_law"].options) == set(get_args(ForceLaw))

@@ -85,6 +85,11 @@ class Simulation:
         return self._time
 
     @property
+    def method(self) -> str:
+        """Name of the method of integration."""
+        return self._scene.integrator.method
+
+    @property
     def dt(self) -> float:
         """Time step, s."""
         return self._scene.integrator.dt
@@ -103,7 +108,7 @@ class Simulation:
     def angles(self) -> NDArray[np.float64]:
         """(J,) the present angle of each angular spring, in degrees in (-180, 180]."""
         positions = self.positions
-        a, b = self._joint_vectors(positions)
+        a, b = (positions[ends[:, 1]] - positions[ends[:, 0]] for ends in self._joint_ends)
         cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
         return np.degrees(np.arctan2(cross, (a * b).sum(1)))
 
@@ -136,13 +141,18 @@ class Simulation:
         return self._stepper.effort()
 
     def energy(self) -> EnergyBook:
-        """The energies, and what has changed them since this was first called (or since the last reset).
-
-        From then on books are kept, which takes time in every step.
-        """
-        if self._books is None:
-            self._books = self._new_books()
+        """The energies, and what has changed them since this was first called, or since the last reset."""
+        self.keep_books(True)
+        assert self._books is not None
         return self._books.read()
+
+    def keep_books(self, on: bool) -> None:
+        """Whether what changes the energy is followed, which takes time in every step."""
+        if not on:
+            self._books = None
+            self._stepper.close_books()
+        elif self._books is None:
+            self._books = self._new_books()
 
     # --------------------------------------------------------------------- acting
     @property
@@ -238,6 +248,14 @@ class Simulation:
         if self._books is not None:
             self._books = self._new_books()
 
+    def take_state(self, other: Simulation) -> None:
+        """Take over positions, velocities, time and held masses of a simulation of the same topology."""
+        self._adopt(other.positions, other.velocities)
+        self._time, self._steps, self._owed = other._time, other._steps, other._owed
+        self._grabbed = set(other._grabbed)
+        self._keys = other._keys
+        self._restart()
+
     def replace(self, scene: Scene) -> None:
         """Go on with another scene. Where it joins the same masses in the same way, positions, velocities and
         time go on from where they are; otherwise it starts from its own beginning.
@@ -255,9 +273,7 @@ class Simulation:
         if books is not None:
             books.close()
         self._install(scene)
-        order = self._system.mass_order
-        self._live.x[self._masses], self._live.y[self._masses] = positions[order].T
-        self._live.vx[self._masses], self._live.vy[self._masses] = velocities[order].T
+        self._adopt(positions, velocities)
         self._grabbed = grabbed
         self._restart()
         if books is not None:
@@ -295,6 +311,11 @@ class Simulation:
         self._targets: Targets = {}
         self._grabbed: set[int] = set()
 
+    def _adopt(self, positions: NDArray[np.float64], velocities: NDArray[np.float64]) -> None:
+        order = self._system.mass_order
+        self._live.x[self._masses], self._live.y[self._masses] = positions[order].T
+        self._live.vx[self._masses], self._live.vy[self._masses] = velocities[order].T
+
     def _restart(self) -> None:
         self.divergence = None
         self._targets.clear()
@@ -329,19 +350,7 @@ class Simulation:
             return stepper.step(n, self._targets, presses, self._all_held, limit)
         if self._books is None:
             return stepper.step(n, self._targets, presses, self._all_held)
-        outcome = Outcome(0)
-        start = {m: (float(self._live.x[m]), float(self._live.y[m])) for m in self._targets}
-        for i in range(n):
-            part = (i + 1) / n
-            targets = {
-                m: (start[m][0] + (x - start[m][0]) * part, start[m][1] + (y - start[m][1]) * part)
-                for m, (x, y) in self._targets.items()
-            }
-            one = self._books.euler_step(stepper, targets, presses, self._all_held)
-            outcome = Outcome(outcome.steps + one.steps, one.what, one.place)
-            if one.what != guard.GOOD:
-                break
-        return outcome
+        return self._books.euler_steps(stepper, n, self._targets, presses, self._all_held)
 
     def _explain(self, outcome: Outcome) -> Divergence:
         quantity, limit = LIMITS[outcome.what]
@@ -389,9 +398,3 @@ class Simulation:
     def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
         place = self._system.mass_place
         return np.column_stack((x[place], y[place]))
-
-    def _joint_vectors(
-        self, positions: NDArray[np.float64]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        a, b = self._joint_ends
-        return positions[a[:, 1]] - positions[a[:, 0]], positions[b[:, 1]] - positions[b[:, 0]]

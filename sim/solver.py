@@ -13,7 +13,7 @@ from .kernels.alpha import run_alpha
 from .kernels.auto import run_auto
 from .kernels.controls import circle_at
 from .kernels.explicit import run_explicit
-from .kernels.rescue import rescue
+from .kernels.rescue import run_rescue
 from .kernels.rosenbrock import run_rosenbrock
 from .kernels.tables import (
     AUTO_NEW,
@@ -201,7 +201,7 @@ class Solver:
             attempts -= int(self.flow.counts[COUNT_STEPS] + self.flow.counts[COUNT_REJECTED]) - done
             if self.what != guard.STUCK or not info.implicit or self.time >= until or attempts <= 0:
                 return
-            self._rescue(until, drive)
+            self.rescue(until, drive)
 
     def _run(
         self, info: MethodInfo, until: float, drive: Drive, fixed: float, tolerance: float, attempts: int
@@ -227,13 +227,13 @@ class Solver:
                 low, RHO, self._costs, tolerances, until, attempts,
             )  # fmt: skip
 
-    def _rescue(self, until: float, drive: Drive) -> None:
-        """Leave a state that no method can leave."""
+    def rescue(self, until: float, drive: Drive) -> None:
+        """Leave a state that no method can leave, by a step of last resort."""
         body = self.system.body
         lengths = body.rest_length[: body.springs] * self.live.controls[CONTROL_SCALE]
         typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
         h = min(RESCUE_STEP, until - self.time)
-        rescue(
+        run_rescue(
             body, self.live, self.work, self.matrix, drive, self.flow, self.ledger, *self.scene.gravity,
             h, 1e-6 * typical, typical,
         )  # fmt: skip
@@ -243,6 +243,10 @@ class Solver:
         """Keep books from now on of what changes the energy."""
         self.ledger = self.ledger._replace(active=True)
         self.ledger.work[:] = 0.0
+
+    def close_ledger(self) -> None:
+        """Keep books no more."""
+        self.ledger = self.ledger._replace(active=False)
 
     def touch(self) -> None:
         """Say that the state or what acts on it has changed from outside."""

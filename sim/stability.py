@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 
 from .kernels.controls import refresh
-from .kernels.forces import internal_forces
+from .kernels.forces import spring_forces
 from .kernels.tables import Floats, Live
 from .system import System, new_live, new_work
 
@@ -119,7 +119,7 @@ class StabilityMeter:
         for sign in (1.0, -1.0):
             for field, start, direction in zip(fields, origin, w, strict=True):
                 field[here] = start + sign * step * direction
-            internal_forces(body, probe, work, probe.x, probe.y, probe.vx, probe.vy)
+            spring_forces(body, probe, work, probe.x, probe.y, probe.vx, probe.vy)
             ends.append(np.array([work.fx[here], work.fy[here]]))
         for field, start in zip(fields, origin, strict=True):
             field[here] = start

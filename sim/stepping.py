@@ -118,6 +118,9 @@ class EulerStepper:
         effort, self._effort = self._effort, Effort()
         return effort
 
+    def close_books(self) -> None:
+        """Nothing to do: the tutorial's kernels keep no books."""
+
     def _motion(self, steps: int, targets: Targets, presses: Presses) -> Motion:
         live, t = self._live, self.time
         duration = steps * self._dt
@@ -190,6 +193,15 @@ class FlowStepper:
     def effort(self) -> Effort:
         """What was done since the last call of this."""
         return self.solver.effort()
+
+    def leave_dead_end(self) -> None:
+        """Do a step of last resort, whether it is needed or not."""
+        until = self._goal + self._scene.integrator.dt
+        self.solver.rescue(until, self.solver.drive(until, {}, 0.0, 0.0))
+
+    def close_books(self) -> None:
+        """What changes the energy is of no interest any more."""
+        self.solver.close_ledger()
 
 
 Stepper = EulerStepper | FlowStepper

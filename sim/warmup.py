@@ -2,28 +2,38 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import threading
 from collections.abc import Callable
 
-from .kernels.jit import is_cached
+import msgspec
+
+from .kernels.jit import cache_folder, is_cached
+from .methods import METHODS
 from .rope import rope
-from .scene import Anchor, LinearSpring, Mass, Scene
+from .scene import Anchor, Integrator, LinearSpring, Mass, Scene
 from .simulation import Simulation
+from .stepping import FlowStepper
 
 __all__ = ["Kernels", "is_cached"]
+
+_TUTORIAL = Integrator(method="symplectic_euler")
 
 
 class Kernels:
     """Which kernels are compiled, or loaded from the disk; `compile` does it, in any one thread.
 
     Attributes:
-        chain: set once a chain can be stepped.
-        general: set once any body can be stepped, and the stability limit estimated.
+        chain: set once a chain can be stepped as in the tutorial.
+        general: set once any body can be stepped by symplectic Euler, and the stability limit estimated.
+        every: set once all methods can be used, and books be kept of the energy.
     """
 
     def __init__(self) -> None:
         self.chain = threading.Event()
         self.general = threading.Event()
+        self.every = threading.Event()
 
     def ready_for(self, scene: Scene) -> bool:
         """Whether the scene can be simulated without waiting for a compilation.
@@ -31,27 +41,61 @@ class Kernels:
         Only a rope's recipe is sure to be a chain without a closer look, so other scenes wait for the
         general path.
         """
-        return self.general.is_set() or (self.chain.is_set() and scene.rope is not None)
+        if METHODS[scene.integrator.method].kind != "euler":
+            return self.every.is_set()
+        tutorial_rope = scene.rope is not None and scene.force_law == "tutorial"
+        return self.general.is_set() or (self.chain.is_set() and tutorial_rope)
 
     def compile(self, report: Callable[[int, int, str], None] = lambda done, of, what: None) -> None:
-        """Compile everything. `report` hears how many parts of how many are done, and what comes next."""
-        chain = rope(masses=3)
+        """Compile everything. `report` hears how many parts of how many are done, and what comes next.
+
+        The tutorial's own kernels come first, and take seconds. The other methods take a minute, in a
+        process of their own: numba would leave this one little time to serve a page.
+        """
+        parts = 6
+        chain = rope(masses=3, force_law="tutorial", integrator=_TUTORIAL)
         # Two springs that point at each other are no chain.
         fork = Scene(
             name="fork",
             masses=tuple(Mass(position=(float(x), 0.0)) for x in range(3)),
             linear_springs=tuple(LinearSpring(a=a, b=1, stiffness=1.0, rest_length=1.0) for a in (0, 2)),
+            integrator=_TUTORIAL,
         )
-        held = Scene(name="held", masses=(Mass(position=(0.0, 0.0)),), anchors=(Anchor(mass=0),))
-        report(0, 4, "chains")
+        held = msgspec.structs.replace(
+            fork, masses=fork.masses[:1], linear_springs=(), anchors=(Anchor(mass=0),)
+        )
+        report(0, parts, "chains")
         simulation = Simulation(chain)
         simulation.step()
         self.chain.set()
-        report(1, 4, "the stability limit")
+        report(1, parts, "the stability limit")
         simulation.stability()
-        report(2, 4, "bodies of any shape")
+        report(2, parts, "bodies of any shape")
         Simulation(fork).step()
-        report(3, 4, "held bodies")
+        report(3, parts, "held bodies")
         Simulation(held).step()
         self.general.set()
-        report(4, 4, "ready")
+        report(4, parts, "all other methods")
+        if cache_folder() is not None:
+            subprocess.run([sys.executable, "-m", "sim.warmup"], check=False)
+        report(5, parts, "all other methods")
+        compile_methods()
+        self.every.set()
+        report(6, parts, "ready")
+
+
+def compile_methods() -> None:
+    """Compile every method that is not the tutorial's, the books, and the step of last resort."""
+    for method in METHODS.values():
+        simulation = Simulation(rope(masses=3, integrator=Integrator(method=method.name)))
+        simulation.step()
+        if method.kind in ("euler", "auto"):
+            simulation.energy()
+            simulation.step()
+        stepper = simulation._stepper
+        if isinstance(stepper, FlowStepper):
+            stepper.leave_dead_end()
+
+
+if __name__ == "__main__":
+    compile_methods()

@@ -104,6 +104,12 @@ def internal_forces(body, live, work, x, y, vx, vy):
         fy[m] += sign * ty[s]
 
 
+@kernel(fastmath=FAST)
+def spring_forces(body, live, work, x, y, vx, vy):
+    """`internal_forces`, for callers that are better off with a call than with another copy of it."""
+    internal_forces(body, live, work, x, y, vx, vy)
+
+
 @kernel()
 def joint_couples(body, live, work):
     """The couple and, where the law has one, the energy of every joint, from the vectors in `work`."""
@@ -170,7 +176,7 @@ def accelerations(body, live, work, q, v, a):
 def any_accelerations(body, live, work, x, y, vx, vy, a):
     """`accelerations` of any body, under any law."""
     places = x.size
-    internal_forces(body, live, work, x, y, vx, vy)
+    spring_forces(body, live, work, x, y, vx, vy)
     fx, fy = work.fx, work.fy
     for i in range(1, body.masses + 1):
         w, air = live.inverse_mass[i], live.air[i]

@@ -6,7 +6,7 @@ import math
 
 from .blocks import deflection, length_of
 from .drive import drive_to
-from .forces import internal_forces
+from .forces import spring_forces
 from .jit import FAST, kernel
 from .tables import (
     ANGLE,
@@ -63,7 +63,7 @@ def _tally_powers(body, live, work, ledger, drive, h, q, v, still):
     sums, mass = ledger.work, ledger.mass
     fx, fy, free = work.fx, work.fy, live.inverse_mass
     # The force of the springs and joints, and then that of the dampers alone, which is linear in v.
-    internal_forces(body, live, work, x, y, still[:places], still[places:])
+    spring_forces(body, live, work, x, y, still[:places], still[places:])
     for i in range(drive.mass.size):
         m = drive.mass[i]
         # Its true velocity; `v` may have it standing still.
@@ -79,7 +79,7 @@ def _tally_powers(body, live, work, ledger, drive, h, q, v, still):
         for i in range(drive.mass.size):
             m = drive.mass[i]
             sums[WORK_ANCHORS] += h * (fx[m] * vx[m] + fy[m] * vy[m])
-        internal_forces(body, live, work, x, y, vx, vy)
+        spring_forces(body, live, work, x, y, vx, vy)
         for i in range(1, body.masses + 1):
             power += fx[i] * vx[i] + fy[i] * vy[i]
         for i in range(drive.mass.size):

@@ -32,7 +32,7 @@ from .tables import (
 
 
 @kernel(fastmath=FAST)
-def rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity_y, h, shortest, reach):
+def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity_y, h, shortest, reach):
     """One step of h seconds from a state that the integrators are stuck in.
 
     Args:

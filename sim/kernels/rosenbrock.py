@@ -154,11 +154,11 @@ def _by_time(body, live, work, drive, flow, t, h, q, v, a, out):
     part = 1e-4 * h
     for j in range(q.size):
         q[j], v[j] = flow.q[j], flow.v[j]
-    drive_to(body, live, drive, t + part, q, v)
-    accelerations(body, live, work, q, v, out)
-    drive_to(body, live, drive, t - part, q, v)
-    accelerations(body, live, work, q, v, a)
-    for j in range(q.size):
-        out[j] = (out[j] - a[j]) / (2.0 * part)
+        out[j] = 0.0
+    for sign in (1.0, -1.0):
+        drive_to(body, live, drive, t + sign * part, q, v)
+        accelerations(body, live, work, q, v, a)
+        for j in range(q.size):
+            out[j] += sign * a[j] / (2.0 * part)
     if drive.pressed:
         drive_to(body, live, drive, t, q, v)

@@ -1,0 +1,79 @@
+"""A second body beside the first: the same inputs, another method or force law."""
+
+from __future__ import annotations
+
+import time
+
+import msgspec
+import numpy as np
+
+import sim
+from sim.settings import CHOICES, set_choice
+
+REFERENCE = "reference"
+"""Instead of a method: `auto` at a tolerance at which it stands for the exact motion."""
+
+REFERENCE_TOLERANCE = 1e-4
+"""Of the reference, px."""
+
+ATTEMPTS = 2000
+"""Steps that a ghost may try in a frame; it is not the one that the clock waits for."""
+
+
+class Ghost:
+    """The second body of a session.
+
+    Args:
+        scene: the first body's scene, as it is now.
+        simulation: the first body, whose state it starts from.
+        method: a name of `sim.methods.METHODS`, or REFERENCE.
+        law: a force law, or "" for the scene's own.
+
+    Attributes:
+        simulation: the body.
+        cost: seconds of computing in the last frames, on average.
+        distance: largest distance between a mass and its counterpart, px.
+        worst: the largest that it has been.
+    """
+
+    def __init__(self, simulation: sim.Simulation, method: str, law: str) -> None:
+        self.method, self.law = method, law
+        self.simulation = sim.Simulation(self.variant(simulation.scene))
+        self.cost = 0.0
+        self.distance = self.worst = 0.0
+        self.start_from(simulation)
+
+    def variant(self, scene: sim.Scene) -> sim.Scene:
+        """The first body's scene with this one's method and law."""
+        if self.method == REFERENCE:
+            scene = set_choice(scene, "method", "auto")
+            tight = msgspec.structs.replace(scene.integrator, tolerance=REFERENCE_TOLERANCE)
+            scene = msgspec.structs.replace(scene, integrator=tight)
+        else:
+            scene = set_choice(scene, "method", self.method)
+        if self.law and CHOICES["force_law"].applies(scene):
+            scene = set_choice(scene, "force_law", self.law)
+        return scene
+
+    def start_from(self, simulation: sim.Simulation) -> None:
+        """Take the first body's place, speed and time."""
+        self.simulation.take_state(simulation)
+        self.distance = self.worst = 0.0
+
+    def step(self, steps: int) -> None:
+        """Go on by some time steps of the scene."""
+        began = time.perf_counter()
+        self.simulation.step(steps, attempts=ATTEMPTS)
+        self.cost += 0.1 * (time.perf_counter() - began - self.cost)
+
+    def compare(self, simulation: sim.Simulation) -> None:
+        """Measure the distance to the first body."""
+        apart = np.hypot(*(simulation.positions - self.simulation.positions).T)
+        self.distance = float(apart.max(initial=0.0))
+        self.worst = max(self.worst, self.distance)
+
+    @property
+    def label(self) -> str:
+        """What it is, for people."""
+        name = "Reference" if self.method == REFERENCE else CHOICES["method"].options[self.method]
+        return f"{name}, {CHOICES['force_law'].options[self.law].lower()} law" if self.law else name
