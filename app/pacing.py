@@ -70,7 +70,8 @@ class Pacer:
         Args:
             now: wall time, s.
             dt: time step, s.
-            budget: seconds of computing that the frame may take.
+            budget: seconds of computing that the frame may take; infinite for a method that is held to it
+                by its attempts.
         """
         elapsed = 0.0 if self._last is None else max(0.0, now - self._last)
         self._last = now
@@ -78,7 +79,11 @@ class Pacer:
         self._owed += min(elapsed, LONGEST_FRAME) * self.speed
         wanted = int(self._owed / dt + 1e-9)
         # One step always, so that a body too heavy for the budget still moves, and its cost is measured.
-        affordable = max(1, int(budget / self._step_cost)) if self._step_cost else max(1, min(wanted, 64))
+        affordable = max(1, min(wanted, 64))
+        if budget == math.inf:
+            affordable = wanted
+        elif self._step_cost:
+            affordable = max(1, int(budget / self._step_cost))
         steps = min(wanted, affordable)
         self._owed -= steps * dt
         if wanted > steps:

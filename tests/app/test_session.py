@@ -203,7 +203,7 @@ def test_forged_settings_change_nothing(page: Page, key: str, value: float) -> N
 
 def test_a_value_out_of_range_is_clamped(page: Page) -> None:
     page.frames(1, commands.Play(False), commands.SetValue("angular_stiffness", 1e300))
-    assert page.session.scene.angular_springs[0].stiffness == 1e9
+    assert page.session.scene.angular_springs[0].stiffness == 1e15
 
 
 def test_another_number_of_masses_is_another_body(page: Page) -> None:
