@@ -28,7 +28,7 @@ FULL_STRAIN = 0.10
 FULL_DEVIATION = 30.0
 """Degrees off the rest angle at which a wedge has the full colour."""
 
-GHOST_WIDTH = 0.04
+GHOST_WIDTH = 0.025
 """Of a second body's springs, in the world."""
 
 WORLD_SIZE = 6.0

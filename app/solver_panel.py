@@ -17,6 +17,9 @@ NO_GHOST = "nothing"
 REFERENCE_LABEL = "a reference: how wrong am I?"
 SAME_LAW = "the same"
 
+LAST = 1e6
+"""Order of what stands below the dials, which come and go."""
+
 
 class SolverPanel:
     """The controls of one page's Solver tab; made inside the tab.
@@ -24,24 +27,25 @@ class SolverPanel:
     Args:
         client: the page.
         session: its simulation.
-
-    Attributes:
-        dials: folder for the dial of the time step or of the tolerance.
     """
 
     def __init__(self, client: viser.ClientHandle, session: Session) -> None:
         self._session = session
         gui = client.gui
         methods, laws = CHOICES["method"].options, CHOICES["force_law"].options
-        self._method = gui.add_dropdown("Integrator", tuple(methods.values()))
-        self._about = gui.add_html("")
-        self._law = gui.add_dropdown("Force law", tuple(laws.values()))
-        self._books = gui.add_checkbox("Energy", initial_value=False, hint="follow what changes the energy")
-        self._energy = gui.add_html("")
-        self._other = gui.add_dropdown("Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()))
-        self._other_law = gui.add_dropdown("Ghost's law", (SAME_LAW, *laws.values()))
-        self._ghost = gui.add_html("")
-        self.rates = gui.add_html("")
+        self._method = gui.add_dropdown("Integrator", tuple(methods.values()), order=1)
+        self._about = gui.add_html("", order=2)
+        self._law = gui.add_dropdown("Force law", tuple(laws.values()), order=3)
+        self._books = gui.add_checkbox(
+            "Energy", initial_value=False, hint="follow what changes the energy", order=LAST
+        )
+        self._energy = gui.add_html("", order=LAST + 1)
+        self._other = gui.add_dropdown(
+            "Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()), order=LAST + 2
+        )
+        self._other_law = gui.add_dropdown("Ghost's law", (SAME_LAW, *laws.values()), order=LAST + 3)
+        self._ghost = gui.add_html("", order=LAST + 4)
+        self.rates = gui.add_html("", order=LAST + 5)
         for handle, key in ((self._method, "method"), (self._law, "force_law")):
             self._listen(handle, key)
         for handle in (self._other, self._other_law):

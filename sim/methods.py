@@ -25,8 +25,9 @@ class MethodInfo:
         implicit: whether it solves linear systems, and so bears any stiffness.
         summary: what it is and what it is good for, one sentence.
         table: its coefficients, if it has any.
-        strictness: part of the tolerance that the error estimate of one step may be; found by trying on
-            random bodies, so that errors after a second come out near the tolerance.
+        strictness: for a tolerance of 1 px, the position error per second that one step may make, 1/s; found
+            by trying, so that errors after a second come out somewhat below the tolerance. An error per
+            unit of time, and not per step, makes errors proportional to the tolerance.
     """
 
     name: Method
@@ -52,7 +53,7 @@ _ALL = (
     ),
     MethodInfo(
         "velocity_verlet", "Velocity Verlet", "verlet", 2, False, False,
-        "As cheap as Euler's and of second order; the same limit.", strictness=0.005,
+        "As cheap as Euler's and of second order; the same limit.", strictness=2.5,
     ),
     MethodInfo(
         "rk4", "Runge-Kutta 4", "explicit", 4, False, False,
@@ -61,7 +62,7 @@ _ALL = (
     MethodInfo(
         "generalized_alpha", "Generalized-alpha", "alpha", 2, False, True,
         "Implicit: bears any stiffness and calms what the step is too long for; springs turn and stretch in "
-        "its Newton updates.", strictness=0.05,
+        "its Newton updates.", strictness=20.0,
     ),
     MethodInfo(
         "stable_spring", "Stable spring", "euler", 1, False, False,
@@ -70,21 +71,21 @@ _ALL = (
     MethodInfo(
         "dopri5", "Dormand-Prince 5", "explicit", 5, True, False,
         "Error-controlled Runge-Kutta: for moderate accuracy on bodies that are not stiff.",
-        tableaux.DOPRI5, 0.2,
+        tableaux.DOPRI5, 1.0,
     ),
     MethodInfo(
         "dop853", "Dormand-Prince 8", "explicit", 8, True, False,
         "Error-controlled Runge-Kutta of order 8: for errors far below a thousandth of a pixel.",
-        tableaux.DOP853, 0.2,
+        tableaux.DOP853, 5.0,
     ),
     MethodInfo(
         "rodas4", "RODAS 4", "rosenbrock", 4, True, True,
-        "Error-controlled Rosenbrock method: for stiff bodies.", tableaux.RODAS4, 0.1,
+        "Error-controlled Rosenbrock method: for stiff bodies.", tableaux.RODAS4, 6.0,
     ),
     MethodInfo(
         "rodas5p", "RODAS 5P", "rosenbrock", 5, True, True,
         "Error-controlled Rosenbrock method of order 5: for stiff bodies and small errors.",
-        tableaux.RODAS5P, 0.1,
+        tableaux.RODAS5P, 5.0,
     ),
 )  # fmt: skip
 

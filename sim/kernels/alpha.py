@@ -38,6 +38,10 @@ from .tables import (
 )
 
 _ITERATIONS = 8
+_SPAN = 2.5e-3
+"""A step's error is held to the tolerance of so many seconds, however long it is: an error per second of it
+would have this method, of second order, take steps that are too short to pay."""
+
 _ERROR = 0.1
 """The error of a step as a part of the distance between prediction and solution, found by trying."""
 
@@ -71,12 +75,12 @@ def run_alpha(
     if clock[CLOCK_LAST] == 0.0:
         for j in range(q.size):
             inner[j] = flow.a[j]
-    precision = 0.05 * tolerance if fixed == 0.0 else 1e-9
+    precision = 0.05 * _SPAN * tolerance if fixed == 0.0 else 1e-9
     t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
     if fixed > 0.0:
         h = fixed
     elif h <= 0.0:
-        h = 4.0 * first_step(flow, drive, tolerance)
+        h = 4.0 * first_step(flow, drive, _SPAN * tolerance)
     failed = False
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
@@ -109,7 +113,7 @@ def run_alpha(
                 m = drive.mass[k]
                 move[m], move[q.size // 2 + m] = 0.0, 0.0
             # The second iteration is close enough to the first to do with its matrix.
-            if iteration != 1 or last > 10.0 * tolerance:
+            if iteration != 1 or last > 10.0 * _SPAN * tolerance:
                 factorise(body, live, matrix, to_q, to_v, g2, g1, False)
                 count[COUNT_MATRICES] += 1
             solve(body, matrix, move)
@@ -138,7 +142,7 @@ def run_alpha(
             error = 0.0
             if fixed == 0.0:
                 known = 1.0 if clock[CLOCK_LAST_BUT_ONE] > 0.0 else 0.3
-                error = known * _ERROR * biggest(guess) / tolerance
+                error = known * _ERROR * biggest(guess) / (_SPAN * tolerance)
         good = error <= 1.5 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good:
             if ledger.active:

@@ -11,6 +11,7 @@ from .jit import FAST, kernel
 from .ledger import tally
 from .steps import (
     HOPELESS,
+    SHORTEST_SPAN,
     WORTH_SHORTENING,
     biggest,
     first_step,
@@ -35,7 +36,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
 
     Args:
         fixed: the step, s, or 0 for error control.
-        tolerance: of the largest position error of a step, px.
+        tolerance: of the largest position error of a step, per second of it, px/s.
         attempts: steps to try at most.
     """
     freshen(body, live, work, drive, flow)
@@ -48,7 +49,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
     if fixed > 0.0:
         h = fixed
     elif h <= 0.0:
-        h = first_step(flow, drive, tolerance)
+        h = first_step(flow, drive, 0.01 * tolerance)
     failed = False
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
@@ -64,7 +65,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
         count[COUNT_FORCES] += stages
         error = 0.0
         if fixed == 0.0:
-            error = _estimate(tableau, rates, probe, step) / tolerance
+            error = _estimate(tableau, rates, probe, step) / (max(step, SHORTEST_SPAN) * tolerance)
             if not error < HOPELESS:
                 error = HOPELESS
         good = error <= 1.0 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
@@ -81,7 +82,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
                 for j in range(q.size):
                     rates[i, j] = 0.0
         if fixed == 0.0:
-            h = step_after(flow, h, step, error, tableau.order, good, failed)
+            h = step_after(flow, h, step, error, tableau.order - 1, good, failed)
             failed = not good
     clock[CLOCK_TIME] = t
     clock[CLOCK_STEP] = h

@@ -15,6 +15,7 @@ from .ledger import tally
 from .resist import add_resistance, remember_directions
 from .steps import (
     HOPELESS,
+    SHORTEST_SPAN,
     WORTH_SHORTENING,
     biggest,
     first_step,
@@ -52,7 +53,7 @@ def run_rosenbrock(
     if fixed > 0.0:
         h = fixed
     elif h <= 0.0:
-        h = first_step(flow, drive, tolerance)
+        h = first_step(flow, drive, 0.01 * tolerance)
     failed = False
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
@@ -103,7 +104,7 @@ def run_rosenbrock(
             for j in range(q.size):
                 rest[j] = 0.0
             _accumulate(rest, 1.0, method.error, xs, stages)
-            error = biggest(rest) / tolerance
+            error = biggest(rest) / (max(step, SHORTEST_SPAN) * tolerance)
             if not error < HOPELESS:
                 error = HOPELESS
         good = (
@@ -124,7 +125,7 @@ def run_rosenbrock(
             if drive.pressed:
                 drive_to(body, live, drive, t, q, v)
         if fixed == 0.0:
-            h = step_after(flow, h, step, error, method.order, good, failed)
+            h = step_after(flow, h, step, error, method.order - 1, good, failed)
             failed = not good
     clock[CLOCK_TIME] = t
     clock[CLOCK_STEP] = h

@@ -16,6 +16,10 @@ SHORTEST_STEP = 1e-12
 WORTH_SHORTENING = 1e-9
 """A step (s) so short that one that is still bad tells of the body, and not of the step."""
 
+SHORTEST_SPAN = 2e-5
+"""Seconds whose share of the tolerance any step may use up. Where a force jumps, as that of a spring that is
+turned round in passing through no length at all, the error of a step, per second of it, never gets small."""
+
 HOPELESS = 1e30
 """An error estimate (in tolerances) that stands for infinities and NaN."""
 

@@ -7,7 +7,16 @@ from .forces import accelerations
 from .guard import GOOD, sound
 from .jit import FAST, kernel
 from .ledger import tally
-from .steps import HOPELESS, WORTH_SHORTENING, first_step, fitting_step, freshen, replace_state, step_after
+from .steps import (
+    HOPELESS,
+    SHORTEST_SPAN,
+    WORTH_SHORTENING,
+    first_step,
+    fitting_step,
+    freshen,
+    replace_state,
+    step_after,
+)
 from .tables import (
     CLOCK_CAP,
     CLOCK_STEP,
@@ -35,7 +44,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
     if fixed > 0.0:
         h = fixed
     elif h <= 0.0:
-        h = 0.5 * first_step(flow, drive, tolerance)
+        h = 0.5 * first_step(flow, drive, 0.01 * tolerance)
         clock[CLOCK_CAP] = 1e9
     failed = False
     for _ in range(attempts):
@@ -55,7 +64,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
             for j in range(q.size):
                 change = abs(to_a[j] - a[j])
                 error = change if not change <= error else error
-            error *= step * step / (12.0 * tolerance)
+            error *= step * step / (12.0 * max(step, SHORTEST_SPAN) * tolerance)
             if not error < HOPELESS:
                 error = HOPELESS
         if error <= 1.0:
@@ -78,7 +87,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
                 clock[CLOCK_CAP] *= 1.004
             else:
                 clock[CLOCK_CAP] = 0.93 * step
-            h = min(step_after(flow, h, step, error, 3, good, failed), clock[CLOCK_CAP])
+            h = min(step_after(flow, h, step, error, 2, good, failed), clock[CLOCK_CAP])
             failed = not good
     clock[CLOCK_TIME] = t
     clock[CLOCK_STEP] = h
