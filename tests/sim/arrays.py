@@ -1,0 +1,112 @@
+"""A body in the kernels' own arrays, so that tests can ask each kernel by itself."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim import Scene, Simulation
+from sim.kernels.energy import ANGULAR, GRAVITY, LINEAR, energies
+from sim.kernels.forces import accelerations
+from sim.kernels.implicit import factorise, solve
+from sim.kernels.resist import add_resistance, remember_directions
+from sim.pattern import new_matrix
+from sim.solver import Solver
+
+Floats = NDArray[np.float64]
+
+
+class Arrays:
+    """A body at the start of its scene.
+
+    Args:
+        scene: a valid scene.
+        general: whether a chain is to take the path for any topology.
+
+    Attributes:
+        q, v: positions and velocities, flat, as the kernels have them.
+        here: the places in a flat array that belong to masses: all x, then all y.
+        free: of `here`, those that belong to masses that are not held.
+        weight: kg, of each of `here`.
+    """
+
+    def __init__(self, scene: Scene, *, general: bool = False) -> None:
+        self.scene = scene
+        simulation = Simulation(scene)
+        self.system = simulation._system
+        if general:
+            self.system = dataclasses.replace(self.system, body=self.system.body._replace(chain=False))
+        self.body, self.live, self.work = self.system.body, simulation._live, simulation._work
+        self.solver = Solver(scene, self.system, self.live, self.work)
+        self.solver.load(0.0)
+        self.q, self.v = self.solver.flow.q.copy(), self.solver.flow.v.copy()
+        self.places = self.q.size // 2
+        n = self.body.masses
+        self.here = np.r_[1 : n + 1, self.places + 1 : self.places + n + 1]
+        self.free = self.here[np.tile(~self.system.held, 2)]
+        self.weight = np.tile(1.0 / self.system.inverse_mass, 2)
+        self.matrix = new_matrix(self.body, self.system.held)
+
+    def flat(self, pairs: Floats) -> Floats:
+        """(n, 2), in the scene's order, as a flat array."""
+        flat = np.zeros_like(self.q)
+        flat[self.here] = pairs[self.system.mass_order].T.ravel()
+        return flat
+
+    def pairs(self, flat: Floats) -> Floats:
+        """A flat array as (n, 2), in the scene's order."""
+        place = self.system.mass_place
+        return np.column_stack((flat[place], flat[self.places + place]))
+
+    def accelerations(self, q: Floats, v: Floats) -> Floats:
+        """Of all of `here`."""
+        a = np.zeros_like(q)
+        accelerations(self.body, self.live, self.work, q, v, a)
+        return a[self.here]
+
+    def potential(self, q: Floats) -> float:
+        """The energy of all that has one, but motion."""
+        mass = np.zeros(self.places)
+        mass[1 : self.body.masses + 1] = 1.0 / self.system.inverse_mass
+        four = np.zeros(4)
+        energies(self.body, self.live, mass, *self.scene.gravity, q, np.zeros_like(q), four)
+        return float(four[[LINEAR, ANGULAR, GRAVITY]].sum())
+
+    def derivative(self, by_velocity: bool, step: float) -> Floats:
+        """The derivative of the accelerations by positions or velocities, by differences of order 4."""
+        columns = []
+        for j in self.here:
+            ends = []
+            for size in (step, -step, 2.0 * step, -2.0 * step):
+                q, v = self.q.copy(), self.v.copy()
+                (v if by_velocity else q)[j] += size
+                ends.append(self.accelerations(q, v))
+            columns.append((8.0 * (ends[0] - ends[1]) - (ends[2] - ends[3])) / (12.0 * step))
+        return np.array(columns).T
+
+    def factorise(self, a: float, g: float, definite: bool = False) -> bool:
+        """Factorise a I - g Jv - Jx at the present state."""
+        return bool(factorise(self.body, self.live, self.matrix, self.q, self.v, a, g, definite))
+
+    def solve(self, right: Floats) -> Floats:
+        """Solve with the last factors, for numbers of all of `here`."""
+        flat = np.zeros_like(self.q)
+        flat[self.here] = right
+        solve(self.body, self.matrix, flat)
+        assert not np.delete(flat, self.here).any()  # the padding stays as it is
+        return flat[self.here]
+
+    def inverse(self, a: float, g: float, definite: bool = False) -> Floats:
+        """The inverse of a I - g Jv - Jx, one column after the other."""
+        assert self.factorise(a, g, definite)
+        return np.array([self.solve(row) for row in np.eye(self.here.size)]).T
+
+    def resistance(self, z: Floats, factor: float, start: Floats) -> Floats:
+        """start + factor Jv z, for numbers of all of `here`."""
+        flat, out = np.zeros((2, self.q.size))
+        flat[self.here], out[self.here] = z, start
+        remember_directions(self.body, self.matrix, self.q)
+        add_resistance(self.body, self.live, self.work, self.matrix, self.v, flat, factor, out)
+        return out[self.here]

@@ -1,0 +1,284 @@
+"""The matrix of an implicit step: its derivatives, its factors, and the pattern of those."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import sim
+from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
+from sim.kernels.sparse import assemble
+from sim.pattern import fill
+from sim.scene import ForceLaw
+from tests.sim.arrays import Arrays, Floats
+from tests.sim.bodies import LAWS, SHAPES, body
+from tests.sim.builders import chain, row
+
+REPLACE = msgspec.structs.replace
+PATHS = [pytest.param(shape, False, id=shape) for shape in SHAPES] + [
+    pytest.param("chain", True, id="chain, general")
+]
+DAMPINGS = [
+    pytest.param({"damping": 0.0, "twist": 0.0, "air": 0.0}, id="undamped"),
+    pytest.param({"damping": 0.0, "air": 0.0}, id="twisted"),
+    pytest.param({"twist": 0.0}, id="damped"),
+    pytest.param({}, id="all"),
+]
+
+
+def matrix_of(arrays: Arrays, a: float, g: float) -> Floats:
+    """a I - g Jv - Jx, by differences of accelerations."""
+    by_place = arrays.derivative(by_velocity=False, step=1e-3)
+    by_speed = arrays.derivative(by_velocity=True, step=0.1)
+    return a * np.eye(len(by_place)) - g * by_speed - by_place
+
+
+# ------------------------------------------------------------------------- against differences
+@pytest.mark.parametrize("damping", DAMPINGS)
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize(("shape", "general"), PATHS)
+def test_the_matrix_is_that_of_the_forces(
+    shape: str, general: bool, law: ForceLaw, damping: dict[str, Any]
+) -> None:
+    for seed, held in ((1, ()), (2, (0, 3))):
+        arrays = Arrays(body(shape, law, seed, held=held, **damping), general=general)
+        assert arrays.body.chain == (shape == "chain" and not general)
+        # About as large as the derivatives, so that both count.
+        g = 150.0
+        expected = matrix_of(arrays, g * g, g)
+        found = np.linalg.inv(arrays.inverse(g * g, g))
+        assert np.abs(found - expected).max() <= 1e-7 * np.abs(expected).max()
+        # So it does for the system that matters.
+        right = np.random.default_rng(seed).normal(size=arrays.here.size)
+        assert np.abs(expected @ arrays.solve(right) - right).max() <= 1e-7
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("shape", ["chain", "ring"])
+def test_the_matrix_has_no_joints_where_there_are_none(shape: str, law: ForceLaw) -> None:
+    arrays = Arrays(body(shape, law, 3, joints=False, held=(2,)))
+    expected = matrix_of(arrays, 1e4, 100.0)
+    assert np.abs(np.linalg.inv(arrays.inverse(1e4, 100.0)) - expected).max() <= 1e-7 * np.abs(expected).max()
+
+
+@pytest.mark.parametrize("damping", DAMPINGS)
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize(("shape", "general"), PATHS)
+def test_the_product_with_the_derivative_by_velocities(
+    shape: str, general: bool, law: ForceLaw, damping: dict[str, Any]
+) -> None:
+    arrays = Arrays(body(shape, law, 4, held=(1,), **damping), general=general)
+    expected = arrays.derivative(by_velocity=True, step=0.1)
+    rng = np.random.default_rng(1)
+    start, z = rng.normal(size=(2, arrays.here.size)) * 100.0
+    change = 0.7 * expected @ z
+    assert np.abs(arrays.resistance(z, 0.7, start) - start - change).max() <= 1e-7 * (
+        np.abs(change).max() + 1.0
+    )
+    # There is something to be right about wherever anything resists.
+    assert (np.abs(change).max() > 10.0) == any(
+        {"damping": 1.0, "twist": 1.0, "air": 1.0, **damping}.values()
+    )
+
+
+# ------------------------------------------------------------------------- the definite matrix
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize(("shape", "general"), PATHS)
+def test_the_definite_matrix_is_one(shape: str, general: bool, law: ForceLaw) -> None:
+    indefinite = 0
+    for seed in range(6):
+        arrays = Arrays(body(shape, law, seed, held=(0,) if seed % 2 else ()), general=general)
+        g = 150.0
+        free = np.isin(arrays.here, arrays.free)
+        for definite in (True, False):
+            whole = np.linalg.inv(arrays.inverse(g * g, g, definite)) - g * g * np.eye(arrays.here.size)
+            stiffness = (arrays.weight[:, None] * whole)[free][:, free]
+            size = np.abs(stiffness).max()
+            lowest = np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T))[0]
+            if definite:
+                assert np.abs(stiffness - stiffness.T).max() <= 1e-9 * size
+                assert lowest >= -1e-9 * size
+            else:
+                indefinite += bool(lowest < -1e-3 * size)
+    # The true one is not: these bodies are compressed and bent.
+    assert indefinite >= 1
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("joints", [True, False])
+@pytest.mark.parametrize("shape", SHAPES)
+def test_the_definite_matrix_at_rest(shape: str, joints: bool, law: ForceLaw) -> None:
+    scene = body(shape, law, 7, air=0.0, joints=joints)
+    angles = sim.Simulation(scene).angles
+    places = np.array([mass.position for mass in scene.masses])
+    scene = REPLACE(
+        scene,
+        masses=tuple(REPLACE(mass, velocity=(0.0, 0.0)) for mass in scene.masses),
+        linear_springs=tuple(
+            REPLACE(spring, rest_length=float(np.hypot(*(places[spring.a] - places[spring.b]))))
+            for spring in scene.linear_springs
+        ),
+        angular_springs=tuple(
+            REPLACE(joint, rest_angle=float(angle))
+            for joint, angle in zip(scene.angular_springs, angles, strict=True)
+        ),
+    )
+    arrays = Arrays(scene)
+    true, definite = (np.linalg.inv(arrays.inverse(1e4, 100.0, d)) for d in (False, True))
+    size = np.abs(true).max()
+    more = arrays.weight[:, None] * (definite - true)
+    # It takes joints to be somewhat stiffer, against stretching, and nothing else.
+    assert np.linalg.eigvalsh(0.5 * (more + more.T))[0] >= -1e-8 * size
+    assert (np.abs(more).max() > 0.01 * size) == joints
+    if not joints:
+        assert np.abs(more).max() <= 1e-8 * size
+
+
+# ------------------------------------------------------------------------- pivots
+@pytest.mark.parametrize("general", [False, True])
+def test_a_singular_pivot_is_told(general: bool) -> None:
+    # Nothing holds the second mass but the spring, which does not pull sideways.
+    arrays = Arrays(chain(row(2), stiffness=100.0, rest_length=10.0, held=(0,)), general=general)
+    assert arrays.factorise(1.0, 1.0)
+    assert not arrays.factorise(0.0, 1.0)
+
+
+# ------------------------------------------------------------------------- the pattern
+def dense(arrays: Arrays, g: float) -> Floats:
+    """Jx + g Jv of the forces as `assemble` sums them, for all of `here`."""
+    matrix, n = arrays.matrix, arrays.body.masses
+    assemble(arrays.body, arrays.live, matrix, arrays.q, arrays.v, g, False)
+    whole = np.zeros((2 * n, 2 * n))
+    for i in range(n):
+        for p in range(matrix.row_start[i], matrix.row_start[i + 1]):
+            m, o = matrix.order[i] - 1, matrix.order[matrix.column[p]] - 1
+            whole[np.ix_((m, n + m), (o, n + o))] = matrix.blocks[4 * p : 4 * p + 4].reshape(2, 2)
+    return whole
+
+
+@pytest.mark.parametrize("shape", [shape for shape in SHAPES if shape != "chain"])
+def test_the_pattern_has_a_block_for_everything_that_acts_on_anything(shape: str) -> None:
+    arrays = Arrays(body(shape, seed=1))
+    matrix, tables = arrays.matrix, arrays.body
+    n = tables.masses
+    assert sorted(matrix.order) == list(range(1, n + 1))
+    rows = [matrix.column[matrix.row_start[i] : matrix.row_start[i + 1]] for i in range(n)]
+    place = [(int(matrix.order[i]), int(matrix.order[c])) for i in range(n) for c in rows[i]]
+    for i, columns in enumerate(rows):
+        assert (np.diff(columns) > 0).all()
+        assert place[matrix.diagonal[i]] == (matrix.order[i],) * 2
+    ends = list(zip(tables.spring_b.tolist(), tables.spring_a.tolist(), strict=True))
+    expected = [(x, y) for s in range(tables.springs) for x in ends[s] for y in ends[s]]
+    assert [place[target] for target in matrix.spring_target] == expected
+    pairs = zip(tables.joint_a.tolist(), tables.joint_b.tolist(), strict=True)
+    expected = [
+        (x, y)
+        for a, b in pairs
+        for s, t in ((a, a), (a, b), (b, a), (b, b))
+        for x in ends[s]
+        for y in ends[t]
+    ]
+    assert [place[target] for target in matrix.joint_target] == expected
+    # Symmetric, and closed under elimination: what a row hands on to later rows has room there.
+    known = set(place)
+    assert {(c, r) for r, c in known} == known
+    for i, columns in enumerate(rows):
+        later = [int(matrix.order[c]) for c in columns if c > i]
+        assert {(x, y) for x in later for y in later} <= known
+
+
+def fill_in(scene: Scene) -> float:
+    arrays = Arrays(scene)
+    blocks, factors = fill(arrays.body, arrays.matrix)
+    return factors / blocks
+
+
+def test_elimination_fills_in_little() -> None:
+    assert fill_in(body("chain")) == fill_in(body("chain", joints=False)) == 1.0
+    # Leaves first: a tree without joints fills in nothing, and joints join what hangs on one mass anyway.
+    assert fill_in(body("tree", joints=False)) == 1.0
+    assert fill_in(body("tree")) <= 1.1
+    assert fill_in(body("hub", joints=False)) == 1.0
+    assert fill_in(body("girder")) <= 1.3
+    side = 20
+    places = [(30.0 * (i % side), 30.0 * (i // side)) for i in range(side * side)]
+    edges = [(i, i + 1) for i in range(side * side) if i % side < side - 1]
+    edges += [(i, i + side) for i in range(side * (side - 1))]
+    sheet = Scene(
+        name="sheet",
+        masses=tuple(Mass(position=place) for place in places),
+        linear_springs=tuple(LinearSpring(a=a, b=b, stiffness=1.0, rest_length=30.0) for a, b in edges),
+    )
+    # In the order of rows, a band of twenty would be full: over seven times as many.
+    assert fill_in(sheet) <= 5.0
+
+
+def test_a_forest_hangs_on_what_is_held() -> None:
+    scene = body("cloth", held=(5, 10))
+    lone = (Mass(position=(900.0, 0.0)), Mass(position=(950.0, 0.0)), Mass(position=(999.0, 0.0)))
+    spring = LinearSpring(a=17, b=16, stiffness=1.0, rest_length=1.0)
+    scene = REPLACE(scene, masses=(*scene.masses, *lone), linear_springs=(*scene.linear_springs, spring))
+    arrays = Arrays(scene)
+    matrix, tables = arrays.matrix, arrays.body
+    joined = set(zip(tables.spring_a.tolist(), tables.spring_b.tolist(), strict=True))
+    seen: set[int] = set()
+    for m in matrix.walk.tolist():
+        p = int(matrix.parent[m])
+        if p:
+            assert p in seen
+            assert (p, m) in joined or (m, p) in joined
+        seen.add(m)
+    assert len(matrix.walk) == len(seen) == len(scene.masses)
+    # Two that are held, one of the pair that hangs on nothing, and one by itself.
+    assert [m - 1 for m in sorted(seen) if matrix.parent[m] == 0] == [5, 10, 16, 18]
+
+
+@st.composite
+def graphs(draw: st.DrawFn) -> Scene:
+    """Any body: springs and joints as they come, also in parts that do not hang together."""
+    n = draw(st.integers(1, 14))
+    pairs = [(i, j) for i in range(n) for j in range(n) if i != j]
+    edges = draw(st.lists(st.sampled_from(pairs), max_size=24, unique_by=frozenset)) if pairs else []
+    sharing = [
+        (s, t) for s in range(len(edges)) for t in range(len(edges)) if s != t and {*edges[s]} & {*edges[t]}
+    ]
+    joined = draw(st.lists(st.sampled_from(sharing), max_size=20, unique_by=frozenset)) if sharing else []
+    held = draw(st.lists(st.integers(0, n - 1), max_size=3, unique=True))
+    rng = np.random.default_rng(draw(st.integers(0, 99)))
+    spots, speeds = rng.uniform(0.0, 300.0, (n, 2)).tolist(), rng.normal(0.0, 50.0, (n, 2)).tolist()
+    return Scene(
+        name="graph",
+        masses=tuple(
+            Mass(position=(x, y), velocity=(u, v), mass=rng.uniform(0.5, 3.0))
+            for (x, y), (u, v) in zip(spots, speeds, strict=True)
+        ),
+        linear_springs=tuple(
+            LinearSpring(a=a, b=b, stiffness=rng.uniform(10.0, 1e3), damping=5.0, rest_length=100.0)
+            for a, b in edges
+        ),
+        angular_springs=tuple(
+            AngularSpring(a=a, b=b, stiffness=rng.uniform(1.0, 1e2), damping=0.5, rest_angle=30.0)
+            for a, b in joined
+        ),
+        anchors=tuple(Anchor(mass=m) for m in held),
+        force_law=draw(st.sampled_from(LAWS)),
+        air_friction=0.01,
+    )
+
+
+@settings(max_examples=150, deadline=None, derandomize=True, database=None)
+@given(graphs())
+def test_any_graph_is_solved_as_a_dense_matrix_is(scene: Scene) -> None:
+    arrays = Arrays(sim.validate(scene), general=True)
+    g, places = 200.0, arrays.here
+    free = arrays.live.inverse_mass[places % arrays.places]
+    drag = 2.0 * arrays.live.air[places % arrays.places] * np.abs(arrays.v[places])
+    matrix = np.diag(g * g + g * drag) - free[:, None] * dense(arrays, g)
+    right = np.random.default_rng(0).normal(size=places.size)
+    assert arrays.factorise(g * g, g)
+    assert np.abs(arrays.solve(right) - np.linalg.solve(matrix, right)).max() <= 1e-12

@@ -1,0 +1,138 @@
+"""The coefficients of the methods, against the order conditions that rooted trees give.
+
+An expansion of the exact solution has one term for each rooted tree. A method is of order p when, for each
+tree of up to p nodes, its own weight of that term is 1 / density(tree) (Butcher); a Rosenbrock method goes
+along an edge to an only child with alpha + gamma, along others with alpha (Hairer & Wanner II, IV.7).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+
+from sim import tableaux
+from sim.kernels.tables import Rosenbrock, Tableau
+from sim.methods import METHODS
+
+Tree = tuple["Tree", ...]
+"""A node, as the tuple of its children."""
+Floats = np.ndarray
+
+
+def nodes(tree: Tree) -> int:
+    return 1 + sum(nodes(child) for child in tree)
+
+
+def density(tree: Tree) -> int:
+    return nodes(tree) * math.prod(density(child) for child in tree)
+
+
+@cache
+def trees(order: int) -> list[Tree]:
+    """All rooted trees with that many nodes."""
+    return [tuple(children) for children in _forests(order - 1, order - 1)]
+
+
+@cache
+def _forests(count: int, largest: int) -> list[list[Tree]]:
+    """All multisets of trees with that many nodes together, none larger than `largest`."""
+    if count == 0:
+        return [[]]
+    if largest == 0:
+        return []
+    found = []
+    for copies in range(count // largest + 1):
+        for rest in _forests(count - copies * largest, largest - 1):
+            for some in itertools.combinations_with_replacement(trees(largest), copies):
+                found.append([*some, *rest])
+    return found
+
+
+def stage_weights(tree: Tree, alpha: Floats, beta: Floats) -> Floats:
+    """What each stage has of the term of a tree."""
+    edge = beta if len(tree) == 1 else alpha
+    parts = [edge @ stage_weights(child, alpha, beta) for child in tree]
+    return np.prod(parts, axis=0) if parts else np.ones(len(alpha))
+
+
+def misfit(weights: Floats, order: int, alpha: Floats, beta: Floats, *, exact: bool = True) -> float:
+    """The largest error of a sum over stages among the conditions up to an order."""
+    return max(
+        abs(float(weights @ stage_weights(tree, alpha, beta)) - (1.0 / density(tree) if exact else 0.0))
+        for p in range(1, order + 1)
+        for tree in trees(p)
+    )
+
+
+def test_there_are_as_many_trees_as_there_should_be() -> None:
+    assert [len(trees(order)) for order in range(1, 9)] == [1, 1, 2, 4, 9, 20, 48, 115]
+    assert density((((),),)) == 6
+    assert density(((), ())) == 3
+
+
+EXPLICIT = [
+    # method, order, orders of the method that gives each estimate
+    (tableaux.RK4, 4, ()),
+    (tableaux.DOPRI5, 5, (4,)),
+    (tableaux.DOP853, 8, (5, 3)),
+]
+ROSENBROCK = [(tableaux.RODAS4, 4, 3), (tableaux.RODAS5P, 5, 4)]
+
+
+@pytest.mark.parametrize(("table", "order", "embedded"), EXPLICIT, ids=["rk4", "dopri5", "dop853"])
+def test_explicit_methods_fulfil_their_conditions(
+    table: Tableau, order: int, embedded: tuple[int, ...]
+) -> None:
+    s = table.stages
+    # With the end of the step as one more stage, whose weights are those of the method.
+    a = np.zeros((s + 1, s + 1))
+    a[:] = table.a[:, : s + 1]
+    b = a[s]
+    assert (np.triu(a) == 0.0).all()
+    assert np.abs(a.sum(1) - table.c).max() <= 1e-14
+    assert np.abs(a @ a - table.abar[:, : s + 1]).max() <= 1e-14
+    assert misfit(b, order, a, a) <= 1e-13
+    assert misfit(b, order + 1, a, a) > 1e-6
+    # Rows are padded with zeros to a multiple of four.
+    for padded in (table.a, table.abar, table.error[None], table.second[None]):
+        assert padded.shape[1] % 4 == 0
+        assert not padded[:, s + 1 :].any()
+    for row, lower in zip((table.error, table.second), embedded, strict=False):
+        # The estimate is of a position: an integral of that of the velocity, which takes one order.
+        assert misfit(row[: s + 1], lower - 1, a, a, exact=False) <= 1e-13
+        assert misfit(row[: s + 1], lower, a, a, exact=False) > 1e-6
+    assert table.paired == (len(embedded) == 2)
+    assert table.error.any() == (len(embedded) > 0)
+
+
+@pytest.mark.parametrize(("table", "order", "embedded"), ROSENBROCK, ids=["rodas4", "rodas5p"])
+def test_rosenbrock_methods_fulfil_their_conditions(table: Rosenbrock, order: int, embedded: int) -> None:
+    s = table.stages
+    # Back from the form in which each stage is one solve to the coefficients that the conditions are for.
+    gamma = np.linalg.inv(np.eye(s) / table.gamma - table.coupling[:, :s])
+    alpha = table.a[:s, :s] @ gamma
+    beta = alpha + gamma
+    b, error = table.a[s, :s] @ gamma, table.error[:s] @ gamma
+    assert np.diag(gamma) == pytest.approx(np.full(s, table.gamma), rel=1e-14)
+    assert np.abs(alpha.sum(1) - table.c[:s]).max() <= 1e-12
+    assert table.c[s] == 1.0
+    assert np.abs(gamma.sum(1) - table.slope).max() <= 1e-12
+    assert misfit(b, order, alpha, beta) <= 1e-12
+    assert misfit(b, order + 1, alpha, beta) > 1e-6
+    assert misfit(error, embedded, alpha, beta, exact=False) <= 1e-12
+    assert misfit(error, embedded + 1, alpha, beta, exact=False) > 1e-6
+    # Stiffly accurate: the end of the step is the last stage and its solution.
+    assert np.abs(table.a[s] - table.a[s - 1] - np.eye(1, table.a.shape[1], s - 1)[0]).max() == 0.0
+    assert not table.a[:, s:].any()
+    assert not table.coupling[:, s:].any()
+
+
+def test_methods_say_the_order_that_their_tables_have() -> None:
+    known = [*((id(t), order) for t, order, _ in EXPLICIT), *((id(t), order) for t, order, _ in ROSENBROCK)]
+    for info in METHODS.values():
+        if info.table is not None:
+            assert (id(info.table), info.order) in known
