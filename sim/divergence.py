@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 from .kernels import guard
-from .scene import MAX_COORDINATE, MAX_SPEED
+from .scene import MAX_COORDINATE, RUNAWAY_SPEED
 from .stability import StabilityEstimate
 
 # A body that leaves the range of a scene file has run away; so whatever the kernels let out can be saved.
 FARTHEST = MAX_COORDINATE
-FASTEST = MAX_SPEED
+FASTEST = RUNAWAY_SPEED
 
 Quantity = Literal["number", "position", "speed", "step"]
 

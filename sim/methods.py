@@ -80,12 +80,12 @@ _ALL = (
     ),
     MethodInfo(
         "rodas4", "RODAS 4", "rosenbrock", 4, True, True,
-        "Error-controlled Rosenbrock method: for stiff bodies.", tableaux.RODAS4, 6.0,
+        "Error-controlled Rosenbrock method: for stiff bodies.", tableaux.RODAS4, 4.0,
     ),
     MethodInfo(
         "rodas5p", "RODAS 5P", "rosenbrock", 5, True, True,
         "Error-controlled Rosenbrock method of order 5: for stiff bodies and small errors.",
-        tableaux.RODAS5P, 5.0,
+        tableaux.RODAS5P, 4.0,
     ),
 )  # fmt: skip
 

@@ -19,7 +19,10 @@ FORMAT_VERSION = 2
 MAX_MASSES = 20_000
 MAX_SPRINGS = 100_000
 MAX_COORDINATE = 1e6
-MAX_SPEED = 1e6
+MAX_SPEED = 1e9
+
+RUNAWAY_SPEED = 1e6
+"""Speed (px/s) at which a body under a method without error control counts as having run away."""
 
 
 def _range(low: float, high: float, unit: str, what: str) -> Meta:
@@ -66,7 +69,7 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
     Attributes:
         position: where it starts, px, each coordinate within ±1e6.
-        velocity: how it starts, px/s, each component within ±1e6; ignored while it is held.
+        velocity: how it starts, px/s, each component within ±1e9; ignored while it is held.
         mass: 1e-6..1e6 kg.
         radius: 1e-3..1e4 px; for the drawing only.
     """

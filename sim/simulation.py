@@ -20,7 +20,8 @@ from .kernels.tables import (
     CONTROL_SHIFT,
     Live,
 )
-from .scene import Anchor, Pose, Scene
+from .methods import METHODS
+from .scene import MAX_SPEED, Anchor, Pose, Scene
 from .settings import shift_rest_angles
 from .solver import UNLIMITED, Effort
 from .stability import StabilityEstimate, StabilityMeter
@@ -354,6 +355,8 @@ class Simulation:
 
     def _explain(self, outcome: Outcome) -> Divergence:
         quantity, limit = LIMITS[outcome.what]
+        if quantity == "speed" and METHODS[self.method].adaptive:
+            limit = MAX_SPEED
         mass = int(self._system.mass_order[outcome.place - 1]) if outcome.place > 0 else 0
         return Divergence(mass, self._steps, quantity, limit, self.dt, self._diagnose())
 

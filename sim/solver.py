@@ -42,7 +42,7 @@ from .kernels.tables import (
 from .kernels.verlet import run_verlet
 from .methods import METHODS, MethodInfo
 from .pattern import new_matrix
-from .scene import MAX_COORDINATE, MAX_SPEED, Circle, Scene
+from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
 from .system import System
 
 _ROWS = 24
@@ -103,6 +103,8 @@ class Solver:
             mind=np.array(AUTO_NEW),
             history=np.zeros((4, wide)),
         )
+        if not METHODS[scene.integrator.method].adaptive:
+            self.flow.limits[1] = RUNAWAY_SPEED
         self.ledger = Ledger(False, np.zeros(WORKS), np.zeros(self.places), np.zeros((4, wide)))
         self.ledger.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None

@@ -12,7 +12,7 @@ from .kernels.chain import run_chain
 from .kernels.general import run_general, run_held
 from .kernels.tables import NO_JOINTS, SCALE_MAX, SCALE_MIN, TUTORIAL, Live, Motion, Work
 from .methods import METHODS
-from .scene import MAX_COORDINATE, MAX_SPEED, Scene
+from .scene import MAX_COORDINATE, RUNAWAY_SPEED, Scene
 from .solver import UNLIMITED, Effort, Solver, offset
 from .system import System
 
@@ -107,7 +107,7 @@ class EulerStepper:
         progress = guard.new_progress()
         run(
             body, live, self._work, motion, self._kept, progress, self._dt, steps,
-            self._scene.air_friction > 0.0, MAX_COORDINATE, MAX_SPEED,
+            self._scene.air_friction > 0.0, MAX_COORDINATE, RUNAWAY_SPEED,
         )  # fmt: skip
         done, _, what, place = (int(p) for p in progress)
         self._steps += done

@@ -31,7 +31,7 @@ from .tables import (
 from .verlet import run_verlet
 
 _ASK_AGAIN = 12
-"""Turns until another method is asked again; one that was far behind is asked four times as rarely."""
+"""Turns until another method is asked again."""
 
 
 @kernel(fastmath=FAST)
@@ -106,7 +106,8 @@ def _whose_turn(mind, arms):
     if turn % _ASK_AGAIN == _ASK_AGAIN - 1:
         asked = turn // _ASK_AGAIN
         other = (best + 1 + asked % (arms - 1)) % arms
-        hopeless = mind[AUTO_PACE + other] < 0.15 * mind[AUTO_PACE + best]
+        # Generalized-alpha needs some steps to show what it can do.
+        hopeless = other == ARM_ALPHA and mind[AUTO_PACE + other] < 0.15 * mind[AUTO_PACE + best]
         if not hopeless or asked // (arms - 1) % 4 == 0:
-            return other, 8 if other == ARM_EXPLICIT else 1 if other == ARM_ROSENBROCK else 12
+            return other, 8 if other == ARM_EXPLICIT else 3 if other == ARM_ROSENBROCK else 12
     return best, 64 if best == ARM_EXPLICIT else 12

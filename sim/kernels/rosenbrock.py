@@ -15,7 +15,6 @@ from .ledger import tally
 from .resist import add_resistance, remember_directions
 from .steps import (
     HOPELESS,
-    SHORTEST_SPAN,
     WORTH_SHORTENING,
     biggest,
     first_step,
@@ -35,6 +34,10 @@ from .tables import (
 )
 
 _MOST_STAGES = 8
+
+_SPAN = 5e-3
+"""Seconds whose share of the tolerance any step may use up. What is stiff has died away after such a time,
+and to follow it exactly until then is what an implicit method is there to avoid."""
 
 
 @kernel(fastmath=FAST)
@@ -104,7 +107,7 @@ def run_rosenbrock(
             for j in range(q.size):
                 rest[j] = 0.0
             _accumulate(rest, 1.0, method.error, xs, stages)
-            error = biggest(rest) / (max(step, SHORTEST_SPAN) * tolerance)
+            error = biggest(rest) / (max(step, _SPAN) * tolerance)
             if not error < HOPELESS:
                 error = HOPELESS
         good = (
@@ -125,7 +128,7 @@ def run_rosenbrock(
             if drive.pressed:
                 drive_to(body, live, drive, t, q, v)
         if fixed == 0.0:
-            h = step_after(flow, h, step, error, method.order - 1, good, failed)
+            h = step_after(flow, h, step, error, method.order, good, failed)
             failed = not good
     clock[CLOCK_TIME] = t
     clock[CLOCK_STEP] = h
