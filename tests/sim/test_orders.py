@@ -250,18 +250,15 @@ def controlled_error(name: str, method: Method, tolerance: float) -> float:
 def test_the_error_goes_with_the_tolerance(name: str, method: Method) -> None:
     tolerances = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]
     sizes = [controlled_error(name, method, tolerance) for tolerance in tolerances]
-    # The order 5 method errs on the generous side where nothing is damped.
-    assert max(size / tolerance for size, tolerance in zip(sizes, tolerances, strict=True)) <= (
-        12.0 if method == "dopri5" else 6.0
-    )
+    assert max(size / tolerance for size, tolerance in zip(sizes, tolerances, strict=True)) <= 5.0
     fall = float(np.polyfit(np.log(tolerances), np.log(sizes), 1)[0])
-    assert 0.7 <= fall <= 1.4
+    assert 0.75 <= fall <= 1.4
 
 
 @pytest.mark.parametrize("method", ADAPTIVE)
 def test_the_error_goes_with_the_tolerance_in_air(method: Method) -> None:
     for tolerance in (1e-1, 1e-2, 1e-3):
-        assert controlled_error("air", method, tolerance) <= 4.0 * tolerance
+        assert controlled_error("air", method, tolerance) <= 8.0 * tolerance
     # Below that, what the kinks of the air do is left: estimates of high orders miss it now and then, so the
     # error falls more slowly than the tolerance.
     assert controlled_error("air", method, 1e-6) <= 1e-4
