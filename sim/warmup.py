@@ -54,13 +54,7 @@ class Kernels:
         """
         parts = 6
         chain = rope(masses=3, force_law="tutorial", integrator=_TUTORIAL)
-        # Two springs that point at each other are no chain.
-        fork = Scene(
-            name="fork",
-            masses=tuple(Mass(position=(float(x), 0.0)) for x in range(3)),
-            linear_springs=tuple(LinearSpring(a=a, b=1, stiffness=1.0, rest_length=1.0) for a in (0, 2)),
-            integrator=_TUTORIAL,
-        )
+        fork = _fork(_TUTORIAL)
         held = msgspec.structs.replace(
             fork, masses=fork.masses[:1], linear_springs=(), anchors=(Anchor(mass=0),)
         )
@@ -84,8 +78,19 @@ class Kernels:
         report(6, parts, "ready")
 
 
+def _fork(integrator: Integrator) -> Scene:
+    """Two springs that point at each other: no chain."""
+    return Scene(
+        name="fork",
+        masses=tuple(Mass(position=(float(x), 0.0)) for x in range(3)),
+        linear_springs=tuple(LinearSpring(a=a, b=1, stiffness=1.0, rest_length=1.0) for a in (0, 2)),
+        integrator=integrator,
+    )
+
+
 def compile_methods() -> None:
     """Compile every method that is not the tutorial's, the books, and the step of last resort."""
+    Simulation(_fork(Integrator())).step()  # imports what finds orderings of matrices
     for method in METHODS.values():
         simulation = Simulation(rope(masses=3, integrator=Integrator(method=method.name)))
         simulation.step()

@@ -15,12 +15,12 @@ ALL = (
     "Linear stiffness",
     "Linear damping",
     "Angular stiffness",
+    "Angular damping",
     "Rest length",
     "Rest angle",
     "Gravity",
     "Air friction",
     "Number of masses",
-    "Time step",
 )
 CONTROLS = {
     # Of 3.2 the angle comes from the template; a body drawn by hand has no number of masses.
@@ -91,9 +91,11 @@ def test_numbers_can_be_typed_slowly(open_page: OpenPage) -> None:
     wrong = []
     for label, key, text in (
         ("Gravity", "gravity", "-350"),
-        ("Time step", "dt", "0.001"),
         ("Number of masses", "masses", "25"),
+        ("Time step", "dt", "0.001"),
     ):
+        if key == "dt":
+            desk.show("Solver")
         box = desk.box(label)
         box.click()
         box.press("Control+a")

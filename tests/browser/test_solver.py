@@ -1,0 +1,73 @@
+"""The Solver tab: methods, laws, energy, and a second body to compare with."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app import commands
+from app.ghost import REFERENCE
+from app.solver_panel import REFERENCE_LABEL
+from tests.browser.conftest import OpenPage
+from tests.browser.looks import assert_shown
+
+
+def test_method_and_law_are_chosen_and_bring_their_own_dial(open_page: OpenPage) -> None:
+    desk = open_page("tutorial-3.3")
+    desk.show("Solver")
+    dials = desk.page.locator("label:visible")
+    assert desk.control("Integrator").input_value() == "Symplectic Euler"
+    assert "Time step" in dials.all_inner_texts()
+    time = desk.simulation.time
+    desk.choose("Integrator", "Auto")
+    desk.until(lambda: desk.session.scene.integrator.method == "auto", "the method reaches the solver")
+    desk.until(lambda: "Tolerance" in dials.all_inner_texts(), "a tolerance is there to set")
+    assert "Time step" not in dials.all_inner_texts()
+    desk.choose("Force law", "Conservative")
+    desk.until(lambda: desk.session.scene.force_law == "conservative", "the law reaches the solver")
+    desk.until(lambda: desk.simulation.time > time + 0.2, "the clock went on")
+    desk.type_in("Tolerance", "0.002")
+    desk.until(lambda: desk.session.scene.integrator.tolerance == 0.002, "so does the tolerance")
+    assert_shown(desk)
+
+
+def test_the_energy_is_shown_while_it_is_wanted(open_page: OpenPage) -> None:
+    desk = open_page("tutorial-3.3")
+    desk.show("Solver")
+    assert desk.page.get_by_text("residual: the method's error").count() == 0
+    desk.control("Energy").click()
+    desk.until(lambda: desk.session.books, "books are kept")
+    row = desk.page.get_by_text("residual: the method's error")
+    row.wait_for()
+    desk.simulation.move(0, (420.0, 150.0))
+    desk.until(lambda: desk.page.get_by_text("work of moved anchors").count() == 1, "the anchor did work")
+    desk.control("Energy").click()
+    desk.until(lambda: not desk.session.books, "books are kept no more")
+    desk.until(lambda: row.count() == 0, "and are not shown")
+
+
+def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
+    desk = open_page("tutorial-3.3")
+    desk.show("Solver")
+    desk.choose("Compare with", REFERENCE_LABEL)
+    desk.until(lambda: desk.session.ghost is not None, "there is a ghost")
+    ghost = desk.session.ghost
+    assert ghost is not None
+    assert ghost.method == REFERENCE
+    x, y = desk.simulation.positions[0].tolist()
+    desk.tell(commands.DragStart(0, x, y), commands.DragTo(x + 120.0, y))
+    desk.until(lambda: ghost.worst > 0.01, "they part")
+    desk.tell(commands.DragEnd())
+    # Both were led to the same place.
+    desk.until(
+        lambda: np.abs(ghost.simulation.positions[0] - desk.simulation.positions[0]).max() < 1e-9,
+        "both are held in the same place",
+    )
+    desk.page.get_by_text("apart at most").wait_for()
+    bars = desk.instances("/body/ghost")
+    assert len(bars) == len(desk.session.scene.linear_springs)
+    desk.picture(save="ghost.png")
+    desk.tell(commands.Reset())
+    assert ghost.distance == 0.0
+    desk.choose("Compare with", "nothing")
+    desk.until(lambda: desk.session.ghost is None, "the ghost is gone")
+    desk.until(lambda: "ghost" not in desk.tab._view._nodes, "and its picture, too")
