@@ -66,7 +66,7 @@ def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
     bars = desk.instances("/body/ghost")
     assert len(bars) == len(desk.session.scene.linear_springs)
     desk.picture(save="ghost.png")
-    desk.tell(commands.Reset())
+    desk.tell(commands.Play(False), commands.Reset())
     assert ghost.distance == 0.0
     desk.choose("Compare with", "nothing")
     desk.until(lambda: desk.session.ghost is None, "the ghost is gone")
