@@ -53,6 +53,7 @@ def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.Vise
         ticker.attach(server)
         yield server, ticker, kernels
     finally:
+        kernels.stop()
         ticker.stop()
         with contextlib.redirect_stdout(io.StringIO()):
             server.stop()
@@ -109,5 +110,5 @@ def _compile(kernels: Kernels, console: Console) -> None:
         return
     columns = (TextColumn("compiling {task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True) as progress:
-        task = progress.add_task("the solver (once)", total=6)
+        task = progress.add_task("the solver (once)", total=5)
         kernels.compile(lambda done, of, what: progress.update(task, completed=done, description=what))

@@ -18,6 +18,9 @@ from .stepping import FlowStepper
 
 __all__ = ["Kernels", "is_cached"]
 
+_DONE = "methods.done"
+"""Marks a folder of machine code that has all methods: what is there is loaded when it is first used."""
+
 _TUTORIAL = Integrator(method="symplectic_euler")
 
 
@@ -27,13 +30,21 @@ class Kernels:
     Attributes:
         chain: set once a chain can be stepped as in the tutorial.
         general: set once any body can be stepped by symplectic Euler, and the stability limit estimated.
-        every: set once all methods can be used, and books be kept of the energy.
+        every: set once the machine code of all methods, and of the energy's books, is on the disk.
     """
 
     def __init__(self) -> None:
         self.chain = threading.Event()
         self.general = threading.Event()
         self.every = threading.Event()
+        self._helper: subprocess.Popen[bytes] | None = None
+        self._stopped = False
+
+    def stop(self) -> None:
+        """Compile no more: nobody will use it."""
+        self._stopped = True
+        if self._helper is not None:
+            self._helper.terminate()
 
     def ready_for(self, scene: Scene) -> bool:
         """Whether the scene can be simulated without waiting for a compilation.
@@ -52,7 +63,7 @@ class Kernels:
         The tutorial's own kernels come first, and take seconds. The other methods take a minute, in a
         process of their own: numba would leave this one little time to serve a page.
         """
-        parts = 6
+        parts = 5
         chain = rope(masses=3, force_law="tutorial", integrator=_TUTORIAL)
         fork = _fork(_TUTORIAL)
         held = msgspec.structs.replace(
@@ -70,12 +81,17 @@ class Kernels:
         Simulation(held).step()
         self.general.set()
         report(4, parts, "all other methods")
-        if cache_folder() is not None:
-            subprocess.run([sys.executable, "-m", "sim.warmup"], check=False)
-        report(5, parts, "all other methods")
-        compile_methods()
-        self.every.set()
-        report(6, parts, "ready")
+        folder = cache_folder()
+        if folder is None:
+            compile_methods()
+        elif not (folder / _DONE).exists() and not self._stopped:
+            self._helper = subprocess.Popen(
+                [sys.executable, "-m", "sim.warmup"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            )
+            self._helper.wait()
+        if not self._stopped:
+            self.every.set()
+            report(5, parts, "ready")
 
 
 def _fork(integrator: Integrator) -> Scene:
@@ -104,3 +120,6 @@ def compile_methods() -> None:
 
 if __name__ == "__main__":
     compile_methods()
+    _folder = cache_folder()
+    if _folder is not None:
+        (_folder / _DONE).touch()

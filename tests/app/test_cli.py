@@ -204,6 +204,16 @@ def start(*words: str) -> tuple[subprocess.Popen[str], str]:
     return process, next(word for word in line.split() if word.startswith("http://"))
 
 
+def rest_of(process: subprocess.Popen[str]) -> str:
+    """What a process that ends by itself has printed since `start`.
+
+    Not by `communicate`, which would miss what came in together with the first line.
+    """
+    process.wait(timeout=30)
+    assert process.stdout is not None
+    return process.stdout.read()
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_serving_ends_cleanly(number: signal.Signals) -> None:
     process, address = start("ring", "--port", "0")
@@ -213,7 +223,7 @@ def test_serving_ends_cleanly(number: signal.Signals) -> None:
         # More than once: whoever wraps the command may pass on a signal that it got as well.
         for _ in range(5):
             process.send_signal(number)
-        output, _ = process.communicate(timeout=30)
+        output = rest_of(process)
     finally:
         process.kill()
     assert process.returncode == 0
@@ -238,7 +248,7 @@ def test_an_open_address_says_what_it_exposes() -> None:
     process, _ = start("ring", "--port", "0", "--host", "0.0.0.0")
     try:
         process.send_signal(signal.SIGTERM)
-        output, _ = process.communicate(timeout=30)
+        output = rest_of(process)
     finally:
         process.kill()
     assert "password" in output
