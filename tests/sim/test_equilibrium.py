@@ -1,0 +1,299 @@
+"""Bodies at rest, and their small vibrations: against balances of forces, closed forms and motion in time."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Anchor, AngularSpring, InputError, Integrator, LinearSpring, Mass, Pose, Scene, Simulation
+from sim.equilibrium import equilibrium, vibrations
+from sim.scene import ForceLaw
+from tests.sim.builders import PRESETS, chain, row, tangle
+from tests.sim.inside import Points, forces_of, is_chain
+
+REPLACE = msgspec.structs.replace
+LAWS: tuple[ForceLaw, ...] = ("conservative", "tutorial", "angle")
+
+
+def unbalanced(scene: Scene, pose: Pose) -> float:
+    """The largest force left on a free mass, in parts of the stiffest spring's force for a length of 1 px."""
+    forces = forces_of(REPLACE(scene, pose=pose))
+    forces += np.outer([mass.mass for mass in scene.masses], scene.gravity)
+    forces[[anchor.mass for anchor in scene.anchors]] = 0.0
+    return float(np.abs(forces).max()) / max(spring.stiffness for spring in scene.linear_springs)
+
+
+def places(pose: Pose) -> Points:
+    return np.array(pose.positions)
+
+
+def stable(scene: Scene, pose: Pose) -> bool:
+    """Whether the body comes back when every free mass is pushed a little, with damping."""
+    rng = np.random.default_rng(7)
+    pushed = places(pose) + rng.normal(0.0, 1e-3, (len(scene.masses), 2))
+    for anchor in scene.anchors:
+        pushed[anchor.mass] = places(pose)[anchor.mass]
+    start = Pose(positions=tuple((x, y) for x, y in pushed.tolist()), velocities=pose.velocities)
+    damped = tuple(REPLACE(spring, damping=30.0) for spring in scene.linear_springs)
+    integrator = Integrator(method="rodas4", dt=0.1, tolerance=1e-4)
+    moved = REPLACE(scene, rope=None, linear_springs=damped, integrator=integrator, pose=start)
+    simulation = Simulation(moved)
+    simulation.step(30)
+    return float(np.abs(simulation.positions - places(pose)).max()) < 0.1
+
+
+# ------------------------------------------------------------------------- balances
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("name", PRESETS)
+def test_forces_balance_in_every_preset(name: str, law: ForceLaw) -> None:
+    scene = REPLACE(sim.load_scene(name), force_law=law)
+    pose = equilibrium(scene)
+    assert unbalanced(scene, pose) < 1e-9
+    assert not np.any(pose.velocities)
+    for anchor in scene.anchors:
+        assert pose.positions[anchor.mass] == scene.masses[anchor.mass].position
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("seed", [1, 3, 5, 7, 9])
+def test_forces_balance_in_bodies_without_order(seed: int, law: ForceLaw) -> None:
+    scene = REPLACE(tangle(seed, held=(0, 1)), force_law=law, gravity=(30.0, 500.0))
+    assert unbalanced(scene, equilibrium(scene)) < 1e-9
+
+
+@pytest.mark.parametrize("name", ["tutorial-3.2", "tutorial-3.3", "flag-pole", "ring"])
+def test_a_damped_body_comes_to_rest_there(name: str) -> None:
+    scene = REPLACE(sim.load_scene(name), force_law="conservative")
+    assert stable(scene, equilibrium(scene))
+
+
+def test_a_mass_on_a_spring_hangs_by_its_weight() -> None:
+    scene = chain([(0.0, 0.0), (0.0, 10.0)], stiffness=50.0, held=(0,), gravity=(0.0, 20.0), mass=3.0)
+    assert equilibrium(scene).positions[1] == pytest.approx((0.0, 10.0 + 3.0 * 20.0 / 50.0), abs=1e-12)
+
+
+def test_a_joint_that_is_loaded_turns_by_the_sine() -> None:
+    # Torque balance at a joint: K |A||B| sin V = m g |B| cos V, springs as good as rigid.
+    stiffness, weight, length = 4.0, 60.0, 10.0
+    scene = chain(
+        row(3), stiffness=1e9, angular_stiffness=stiffness, held=(0, 1), gravity=(0.0, weight), mass=1.0
+    )
+    x, y = places(equilibrium(scene))[2] - (length, 0.0)
+    assert y / x == pytest.approx(weight / (stiffness * length), rel=1e-6)
+
+
+def test_a_rest_length_scale_and_a_template_count() -> None:
+    scene = sim.load_scene("tutorial-3.2")
+    longer = equilibrium(REPLACE(scene, gravity=(0.0, 0.0), rest_length_scale=1.5))
+    lengths = np.hypot(*np.diff(places(longer), axis=0).T)
+    assert lengths[1:] == pytest.approx(1.5 * scene.linear_springs[0].rest_length, rel=1e-6)
+
+
+def test_a_chain_and_the_same_body_as_a_part_agree() -> None:
+    scene = sim.rope(direction=(1.0, 0.2), angular_stiffness=2000.0)
+    apart = REPLACE(
+        scene,
+        rope=None,
+        masses=(*scene.masses, Mass(position=(0.0, 0.0))),
+        anchors=(*scene.anchors, Anchor(mass=len(scene.masses))),
+    )
+    assert is_chain(Simulation(scene))
+    assert not is_chain(Simulation(apart))
+    assert places(equilibrium(apart))[:-1] == pytest.approx(places(equilibrium(scene)), abs=1e-8)
+
+
+def test_the_saved_pose_is_the_start_and_velocities_do_not_matter() -> None:
+    scene = sim.rope(direction=(1.0, 0.0))
+    pose = equilibrium(scene)
+    moving = Pose(positions=pose.positions, velocities=((50.0, -70.0),) * len(pose.positions))
+    again = equilibrium(REPLACE(scene, pose=moving))
+    assert places(again) == pytest.approx(places(pose), abs=1e-8)
+    assert not np.any(again.velocities)
+
+
+# ------------------------------------------------------------------------- hard cases
+def test_a_balance_on_a_point_is_left() -> None:
+    # A soft rod that stands upright exactly: no force on it is sideways.
+    scene = sim.rope(8, 200.0, direction=(0.0, -1.0), held=(0, 1), driven=None, angular_stiffness=100.0)
+    pose = equilibrium(scene)
+    assert unbalanced(scene, pose) < 1e-9
+    assert places(pose)[-1, 1] > 150.0  # it hangs down, on one side
+
+
+def test_a_stiff_enough_rod_stays_upright() -> None:
+    scene = sim.rope(8, 200.0, direction=(0.0, -1.0), held=(0, 1), driven=None, angular_stiffness=1e5)
+    pose = equilibrium(REPLACE(scene, gravity=(0.0, 20.0)))
+    assert places(pose)[:, 0] == pytest.approx(300.0, abs=1e-6)
+    assert places(pose)[-1, 1] == pytest.approx(-50.0, abs=0.1)
+
+
+def test_masses_a_billion_times_lighter_do_no_harm() -> None:
+    light = tuple(1e-6 if i % 2 else 1e3 for i in range(12))
+    scene = sim.rope(12, 300.0, direction=(1.0, 0.0), stiffness=1e6, held=(0, 1), driven=None)
+    scene = REPLACE(
+        scene,
+        rope=None,
+        masses=tuple(REPLACE(m, mass=kg) for m, kg in zip(scene.masses, light, strict=True)),
+        gravity=(0.0, 3.0),
+    )
+    assert unbalanced(scene, equilibrium(scene)) < 1e-9
+
+
+@pytest.mark.parametrize(("force", "mass"), [(1e9, 1e-6), (1e-6, 1e6), (1e9, 1.0), (1e-6, 1.0)])
+def test_units_of_force_and_mass_do_not_matter(force: float, mass: float) -> None:
+    def posed(force: float, mass: float) -> Points:
+        scene = sim.rope(
+            30,
+            300.0,
+            stiffness=1e4 * force,
+            angular_stiffness=100.0 * force,
+            rest_angle=12.0,
+            held=(0, 29),
+            driven=None,
+            mass=mass,
+            gravity=(0.0, 0.0),
+        )
+        return places(equilibrium(scene))
+
+    assert posed(force, mass) == pytest.approx(posed(1.0, 1.0), abs=1e-7)
+
+
+def test_a_rope_folded_exactly_unfolds() -> None:
+    folded = [(0.0, 0.0), (10.0, 0.0), (0.0, 0.0), (10.0, 0.0), (0.0, 0.0)]
+    scene = chain(folded, stiffness=100.0, angular_stiffness=30.0, held=(0,))
+    pose = equilibrium(scene)
+    assert unbalanced(scene, pose) < 1e-9
+    assert math.dist(pose.positions[0], pose.positions[-1]) == pytest.approx(40.0, rel=1e-6)
+
+
+def test_a_long_rope_hangs() -> None:
+    scene = sim.rope(1000, 300.0, direction=(1.0, 0.0), stiffness=1e9, angular_stiffness=1e7)
+    pose = equilibrium(scene)
+    assert unbalanced(scene, pose) < 1e-8
+    assert places(pose)[-1, 1] > 400.0
+
+
+def test_nothing_to_do_where_all_is_held() -> None:
+    scene = chain(row(3), stiffness=10.0, held=(0, 1, 2), gravity=(0.0, 10.0))
+    assert equilibrium(scene).positions == tuple(row(3))
+
+
+def test_what_falls_is_named() -> None:
+    scene = chain(row(3), stiffness=10.0, held=(0,))
+    falling = REPLACE(
+        scene, masses=(*scene.masses, Mass(position=(0.0, 50.0))), gravity=(0.0, 10.0), name="two parts"
+    )
+    with pytest.raises(InputError, match="nothing holds mass 3, so it falls"):
+        equilibrium(falling)
+
+
+def test_springs_without_stiffness_hold_nothing() -> None:
+    with pytest.raises(InputError, match="nothing stops it"):
+        equilibrium(sim.rope(stiffness=0.0, joints=False))
+
+
+def test_a_spring_that_shrinks_to_no_length_is_named() -> None:
+    scene = REPLACE(tangle(0), force_law="angle")
+    with pytest.raises(InputError, match="the spring between masses 2 and 3 shrinks to no length"):
+        equilibrium(scene)
+
+
+def test_a_scene_that_is_not_valid_is_refused() -> None:
+    with pytest.raises(sim.SceneError, match="air_friction"):
+        equilibrium(REPLACE(sim.rope(), air_friction=-1.0))
+
+
+# ------------------------------------------------------------------------- vibrations
+def test_a_mass_between_two_springs() -> None:
+    scene = chain(row(3), stiffness=30.0, held=(0, 2), mass=2.0, rest_length=8.0)
+    found = vibrations(scene, 2)
+    # Along the springs both stiffnesses; across them what is pulled taut over the length.
+    across, along = math.sqrt(2.0 * 30.0 * 2.0 / 10.0 / 2.0), math.sqrt(2.0 * 30.0 / 2.0)
+    assert found.frequencies == pytest.approx([across, along], rel=1e-9)
+    assert np.abs(found.shapes[0]) == pytest.approx(np.array([[0, 0], [0, 1], [0, 0]]), abs=1e-9)
+    assert np.abs(found.shapes[1]) == pytest.approx(np.array([[0, 0], [1, 0], [0, 0]]), abs=1e-9)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_a_pinned_chain_under_every_law(law: ForceLaw) -> None:
+    n, stiffness, mass = 9, 7.0, 0.3
+    scene = chain(row(n + 1), stiffness=1e5, angular_stiffness=stiffness, held=(0, n), mass=mass)
+    modes = np.arange(1, 5)
+    exact = 4.0 * math.sqrt(stiffness / mass) * np.sin(modes * math.pi / (2 * n)) ** 2
+    assert vibrations(REPLACE(scene, force_law=law), 4).frequencies == pytest.approx(exact, rel=1e-9)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_they_are_those_of_the_forces(law: ForceLaw) -> None:
+    """Of a Jacobian from differences of forces, at an equilibrium under load."""
+    scene = REPLACE(tangle(3, held=(0, 1)), force_law=law, gravity=(0.0, 300.0))
+    resting = REPLACE(scene, pose=equilibrium(scene))
+    start, free = places(resting.pose or Pose(positions=(), velocities=())), range(2, len(scene.masses))
+    jacobian = np.zeros((2 * len(free), 2 * len(free)))
+    weights = np.repeat([mass.mass for mass in scene.masses], 2)[4:]
+    for column in range(2 * len(free)):
+        ends = []
+        for step in (1e-4, -1e-4):
+            moved = start.copy()
+            moved[2 + column // 2, column % 2] += step
+            pose = Pose(
+                positions=tuple((x, y) for x, y in moved.tolist()), velocities=((0.0, 0.0),) * len(moved)
+            )
+            ends.append(forces_of(REPLACE(scene, pose=pose))[2:].ravel())
+        jacobian[:, column] = (ends[0] - ends[1]) / 2e-4 / weights
+    exact = np.sort(np.sqrt(-np.linalg.eigvals(jacobian).real))
+    assert vibrations(resting, 2 * len(free)).frequencies == pytest.approx(exact, rel=1e-5)
+
+
+def test_the_first_is_the_one_that_a_simulation_shows() -> None:
+    scene = chain(row(4), stiffness=2000.0, angular_stiffness=20.0, held=(0, 1))
+    found = vibrations(scene, 1)
+    moved = np.array(row(4)) + 1e-3 * found.shapes[0]
+    pose = Pose(positions=tuple((x, y) for x, y in moved.tolist()), velocities=((0.0, 0.0),) * 4)
+    period = 2.0 * math.pi / float(found.frequencies[0])
+    integrator = Integrator(method="dop853", dt=period / 8.0, tolerance=1e-10)
+    simulation = Simulation(REPLACE(scene, pose=pose, integrator=integrator, force_law="conservative"))
+    simulation.step(8 * 5)
+    assert simulation.positions == pytest.approx(moved, abs=1e-7)
+    simulation.step(4)
+    assert simulation.positions[3, 1] == pytest.approx(-moved[3, 1], abs=1e-7)
+
+
+def test_what_does_not_vibrate_is_refused() -> None:
+    free = chain(row(3), stiffness=10.0, angular_stiffness=1.0)
+    pushed = chain(row(3), stiffness=10.0, held=(0, 2), rest_length=12.0)
+    for scene in (free, pushed, chain(row(3), stiffness=10.0, held=(0,))):
+        with pytest.raises(InputError, match="do not hold the body"):
+            vibrations(scene, 1)
+
+
+@pytest.mark.parametrize("count", [0, 5])
+def test_how_many_there_are(count: int) -> None:
+    scene = chain(row(4), stiffness=10.0, held=(0, 3))
+    with pytest.raises(InputError, match=rf"{count} is not in the range 1\.\.4"):
+        vibrations(scene, count)
+
+
+def test_too_many_masses_are_refused() -> None:
+    with pytest.raises(InputError, match="1200 masses are more than 1000"):
+        vibrations(sim.rope(1200), 1)
+
+
+def test_a_joint_on_a_lone_pair() -> None:
+    # One free mass on a joint: K |A||B| / (m |B|²) across its spring.
+    scene = Scene(
+        name="lever",
+        masses=tuple(Mass(position=p, mass=0.5) for p in ((0.0, 0.0), (10.0, 0.0), (10.0, 20.0))),
+        linear_springs=(
+            LinearSpring(a=0, b=1, stiffness=1e4, rest_length=10.0),
+            LinearSpring(a=1, b=2, stiffness=1e4, rest_length=20.0),
+        ),
+        angular_springs=(AngularSpring(a=0, b=1, stiffness=6.0, rest_angle=90.0),),
+        anchors=(Anchor(mass=0), Anchor(mass=1)),
+    )
+    found = vibrations(scene, 2).frequencies
+    assert found == pytest.approx([math.sqrt(6.0 * 10.0 * 20.0 / (0.5 * 20.0**2)), math.sqrt(1e4 / 0.5)])
