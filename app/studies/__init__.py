@@ -1,0 +1,1 @@
+"""Studies: the solver held against exact results."""

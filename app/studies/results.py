@@ -1,0 +1,93 @@
+"""What a study found: quantities beside exact values, and whether they are as good as they should be."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Result:
+    """One line of a table.
+
+    Attributes:
+        quantity: what it is.
+        exact: its exact value, or None where only the error has a meaning.
+        softrod: what softrod has for it.
+        error: softrod less exact; in parts of the exact value, unless `unit` says otherwise.
+        unit: unit of the error, empty for a relative one.
+        slope: power with which the error goes with the step, the spacing or what else the case varies.
+        target: what the error or the slope has to be, in words; empty where nothing is asked for.
+        met: whether it is.
+    """
+
+    quantity: str
+    exact: float | None = None
+    softrod: float | None = None
+    error: float | None = None
+    unit: str = ""
+    slope: float | None = None
+    target: str = ""
+    met: bool = True
+
+
+@dataclass(frozen=True)
+class Case:
+    """Some results that belong together.
+
+    Attributes:
+        key: one word.
+        title: a few words.
+        notes: what is compared with what, a few sentences.
+        run: gives the results one by one; with True, only those that take little time.
+    """
+
+    key: str
+    title: str
+    notes: str
+    run: Callable[[bool], Iterator[Result]]
+
+
+def compared(quantity: str, exact: float, softrod: float, within: float | None = None) -> Result:
+    """A result with its relative error, which has to be within ±`within` if that is given."""
+    error = softrod / exact - 1.0
+    if within is None:
+        return Result(quantity, exact, softrod, error)
+    return Result(quantity, exact, softrod, error, target=f"± {percent(within)}", met=abs(error) <= within)
+
+
+def converging(
+    quantity: str,
+    sizes: Sequence[float],
+    errors: Sequence[float],
+    order: float,
+    exactly: bool = True,
+    unit: str = "",
+) -> Result:
+    """A result with the slope of the errors over the sizes, which has to be the order within 0.2.
+
+    Args:
+        sizes: of the step, or what else the errors shrink with.
+        order: the slope it has to be.
+        exactly: if false, a steeper slope will do, too.
+        unit: of the errors.
+    """
+    slope = fitted_slope(sizes, errors)
+    low, high = order - 0.2, order + 0.2 if exactly else math.inf
+    target = f"slope {order:g} ± 0.2" if exactly else f"slope ≥ {low:g}"
+    return Result(quantity, error=errors[-1], unit=unit, slope=slope, target=target, met=low <= slope <= high)
+
+
+def fitted_slope(sizes: Sequence[float], errors: Sequence[float]) -> float:
+    """The power p of errors = c sizes^p, by least squares of the logarithms."""
+    return float(np.polyfit(np.log(sizes), np.log(np.abs(errors)), 1)[0])
+
+
+def percent(part: float) -> str:
+    """A relative error for people: in per cent, or as a power of ten where that is too small."""
+    if part == 0.0:
+        return "0"
+    return f"{100.0 * part:.2g} %" if abs(part) >= 1e-5 else f"{part:.1e}"

@@ -1,0 +1,95 @@
+"""`softrod validate`: the solver held against exact results."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+from sim.errors import InputError
+from sim.files import write_atomically
+
+from . import energy, motion, report, statics
+from .results import Case, Result
+
+CASES: tuple[Case, ...] = (*statics.CASES, *motion.CASES, *energy.CASES)
+
+
+def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, ...] = CASES) -> int:
+    """Run all cases, print what came out and, if wanted, write it.
+
+    Ctrl-C ends it early; what is done by then is printed and written.
+
+    Args:
+        out: folder for `validate.md`, `validate.csv` and the figures, or None; made if its parent exists.
+        fast: leave out what takes long.
+        console: where the tables and the progress go.
+        cases: what to run.
+
+    Returns:
+        The exit status: 0 if all targets are met, 1 if one is missed, 130 if it was interrupted.
+
+    Raises:
+        InputError: the folder cannot be made or written to.
+    """
+    if out is not None:
+        _make_folder(out)
+    found: list[tuple[Case, list[Result]]] = []
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    interrupted = False
+    figures: list[tuple[str, str]] = []
+    with Progress(*columns, console=console, transient=True) as progress:
+        try:
+            task = progress.add_task("", total=len(cases))
+            for case in cases:
+                progress.update(task, description=case.title)
+                results: list[Result] = []
+                found.append((case, results))
+                for result in case.run(fast):
+                    results.append(result)
+                    progress.update(task, description=f"{case.title}: {result.quantity}")
+                progress.advance(task)
+                progress.console.print(report.table(case, results))
+                progress.console.print()
+            if out is not None:
+                progress.update(task, description="figures")
+                figures = _draw(out)
+        except KeyboardInterrupt:
+            interrupted = True
+    note = "Interrupted: the last case is not complete." if interrupted else ""
+    if interrupted and found:
+        console.print(report.table(*found[-1]))
+    console.print(f"{report.summary(found)}. {note}".strip())
+    if out is not None:
+        _write(out / "validate.csv", report.as_csv(found).encode())
+        _write(out / "validate.md", report.markdown(found, figures, note).encode())
+        console.print(f"written to {out}")
+    if interrupted:
+        return 130
+    return 0 if all(result.met for _, results in found for result in results) else 1
+
+
+def _draw(out: Path) -> list[tuple[str, str]]:
+    """Write the figures; the name and the caption of each."""
+    from .figures import FIGURES, encoded
+
+    for name, (_, draw) in FIGURES.items():
+        figure = draw()
+        for kind in ("png", "svg"):
+            _write(out / f"{name}.{kind}", encoded(figure, kind))
+    return [(name, caption) for name, (caption, _) in FIGURES.items()]
+
+
+def _make_folder(out: Path) -> None:
+    try:
+        out.mkdir(exist_ok=True)
+    except OSError as error:
+        raise InputError(f"--out {out}: the folder cannot be made ({error.strerror or error})") from None
+
+
+def _write(path: Path, content: bytes) -> None:
+    try:
+        write_atomically(path, content)
+    except OSError as error:
+        raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
