@@ -37,7 +37,7 @@ def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, 
         _make_folder(out)
     found: list[tuple[Case, list[Result]]] = []
     columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    interrupted = False
+    complete = 0
     figures: list[tuple[str, str]] = []
     with Progress(*columns, console=console, transient=True) as progress:
         try:
@@ -49,23 +49,26 @@ def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, 
                 for result in case.run(fast):
                     results.append(result)
                     progress.update(task, description=f"{case.title}: {result.quantity}")
+                complete += 1
                 progress.advance(task)
                 progress.console.print(report.table(case, results))
                 progress.console.print()
             if out is not None:
                 progress.update(task, description="figures")
                 figures = _draw(out)
+            note = ""
         except KeyboardInterrupt:
-            interrupted = True
-    note = "Interrupted: the last case is not complete." if interrupted else ""
-    if interrupted and found:
+            note = "Interrupted: the figures are missing."
+            if complete < len(cases):
+                note = f"Interrupted after {complete} of {len(cases)} cases."
+    if complete < len(found):
         console.print(report.table(*found[-1]))
     console.print(f"{report.summary(found)}. {note}".strip())
     if out is not None:
         _write(out / "validate.csv", report.as_csv(found).encode())
         _write(out / "validate.md", report.markdown(found, figures, note).encode())
         console.print(f"written to {out}")
-    if interrupted:
+    if note:
         return 130
     return 0 if all(result.met for _, results in found for result in results) else 1
 
