@@ -1,4 +1,4 @@
-"""The command line: `softrod [SCENE]`, `softrod run`, `softrod scenes`, `softrod check`."""
+"""The command line: `softrod [SCENE]`, `softrod run`, `softrod scenes`, `softrod check` and others."""
 
 from __future__ import annotations
 
@@ -165,7 +165,23 @@ class Bench:
         return 0
 
 
-COMMANDS = {"run": Run, "scenes": Scenes, "check": Check, "bench": Bench}
+@dataclass
+class Validate:
+    """Hold the solver against exact results; the exit status is 1 if a target is missed."""
+
+    out: Path | None = None
+    """Folder for the report: validate.md, validate.csv and figures."""
+    fast: bool = False
+    """Leave out what takes long."""
+
+    def run(self) -> int:
+        """Compute, print and write."""
+        from .studies.validate import validate
+
+        return validate(self.out, self.fast, Console())
+
+
+COMMANDS = {"run": Run, "scenes": Scenes, "check": Check, "bench": Bench, "validate": Validate}
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -175,7 +191,7 @@ def main(arguments: list[str] | None = None) -> None:
     sys.exit(_main(command or Serve, words[1:] if command else words))
 
 
-def _main(command: type[Serve | Run | Scenes | Check | Bench], words: list[str]) -> int:
+def _main(command: type[Serve | Run | Scenes | Check | Bench | Validate], words: list[str]) -> int:
     program = "softrod" if command is Serve else f"softrod {command.__name__.lower()}"
     description = None
     if command is Serve:
