@@ -6,33 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene
-from tests.sim import reference
+from tests.sim.laws import Laws, complexes, points
 
 Matrix = NDArray[np.float64]
 
 
 def dynamics(scene: Scene, positions: Matrix, velocities: Matrix) -> tuple[Matrix, Matrix]:
     """(M^-1 K, M^-1 C) of the free masses' coordinates, by differences of forces, with air friction."""
-    body = reference.body_of(scene)
-    free = [i for i, point in enumerate(body.points) if not point.held]
-
-    def put(at: Matrix, moving: Matrix) -> None:
-        for point, (x, y), (vx, vy) in zip(body.points, at.tolist(), moving.tolist(), strict=True):
-            point.x, point.y = x, y
-            point.vx, point.vy = (0.0, 0.0) if point.held else (vx, vy)
-
-    def acceleration() -> Matrix:
-        body.forces()
-        return np.array(
-            [
-                (
-                    (point.fx - body.air * point.vx * abs(point.vx)) / point.mass,
-                    (point.fy - body.air * point.vy * abs(point.vy)) / point.mass,
-                )
-                for point in (body.points[i] for i in free)
-            ]
-        ).ravel()
-
+    laws = Laws(scene)
+    free = [i for i in range(len(scene.masses)) if i not in laws.held]
     columns: tuple[list[Matrix], list[Matrix]] = [], []
     for mass in free:
         for axis in (0, 1):
@@ -41,8 +23,7 @@ def dynamics(scene: Scene, positions: Matrix, velocities: Matrix) -> tuple[Matri
                 for sign in (1.0, -1.0):
                     state = positions.copy(), velocities.copy()
                     state[kind][mass, axis] += sign * size
-                    put(*state)
-                    ends.append(acceleration())
+                    ends.append(points(laws.accelerations(*map(complexes, state)))[free].ravel())
                 columns[kind].append((ends[1] - ends[0]) / (2.0 * size))
     return np.column_stack(columns[0]), np.column_stack(columns[1])
 
@@ -69,11 +50,13 @@ def flips(k: Matrix, c: Matrix, dt: float) -> bool:
 
 def exact_limit(k: Matrix, c: Matrix) -> float:
     """The largest step without flips, by bisection."""
-    high = 1e-6
+    high = 1e-4
+    while flips(k, c, high):
+        high *= 0.5
     while not flips(k, c, high):
-        high *= 1.3
-    low = high / 1.3
-    for _ in range(18):  # to a millionth
+        high *= 2.0
+    low = 0.5 * high
+    for _ in range(13):  # to a ten thousandth
         middle = 0.5 * (low + high)
         low, high = (low, middle) if flips(k, c, middle) else (middle, high)
     return low

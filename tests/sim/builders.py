@@ -26,6 +26,11 @@ def tutorial_rope(**changes: Any) -> Scene:
     return sim.rope(**{"force_law": "tutorial", "integrator": euler(), **changes})
 
 
+def tutorial_preset(name: str) -> Scene:
+    """A preset under the tutorial's law and method, whatever it says itself."""
+    return msgspec.structs.replace(sim.load_scene(name), force_law="tutorial", integrator=euler())
+
+
 def chain(
     places: list[tuple[float, float]],
     *,

@@ -13,7 +13,7 @@ import sim
 from sim import AngularSpring, LinearSpring, Mass, Scene, Simulation
 from sim.settings import TEMPLATES
 from tests.sim import reference
-from tests.sim.builders import chain, row, star, tangle, tutorial_rope
+from tests.sim.builders import chain, row, star, tangle, tutorial_preset, tutorial_rope
 from tests.sim.inside import Points, forces_of, general, is_chain, put, spring_forces, system_of
 
 REPLACE = msgspec.structs.replace
@@ -78,7 +78,7 @@ def test_many_springs_and_joints_at_one_mass(arms: int) -> None:
 
 
 def test_preset_with_a_hub_uses_the_lists() -> None:
-    scene = sim.load_scene("hair-tuft")
+    scene = tutorial_preset("hair-tuft")
     simulation = Simulation(scene)
     assert system_of(simulation).body.more_joint.size > 0
     assert system_of(simulation).body.more_spring.size > 0

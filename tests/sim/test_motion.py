@@ -11,7 +11,7 @@ import pytest
 import sim
 from sim import ArrowKeys, InputError, Integrator, Mass, Scene, Simulation
 from sim.scene import Method
-from tests.sim.builders import chain, euler, row, tutorial_rope
+from tests.sim.builders import chain, euler, row, tutorial_preset, tutorial_rope
 
 REPLACE = msgspec.structs.replace
 
@@ -106,7 +106,7 @@ def test_rest_length_scale_stays_within_its_range() -> None:
 
 @pytest.mark.parametrize("preset", ["tutorial-3.3", "ring"])
 def test_the_scene_folds_the_keys_in(preset: str) -> None:
-    simulation = with_keys(sim.load_scene(preset), "down", "left")
+    simulation = with_keys(tutorial_preset(preset), "down", "left")
     simulation.step(123)
     scene = sim.validate(simulation.scene)
     again = Simulation(scene)

@@ -11,6 +11,7 @@ import pytest
 import sim
 from sim.settings import TEMPLATES
 from tests.sim import reference
+from tests.sim.builders import tutorial_preset
 from tests.sim.inside import general, is_chain
 
 STEPS = 2000
@@ -172,7 +173,7 @@ def test_chain_and_general_path_agree() -> None:
 
 @pytest.mark.parametrize("preset", ["ring", "box", "hair-tuft", "flag-pole"])
 def test_other_presets_follow_the_same_equations(preset: str) -> None:
-    scene = sim.load_scene(preset)
+    scene = tutorial_preset(preset)
     simulation, body = sim.Simulation(scene), reference.body_of(scene)
     driven = next(a.mass for a in scene.anchors if a.driven)
     x, y = scene.masses[driven].position

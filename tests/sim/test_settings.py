@@ -16,7 +16,7 @@ from tests.sim.builders import PRESETS, chain, row, star, tangle
 REPLACE = msgspec.structs.replace
 
 DYNAMIC = {
-    "linear_stiffness", "linear_damping", "angular_stiffness", "rest_length_scale", "rest_angle", "gravity",
+    "linear_stiffness", "linear_damping", "angular_stiffness", "angular_damping", "rest_length_scale", "rest_angle", "gravity",
     "air_friction", "dt",
 }  # fmt: skip
 
@@ -33,11 +33,15 @@ def test_each_example_has_its_settings() -> None:
     assert keys_of(load_scene("tutorial-3.2")) == DYNAMIC | {"template", "masses"}
     assert keys_of(load_scene("tutorial-3.3")) == DYNAMIC | {"masses"}
     for preset in ("ring", "box", "hair-tuft", "flag-pole"):
-        assert keys_of(load_scene(preset)) == DYNAMIC
+        assert keys_of(load_scene(preset)) == DYNAMIC | {"tolerance"}  # their method is `auto`
 
 
 def test_a_body_without_joints_or_springs_has_fewer() -> None:
-    assert keys_of(sim.rope(joints=False)) == (DYNAMIC | {"masses"}) - {"angular_stiffness", "rest_angle"}
+    assert keys_of(sim.rope(joints=False)) == (DYNAMIC | {"masses", "tolerance"}) - {
+        "angular_stiffness",
+        "angular_damping",
+        "rest_angle",
+    }
     assert keys_of(chain(row(1))) == {"gravity", "air_friction", "dt"}
     assert keys_of(chain(row(3), stiffness=1.0, held=(0, 1, 2))) == set()
 

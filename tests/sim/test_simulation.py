@@ -14,7 +14,7 @@ import pytest
 
 import sim
 from sim import Anchor, InputError, Simulation
-from tests.sim.builders import askew, chain, row
+from tests.sim.builders import askew, chain, row, tutorial_preset
 from tests.sim.inside import same_state
 
 REPLACE = msgspec.structs.replace
@@ -59,7 +59,7 @@ def test_a_run_is_the_same_bit_for_bit_in_every_process() -> None:
 
 @pytest.mark.parametrize("preset", ["tutorial-3.3", "ring"])
 def test_many_steps_at_once_are_the_same_as_one_by_one(preset: str) -> None:
-    one, other = (Simulation(sim.load_scene(preset)) for _ in range(2))
+    one, other = (Simulation(tutorial_preset(preset)) for _ in range(2))
     for simulation in (one, other):
         simulation.keys = {"left", "up"}
     assert one.step(333) == 333

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import msgspec
@@ -10,8 +11,10 @@ import pytest
 
 import sim
 from sim import Scene, Simulation
+from sim.scene import ForceLaw
 from tests.sim.amplification import dynamics, exact_limit, spectral_radius
-from tests.sim.builders import chain, row, tangle
+from tests.sim.bodies import LAWS, body
+from tests.sim.builders import chain, euler, row, tangle, tutorial_preset
 from tests.sim.inside import put
 
 REPLACE = msgspec.structs.replace
@@ -99,14 +102,21 @@ def test_air_friction_limits_the_step_of_a_fast_mass() -> None:
 
 
 # ------------------------------------------------------------------------- against dense matrices
+PRESETS_AND_LAWS = [
+    *itertools.product(["tutorial-3.3", "ring", "box"], LAWS),
+    ("hair-tuft", "conservative"),
+    ("flag-pole", "tutorial"),
+]
+
+
 def estimate_and_limit(simulation: Simulation) -> tuple[float, float, tuple[np.ndarray, np.ndarray]]:
     k, c = dynamics(simulation.scene, simulation.positions, simulation.velocities)
     return simulation.stability().limit, exact_limit(k, c), (k, c)
 
 
-@pytest.mark.parametrize("preset", ["tutorial-3.3", "ring", "box", "hair-tuft", "flag-pole"])
-def test_meter_on_presets(preset: str) -> None:
-    simulation = Simulation(sim.load_scene(preset))
+@pytest.mark.parametrize(("preset", "law"), PRESETS_AND_LAWS)
+def test_meter_on_presets(preset: str, law: ForceLaw) -> None:
+    simulation = Simulation(REPLACE(sim.load_scene(preset), force_law=law, integrator=euler()))
     estimate, limit, (k, c) = estimate_and_limit(simulation)
     assert estimate == pytest.approx(limit, rel=0.01)
     # And it is the limit of stability: nothing grows below it, something does above.
@@ -114,9 +124,9 @@ def test_meter_on_presets(preset: str) -> None:
     assert spectral_radius(k, c, 1.02 * limit) > 1.01
 
 
-@pytest.mark.parametrize("preset", ["tutorial-3.3", "ring", "box", "hair-tuft", "flag-pole"])
-def test_meter_follows_a_body_in_motion(preset: str) -> None:
-    scene = sim.load_scene(preset)
+@pytest.mark.parametrize(("preset", "law"), PRESETS_AND_LAWS)
+def test_meter_follows_a_body_in_motion(preset: str, law: ForceLaw) -> None:
+    scene = REPLACE(sim.load_scene(preset), force_law=law, integrator=euler())
     simulation = Simulation(scene)
     driven = next(a.mass for a in scene.anchors if a.driven)
     x, y = scene.masses[driven].position
@@ -134,10 +144,22 @@ def test_meter_on_random_bodies(seed: int) -> None:
     assert estimate == pytest.approx(limit, rel=0.01)
 
 
+@pytest.mark.parametrize("damping", [0.0, 30.0])
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("shape", ["chain", "girder", "hub"])
+def test_meter_sees_angular_damping(shape: str, law: ForceLaw, damping: float) -> None:
+    scene = body(shape, law, 3, damping=damping, twist=200.0, held=(1,))
+    estimate, limit, _ = estimate_and_limit(Simulation(scene))
+    assert estimate == pytest.approx(limit, rel=0.01)
+    # It matters: without it, longer steps would do.
+    without = body(shape, law, 3, damping=damping, twist=0.0, held=(1,))
+    assert Simulation(without).stability().limit > 1.3 * limit
+
+
 @pytest.mark.parametrize("preset", ["tutorial-3.3", "ring", "box", "hair-tuft"])
 @pytest.mark.parametrize("seed", range(3))
 def test_meter_at_random_positions(preset: str, seed: int) -> None:
-    simulation = Simulation(sim.load_scene(preset))
+    simulation = Simulation(tutorial_preset(preset))
     rng = np.random.default_rng(seed)
     place = simulation.positions
     put(simulation, place + rng.normal(0.0, 6.0, place.shape))
@@ -164,7 +186,7 @@ def test_meter_sees_keys_and_grabs() -> None:
 
 
 def test_meter_only_reads() -> None:
-    simulation, other = (Simulation(sim.load_scene("ring")) for _ in range(2))
+    simulation, other = (Simulation(REPLACE(sim.load_scene("ring"), integrator=euler())) for _ in range(2))
     for _ in range(5):
         simulation.stability()
         simulation.step(20)
