@@ -139,7 +139,7 @@ def forest(body: Body, held: np.ndarray) -> tuple[Indices, Indices]:
     walk: list[int] = []
     roots = [*(np.flatnonzero(held) + 1).tolist(), *range(1, n + 1)]
     # All held masses are roots before any other mass is reached from one of them.
-    queue = [m for m in roots if m <= n and held[m - 1]]
+    queue: list[int] = (np.flatnonzero(held) + 1).tolist()
     for m in queue:
         seen[m] = True
     starts = iter(roots)

@@ -64,7 +64,7 @@ class Simulation:
     @property
     def scene(self) -> Scene:
         """The scene as it is now: what the arrow keys changed is in it, the motion is not."""
-        scale, shift = (float(c) for c in self._live.controls)
+        scale, shift = map(float, self._live.controls)
         if (scale, shift) != self._folded[0]:
             scene = msgspec.structs.replace(self._scene, rest_length_scale=scale)
             self._folded = (scale, shift), shift_rest_angles(scene, shift) if shift else scene
@@ -253,8 +253,7 @@ class Simulation:
         """Take over positions, velocities, time and held masses of a simulation of the same topology."""
         self._adopt(other.positions, other.velocities)
         self._time, self._steps, self._owed = other._time, other._steps, other._owed
-        self._grabbed = set(other._grabbed)
-        self._keys = other._keys
+        self._grabbed, self._keys = set(other._grabbed), other._keys
         self._restart()
 
     def replace(self, scene: Scene) -> None:
@@ -329,8 +328,7 @@ class Simulation:
         """Say what forces do to each mass: nothing where it is held."""
         held = self._system.held.copy()
         held[self._system.mass_place[list(self._grabbed)] - 1] = True
-        live, dt = self._live, self.dt
-        free = np.where(held, 0.0, 1.0)
+        live, dt, free = self._live, self.dt, np.where(held, 0.0, 1.0)
         live.vx[self._masses] *= free
         live.vy[self._masses] *= free
         live.inverse_mass[self._masses] = free * self._system.inverse_mass
@@ -377,11 +375,8 @@ class Simulation:
         return StabilityMeter(self._system).update(rest, self._scene.air_friction)
 
     def _existing_mass(self, mass: int) -> int:
-        if (
-            isinstance(mass, bool)
-            or not isinstance(mass, (int, np.integer))
-            or not 0 <= mass < self._body.masses
-        ):
+        whole = isinstance(mass, (int, np.integer)) and not isinstance(mass, bool)
+        if not (whole and 0 <= mass < self._body.masses):
             raise InputError(f"mass {mass} does not exist (0..{self._body.masses - 1})")
         return int(mass)
 

@@ -30,7 +30,6 @@ from .kernels.tables import (
     COUNT_STEPS,
     COUNT_WHAT,
     COUNTS,
-    TUTORIAL,
     WORKS,
     Drive,
     Flow,
@@ -113,7 +112,7 @@ class Solver:
         n = system.body.masses
         costs = np.array([90.0 + 4.3 * n, 880.0 + 185.0 * n, 500.0 + 110.0 * n]) / (90.0 + 4.3 * n)
         self._costs = costs if n >= LONG else costs[:2]
-        self._hand = 0.0 if system.body.law == TUTORIAL else 1.0
+        self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
 
     @property
     def matrix(self) -> Matrix:

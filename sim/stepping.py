@@ -81,7 +81,7 @@ class EulerStepper:
         self._effort = Effort()
         circles = {int(system.mass_place[a.mass]): a.circle for a in scene.anchors if a.circle is not None}
         self._circle = circles
-        self._hand = 0.0 if system.body.law == TUTORIAL else 1.0
+        self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
 
     @property
     def time(self) -> float:

@@ -107,8 +107,7 @@ CASES = (
         "One mass on one spring, along the spring: x = e^(-ct/2m) (cos ωt + c/(2mω) sin ωt), 2 Hz and "
         "damped by a tenth of the critical damping, from 10 px off; the largest error at ten times within "
         "a second. Methods with a fixed step have a slope over the step, those with error control a "
-        "tolerance, below which they should stay. (The published coefficients of RODAS add up to one but for "
-        "1e-9, which under `rodas4` sets a floor to the error.)",
+        "tolerance, below which they should stay.",
         _oscillator,
     ),
     Case(

@@ -27,6 +27,7 @@ def run_chain(body, live, work, motion, kept, progress, dt, steps, has_air, fart
     inverse, tx, ty = work.inverse, work.tx, work.ty
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
     cos, sin = live.couple_cos, live.couple_sin
+    tx[1], ty[1] = 0.0, 0.0
     while progress[DONE] < steps and progress[WHAT] == GOOD:
         done = progress[DONE]
         count = min(progress[STRIDE], steps - done)

@@ -191,6 +191,7 @@ def chain_tensions(body, live, work, x, y, vx, vy):
     inverse, tx, ty = work.inverse, work.tx, work.ty
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
     cos, sin, size = live.couple_cos, live.couple_sin, body.couple_size
+    tx[1], ty[1] = 0.0, 0.0  # no spring ends at the first mass; the general path has other numbers there
     if body.law == CONSERVATIVE:
         length = work.length
         for s in range(springs):

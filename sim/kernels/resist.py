@@ -39,6 +39,7 @@ def add_resistance(body, live, work, matrix, v, z, factor, out):
     w, air = live.inverse_mass, live.air
     springs = body.stiffness.size
     ux, uy, tx, ty, damping = matrix.ux, matrix.uy, work.tx, work.ty, body.damping
+    tx[1], ty[1] = 0.0, 0.0
     for s in range(springs):
         along = -damping[s] * (ux[s] * (zx[s + 2] - zx[s + 1]) + uy[s] * (zy[s + 2] - zy[s + 1]))
         tx[s + 2] = along * ux[s]

@@ -25,8 +25,6 @@ MISSED = {
     # The couple of a law that goes by the sine is too weak where joints turn by 42°.
     "H/W, N = 50, Γ = 1000",
     "H/W, N = 50, Γ = 1000, law “tutorial”",
-    # The coefficients of RODAS, as published, are exact to 1e-9.
-    "rodas4, tolerance 1e-08 px",
 }
 """Results that miss their targets, and are printed as such."""
 

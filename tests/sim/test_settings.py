@@ -9,16 +9,27 @@ import pytest
 
 import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
-from sim.settings import SETTINGS, TEMPLATES, Setting, apply_assignments, settings_of, shift_rest_angles
+from sim.methods import METHODS
+from sim.settings import (
+    CHOICES,
+    SETTINGS,
+    TEMPLATES,
+    Setting,
+    apply_assignments,
+    set_choice,
+    settings_of,
+    shift_rest_angles,
+)
 from sim.system import joint_stiffness
 from tests.sim.builders import PRESETS, chain, row, star, tangle
 
 REPLACE = msgspec.structs.replace
 
 DYNAMIC = {
-    "linear_stiffness", "linear_damping", "angular_stiffness", "angular_damping", "rest_length_scale", "rest_angle", "gravity",
-    "air_friction", "dt",
+    "linear_stiffness", "linear_damping", "angular_stiffness", "angular_damping", "rest_length_scale",
+    "rest_angle", "gravity", "air_friction", "dt",
 }  # fmt: skip
+OF_JOINTS = {"angular_stiffness", "angular_damping", "rest_angle"}
 
 PAIRS = [(p, s) for p in PRESETS for s in settings_of(load_scene(p))]
 
@@ -37,13 +48,15 @@ def test_each_example_has_its_settings() -> None:
 
 
 def test_a_body_without_joints_or_springs_has_fewer() -> None:
-    assert keys_of(sim.rope(joints=False)) == (DYNAMIC | {"masses", "tolerance"}) - {
-        "angular_stiffness",
-        "angular_damping",
-        "rest_angle",
-    }
+    assert keys_of(sim.rope(joints=False)) == (DYNAMIC | {"masses", "tolerance"}) - OF_JOINTS
     assert keys_of(chain(row(1))) == {"gravity", "air_friction", "dt"}
     assert keys_of(chain(row(3), stiffness=1.0, held=(0, 1, 2))) == set()
+
+
+def test_only_methods_with_error_control_have_a_tolerance() -> None:
+    for name, info in METHODS.items():
+        scene = set_choice(load_scene("ring"), "method", name)
+        assert ("tolerance" in keys_of(scene)) == info.adaptive
 
 
 def test_a_setting_without_use_is_refused() -> None:
@@ -90,6 +103,9 @@ def test_setting_one_leaves_the_others(preset: str, setting: Setting) -> None:
 @pytest.mark.parametrize("setting", SETTINGS.values(), ids=list(SETTINGS))
 def test_values_out_of_range_are_refused(setting: Setting) -> None:
     scene = load_scene("tutorial-3.2")
+    if setting.key == "tolerance":
+        scene = set_choice(scene, "method", "auto")
+    assert setting.key in keys_of(scene)
     for value in (math.nan, math.inf, -math.inf, setting.low - 1.0, setting.high * 1.01 + 1.0):
         with pytest.raises(SettingError, match=f"^{setting.key}: ") as caught:
             set_value(scene, setting.key, value)
@@ -106,13 +122,52 @@ def test_whole_numbers_and_templates() -> None:
         set_value(scene, "colour", 1.0)
 
 
+# ------------------------------------------------------------------------- choices
+def test_a_choice_is_made_and_read_back() -> None:
+    scene = load_scene("ring")
+    for key, choice in CHOICES.items():
+        assert choice.read(scene) in choice.options
+        for value in choice.options:
+            changed = set_choice(scene, key, value)
+            assert validate(changed) is changed
+            assert choice.read(changed) == value
+            Simulation(changed).step()
+            # Nothing else is touched.
+            assert set_choice(changed, key, choice.read(scene)) == scene
+    assert set_choice(scene, "force_law", "angle").force_law == "angle"
+    assert set_choice(scene, "method", "rk4").integrator == REPLACE(scene.integrator, method="rk4")
+
+
+def test_wrong_choices_are_refused() -> None:
+    for key, value, sentence in (
+        ("law", "angle", "law: there is no such choice; there are force_law, method"),
+        ("force_law", "cosine", "force_law: 'cosine' is not one of tutorial, conservative, angle"),
+        ("method", "leapfrog", "method: 'leapfrog' is not one of auto, symplectic_euler"),
+        ("method", "", "method: '' is not one of"),
+    ):
+        with pytest.raises(SettingError, match=sentence) as caught:
+            set_choice(load_scene("ring"), key, value)
+        assert "\n" not in str(caught.value)
+    with pytest.raises(SettingError, match="force_law: the scene 'chain' has no use for it"):
+        set_choice(chain(row(3), stiffness=1.0), "force_law", "angle")
+    with pytest.raises(SettingError, match=r"method: the scene 'tutorial-3\.1' has no use for it"):
+        set_choice(load_scene("tutorial-3.1"), "method", "rk4")
+
+
 # ------------------------------------------------------------------------- scenes of unequal springs
+def twisted(scene: Scene) -> Scene:
+    """The scene with a different angular damping at every joint."""
+    joints = tuple(REPLACE(joint, damping=0.5 + 0.1 * j) for j, joint in enumerate(scene.angular_springs))
+    return REPLACE(scene, angular_springs=joints)
+
+
 def test_different_stiffnesses_keep_their_proportion() -> None:
-    for scene in (star(5), tangle(4)):
+    for scene in (twisted(star(5)), twisted(tangle(4))):
         for key, field, springs in (
             ("linear_stiffness", "stiffness", "linear_springs"),
             ("linear_damping", "damping", "linear_springs"),
             ("angular_stiffness", "stiffness", "angular_springs"),
+            ("angular_damping", "damping", "angular_springs"),
         ):
             before = [getattr(s, field) for s in getattr(scene, springs)]
             assert SETTINGS[key].read(scene) == max(before)
@@ -220,6 +275,10 @@ def test_assignments_are_applied_in_order() -> None:
     assert scene.gravity == (0.0, -3.5)
     assert scene.angular_springs[0].stiffness == 2000.0
     assert apply_assignments(scene, []) is scene
+    # The tolerance is of use only once the method is another.
+    scene = apply_assignments(scene, ["method=rodas4", "tolerance=1e-5", "force_law = angle"])
+    assert scene.integrator == sim.Integrator(method="rodas4", tolerance=1e-5)
+    assert scene.force_law == "angle"
 
 
 @pytest.mark.parametrize(
@@ -235,6 +294,9 @@ def test_assignments_are_applied_in_order() -> None:
         ("template=90", "template: the scene 'tutorial-3.3' has no use for it"),
         ("dt=2", r"dt: 2 is not in the range 1e-06\.\.1 s"),
         ("masses=2.5", "masses: 2.5 is not a whole number"),
+        ("method=leapfrog", "method: 'leapfrog' is not one of"),
+        ("force_law=", "KEY=VALUE"),
+        ("tolerance=1", "tolerance: the scene 'tutorial-3.3' has no use for it"),
     ],
 )
 def test_wrong_assignments_are_refused(text: str, sentence: str) -> None:
