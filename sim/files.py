@@ -97,7 +97,7 @@ def decode_scene(data: bytes, source: str) -> Scene:
             f"{source}: format: version {version} is newer than {FORMAT_VERSION}, the newest that this "
             "softrod reads; a newer softrod can open it"
         )
-    if version == 1:
+    if version == 1 and not isinstance(version, bool):
         raw = _from_format_1(raw)
     try:
         return validate(msgspec.convert(raw, Scene))
