@@ -40,6 +40,8 @@ def weakened(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> B
         joint_stiffness = np.minimum(joint_stiffness, limit / dt**2)
         size[1 : body.joints + 1] = joint_stiffness
         resistance[1 : body.joints + 1] = np.minimum(resistance[1 : body.joints + 1], limit / dt)
+    for table in (stiffness, damping, joint_stiffness, size, resistance):
+        table.setflags(write=False)  # like the others: a kernel is compiled once
     return body._replace(
         stiffness=stiffness,
         damping=damping,
