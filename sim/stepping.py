@@ -185,6 +185,10 @@ class FlowStepper:
         drive = solver.drive(until, targets, growth, presses.angle / dt)
         self._led = targets
         solver.run(integrator.method, until, drive, dt=dt, tolerance=integrator.tolerance, attempts=attempts)
+        if solver.time == until:
+            for place, (x, y) in targets.items():
+                # To the last digit, which the way there has rounded.
+                solver.flow.q[place], solver.flow.q[solver.places + place] = x, y
         solver.store()
         done = int((solver.time - self._goal) / dt + 1e-6)
         self._goal += done * dt
