@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import math
 
+import msgspec
 import numpy as np
 import pytest
 
 import sim
-from sim import InputError, Simulation
+from sim import Anchor, InputError, Integrator, Simulation
+from sim.methods import METHODS
+from sim.scene import ForceLaw, Method
 from tests.sim.builders import askew, chain, row, tutorial_rope
 from tests.sim.inside import same_state
+
+REPLACE = msgspec.structs.replace
 
 
 @pytest.fixture
@@ -58,6 +63,51 @@ def test_lead_is_over_after_one_call(rope: Simulation) -> None:
     rope.step(5)
     rope.step(5)
     assert tuple(rope.positions[0]) == (330.0, 140.0)
+
+
+@pytest.mark.parametrize("law", ["tutorial", "conservative"])
+@pytest.mark.parametrize("method", METHODS)
+def test_what_is_led_arrives_and_stays_there(method: Method, law: ForceLaw) -> None:
+    scene = REPLACE(
+        askew(), rope=None, anchors=(Anchor(mass=0), Anchor(mass=11)), force_law=law,
+        integrator=Integrator(method=method, dt=5e-4),
+    )  # fmt: skip
+    simulation = Simulation(scene)
+    far = simulation.positions[11]
+    simulation.step(4)
+    # Held at both ends, and in the middle by a hand.
+    simulation.grab(5)
+    for to in ((330.1, 140.7), (331.3, 139.9)):
+        simulation.lead(0, to)
+        simulation.lead(5, (320.3, 260.1))
+        assert simulation.step(6) == 6
+        assert tuple(simulation.positions[0]) == to
+        assert tuple(simulation.positions[5]) == (320.3, 260.1)
+    for _ in range(3):
+        assert simulation.step(5) == 5
+        assert tuple(simulation.positions[0]) == to
+        assert tuple(simulation.positions[5]) == (320.3, 260.1)
+        assert not simulation.velocities[[0, 5, 11]].any()
+    assert np.array_equal(simulation.positions[11], far)
+    # What is let go of starts from rest.
+    simulation.release(5)
+    assert not simulation.velocities[5].any()
+    simulation.step(5)
+    assert tuple(simulation.positions[0]) == to
+    assert simulation.velocities[5].any()
+
+
+@pytest.mark.parametrize("masses", [30, 250])
+def test_a_hand_does_not_let_a_long_rope_slip(masses: int) -> None:
+    # So long that `auto` has more methods to choose from, and each of them holds what is held.
+    simulation = Simulation(sim.rope(masses=masses, direction=(1.0, 0.1)))
+    simulation.step(20)
+    simulation.grab(masses // 2)
+    place = simulation.positions[masses // 2]
+    for _ in range(4):
+        simulation.step(40)
+        assert np.array_equal(simulation.positions[masses // 2], place)
+        assert tuple(simulation.positions[0]) == (300.0, 150.0)
 
 
 def test_the_last_of_several_targets_counts(rope: Simulation) -> None:
