@@ -7,6 +7,9 @@ import numpy as np
 from .kernels.band import ROW
 from .kernels.tables import Body, Floats, Indices, Matrix
 
+NO_MATRIX = Matrix._make([np.zeros(0)] * 4 + [np.zeros(0, np.int64)] * (len(Matrix._fields) - 4))
+"""For methods that solve no linear systems."""
+
 
 def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     """Room for the matrix of a body. For any topology but a chain the pattern is found here, once.

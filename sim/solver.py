@@ -9,12 +9,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from .kernels import guard
-from .kernels.alpha import run_alpha
-from .kernels.auto import run_auto
+from .kernels.auto import (
+    KIND_ALPHA,
+    KIND_AUTO,
+    KIND_AUTO_LOW,
+    KIND_EXPLICIT,
+    KIND_ROSENBROCK,
+    KIND_VERLET,
+    run,
+)
+from .kernels.bound import Bound, bind, new_buffer
 from .kernels.controls import circle_at
-from .kernels.explicit import run_explicit
 from .kernels.rescue import run_rescue
-from .kernels.rosenbrock import run_rosenbrock
 from .kernels.tables import (
     AUTO_NEW,
     CLOCK_TIME,
@@ -36,18 +42,16 @@ from .kernels.tables import (
     Ledger,
     Live,
     Matrix,
+    Rosenbrock,
+    Tableau,
     Work,
 )
-from .kernels.verlet import run_verlet
 from .methods import METHODS, MethodInfo
-from .pattern import new_matrix
+from .pattern import NO_MATRIX, new_matrix
 from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
 from .system import System
 
 _ROWS = 24
-RHO = 0.8
-"""What generalized-alpha leaves of the fastest motions in each step."""
-
 LOW_TOLERANCE = 3e-3
 """Tolerance, px, from which on `auto` uses methods of low order."""
 
@@ -57,7 +61,19 @@ LONG = 200
 RESCUE_STEP = 1e-3
 """Length of a step of last resort, s."""
 
+_LOW = ("velocity_verlet", "rodas4", "generalized_alpha")
+_HIGH = ("dop853", "rodas5p", "generalized_alpha")
+"""What `auto` chooses from at high and at low tolerances."""
+
 UNLIMITED = 2**62
+
+_KINDS = {
+    "explicit": KIND_EXPLICIT,
+    "verlet": KIND_VERLET,
+    "rosenbrock": KIND_ROSENBROCK,
+    "alpha": KIND_ALPHA,
+    "auto": KIND_AUTO,
+}
 
 
 @dataclass
@@ -107,11 +123,11 @@ class Solver:
         self.ledger = Ledger(False, np.zeros(WORKS), np.zeros(self.places), np.zeros((4, wide)))
         self.ledger.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
+        self._buffer, self._driven = new_buffer(), new_buffer()
+        self._bound_for: tuple[MethodInfo, bool] | None = None
+        self._driven_by: Drive | None = None
         circles = {a.mass: a.circle for a in scene.anchors if a.circle is not None}
         self._circle = {int(system.mass_place[m]): circle for m, circle in circles.items()}
-        n = system.body.masses
-        costs = np.array([90.0 + 4.3 * n, 880.0 + 185.0 * n, 500.0 + 110.0 * n]) / (90.0 + 4.3 * n)
-        self._costs = costs if n >= LONG else costs[:2]
         self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
 
     @property
@@ -178,8 +194,8 @@ class Solver:
             ramp=columns[6],
             scale=float(self.live.controls[CONTROL_SCALE]),
             shift=float(self.live.controls[CONTROL_SHIFT]),
-            growth=growth,
-            turn=turn,
+            growth=float(growth),
+            turn=float(turn),
         )
 
     def run(
@@ -194,39 +210,57 @@ class Solver:
     ) -> None:
         """Go on to a time, with a fixed step `dt` or under a tolerance; `what` tells how it ended."""
         info = METHODS[method]
+        kind, low = _KINDS[info.kind], False
+        if info.kind == "auto":
+            low = tolerance >= LOW_TOLERANCE
+            kind = KIND_AUTO_LOW if low else KIND_AUTO
         local = max(tolerance * info.strictness, 1e-13) if info.adaptive else 1.0
         fixed = 0.0 if info.adaptive else dt
+        if self._bound_for != (info, low):
+            self._bind(info, low)
+        if drive is not self._driven_by:
+            bind(self._driven, drive)
+            self._driven_by = drive
+        counts = self.flow.counts
         while True:
-            done = int(self.flow.counts[COUNT_STEPS] + self.flow.counts[COUNT_REJECTED])
-            self._run(info, until, drive, fixed, tolerance if info.kind == "auto" else local, attempts)
-            attempts -= int(self.flow.counts[COUNT_STEPS] + self.flow.counts[COUNT_REJECTED]) - done
-            if self.what != guard.STUCK or not info.implicit or self.time >= until or attempts <= 0:
+            done = counts[COUNT_STEPS] + counts[COUNT_REJECTED]
+            run(self._buffer, self._driven, kind, until, fixed, local, attempts)
+            attempts -= int(counts[COUNT_STEPS] + counts[COUNT_REJECTED] - done)
+            if counts[COUNT_WHAT] != guard.STUCK or not info.implicit or self.time >= until or attempts <= 0:
                 return
             self.rescue(until, drive)
 
-    def _run(
-        self, info: MethodInfo, until: float, drive: Drive, fixed: float, tolerance: float, attempts: int
-    ) -> None:
-        common = (self.system.body, self.live, self.work)
-        rest = (until, fixed, tolerance, attempts)
-        if info.kind == "explicit":
-            run_explicit(*common, drive, self.flow, self.ledger, info.table, *rest)
-        elif info.kind == "verlet":
-            run_verlet(*common, drive, self.flow, self.ledger, *rest)
-        elif info.kind == "rosenbrock":
-            run_rosenbrock(*common, self.matrix, drive, self.flow, self.ledger, info.table, *rest)
-        elif info.kind == "alpha":
-            run_alpha(*common, self.matrix, drive, self.flow, self.ledger, RHO, *rest)
-        else:
-            low = tolerance >= LOW_TOLERANCE
-            explicit, implicit = METHODS["dop853"], METHODS["rodas4" if low else "rodas5p"]
-            first = METHODS["velocity_verlet"] if low else explicit
-            arms = (first, implicit, METHODS["generalized_alpha"])[: self._costs.size]
-            tolerances = np.array([max(arm.strictness * tolerance, 1e-13) for arm in arms])
-            run_auto(
-                *common, self.matrix, drive, self.flow, self.ledger, explicit.table, implicit.table,
-                low, RHO, self._costs, tolerances, until, attempts,
-            )  # fmt: skip
+    def _bind(self, info: MethodInfo, low: bool) -> None:
+        """Hand all tables over to the compiled code, for a method."""
+        self._bound_for = info, low
+        explicit = info.table if isinstance(info.table, Tableau) else METHODS["dop853"].table
+        implicit = (
+            info.table
+            if isinstance(info.table, Rosenbrock)
+            else METHODS["rodas4" if low else "rodas5p"].table
+        )
+        assert isinstance(explicit, Tableau)
+        assert isinstance(implicit, Rosenbrock)
+        arms = (
+            METHODS["velocity_verlet" if low else "dop853"],
+            METHODS["rodas4" if low else "rodas5p"],
+            METHODS["generalized_alpha"],
+        )
+        n = self.system.body.masses
+        costs = np.array([90.0 + 4.3 * n, 880.0 + 185.0 * n, 500.0 + 110.0 * n]) / (90.0 + 4.3 * n)
+        self._bound = Bound(
+            body=self.system.body,
+            live=self.live,
+            work=self.work,
+            matrix=self.matrix if info.implicit else NO_MATRIX,
+            flow=self.flow,
+            ledger=self.ledger,
+            explicit=explicit,
+            implicit=implicit,
+            costs=costs if n >= LONG else costs[:2],
+            strictness=np.array([arm.strictness for arm in arms]),
+        )
+        bind(self._buffer, self._bound)
 
     def rescue(self, until: float, drive: Drive) -> None:
         """Leave a state that no method can leave, by a step of last resort."""
@@ -243,11 +277,13 @@ class Solver:
     def open_ledger(self) -> None:
         """Keep books from now on of what changes the energy."""
         self.ledger = self.ledger._replace(active=True)
+        self._bound_for = None
         self.ledger.work[:] = 0.0
 
     def close_ledger(self) -> None:
         """Keep books no more."""
         self.ledger = self.ledger._replace(active=False)
+        self._bound_for = None
 
     def touch(self) -> None:
         """Say that the state or what acts on it has changed from outside."""

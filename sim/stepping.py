@@ -10,7 +10,7 @@ import numpy as np
 from .kernels import guard
 from .kernels.chain import run_chain
 from .kernels.general import run_general, run_held
-from .kernels.tables import NO_JOINTS, SCALE_MAX, SCALE_MIN, TUTORIAL, Live, Motion, Work
+from .kernels.tables import NO_JOINTS, SCALE_MAX, SCALE_MIN, TUTORIAL, Drive, Live, Motion, Work
 from .methods import METHODS
 from .scene import MAX_COORDINATE, RUNAWAY_SPEED, Scene
 from .solver import UNLIMITED, Effort, Solver, offset
@@ -158,6 +158,7 @@ class FlowStepper:
         self._scene, self._live = scene, live
         self.solver = Solver(scene, system, live, work)
         self._led: Targets = {}
+        self._undisturbed: Drive | None = None  # what drives the body while nobody does
         self._goal = 0.0
         self._held = np.flatnonzero(system.held) + 1
 
@@ -170,6 +171,7 @@ class FlowStepper:
         """The state in `live` is that of a time, s, and has come from elsewhere."""
         self.solver.load(time)
         self._goal = time
+        self._undisturbed = None
 
     def step(
         self, steps: int, targets: Targets, presses: Presses, all_held: bool, attempts: int = UNLIMITED
@@ -182,7 +184,11 @@ class FlowStepper:
         if targets or self._led:
             solver.stop(self._led)
             solver.touch()
-        drive = solver.drive(until, targets, growth, presses.angle / dt)
+        if targets or self._led or presses.any:
+            self._undisturbed = None
+        drive = self._undisturbed or solver.drive(until, targets, growth, presses.angle / dt)
+        if not (targets or presses.any):
+            self._undisturbed = drive
         self._led = targets
         solver.run(integrator.method, until, drive, dt=dt, tolerance=integrator.tolerance, attempts=attempts)
         if solver.time == until:

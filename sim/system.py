@@ -121,8 +121,9 @@ def _slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
 def new_live(system: System) -> Live:
     """A state with room for the system's masses; `Simulation` fills it."""
     body = system.body
-    # The chain's loops look one place back and, from the last spring, three ahead.
-    places = body.stiffness.size + 3
+    # The chain's loops look one place back and, from the last spring, three ahead; and loops over flat
+    # vectors should have no scalar rest.
+    places = padded(body.stiffness.size + 3)
     joints = max(body.joints, body.stiffness.size) + 1
     sizes = {
         "controls": (2, 0),

@@ -37,6 +37,9 @@ from .tables import (
     COUNT_WHAT,
 )
 
+_RHO = 0.8
+"""What is left of the fastest motions after each step (the spectral radius at infinity)."""
+
 _ITERATIONS = 8
 _SPAN = 2.5e-3
 """A step's error is held to the tolerance of so many seconds, however long it is: an error per second of it
@@ -48,13 +51,9 @@ _ERROR = 0.1
 
 @kernel(fastmath=FAST)
 def run_alpha(
-    body, live, work, matrix, drive, flow, ledger, rho, end, fixed, tolerance, attempts
+    body, live, work, matrix, drive, flow, ledger, end, fixed, tolerance, attempts
 ):  # fmt: skip
-    """Go on to `end`; arguments as those of `run_explicit`.
-
-    Args:
-        rho: what is left of the fastest motions after each step, 0..1 (the spectral radius at infinity).
-    """
+    """Go on to `end`; arguments as those of `run_explicit`."""
     freshen(body, live, work, drive, flow)
     clock, count = flow.clock, flow.counts
     q, v, rows = flow.q, flow.v, flow.rows
@@ -68,7 +67,7 @@ def run_alpha(
         rows[6],
     )
     inner = flow.history[0]  # the method's own acceleration
-    am, af = (2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0)
+    am, af = (2.0 * _RHO - 1.0) / (_RHO + 1.0), _RHO / (_RHO + 1.0)
     gamma = 0.5 - am + af
     beta = 0.25 * (1.0 - am + af) ** 2
     weight = 1.0 / (1.0 - af)

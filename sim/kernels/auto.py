@@ -1,4 +1,4 @@
-"""Choosing between explicit and implicit methods while they run.
+"""Running a method by its kind; and choosing between explicit and implicit ones while they run.
 
 Which one is the fastest cannot be read off the body: it depends on the tolerance, on what moves, and on how.
 So now and then one that is not in use is given a few steps, and whoever gets furthest for its computing goes
@@ -8,6 +8,7 @@ on. Every step counts, none is a trial: all hold the same tolerance.
 from __future__ import annotations
 
 from .alpha import run_alpha
+from .bound import take_bound, take_drive
 from .explicit import run_explicit
 from .guard import GOOD, STUCK
 from .jit import FAST, kernel
@@ -16,10 +17,11 @@ from .tables import (
     ARM_ALPHA,
     ARM_EXPLICIT,
     ARM_ROSENBROCK,
+    AUTO_ASKED,
     AUTO_LAST,
     AUTO_PACE,
     AUTO_STEP,
-    AUTO_TURNS,
+    AUTO_WORK,
     CLOCK_LAST,
     CLOCK_LAST_BUT_ONE,
     CLOCK_STEP,
@@ -30,49 +32,76 @@ from .tables import (
 )
 from .verlet import run_verlet
 
-_ASK_AGAIN = 12
-"""Turns until another method is asked again."""
+KIND_EXPLICIT, KIND_VERLET, KIND_ROSENBROCK, KIND_ALPHA, KIND_AUTO, KIND_AUTO_LOW = 0, 1, 2, 3, 4, 5
+"""What `run` runs; `KIND_AUTO_LOW` is `auto` with methods of low order."""
+
+_SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.3
+"""The share of the computing that goes into asking another method; that for one whose pace was not within a
+part of the best; and that part."""
+
+_LONG_STEP = 0.02
+"""Seconds that hardly any implicit step is longer than while a body moves. Where the explicit method does as
+much for the same computing, the others are asked late."""
 
 
-@kernel(fastmath=FAST)
-def run_auto(
-    body, live, work, matrix, drive, flow, ledger, explicit, implicit, low, rho, costs, tolerances, end,
-    attempts,
-):  # fmt: skip
-    """Go on to `end`.
+@kernel()
+def run(buffer, driven, kind, end, fixed, tolerance, attempts):
+    """Go on to a time by one method, or by the best.
 
     Args:
-        explicit, implicit: tables of the methods.
-        low: whether velocity Verlet stands in for the explicit method.
-        rho: of generalized-alpha.
-        costs: (arms,) of a step of each method, in those of the first; as many methods are tried.
-        tolerances: (arms,) of one step, px.
+        buffer, driven: of a `Bound` and a `Drive`.
+        kind: of the method, see the KIND_ constants.
+        end: time to go to, s.
+        fixed: the step, s, or 0 for error control.
+        tolerance: of one step, px per second of it; that of `auto` before it is multiplied by strictness.
         attempts: steps to try at most.
     """
+    b, drive = take_bound(buffer), take_drive(driven)
+    if kind == KIND_EXPLICIT:
+        run_explicit(
+            b.body, b.live, b.work, drive, b.flow, b.ledger, b.explicit, end, fixed, tolerance, attempts
+        )
+    elif kind == KIND_VERLET:
+        run_verlet(b.body, b.live, b.work, drive, b.flow, b.ledger, end, fixed, tolerance, attempts)
+    elif kind == KIND_ROSENBROCK:
+        run_rosenbrock(
+            b.body, b.live, b.work, b.matrix, drive, b.flow, b.ledger, b.implicit, end, fixed, tolerance,
+            attempts,
+        )  # fmt: skip
+    elif kind == KIND_ALPHA:
+        run_alpha(b.body, b.live, b.work, b.matrix, drive, b.flow, b.ledger, end, fixed, tolerance, attempts)
+    else:
+        _run_best(b, drive, kind == KIND_AUTO_LOW, end, tolerance, attempts)
+
+
+@kernel(forceinline=True)
+def _run_best(b, drive, low, end, whole_tolerance, attempts):
+    """Go on to `end` by turns; `low` says whether velocity Verlet stands in for the explicit method."""
+    body, live, work, matrix, flow, ledger = b.body, b.live, b.work, b.matrix, b.flow, b.ledger
+    costs = b.costs
     clock, count, mind = flow.clock, flow.counts, flow.mind
-    arms = costs.size
     left = attempts
     while clock[CLOCK_TIME] < end and left > 0 and count[COUNT_WHAT] == GOOD:
-        arm, limit = _whose_turn(mind, arms)
+        arm, limit = _whose_turn(mind, costs)
         fresh = mind[AUTO_PACE + arm] < 0.0
         limit = min(limit, left)
         if arm != int(mind[AUTO_LAST]):
             clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0
         began, tried = clock[CLOCK_TIME], count[COUNT_STEPS] + count[COUNT_REJECTED]
-        step, tolerance = mind[AUTO_STEP + arm], tolerances[arm]
+        step, tolerance = mind[AUTO_STEP + arm], max(b.strictness[arm] * whole_tolerance, 1e-13)
         if fresh and step <= 0.0 and arm != ARM_EXPLICIT:
             step = min(4.0 * mind[AUTO_STEP + ARM_EXPLICIT], 0.5 * (end - began))
         clock[CLOCK_STEP] = step
         if arm == ARM_ROSENBROCK:
             run_rosenbrock(
-                body, live, work, matrix, drive, flow, ledger, implicit, end, 0.0, tolerance, limit
+                body, live, work, matrix, drive, flow, ledger, b.implicit, end, 0.0, tolerance, limit
             )
         elif arm == ARM_ALPHA:
-            run_alpha(body, live, work, matrix, drive, flow, ledger, rho, end, 0.0, tolerance, limit)
+            run_alpha(body, live, work, matrix, drive, flow, ledger, end, 0.0, tolerance, limit)
         elif low:
             run_verlet(body, live, work, drive, flow, ledger, end, 0.0, tolerance, limit)
         else:
-            run_explicit(body, live, work, drive, flow, ledger, explicit, end, 0.0, tolerance, limit)
+            run_explicit(body, live, work, drive, flow, ledger, b.explicit, end, 0.0, tolerance, limit)
         mind[AUTO_STEP + arm] = clock[CLOCK_STEP]
         mind[AUTO_LAST] = arm
         tries = count[COUNT_STEPS] + count[COUNT_REJECTED] - tried
@@ -84,30 +113,35 @@ def run_auto(
             mind[AUTO_PACE + arm] = 0.0
             if mind[AUTO_PACE + ARM_ROSENBROCK] == 0.0:
                 mind[AUTO_PACE + ARM_ROSENBROCK] = -1.0
-        elif arm == ARM_ALPHA or (fresh and arm != ARM_EXPLICIT):
+        elif arm == ARM_ALPHA or fresh:
             # It has hardly begun to lengthen its steps.
             mind[AUTO_PACE + arm] = max(pace, clock[CLOCK_STEP] / costs[arm])
         elif fresh or clock[CLOCK_TIME] < end:
             # The last steps of a call are cut short, which says nothing about the method.
             mind[AUTO_PACE + arm] = pace
-        mind[AUTO_TURNS] += 1.0
+        mind[AUTO_WORK] += tries * costs[arm]
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _whose_turn(mind, arms):
+def _whose_turn(mind, costs):
     """(the method, how many steps it may try)."""
-    best = 0
-    for arm in range(arms):
-        if mind[AUTO_PACE + arm] < 0.0:
-            return arm, 12 if arm == ARM_ALPHA else 4 if arm == ARM_ROSENBROCK else 16
+    best, arms = ARM_EXPLICIT, costs.size
+    for arm in range(1, arms):
         if mind[AUTO_PACE + arm] > mind[AUTO_PACE + best]:
             best = arm
-    turn = int(mind[AUTO_TURNS])
-    if turn % _ASK_AGAIN == _ASK_AGAIN - 1:
-        asked = turn // _ASK_AGAIN
-        other = (best + 1 + asked % (arms - 1)) % arms
-        # Generalized-alpha needs some steps to show what it can do.
-        hopeless = other == ARM_ALPHA and mind[AUTO_PACE + other] < 0.15 * mind[AUTO_PACE + best]
-        if not hopeless or asked // (arms - 1) % 4 == 0:
-            return other, 8 if other == ARM_EXPLICIT else 3 if other == ARM_ROSENBROCK else 12
+    if mind[AUTO_PACE + ARM_EXPLICIT] < 0.0:
+        return ARM_EXPLICIT, 16
+    pace = mind[AUTO_PACE + best]
+    for arm in range(1, arms):
+        if mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < _LONG_STEP:
+            mind[AUTO_WORK] = 0.0
+            return arm, 12 if arm == ARM_ALPHA else 4
+    other = (best + 1 + int(mind[AUTO_ASKED]) % (arms - 1)) % arms
+    # Generalized-alpha needs some steps to show what it can do.
+    tries = 8 if other == ARM_EXPLICIT else 3 if other == ARM_ROSENBROCK else 12
+    share = _SHARE if mind[AUTO_PACE + other] > _CLOSE * pace else _SHARE_OF_HOPELESS
+    if mind[AUTO_WORK] * share > tries * costs[other]:
+        mind[AUTO_WORK] = 0.0
+        mind[AUTO_ASKED] += 1.0
+        return other, tries
     return best, 64 if best == ARM_EXPLICIT else 12

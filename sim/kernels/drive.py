@@ -9,7 +9,7 @@ from .jit import kernel
 from .tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN
 
 
-@kernel()
+@kernel(forceinline=True)
 def drive_to(body, live, drive, t, q, v):
     """Put the held masses where they are at time t, in q and v, and set rest lengths and angles."""
     places = q.size // 2

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from .bits import from_bits, size_bits
 from .controls import refresh
 from .jit import FAST, kernel
 from .tables import COUNT_MASS, COUNT_WHAT, Indices
@@ -83,21 +84,28 @@ def judge(body, live, kept, progress, count, farthest, fastest):
         progress[MASS] = mass
 
 
-@kernel(fastmath=FAST)
+@kernel(forceinline=True, fastmath=FAST)
 def sound(body, flow, q, v, shortened):
     """Whether a state is one to keep; what is wrong with it goes into `flow.counts`.
 
     Unless `shortened`: then a shorter step is worth a try first, and it is only not kept.
     """
     farthest, fastest = flow.limits[0], flow.limits[1]
-    bad = 0
+    far, fast = 0, 0
     for j in range(q.size):
-        bad += not (abs(q[j]) <= farthest)
-        bad += not (abs(v[j]) <= fastest)
-    if bad == 0:
+        far = max(far, size_bits(q[j]))
+        fast = max(fast, size_bits(v[j]))
+    if from_bits(far) <= farthest and from_bits(fast) <= fastest:
         return True
-    if not shortened:
-        return False
+    if shortened:
+        _blame(body, flow, q, v)
+    return False
+
+
+@kernel(fastmath=FAST)
+def _blame(body, flow, q, v):
+    """Enter in `flow.counts` which mass shows what is wrong."""
+    farthest, fastest = flow.limits[0], flow.limits[1]
     places = q.size // 2
     for i in range(1, body.masses + 1):
         for j in (i, places + i):
@@ -111,5 +119,4 @@ def sound(body, flow, q, v, shortened):
             if what != GOOD:
                 flow.counts[COUNT_WHAT] = what
                 flow.counts[COUNT_MASS] = i
-                return False
-    return True
+                return

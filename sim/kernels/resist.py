@@ -9,7 +9,7 @@ from .jit import FAST, kernel
 from .tables import SHORTEST_SQUARED
 
 
-@kernel(fastmath=FAST)
+@kernel(forceinline=True, fastmath=FAST)
 def remember_directions(body, matrix, q):
     """Keep the springs' directions at positions q, for `add_resistance`."""
     places = q.size // 2

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from .bits import from_bits, size_bits
 from .drive import drive_to
 from .forces import accelerations
 from .guard import STUCK
@@ -49,10 +50,7 @@ def fitting_step(t, end, h):
 @kernel(fastmath=FAST)
 def first_step(flow, drive, tolerance):
     """A first step, s: the time in which the accelerations move a mass by the tolerance."""
-    most = 1e-9
-    for j in range(flow.a.size):
-        most = max(most, abs(flow.a[j]))
-    h = math.sqrt(tolerance / most)
+    h = math.sqrt(tolerance / max(biggest(flow.a), 1e-9))
     for i in range(drive.mass.size):
         if drive.radius[i] > 0.0:
             h = min(h, 0.25 * drive.ramp[i])
@@ -73,7 +71,8 @@ def step_after(flow, h, step, error, order, good, after_failure):
     """
     factor = 5.0
     if error > 1e-12:
-        factor = min(5.0, max(0.2, 0.9 * error ** (-1.0 / order)))
+        root = 1.0 / math.sqrt(error) if order == 2 else error ** (-1.0 / order)
+        factor = min(5.0, max(0.2, 0.9 * root))
     if not good:
         h = step * min(factor, 0.5)
         if h < SHORTEST_STEP:
@@ -95,8 +94,7 @@ def replace_state(flow, q, v, a):
 @kernel(fastmath=FAST)
 def biggest(values):
     """The largest size of the values; NaN if one is."""
-    most = 0.0
+    most = 0
     for j in range(values.size):
-        size = abs(values[j])
-        most = size if not size <= most else most
-    return most
+        most = max(most, size_bits(values[j]))
+    return from_bits(most)

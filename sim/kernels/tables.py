@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+Rows = NDArray[np.float64]  # two-dimensional; `bound` goes by the name
 Indices = NDArray[np.int64]
 
 
@@ -193,9 +194,9 @@ class Flow(NamedTuple):
     clock: Floats  # see the CLOCK_ constants
     limits: Floats  # farthest coordinate, px, and fastest speed, px/s, that a good state has
     counts: Indices  # see the COUNT_ constants
-    rows: NDArray[np.float64]  # (R, 2 places) scratch
+    rows: Rows  # (R, 2 places) scratch
     mind: Floats  # what `auto` has learnt, see the AUTO_ constants
-    history: NDArray[np.float64]  # (4, 2 places) what generalized-alpha carries from step to step
+    history: Rows  # (4, 2 places) what generalized-alpha carries from step to step
 
 
 CLOCK_TIME = 0
@@ -211,10 +212,11 @@ CLOCKS = 5
 ARM_EXPLICIT, ARM_ROSENBROCK, ARM_ALPHA = 0, 1, 2
 """The methods that `auto` chooses from."""
 
-AUTO_STEP, AUTO_PACE, AUTO_TURNS, AUTO_LAST = 0, 3, 6, 7
+AUTO_STEP, AUTO_PACE, AUTO_WORK, AUTO_LAST, AUTO_ASKED = 0, 3, 6, 7, 8
 """Places in `Flow.mind`: the next step of each method, s; simulated time for the computing of an explicit
-step, s, of each, negative where unknown; turns so far; the method that had the last one."""
-AUTO_NEW = (0.0, 0.0, 0.0, -1.0, -1.0, -1.0, 0.0, 0.0)
+step, s, of each, negative where unknown; computing, in explicit steps, since a method was asked; the method
+that had the last turn; how many times one was asked."""
+AUTO_NEW = (0.0, 0.0, 0.0, -1.0, -1.0, -1.0, 0.0, 0.0, 0.0)
 """What `auto` knows at first."""
 
 COUNT_FRESH, COUNT_STEPS, COUNT_REJECTED, COUNT_WHAT, COUNT_MASS = 0, 1, 2, 3, 4
@@ -236,8 +238,8 @@ class Tableau(NamedTuple):
     order: int  # power of the step that the error estimate goes with
     paired: bool  # there are two error estimates
     c: Floats  # (stages + 1,) the last is the end of the step
-    a: NDArray[np.float64]  # (stages + 1, padded); the last row is b
-    abar: NDArray[np.float64]
+    a: Rows  # (stages + 1, padded); the last row is b
+    abar: Rows
     error: Floats  # (padded) weights of the estimated position error
     second: Floats  # (padded) of a second estimate, of lower order, as in DOP853
 
@@ -253,8 +255,8 @@ class Rosenbrock(NamedTuple):
     gamma: float
     c: Floats  # (stages + 1,) times of the stages; the last is the end of the step
     slope: Floats  # (stages,) weights of the derivative by time
-    a: NDArray[np.float64]  # (stages + 1, padded); the last row gives the end of the step
-    coupling: NDArray[np.float64]  # (stages, padded)
+    a: Rows  # (stages + 1, padded); the last row gives the end of the step
+    coupling: Rows  # (stages, padded)
     error: Floats  # (padded) weights of the error estimate
 
 
@@ -264,7 +266,7 @@ class Ledger(NamedTuple):
     active: bool
     work: Floats  # (WORKS,) kg px²/s², see the WORK_ constants
     mass: Floats  # (places) kg
-    rows: NDArray[np.float64]  # (4, 2 places) scratch
+    rows: Rows  # (4, 2 places) scratch
 
 
 WORK_ANCHORS, WORK_DAMPING, WORK_AIR, WORK_LAW, WORK_KEYS, WORK_RESCUE = 0, 1, 2, 3, 4, 5

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .bits import from_bits, size_bits
 from .drive import drive_to
 from .forces import accelerations
 from .guard import GOOD, sound
@@ -39,17 +40,20 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
     freshen(body, live, work, drive, flow)
     clock, count = flow.clock, flow.counts
     q, v, a, rows = flow.q, flow.v, flow.a, flow.rows
-    to_q, to_v, to_a = rows[0], rows[1], rows[2]
+    to_q, to_v, to_a, driven = rows[0], rows[1], rows[2], rows[3]
+    places = q.size // 2
+    farthest, fastest = flow.limits[0], flow.limits[1]
     t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
     if fixed > 0.0:
         h = fixed
     elif h <= 0.0:
         h = 0.5 * first_step(flow, drive, 0.01 * tolerance)
         clock[CLOCK_CAP] = 1e9
+    cap = clock[CLOCK_CAP]
     failed = False
-    for _ in range(attempts):
-        if not (t < end and count[COUNT_WHAT] == GOOD):
-            break
+    steps, tries, swaps = 0, 0, 0
+    while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
+        tries += 1
         step = fitting_step(t, end, h)
         half = 0.5 * step
         for j in range(q.size):
@@ -57,37 +61,47 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
             to_v[j] = v[j] + step * a[j]
         if drive.moving:
             drive_to(body, live, drive, t + step, to_q, to_v)
+            for k in range(drive.mass.size):
+                m = drive.mass[k]
+                driven[m], driven[places + m] = to_v[m], to_v[places + m]
         accelerations(body, live, work, to_q, to_v, to_a)
-        count[COUNT_FORCES] += 1
+        change, far, fast = 0, 0, 0
+        for j in range(q.size):
+            new = v[j] + half * (a[j] + to_a[j])
+            to_v[j] = new
+            change = max(change, size_bits(to_a[j] - a[j]))
+            far = max(far, size_bits(to_q[j]))
+            fast = max(fast, size_bits(new))
+        for k in range(drive.mass.size):
+            m = drive.mass[k]
+            to_v[m], to_v[places + m] = driven[m], driven[places + m]
         error = 0.0
         if fixed == 0.0:
-            for j in range(q.size):
-                change = abs(to_a[j] - a[j])
-                error = change if not change <= error else error
-            error *= step * step / (12.0 * max(step, SHORTEST_SPAN) * tolerance)
+            error = from_bits(change) * step * step / (12.0 * max(step, SHORTEST_SPAN) * tolerance)
             if not error < HOPELESS:
                 error = HOPELESS
-        if error <= 1.0:
-            for j in range(q.size):
-                to_v[j] = v[j] + half * (a[j] + to_a[j])
-            if drive.moving:
-                drive_to(body, live, drive, t + step, to_q, to_v)
-        good = error <= 1.0 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
+        good = error <= 1.0
+        if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
+            good = good and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good:
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
+                replace_state(flow, to_q, to_v, to_a)
+            else:
+                # Change places instead of copying.
+                q, to_q, v, to_v, a, to_a = to_q, q, to_v, v, to_a, a
             t = end if step == end - t else t + step
-            replace_state(flow, to_q, to_v, to_a)
-            count[COUNT_STEPS] += 1
+            steps += 1
+            swaps += not ledger.active
         else:
             error = max(error, 2.0)
-            count[COUNT_REJECTED] += 1
         if fixed == 0.0:
-            if good:
-                clock[CLOCK_CAP] *= 1.004
-            else:
-                clock[CLOCK_CAP] = 0.93 * step
-            h = min(step_after(flow, h, step, error, 2, good, failed), clock[CLOCK_CAP])
+            cap = 1.004 * cap if good else 0.93 * step
+            h = min(step_after(flow, h, step, error, 2, good, failed), cap)
             failed = not good
-    clock[CLOCK_TIME] = t
-    clock[CLOCK_STEP] = h
+    if swaps % 2:
+        replace_state(flow, q, v, a)
+    count[COUNT_FORCES] += tries
+    count[COUNT_STEPS] += steps
+    count[COUNT_REJECTED] += tries - steps
+    clock[CLOCK_TIME], clock[CLOCK_STEP], clock[CLOCK_CAP] = t, h, cap
