@@ -11,6 +11,7 @@ from .kernels.tables import (
     ANGLE,
     CONSERVATIVE,
     NO_JOINTS,
+    SHORTEST_SQUARED,
     TUTORIAL,
     Body,
     Floats,
@@ -19,7 +20,11 @@ from .kernels.tables import (
     Work,
     padded,
 )
+from .methods import METHODS
 from .scene import Scene
+
+_SOFT = 1e-4
+"""The length, as a part of a typical spring's, below which a spring has no direction to speak of."""
 
 _LAWS = {"tutorial": TUTORIAL, "conservative": CONSERVATIVE, "angle": ANGLE}
 
@@ -209,6 +214,7 @@ def _body(
         twisted=bool(resistance.any()),
         chain=is_chain,
         law=_LAWS[scene.force_law] if joint_a.size else NO_JOINTS,
+        softening=_softening(scene),
         spring_a=spring_a,
         spring_b=spring_b,
         stiffness=stiffness,
@@ -235,6 +241,21 @@ def _body(
         if isinstance(field, np.ndarray):
             field.setflags(write=False)
     return body, joint_order
+
+
+def _softening(scene: Scene) -> float:
+    """`Body.softening`, px²: next to none under the tutorial's integrator, which does just what the tutorial
+    does."""
+    if METHODS[scene.integrator.method].kind == "euler":
+        return SHORTEST_SQUARED
+    lengths = np.array([spring.rest_length for spring in scene.linear_springs])
+    if not lengths.any():
+        at = np.array([mass.position for mass in scene.masses])
+        ends = np.array([(spring.a, spring.b) for spring in scene.linear_springs], np.int64).reshape(-1, 2)
+        lengths = np.hypot(*(at[ends[:, 1]] - at[ends[:, 0]]).T)
+    lengths = lengths[lengths > 0.0]
+    typical = float(np.median(lengths)) if lengths.size else 1.0
+    return max((_SOFT * typical) ** 2, SHORTEST_SQUARED)
 
 
 def _slots(

@@ -23,6 +23,7 @@ from .steps import (
     biggest,
     first_step,
     freshen,
+    is_gentle,
     step_after,
 )
 from .tables import (
@@ -143,6 +144,8 @@ def run_alpha(
                 known = 1.0 if clock[CLOCK_LAST_BUT_ONE] > 0.0 else 0.3
                 error = known * _ERROR * biggest(guess) / (_SPAN * tolerance)
         good = error <= 1.5 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
+        if good and fixed == 0.0:
+            good = is_gentle(body, live, q, to_q, step)
         if good:
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, force, step)

@@ -24,7 +24,7 @@ def _scaled_row(w, block):
 def factorise_chain(body, live, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
     places = q.size // 2
-    n = body.masses
+    n, soft = body.masses, body.softening
     blocks = matrix.blocks
     zero = (0.0, 0.0, 0.0, 0.0)
     regular = True
@@ -33,7 +33,7 @@ def factorise_chain(body, live, matrix, q, v, a, g, definite):
     p1, p2, pp1, pp2 = zero, zero, zero, zero
     vector = (q[2] - q[1], q[places + 2] - q[places + 1])
     rate = (v[2] - v[1], v[places + 2] - v[places + 1])
-    length = length_of(vector[0], vector[1])
+    length = length_of(vector[0], vector[1], soft)
     for m in range(1, n + 1):
         s = m - 1
         back, own, ahead = zero, zero, zero
@@ -48,7 +48,7 @@ def factorise_chain(body, live, matrix, q, v, a, g, definite):
             if m < n - 1 and body.joints:
                 next_vector = (q[m + 2] - q[m + 1], q[places + m + 2] - q[places + m + 1])
                 next_rate = (v[m + 2] - v[m + 1], v[places + m + 2] - v[places + m + 1])
-                next_length = length_of(next_vector[0], next_vector[1])
+                next_length = length_of(next_vector[0], next_vector[1], soft)
                 aa, ab, to_last, to_own = joint_blocks(
                     body.law,
                     body.couple_size[m],
@@ -60,6 +60,7 @@ def factorise_chain(body, live, matrix, q, v, a, g, definite):
                     next_vector,
                     length,
                     next_length,
+                    soft,
                     rate,
                     next_rate,
                     g,
@@ -71,7 +72,7 @@ def factorise_chain(body, live, matrix, q, v, a, g, definite):
             elif m < n - 1:
                 vector = (q[m + 2] - q[m + 1], q[places + m + 2] - q[places + m + 1])
                 rate = (v[m + 2] - v[m + 1], v[places + m + 2] - v[places + m + 1])
-                length = length_of(vector[0], vector[1])
+                length = length_of(vector[0], vector[1], soft)
         last_back, last_own, last_ahead = before
         w = live.inverse_mass[m]
         c1 = minus(last_back, last_own)

@@ -73,7 +73,9 @@ def spring_block(stiffness, damping, pull, length, vector, rate, g, definite):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def joint_blocks(law, size, cos, sin, rest, damping, a, b, len_a, len_b, rate_a, rate_b, g, definite):
+def joint_blocks(
+    law, size, cos, sin, rest, damping, a, b, len_a, len_b, softening, rate_a, rate_b, g, definite
+):  # fmt: skip
     """Of the tensions that a joint adds to its springs a and b, by their vectors: aa, ab, ba, bb.
 
     Args:
@@ -83,6 +85,7 @@ def joint_blocks(law, size, cos, sin, rest, damping, a, b, len_a, len_b, rate_a,
         damping: of the joint.
         a, b: vectors of the springs.
         len_a, len_b: their lengths.
+        softening: that is in them, px².
         rate_a, rate_b: the rates of the vectors.
         g: factor of the derivative by the rates.
         definite: whether the matrix -[[aa, ab], [ba, bb]] has to be positive semidefinite. It is then
@@ -117,26 +120,7 @@ def joint_blocks(law, size, cos, sin, rest, damping, a, b, len_a, len_b, rate_a,
         ba = outer(1.0, normal_b, by_a)
         bb = plus(outer(1.0, normal_b, by_b), _scaled(couple, turn_b))
     else:
-        unit_a, unit_b = (a[0] * inv_a, a[1] * inv_a), (b[0] * inv_b, b[1] * inv_b)
-        off = deflection(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1], rest)
-        couple = size * product * off
-        push = 0.5 * size * off * off
-        pa, pb = -push * len_b * inv_a, -push * len_a * inv_b
-        aa = minus((pa, 0.0, 0.0, pa), outer(pa, unit_a, unit_a))
-        aa = minus(aa, outer(size * off * len_b, unit_a, normal_a))
-        aa = minus(aa, outer(size * off * len_b, normal_a, unit_a))
-        aa = minus(aa, outer(size * product, normal_a, normal_a))
-        aa = minus(aa, _scaled(couple, turn_a))
-        bb = minus((pb, 0.0, 0.0, pb), outer(pb, unit_b, unit_b))
-        bb = plus(bb, outer(size * off * len_a, unit_b, normal_b))
-        bb = plus(bb, outer(size * off * len_a, normal_b, unit_b))
-        bb = minus(bb, outer(size * product, normal_b, normal_b))
-        bb = plus(bb, _scaled(couple, turn_b))
-        ab = outer(-push, unit_a, unit_b)
-        ab = plus(ab, outer(size * off * len_b, unit_a, normal_b))
-        ab = minus(ab, outer(size * off * len_a, normal_a, unit_b))
-        ab = plus(ab, outer(size * product, normal_a, normal_b))
-        ba = (ab[0], ab[2], ab[1], ab[3])
+        aa, ab, ba, bb = _angle_blocks(size, rest, a, b, inv_a, inv_b, softening)
     if damping > 0.0:
         strength = damping * product
         # dV/dt is the turning rate of b less that of a; a spring turns at -normal . rate.
@@ -175,6 +159,43 @@ def joint_blocks(law, size, cos, sin, rest, damping, a, b, len_a, len_b, rate_a,
     return aa, ab, ba, bb
 
 
+@kernel(fastmath=FAST)
+def _angle_blocks(size, rest, a, b, inv_a, inv_b, softening):
+    """As `joint_blocks`, for the law with the angle itself.
+
+    Its energy is K w(A) w(B) (V - r)² / 2 with the weight w(L) = L² / sqrt(L² + softening), since V has no
+    value where a spring has no length.
+    """
+    off = deflection(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1], rest)
+    half = 0.5 * off * off
+    weight_a, slope_a, bend_a, normal_a, turn_a = _weight(a, inv_a, softening)
+    weight_b, slope_b, bend_b, normal_b, turn_b = _weight(b, inv_b, softening)
+    aa = plus(outer(off, slope_a, normal_a), outer(off, normal_a, slope_a))
+    aa = plus(aa, plus(_scaled(half, bend_a), outer(weight_a, normal_a, normal_a)))
+    aa = _scaled(-size * weight_b, plus(aa, _scaled(weight_a * off, turn_a)))
+    bb = plus(outer(-off, slope_b, normal_b), outer(-off, normal_b, slope_b))
+    bb = plus(bb, plus(_scaled(half, bend_b), outer(weight_b, normal_b, normal_b)))
+    bb = _scaled(-size * weight_a, minus(bb, _scaled(weight_b * off, turn_b)))
+    ab = minus(outer(off * weight_b, slope_a, normal_b), outer(off * weight_a, normal_a, slope_b))
+    ab = plus(minus(ab, outer(half, slope_a, slope_b)), outer(weight_a * weight_b, normal_a, normal_b))
+    ab = _scaled(size, ab)
+    return aa, ab, (ab[0], ab[2], ab[1], ab[3]), bb
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _weight(vector, inv, softening):
+    """The weight of a spring under the angle's law, its gradient and its second derivatives; the gradient of
+    the spring's angle, with the sign of perp, and the derivatives of that."""
+    square = vector[0] * vector[0] + vector[1] * vector[1]
+    true = 1.0 / max(square, SHORTEST_SQUARED)
+    slope = (square + 2.0 * softening) * inv * inv * inv
+    bend = (3.0 * square * inv * inv - 4.0) * inv * inv * inv
+    normal = (vector[1] * true, -vector[0] * true)
+    second = plus((slope, 0.0, 0.0, slope), outer(bend, vector, vector))
+    turn = _normal_by_vector(vector, normal, math.sqrt(true))
+    return square * inv, (slope * vector[0], slope * vector[1]), second, normal, turn
+
+
 @kernel(forceinline=True, fastmath=FAST)
 def _scaled(factor, block):
     return factor * block[0], factor * block[1], factor * block[2], factor * block[3]
@@ -193,9 +214,9 @@ def _normal_by_vector(vector, normal, inv):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def length_of(x, y):
-    """The length of a vector, never quite zero."""
-    return math.sqrt(max(x * x + y * y, SHORTEST_SQUARED))
+def length_of(x, y, softening):
+    """The length of a spring's vector, never quite zero."""
+    return math.sqrt(x * x + y * y + softening)
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -37,7 +37,7 @@ def run_chain(body, live, work, motion, kept, progress, dt, steps, has_air, fart
                 lead_and_press(body, live, motion, step, steps)
             for s in range(springs):
                 bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-                inverse[s] = 1.0 / math.sqrt(max(bx * bx + by * by, SHORTEST_SQUARED))
+                inverse[s] = 1.0 / math.sqrt(bx * bx + by * by + SHORTEST_SQUARED)
             # The force of spring s goes to the place of the mass at its b end, s + 2. Place 1 stays zero:
             # no spring ends at the first mass.
             if body.joints and body.damped:

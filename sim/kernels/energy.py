@@ -19,7 +19,7 @@ def energies(body, live, mass, gravity_x, gravity_y, q, v, out):
     The masses that are held count neither for the first nor for the last. Under the tutorial's law, the
     angular energy is that of the conservative law.
     """
-    places = q.size // 2
+    places, soft = q.size // 2, body.softening
     kinetic, linear, angular, height = 0.0, 0.0, 0.0, 0.0
     for i in range(1, body.masses + 1):
         if live.inverse_mass[i] > 0.0:
@@ -27,7 +27,7 @@ def energies(body, live, mass, gravity_x, gravity_y, q, v, out):
             height -= mass[i] * (gravity_x * q[i] + gravity_y * q[places + i])
     for s in range(body.springs):
         a, b = body.spring_a[s], body.spring_b[s]
-        length = length_of(q[b] - q[a], q[places + b] - q[places + a])
+        length = length_of(q[b] - q[a], q[places + b] - q[places + a], soft)
         if body.stiffness[s] > 0.0:
             off = length - live.pull[s] / body.stiffness[s]
             linear += 0.5 * body.stiffness[s] * off * off
@@ -36,13 +36,22 @@ def energies(body, live, mass, gravity_x, gravity_y, q, v, out):
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
         ax, ay = q[a1] - q[a0], q[places + a1] - q[places + a0]
         bx, by = q[b1] - q[b0], q[places + b1] - q[places + b0]
-        cross, dot = ax * by - ay * bx, ax * bx + ay * by
-        product = length_of(ax, ay) * length_of(bx, by)
-        size = body.couple_size[j + 1] * product
-        off = deflection(cross, dot, live.couple_rest[j + 1])
-        if body.law == ANGLE:
-            angular += 0.5 * size * off * off
-        else:
-            sine = math.sin(0.5 * off)
-            angular += 2.0 * size * sine * sine
+        angular += body.couple_size[j + 1] * angular_energy(
+            body.law, ax, ay, bx, by, live.couple_rest[j + 1], soft
+        )
     out[KINETIC], out[LINEAR], out[ANGULAR], out[GRAVITY] = kinetic, linear, angular, height
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def angular_energy(law, ax, ay, bx, by, rest, softening):
+    """The energy of a joint of stiffness one; for the tutorial's law that of the conservative one."""
+    square_a, square_b = ax * ax + ay * ay, bx * bx + by * by
+    len_a, len_b = math.sqrt(square_a + softening), math.sqrt(square_b + softening)
+    off = deflection(ax * by - ay * bx, ax * bx + ay * by, rest)
+    if law == ANGLE:
+        return 0.5 * (square_a / len_a) * (square_b / len_b) * off * off
+    true = math.sqrt(square_a * square_b)
+    sine = math.sin(0.5 * off)
+    # |A||B| with softening, less that without it, without the difference of two large numbers.
+    more = softening * (square_a + square_b + softening) / (len_a * len_b + true)
+    return 2.0 * true * sine * sine + more

@@ -17,6 +17,7 @@ from .steps import (
     first_step,
     fitting_step,
     freshen,
+    is_gentle,
     replace_state,
     step_after,
 )
@@ -69,6 +70,8 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
             if not error < HOPELESS:
                 error = HOPELESS
         good = error <= 1.0 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
+        if good and fixed == 0.0:
+            good = is_gentle(body, live, q, to_q, step)
         if good:
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, rates[stages], step)

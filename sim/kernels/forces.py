@@ -1,16 +1,21 @@
 """What the springs do to the masses: forces on any topology, and accelerations.
 
 With L the vector of a spring and perp(L) = (L.y, -L.x), a joint that holds springs A and B has a couple G
-and, under a law with an energy, that energy U. It adds -(U A + G perp(A)) / |A|² to the force on the b end
-of its first spring and -(U B - G perp(B)) / |B|² to that of its second: U is proportional to |A| and to |B|,
-so U / |A| is its derivative along A. With V the angle from A to B and r the rest angle, the laws are
+and, under a law with an energy, that energy U. Its force on the b end of its first spring is -dU/dA, which is
+-G perp(A) / |A|² and a part along A; that on the b end of its second spring +G perp(B) / |B|² and a part
+along B. With V the angle from A to B and r the rest angle, the laws are
 
-- tutorial: G = K |A||B| sin(V - r), U left out;
-- conservative: the same G, U = K |A||B| (1 - cos(V - r));
+- tutorial: G = K |A||B| sin(V - r), without the parts along the springs;
+- conservative: the same G, U = K |A||B| (1 - cos(V - r)) = K (|A||B| - A . R(-r) B);
 - angle: G = K |A||B| (V - r), U = K |A||B| (V - r)² / 2;
 
 and none but the last needs more trigonometry than cos r and sin r, which are in the tables. Angular
 damping adds C |A||B| dV/dt to G.
+
+A spring that shrinks to a point would have a force that jumps there, and a body may want to stay just there.
+So a length is sqrt(L² + softening), in the energies, too, with a softening far too small to be seen; none for
+the tutorial's integrator. A . R(-r) B is without it, and in the angle's law |L| becomes
+L² / sqrt(L² + softening), since V means nothing at a point.
 
 Loops that gather through indices are kept apart from loops over the springs in order, so that the latter,
 which hold the square root, the division and most of the arithmetic, are vectorised.
@@ -32,9 +37,11 @@ def internal_forces(body, live, work, x, y, vx, vy):
     """Forces of all springs on all masses, into `work.fx` and `work.fy`."""
     lx, ly, dvx, dvy, inverse = work.lx, work.ly, work.dvx, work.dvy, work.inverse
     turn, draw, tx, ty, fx, fy = work.turn, work.draw, work.tx, work.ty, work.fx, work.fy
-    couple, energy = work.couple, work.energy
+    couple, energy, dot, friction = work.couple, work.energy, work.dot, work.friction
+    hold, brake = work.hold, work.brake
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
-    springs = stiffness.size  # padded
+    springs, soft = stiffness.size, body.softening  # padded
+    tx[springs], ty[springs] = 0.0, 0.0  # stands for no spring; the chain's loops have other numbers there
     # Unsigned indices: numba otherwise tests each one for being negative.
     for s in range(body.springs):
         a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
@@ -46,7 +53,7 @@ def internal_forces(body, live, work, x, y, vx, vy):
             dvx[s] = vx[b] - vx[a]
             dvy[s] = vy[b] - vy[a]
     for s in range(springs):
-        inverse[s] = 1.0 / math.sqrt(max(lx[s] * lx[s] + ly[s] * ly[s], SHORTEST_SQUARED))
+        inverse[s] = 1.0 / math.sqrt(lx[s] * lx[s] + ly[s] * ly[s] + soft)
     if body.joints:
         joint_couples(body, live, work)
         for s in range(body.springs):
@@ -58,14 +65,34 @@ def internal_forces(body, live, work, x, y, vx, vy):
             draw[s] = energy[np.uint64(body.joint_in[s])] + energy[np.uint64(body.joint_out[s])]
         for i in range(body.more_joint.size):
             draw[body.more_joint_spring[i]] += energy[body.more_joint[i]]
+        if body.law == CONSERVATIVE:
+            for s in range(body.springs):
+                hold[s] = dot[np.uint64(body.joint_in[s])] + dot[np.uint64(body.joint_out[s])]
+            for i in range(body.more_joint.size):
+                hold[body.more_joint_spring[i]] += dot[body.more_joint[i]]
+        else:
+            for s in range(springs):
+                square = lx[s] * lx[s] + ly[s] * ly[s]
+                hold[s] = -draw[s] * (square + 2.0 * soft) * inverse[s] * inverse[s]
+                draw[s] = 0.0
         for s in range(springs):
             inv = inverse[s]
             inv2 = inv * inv
+            true = 1.0 / max(lx[s] * lx[s] + ly[s] * ly[s], SHORTEST_SQUARED)
             rate = lx[s] * dvx[s] + ly[s] * dvy[s]
-            along = pull[s] * inv - stiffness[s] - (damping[s] * rate + draw[s]) * inv2
-            across = turn[s] * inv2
+            along = pull[s] * inv - stiffness[s] - (damping[s] * rate + draw[s]) * inv2 + hold[s] * true
+            across = turn[s] * true
             tx[s] = along * lx[s] + across * ly[s]
             ty[s] = along * ly[s] - across * lx[s]
+        if body.twisted:
+            for s in range(body.springs):
+                brake[s] = friction[np.uint64(body.joint_in[s])] - friction[np.uint64(body.joint_out[s])]
+            for i in range(body.more_joint.size):
+                brake[body.more_joint_spring[i]] += body.more_joint_sign[i] * friction[body.more_joint[i]]
+            for s in range(springs):
+                across = brake[s] * inverse[s] * inverse[s]
+                tx[s] += across * ly[s]
+                ty[s] -= across * lx[s]
     elif body.joints and body.damped:
         for s in range(springs):
             inv = inverse[s]
@@ -126,27 +153,29 @@ def joint_couples(body, live, work):
             cross = lx[a] * ly[b] - ly[a] * lx[b]
             dot = lx[a] * lx[b] + ly[a] * ly[b]
             cos, sin = live.couple_cos[j + 1], live.couple_sin[j + 1]
-            product = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
             couple[j + 1] = cos * cross - sin * dot
-            energy[j + 1] = body.couple_size[j + 1] * math.sqrt(product) - (cos * dot + sin * cross)
+            energy[j + 1] = body.couple_size[j + 1] / (inverse[a] * inverse[b])
+            work.dot[j + 1] = cos * dot + sin * cross
     else:
         for j in range(body.joints):
             a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
             cross = lx[a] * ly[b] - ly[a] * lx[b]
             off = deflection(cross, lx[a] * lx[b] + ly[a] * ly[b], live.couple_rest[j + 1])
-            product = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
-            couple[j + 1] = body.couple_size[j + 1] * math.sqrt(product) * off
+            weight = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
+            couple[j + 1] = body.couple_size[j + 1] * weight * (inverse[a] * inverse[b]) * off
             energy[j + 1] = 0.5 * couple[j + 1] * off
     if body.twisted:
-        turning = work.turning
+        turning, friction = work.turning, work.friction
         for s in range(body.springs):
             inv = inverse[s]
             turning[s + 1] = (lx[s] * work.dvy[s] - ly[s] * work.dvx[s]) * (inv * inv)
         for j in range(body.joints):
             a, b = body.joint_a[j], body.joint_b[j]
-            product = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
             rate = turning[b + 1] - turning[a + 1]
-            couple[j + 1] += body.couple_damping[j + 1] * math.sqrt(product) * rate
+            friction[j + 1] = body.couple_damping[j + 1] / (inverse[a] * inverse[b]) * rate
+        if body.law == TUTORIAL:
+            for j in range(body.joints):
+                couple[j + 1] += friction[j + 1]
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -187,7 +216,7 @@ def any_accelerations(body, live, work, x, y, vx, vy, a):
 @kernel(forceinline=True, fastmath=FAST)
 def chain_tensions(body, live, work, x, y, vx, vy):
     """The force on the b end of every spring of a chain, at the place of the mass there: s + 2."""
-    springs = body.stiffness.size  # padded
+    springs, soft = body.stiffness.size, body.softening  # padded
     inverse, tx, ty = work.inverse, work.tx, work.ty
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
     cos, sin, size = live.couple_cos, live.couple_sin, body.couple_size
@@ -196,7 +225,7 @@ def chain_tensions(body, live, work, x, y, vx, vy):
         length = work.length
         for s in range(springs):
             bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            square = max(bx * bx + by * by, SHORTEST_SQUARED)
+            square = bx * bx + by * by + soft
             inv = 1.0 / math.sqrt(square)
             inverse[s] = inv
             length[s + 1] = square * inv
@@ -214,7 +243,7 @@ def chain_tensions(body, live, work, x, y, vx, vy):
     elif body.law == TUTORIAL:
         for s in range(springs):
             bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            inverse[s] = 1.0 / math.sqrt(max(bx * bx + by * by, SHORTEST_SQUARED))
+            inverse[s] = 1.0 / math.sqrt(bx * bx + by * by + soft)
         for s in range(springs):
             bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
             inv = inverse[s]
@@ -231,7 +260,7 @@ def chain_tensions(body, live, work, x, y, vx, vy):
     else:
         for s in range(springs):
             bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            inv = 1.0 / math.sqrt(max(bx * bx + by * by, SHORTEST_SQUARED))
+            inv = 1.0 / math.sqrt(bx * bx + by * by + soft)
             rate = bx * (vx[s + 2] - vx[s + 1]) + by * (vy[s + 2] - vy[s + 1])
             along = pull[s] * inv - stiffness[s] - damping[s] * rate * (inv * inv)
             tx[s + 2] = along * bx

@@ -131,14 +131,16 @@ def _power_of_law(body, live, x, y, vx, vy, drive):
         s, r = body.joint_a[j], body.joint_b[j]
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
         ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
-        aa, bb = length_of(ax, ay), length_of(bx, by)
-        size = body.couple_size[j + 1] * aa * bb
-        cross, dot = ax * by - ay * bx, ax * bx + ay * by
-        sine = math.sin(0.5 * deflection(cross, dot, live.couple_rest[j + 1]))
-        energy = 2.0 * size * sine * sine
-        ua, ub = _true(drive, a0, a1, vx, vy), _true(drive, b0, b1, vx, vy)
-        power += energy * (ax * ua[0] + ay * ua[1]) / (aa * aa)
-        power += energy * (bx * ub[0] + by * ub[1]) / (bb * bb)
+        aa, bb = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
+        size, cos, sin = body.couple_size[j + 1], live.couple_cos[j + 1], live.couple_sin[j + 1]
+        # The rate of the conservative law's energy, and the power of the tutorial's couple.
+        ux, uy = _true(drive, a0, a1, vx, vy)
+        wx, wy = _true(drive, b0, b1, vx, vy)
+        couple = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
+        power += size * bb / aa * (ax * ux + ay * uy) + size * aa / bb * (bx * wx + by * wy)
+        power -= ux * (cos * bx + sin * by) + uy * (cos * by - sin * bx)
+        power -= wx * (cos * ax - sin * ay) + wy * (cos * ay + sin * ax)
+        power -= couple * ((ay * ux - ax * uy) / (aa * aa) - (by * wx - bx * wy) / (bb * bb))
     return power
 
 
@@ -162,14 +164,18 @@ def _power_of_keys(body, live, drive, x, y):
     for s in range(body.springs):
         if body.stiffness[s] > 0.0:
             a, b = body.spring_a[s], body.spring_b[s]
-            stretch = body.stiffness[s] * length_of(x[b] - x[a], y[b] - y[a]) - live.pull[s]
+            length = length_of(x[b] - x[a], y[b] - y[a], body.softening)
+            stretch = body.stiffness[s] * length - live.pull[s]
             power -= stretch * drive.growth * live.pull[s] / body.stiffness[s]
     for j in range(body.joints):
         s, r = body.joint_a[j], body.joint_b[j]
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
         ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
         off = deflection(ax * by - ay * bx, ax * bx + ay * by, live.couple_rest[j + 1])
-        size = body.couple_size[j + 1] * length_of(ax, ay) * length_of(bx, by)
-        couple = size * off if body.law == ANGLE else size * math.sin(off)
-        power -= couple * math.radians(drive.turn)
+        aa, bb = ax * ax + ay * ay, bx * bx + by * by
+        if body.law == ANGLE:
+            off *= aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))
+        else:
+            off = math.sqrt(aa * bb) * math.sin(off)
+        power -= body.couple_size[j + 1] * off * math.radians(drive.turn)
     return power

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 
-from .blocks import length_of
 from .drive import drive_to
 from .energy import energies
 from .forces import accelerations
@@ -55,7 +54,7 @@ def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity
             i, k = k, i
         if live.inverse_mass[k] > 0.0:
             x, y = q[k] - q[i], q[places + k] - q[places + i]
-            if length_of(x, y) < shortest:
+            if math.sqrt(x * x + y * y) < shortest:
                 # Some direction of its own for each spring, so that no two fall on one another.
                 q[k] = q[i] + shortest * math.cos(1.0 + s)
                 q[places + k] = q[places + i] + shortest * math.sin(1.0 + s)
@@ -73,7 +72,7 @@ def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity
     add_resistance(body, live, work, matrix, v, v, -1.0, move)
     solve(body, matrix, move)
     for m in range(1, body.masses + 1):
-        size = length_of(move[m], move[places + m])
+        size = math.sqrt(move[m] * move[m] + move[places + m] * move[places + m])
         if not size <= reach:
             factor = reach / size if size < 1e300 else 0.0
             move[m] = move[m] * factor if factor > 0.0 else 0.0

@@ -6,7 +6,6 @@ import math
 
 from .blocks import length_of
 from .jit import FAST, kernel
-from .tables import SHORTEST_SQUARED
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -17,13 +16,13 @@ def remember_directions(body, matrix, q):
     if body.chain:
         for s in range(body.stiffness.size):
             x, y = q[s + 2] - q[s + 1], q[places + s + 2] - q[places + s + 1]
-            inv = 1.0 / math.sqrt(max(x * x + y * y, SHORTEST_SQUARED))
+            inv = 1.0 / math.sqrt(x * x + y * y + body.softening)
             ux[s], uy[s], inverse[s] = x * inv, y * inv, inv
     else:
         for s in range(body.springs):
             a, b = body.spring_a[s], body.spring_b[s]
             x, y = q[b] - q[a], q[places + b] - q[places + a]
-            inv = 1.0 / length_of(x, y)
+            inv = 1.0 / length_of(x, y, body.softening)
             ux[s], uy[s], inverse[s] = x * inv, y * inv, inv
 
 

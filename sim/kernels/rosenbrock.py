@@ -20,6 +20,7 @@ from .steps import (
     first_step,
     fitting_step,
     freshen,
+    is_gentle,
     replace_state,
     step_after,
 )
@@ -113,6 +114,8 @@ def run_rosenbrock(
         good = (
             regular and error <= 1.0 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         )
+        if good and fixed == 0.0:
+            good = is_gentle(body, live, q, to_q, step)
         if good:
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)

@@ -25,14 +25,14 @@ def _add(blocks, target, sign, block):
 def assemble(body, live, matrix, q, v, g, definite):
     """Sum the derivatives of the forces (not the accelerations), Jx + g Jv without air, into the pattern."""
     places = q.size // 2
-    blocks = matrix.blocks
+    blocks, soft = matrix.blocks, body.softening
     for i in range(blocks.size):
         blocks[i] = 0.0
     for s in range(body.springs):
         a, b = body.spring_a[s], body.spring_b[s]
         vector = (q[b] - q[a], q[places + b] - q[places + a])
         rate = (v[b] - v[a], v[places + b] - v[places + a])
-        length = length_of(vector[0], vector[1])
+        length = length_of(vector[0], vector[1], soft)
         block = spring_block(
             body.stiffness[s], body.damping[s], live.pull[s], length, vector, rate, g, definite
         )
@@ -58,8 +58,9 @@ def assemble(body, live, matrix, q, v, g, definite):
             body.couple_damping[j + 1],
             vector_a,
             vector_b,
-            length_of(vector_a[0], vector_a[1]),
-            length_of(vector_b[0], vector_b[1]),
+            length_of(vector_a[0], vector_a[1], soft),
+            length_of(vector_b[0], vector_b[1], soft),
+            soft,
             rate_a,
             rate_b,
             g,

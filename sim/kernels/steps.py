@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from .bits import from_bits, size_bits
 from .drive import drive_to
 from .forces import accelerations
@@ -21,6 +23,9 @@ SHORTEST_SPAN = 2e-5
 """Seconds whose share of the tolerance any step may use up. Where a force jumps, as that of a spring that is
 turned round in passing through no length at all, the error of a step, per second of it, never gets small."""
 
+_SHORTEST_TURN = 1e-7
+"""A step (s) that is kept however far springs turn in it."""
+
 HOPELESS = 1e30
 """An error estimate (in tolerances) that stands for infinities and NaN."""
 
@@ -34,6 +39,37 @@ def freshen(body, live, work, drive, flow):
         accelerations(body, live, work, flow.q, flow.v, flow.a)
         flow.counts[COUNT_FORCES] += 1
         flow.counts[COUNT_FRESH] = 1
+
+
+@kernel(forceinline=True)
+def is_gentle(body, live, q, to_q, step):
+    """Whether no spring has turned by more than 60 degrees in a step.
+
+    Where one has, as when its ends pass each other, the forces in between were not seen; positions may still
+    be right to the tolerance, while the wrong impulse of each such step adds to the energy.
+    """
+    if step < _SHORTEST_TURN:
+        return True
+    return _turned(body.spring_a, body.spring_b, body.springs, body.softening, live.inverse_mass, q, to_q)
+
+
+@kernel(fastmath=FAST)
+def _turned(spring_a, spring_b, springs, softening, inverse_mass, q, to_q):
+    places = q.size // 2
+    most = 0
+    for s in range(springs):
+        a, b = np.uint64(spring_a[s]), np.uint64(spring_b[s])
+        x, y, to_x, to_y = (
+            q[b] - q[a],
+            q[places + b] - q[places + a],
+            to_q[b] - to_q[a],
+            to_q[places + b] - to_q[places + a],
+        )
+        size = (x * x + y * y) * (to_x * to_x + to_y * to_y)
+        along = x * to_x + y * to_y
+        free = inverse_mass[a] + inverse_mass[b] > 0.0
+        most += free and size > softening * softening and along * abs(along) < 0.25 * size
+    return most == 0
 
 
 @kernel(forceinline=True)

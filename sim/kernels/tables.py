@@ -33,6 +33,7 @@ class Body(NamedTuple):
     twisted: bool  # any angular spring has damping
     chain: bool  # the springs run head to tail through all masses, in order
     law: int  # NO_JOINTS, TUTORIAL, CONSERVATIVE or ANGLE
+    softening: float  # px²; the length of a spring with vector L is sqrt(L² + softening)
     spring_a: Indices  # (S,) mass at the start of each spring
     spring_b: Indices
     stiffness: Floats  # (S padded) kg/s²
@@ -96,8 +97,12 @@ class Work(NamedTuple):
     turning: Floats  # rate at which a spring turns, 1/s, that of spring s at place s + 1
     turn: Floats  # what the couples of its joints add up to at each spring
     draw: Floats  # what the energies of its joints add up to at each spring
+    hold: Floats  # what their conservative pulls along it add up to at each spring, times its length
+    brake: Floats  # what the couples of their damping add up to at each spring
     couple: Floats  # of joint j at place j + 1
-    energy: Floats  # of joint j at place j + 1, under a law that has one
+    energy: Floats  # of joint j at place j + 1, under a law that has one, as the law's loop wants it
+    dot: Floats  # K A . R(-r) B of joint j at place j + 1, under the conservative law
+    friction: Floats  # couple of the damping of joint j at place j + 1
     tx: Floats  # force on the b end of each spring; in a chain at the place of the mass at that end
     ty: Floats
     fx: Floats  # (places)
@@ -132,8 +137,8 @@ SCALE_MIN, SCALE_MAX = 0.01, 100.0
 
 
 SHORTEST_SQUARED = 1e-300
-"""Smallest square of a length (px²) that is divided by. A spring of exactly zero length has no direction;
-with this it pulls at nothing, instead of making everything NaN. No other length is as short."""
+"""Smallest softening, px²: it changes no length but zero. A spring of exactly zero length has no direction;
+with this it pulls at nothing, instead of making everything NaN."""
 
 
 def padded(count: int) -> int:

@@ -15,6 +15,7 @@ from .steps import (
     first_step,
     fitting_step,
     freshen,
+    is_gentle,
     replace_state,
     step_after,
 )
@@ -51,7 +52,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
         clock[CLOCK_CAP] = 1e9
     cap = clock[CLOCK_CAP]
     failed = False
-    steps, tries, swaps = 0, 0, 0
+    steps, tries, swaps, reach = 0, 0, 0, 0.0
     while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
         tries += 1
         step = fitting_step(t, end, h)
@@ -81,6 +82,15 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
             if not error < HOPELESS:
                 error = HOPELESS
         good = error <= 1.0
+        if good and fixed == 0.0:
+            # No spring has turned far while all moves since a look at the shortest were short beside it.
+            reach -= 2.0 * step * from_bits(fast)
+            if not reach > 0.0:
+                good = is_gentle(body, live, q, to_q, step)
+                short = 0
+                for s in range(body.springs):
+                    short = max(short, size_bits(work.inverse[s]))
+                reach = 0.5 / max(from_bits(short), 1e-300)
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim import AngularSpring, LinearSpring, Mass, Scene, Simulation
+from sim import AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
 from sim.settings import TEMPLATES
 from tests.sim import reference
 from tests.sim.builders import chain, row, star, tangle, tutorial_preset, tutorial_rope
@@ -42,6 +42,7 @@ def two_springs(v: float, rest: float, template: sim.scene.Template | None = Non
         angular_springs=(AngularSpring(a=0, b=1, stiffness=5.0, rest_angle=rest),),
         template=template,
         force_law="tutorial",
+        integrator=Integrator(method="symplectic_euler"),
     )
 
 
