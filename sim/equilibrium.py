@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import msgspec
 import numpy as np
 
 from .errors import InputError
@@ -13,7 +14,7 @@ from .kernels.forces import accelerations
 from .kernels.implicit import factorise, solve
 from .kernels.tables import Floats
 from .pattern import new_matrix
-from .scene import MAX_COORDINATE, Pose, Scene
+from .scene import MAX_COORDINATE, Integrator, Pose, Scene
 from .system import build_system, new_live, new_work
 from .validate import validate
 
@@ -143,7 +144,9 @@ class _Resting:
     """
 
     def __init__(self, scene: Scene, balanced: bool) -> None:
-        self.system = build_system(validate(scene))
+        # The tutorial's method, which softens no spring.
+        exact = Integrator(method="symplectic_euler")
+        self.system = build_system(msgspec.structs.replace(validate(scene), integrator=exact))
         body = self.tables = self.system.body
         self.live, self.work = new_live(self.system), new_work(self.system)
         self.matrix = new_matrix(body, self.system.held)

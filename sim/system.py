@@ -23,8 +23,10 @@ from .kernels.tables import (
 from .methods import METHODS
 from .scene import Scene
 
-_SOFT = 1e-4
-"""The length, as a part of a typical spring's, below which a spring has no direction to speak of."""
+_SOFT, _SOFT_IN_TOLERANCES, _SOFT_AT_MOST = 1e-6, 0.02, 1e-4
+"""The length below which a spring has no direction to speak of: for a method with a fixed step as a part of a
+typical spring's; for one with a tolerance in tolerances, since it could not follow anything smaller, with a
+part of a typical spring's as the most."""
 
 _LAWS = {"tutorial": TUTORIAL, "conservative": CONSERVATIVE, "angle": ANGLE}
 
@@ -246,7 +248,8 @@ def _body(
 def _softening(scene: Scene) -> float:
     """`Body.softening`, px²: next to none under the tutorial's integrator, which does just what the tutorial
     does."""
-    if METHODS[scene.integrator.method].kind == "euler":
+    method = METHODS[scene.integrator.method]
+    if method.kind == "euler":
         return SHORTEST_SQUARED
     lengths = np.array([spring.rest_length for spring in scene.linear_springs])
     if not lengths.any():
@@ -255,7 +258,10 @@ def _softening(scene: Scene) -> float:
         lengths = np.hypot(*(at[ends[:, 1]] - at[ends[:, 0]]).T)
     lengths = lengths[lengths > 0.0]
     typical = float(np.median(lengths)) if lengths.size else 1.0
-    return max((_SOFT * typical) ** 2, SHORTEST_SQUARED)
+    soft = _SOFT * typical
+    if method.adaptive:
+        soft = min(_SOFT_IN_TOLERANCES * scene.integrator.tolerance, _SOFT_AT_MOST * typical)
+    return max(soft * soft, SHORTEST_SQUARED)
 
 
 def _slots(
