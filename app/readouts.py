@@ -37,7 +37,7 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
             f'<span class="softrod-lag">{rates.real_time_factor:.2g} × real time: the clock is '
             f"{rates.behind:.1f} s behind</span>"
         )
-    if math.isfinite(session.stability.limit) and METHODS[session.simulation.method].kind == "euler":
+    if math.isfinite(session.stability.limit):  # methods that bear any step have none
         lines.append(_meter(session.simulation.dt / session.stability.limit, session.stability.limit))
     if len(session.simulation.anchors) < len(session.simulation.scene.masses):
         gradient = ",".join(colors.css(name) for name in ("pushed", "rest", "pulled"))

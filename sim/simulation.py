@@ -132,9 +132,9 @@ class Simulation:
         )
 
     def stability(self) -> StabilityEstimate:
-        """The estimated stability limit at the present state; each call refines it a little."""
+        """The method's estimated stability limit at the present state; each call refines it a little."""
         if self._meter is None:
-            self._meter = StabilityMeter(self._system)
+            self._meter = StabilityMeter(self._system, self.method)
         return self._meter.update(self._live, self._scene.air_friction)
 
     def effort(self) -> Effort:
@@ -368,11 +368,11 @@ class Simulation:
         rest.vx[:] = rest.vy[:] = 0.0
         torn = rest.x[self._masses].copy(), rest.y[self._masses].copy()
         rest.x[self._masses], rest.y[self._masses] = self._system.start[:2]
-        estimate = StabilityMeter(self._system).update(rest, self._scene.air_friction)
+        estimate = StabilityMeter(self._system, self.method).update(rest, self._scene.air_friction)
         if estimate.limit < self.dt:
             return estimate
         rest.x[self._masses], rest.y[self._masses] = torn
-        return StabilityMeter(self._system).update(rest, self._scene.air_friction)
+        return StabilityMeter(self._system, self.method).update(rest, self._scene.air_friction)
 
     def _existing_mass(self, mass: int) -> int:
         whole = isinstance(mass, (int, np.integer)) and not isinstance(mass, bool)

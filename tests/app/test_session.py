@@ -11,6 +11,7 @@ import pytest
 import sim
 from app import commands
 from app.session import KEYS_FORGOTTEN_AFTER, MAX_QUEUE, Session
+from tests.sim.builders import tutorial_preset
 
 FRAME = 1.0 / 60.0
 
@@ -280,8 +281,10 @@ def test_the_meter_follows_changes_while_paused(page: Page) -> None:
     page.frames(2, commands.Play(False))
     page.frames(2, commands.SetValue("angular_stiffness", 1e8))
     assert page.session.stability.limit < 1e-4
-    page.frames(2, commands.Open(sim.load_scene("ring")))
+    page.frames(2, commands.Open(tutorial_preset("ring")))
     assert 1e-3 < page.session.stability.limit < 1e-2
+    page.frames(2, commands.Open(sim.load_scene("ring")))  # under "auto", which has no limit
+    assert page.session.stability.limit == math.inf
 
 
 def test_a_snapshot_holds_the_keys_work_and_the_pose(page: Page) -> None:

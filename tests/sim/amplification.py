@@ -1,4 +1,4 @@
-"""The exact stability limit of symplectic Euler, by dense matrices made from the reference's forces."""
+"""The exact stability limits of methods, by dense matrices made from the reference's forces."""
 
 from __future__ import annotations
 
@@ -60,3 +60,30 @@ def exact_limit(k: Matrix, c: Matrix) -> float:
         middle = 0.5 * (low + high)
         low, high = (low, middle) if flips(k, c, middle) else (middle, high)
     return low
+
+
+def verlet_step(k: Matrix, c: Matrix, dt: float) -> Matrix:
+    """What velocity Verlet makes of (x, v, a); a is of the new places and of v + dt a, and is carried on."""
+    eye, zero = np.eye(len(k)), np.zeros_like(k)
+    place = [eye, dt * eye, 0.5 * dt**2 * eye]
+    guess = [zero, eye, dt * eye]
+    force = [-k @ p - c @ g for p, g in zip(place, guess, strict=True)]
+    speed = [0.5 * dt * force[0], eye + 0.5 * dt * force[1], 0.5 * dt * (eye + force[2])]
+    return np.block([place, speed, force])
+
+
+def rk4_step(k: Matrix, c: Matrix, dt: float) -> Matrix:
+    """exp(dt A) of (x, v)' = A (x, v), to fourth order."""
+    eye, zero = np.eye(len(k)), np.zeros_like(k)
+    z = dt * np.block([[zero, eye], [-k, -c]])
+    one = np.eye(len(z))
+    return one + z @ (one + z @ (one + z @ (one + z / 4.0) / 3.0) / 2.0)
+
+
+STEPS = {"symplectic_euler": amplification, "velocity_verlet": verlet_step, "rk4": rk4_step}
+"""What a step makes of small motions, by method."""
+
+
+def radius(method: str, k: Matrix, c: Matrix, dt: float) -> float:
+    """By how much the motion that grows fastest grows in a step."""
+    return float(np.abs(np.linalg.eigvals(STEPS[method](k, c, dt))).max())
