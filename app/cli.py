@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -149,19 +150,25 @@ class Check:
 class Bench:
     """Measure softrod on this machine, beside other programs that do the same."""
 
-    what: Annotated[Positional[Literal["kernels", "start", "page"]], arg(metavar="{kernels,start,page}")]
-    """kernels: the step by several programs; start: until the rope moves; page: cost and latency."""
+    what: Annotated[
+        Positional[Literal["kernels", "ensemble", "start", "page"]],
+        arg(metavar="{kernels,ensemble,start,page}"),
+    ]
+    """kernels: the step by several programs; ensemble: many ropes at once and one by one; start: until the rope
+    moves; page: cost and latency."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 
     def run(self) -> int:
         """Measure and print."""
+        from .bench.ensemble import bench_ensemble
         from .bench.kernels import bench
         from .bench.serving import bench_page, bench_start
 
         if not 1 <= self.repeats <= 1000:
             return _fail("--repeats: it must be from 1 to 1000")
-        {"kernels": bench, "start": bench_start, "page": bench_page}[self.what](Console(), self.repeats)
+        benches = {"kernels": bench, "ensemble": bench_ensemble, "start": bench_start, "page": bench_page}
+        benches[self.what](Console(), self.repeats)
         return 0
 
 
@@ -181,7 +188,84 @@ class Validate:
         return validate(self.out, self.fast, Console())
 
 
-COMMANDS = {"run": Run, "scenes": Scenes, "check": Check, "bench": Bench, "validate": Validate}
+@dataclass
+class Stability:
+    """Map where each integrator breaks, over two numbers of a scene; or hold all of them against hard cases."""
+
+    scene: Annotated[Positional[str], arg(metavar="SCENE")] = "tutorial-3.1"
+    """A preset's name or a file's path."""
+    out: Path = Path("stability")
+    """Folder for the report: stability.md, stability.csv and maps, or hard-cases.md and hard-cases.csv."""
+    x: str | None = None
+    """What varies from left to right: dt, stiffness, damping, angular_stiffness, angular_damping,
+    air_friction, mass_ratio (of one mass to the next) or masses. Five maps unless --x and --y are given."""
+    y: str | None = None
+    """What varies from bottom to top."""
+    x_range: str | None = None
+    """From and to, as in 1e-4,0.05; scales are logarithmic."""
+    y_range: str | None = None
+    """Likewise."""
+    size: int = 64
+    """Cells along each side, 2 to 512."""
+    integrators: str | None = None
+    """Names, separated by commas; all that have a fixed step unless given."""
+    duration: float = 1.0
+    """Simulated seconds of each cell."""
+    hard_cases: bool = False
+    """Run every integrator on the hard cases instead."""
+    settings: Settings = ()
+
+    def run(self) -> int:
+        """Compute, print and write."""
+        from .studies.hard_case_report import hard_case_report
+        from .studies.stability import stability
+        from .studies.stability_axes import AXES
+
+        if self.hard_cases:
+            return hard_case_report(self.out, Console())
+        if (self.x is None) != (self.y is None):
+            return _fail("stability: --x and --y belong together")
+        for name, key in (("--x", self.x), ("--y", self.y)):
+            if key is not None and key not in AXES:
+                return _fail(f"{name}: {key!r} is not one of {', '.join(AXES)}")
+        if self.x is None and (self.x_range is not None or self.y_range is not None):
+            return _fail("stability: --x-range and --y-range need --x and --y")
+        if not 2 <= self.size <= 512:
+            return _fail(f"--size: {self.size} is not in the range 2..512")
+        if not 0.01 <= self.duration <= 100.0:
+            return _fail(f"--duration: {self.duration:g} is not in the range 0.01..100 s")
+        ranges = _range("--x-range", self.x_range), _range("--y-range", self.y_range)
+        axes = (self.x, self.y) if self.x is not None and self.y is not None else None
+        methods = [name.strip() for name in self.integrators.split(",")] if self.integrators else []
+        scene = _scene(self.scene, self.settings)
+        return stability(scene, axes, ranges, self.size, methods, self.duration, self.out, Console())
+
+
+def _range(name: str, text: str | None) -> tuple[float, float] | None:
+    """Two numbers with a comma between them.
+
+    Raises:
+        InputError: they are not that.
+    """
+    if text is None:
+        return None
+    try:
+        low, high = (float(part) for part in text.split(","))
+    except ValueError:
+        low = high = math.nan
+    if not (math.isfinite(low) and math.isfinite(high)):
+        raise InputError(f"{name} {text}: two finite numbers with a comma between them are expected")
+    return low, high
+
+
+COMMANDS = {
+    "run": Run,
+    "scenes": Scenes,
+    "check": Check,
+    "bench": Bench,
+    "validate": Validate,
+    "stability": Stability,
+}
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -191,7 +275,9 @@ def main(arguments: list[str] | None = None) -> None:
     sys.exit(_main(command or Serve, words[1:] if command else words))
 
 
-def _main(command: type[Serve | Run | Scenes | Check | Bench | Validate], words: list[str]) -> int:
+def _main(
+    command: type[Serve | Run | Scenes | Check | Bench | Validate | Stability], words: list[str]
+) -> int:
     program = "softrod" if command is Serve else f"softrod {command.__name__.lower()}"
     description = None
     if command is Serve:

@@ -22,7 +22,7 @@ SHAPES = (1.0, 3.0, 10.0, 30.0, 100.0, 1000.0)
 """Gamma of the cantilevers that are drawn."""
 
 
-def _figure(
+def new_figure(
     width: float, height: float, columns: int = 1, rows: int = 1, **options: Any
 ) -> tuple[Figure, Any]:
     """A figure that belongs to no window, and its axes."""
@@ -50,7 +50,7 @@ def _plain(axis: Axis, ticks: Sequence[float]) -> None:
 
 def master_curve() -> Figure:
     """H / W of heavy cantilevers over Gamma, and how far off it is."""
-    figure, (top, bottom) = _figure(7.0, 6.6, rows=2, sharex=True, height_ratios=(3, 2))
+    figure, (top, bottom) = new_figure(7.0, 6.6, rows=2, sharex=True, height_ratios=(3, 2))
     weights = np.geomspace(0.1, 1000.0, 81)
     right = np.array([statics.exact_drop_over_reach(float(w)) for w in weights])
     top.loglog(weights, right, color=BLACK, lw=1.4, label="exact elastica")
@@ -85,7 +85,7 @@ def _percent_off(segments: int, weight: float) -> float:
 
 def convergence() -> Figure:
     """Errors over the number of springs, and over the time step."""
-    figure, (left, right) = _figure(9.8, 4.8, columns=2)
+    figure, (left, right) = new_figure(9.8, 4.8, columns=2)
     sag, tension = statics.errors_of_catenary(1.25)
     lines: tuple[tuple[str, statics.Errors, str, str], ...] = (
         ("catenary, sag", sag, PURPLE, "v"),
@@ -131,7 +131,7 @@ def _line(color: str, marker: str) -> dict[str, Any]:
 
 def shapes() -> Figure:
     """Heavy cantilevers at rest."""
-    figure, axes = _figure(7.2, 6.8)
+    figure, axes = new_figure(7.2, 6.8)
     for i, weight in enumerate(SHAPES):
         first = i == 0
         curve = exact.elastica(weight)
@@ -163,9 +163,9 @@ FIGURES: dict[str, tuple[str, Callable[[], Figure]]] = {
 }
 
 
-def encoded(figure: Figure, kind: str) -> bytes:
-    """The figure as "png" or "svg", without a date."""
+def encoded(figure: Figure, kind: str, dpi: int = 160) -> bytes:
+    """The figure as "png" or "svg", without a date; `dpi` is the resolution of what is drawn in dots."""
     data = io.BytesIO()
     metadata = {"Date": None, "Creator": None} if kind == "svg" else {"Software": None}
-    figure.savefig(data, format=kind, dpi=160, metadata=metadata)
+    figure.savefig(data, format=kind, dpi=dpi, metadata=metadata)
     return data.getvalue()

@@ -34,7 +34,7 @@ def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, 
         InputError: the folder cannot be made or written to.
     """
     if out is not None:
-        _make_folder(out)
+        make_folder(out)
     found: list[tuple[Case, list[Result]]] = []
     columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     complete = 0
@@ -65,8 +65,8 @@ def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, 
         console.print(report.table(*found[-1]))
     console.print(f"{report.summary(found)}. {note}".strip())
     if out is not None:
-        _write(out / "validate.csv", report.as_csv(found).encode())
-        _write(out / "validate.md", report.markdown(found, figures, note).encode())
+        write(out / "validate.csv", report.as_csv(found).encode())
+        write(out / "validate.md", report.markdown(found, figures, note).encode())
         console.print(f"written to {out}")
     if note:
         return 130
@@ -80,18 +80,28 @@ def _draw(out: Path) -> list[tuple[str, str]]:
     for name, (_, draw) in FIGURES.items():
         figure = draw()
         for kind in ("png", "svg"):
-            _write(out / f"{name}.{kind}", encoded(figure, kind))
+            write(out / f"{name}.{kind}", encoded(figure, kind))
     return [(name, caption) for name, (caption, _) in FIGURES.items()]
 
 
-def _make_folder(out: Path) -> None:
+def make_folder(out: Path) -> None:
+    """Make the folder of a report.
+
+    Raises:
+        InputError: it cannot be made.
+    """
     try:
         out.mkdir(exist_ok=True)
     except OSError as error:
         raise InputError(f"--out {out}: the folder cannot be made ({error.strerror or error})") from None
 
 
-def _write(path: Path, content: bytes) -> None:
+def write(path: Path, content: bytes) -> None:
+    """Write a file of a report.
+
+    Raises:
+        InputError: it cannot be written.
+    """
     try:
         write_atomically(path, content)
     except OSError as error:

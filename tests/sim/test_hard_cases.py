@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from app.studies.hard_cases import HardCase, hard_cases, with_method
 from sim import Simulation
 from sim.methods import METHODS
 from sim.scene import ForceLaw
-from tests.sim.hard_cases import HardCase, hard_cases, with_method
 
 CASES = hard_cases()
 FRAMES = 40

@@ -130,6 +130,26 @@ def hard_cases() -> dict[str, HardCase]:
     }
 
 
+def long_rods() -> dict[str, HardCase]:
+    """Rods of as many masses as take `auto` seconds, led round a circle; too long for the other methods."""
+    circle = sim.Circle(radius=50.0, frequency=2.0, ramp=0.1)
+    return {f"rod of {n} masses on a circle": HardCase(_rod(n, circle)) for n in (1000, 3000)}
+
+
+def _rod(masses: int, circle: sim.Circle) -> Scene:
+    """The tutorial's rope, of the same weight, stretch and bending stiffness, cut finer."""
+    finer = (masses - 1) / 11.0
+    return rope(
+        masses=masses,
+        mass=12.0 / masses,
+        stiffness=1e4 * finer,
+        damping=40.0 * finer,
+        angular_stiffness=1e4 * finer**3,
+        air_friction=0.002 / finer,
+        circle=circle,
+    )
+
+
 def with_method(scene: Scene, method: str, law: ForceLaw) -> Scene:
     """The scene by another method and law."""
     integrator = REPLACE(scene.integrator, method=method)

@@ -1,0 +1,241 @@
+"""`softrod stability --hard-cases`: how every integrator ends on scenes that are hard on it."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import io
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from msgspec.structs import replace
+from numpy.typing import NDArray
+from rich.console import Console
+from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+from sim import EnergyBook, Simulation
+from sim.methods import METHODS
+
+from .hard_cases import HardCase, hard_cases, long_rods
+from .report import provenance
+from .validate import make_folder, write
+
+FRAMES = 40
+"""Frames of a sixtieth of a second; where the time step is longer, three steps."""
+ATTEMPTS = 4000
+"""Steps that a method may try in a sixtieth of a second before the clock lags."""
+REFERENCES = (("rodas5p", 1e-2), ("dop853", 1e-2))
+"""Methods, and their tolerances in those of the case, whose agreement makes a reference."""
+AGREED = 0.2
+"""Largest distance between the two, in tolerances of the case, that counts as agreement."""
+REFERENCE_ATTEMPTS = 40_000
+"""Steps that a reference may try in a sixtieth of a second; one that needs more is none."""
+MADE = 0.1
+"""Energy that a method may have made, in parts of all that was turned over, before the report says so."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a run ended.
+
+    Attributes:
+        stopped: the time at which it gave up, s, or None.
+        behind: seconds that the clock lags.
+        made: energy made from nothing, in parts of what was turned over; NaN where it gave up.
+        positions: (n, 2) px, at the end.
+        error: distance from the reference, in tolerances; NaN where there is none.
+        rescues: steps of last resort.
+    """
+
+    stopped: float | None
+    behind: float
+    made: float
+    positions: NDArray[np.float64]
+    rescues: int
+    error: float = math.nan
+
+    @property
+    def survived(self) -> bool:
+        """Whether it is at the end, in time."""
+        return self.stopped is None and self.behind == 0.0
+
+    def __str__(self) -> str:
+        if self.stopped is not None:
+            return f"gave up at {self.stopped:.3g} s"
+        words = []
+        if self.behind > 0.0:
+            words.append(f"lagged {self.behind:.2g} s")
+        elif math.isfinite(self.error):
+            words.append(f"{self.error:.2g} tol" if self.error < 1e4 else f"{self.error:.0e} tol")
+        else:
+            words.append("ran")
+        if self.made > MADE:
+            words.append(f"made {100.0 * self.made:.0f} % energy" if self.made < 10.0 else "made energy")
+        if self.rescues:
+            words.append(f"{self.rescues} last resorts")
+        return ", ".join(words)
+
+
+def run(
+    case: HardCase, method: str, tolerance: float = 1.0, attempts: int = ATTEMPTS, books: bool = True
+) -> Outcome:
+    """Run a case by a method.
+
+    Args:
+        tolerance: in those of the case.
+        attempts: per sixtieth of a second.
+        books: whether to keep books of the energy.
+    """
+    asked = case.scene.integrator
+    integrator = replace(asked, method=method, tolerance=tolerance * asked.tolerance)
+    simulation = Simulation(replace(case.scene, integrator=integrator))
+    simulation.keep_books(books)
+    rng = np.random.default_rng(0)
+    steps = max(1, round(1.0 / 60.0 / simulation.dt))
+    frames, share = (FRAMES, 1) if steps > 1 else (3, 60)
+    behind = rescues = 0
+    for frame in range(frames):
+        case.act(simulation, frame, rng)
+        behind += steps - simulation.step(steps, attempts=attempts * share)
+        rescues += simulation.effort().rescues
+        if simulation.divergence is not None:
+            break
+    stopped = simulation.time if simulation.divergence is not None else None
+    made = _made(simulation.energy()) if books and stopped is None else math.nan
+    late = behind * simulation.dt if stopped is None else 0.0
+    return Outcome(stopped, late, made, simulation.positions, rescues)
+
+
+def _made(book: EnergyBook) -> float:
+    """The energy that is there and that nothing put in, in parts of what was turned over."""
+    over = book.kinetic + book.linear + book.angular
+    over += abs(book.anchors) + abs(book.keys) + abs(book.changes) + abs(book.damping) + abs(book.air)
+    return max(book.residual, 0.0) / over if over > 0.0 else 0.0
+
+
+def reference(case: HardCase) -> NDArray[np.float64] | None:
+    """Where the masses end, or None where two strict methods do not agree about it."""
+    ends = []
+    for method, tolerance in REFERENCES:
+        outcome = run(case, method, tolerance, REFERENCE_ATTEMPTS, books=False)
+        if not outcome.survived or outcome.rescues:
+            return None
+        ends.append(outcome.positions)
+    return ends[0] if _apart(*ends) <= AGREED * case.scene.integrator.tolerance else None
+
+
+def _apart(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+    return float(np.hypot(*(one - other).T).max())
+
+
+Row = dict[str, Outcome]
+
+
+def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> int:
+    """Run all cases by all integrators, and write `hard-cases.md` and `hard-cases.csv`.
+
+    Ctrl-C ends it early; the cases that are done by then are written.
+
+    Args:
+        out: folder; made if its parent exists.
+        console: where the progress and the result go.
+        only: names of cases to run; none for all.
+
+    Returns:
+        The exit status: 0 if `auto` survived all, 1 if not, 130 if it was interrupted.
+
+    Raises:
+        InputError: the folder cannot be written to.
+    """
+    make_folder(out)
+    long = long_rods()
+    cases = {name: case for name, case in {**hard_cases(), **long}.items() if not only or name in only}
+    rows: dict[str, Row] = {}
+    known: dict[str, bool] = {}
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    note = ""
+    with Progress(*columns, console=console, transient=True) as progress:
+        task = progress.add_task("", total=len(cases))
+        try:
+            for name, case in cases.items():
+                progress.update(task, description=f"{name}: reference")
+                end = None if name in long else reference(case)
+                row: Row = {}
+                for method in ("auto",) if name in long else METHODS:
+                    progress.update(task, description=f"{name}: {method}")
+                    outcome = run(case, method)
+                    if end is not None and outcome.survived:
+                        error = _apart(outcome.positions, end) / case.scene.integrator.tolerance
+                        outcome = dataclasses.replace(outcome, error=error)
+                    row[method] = outcome
+                rows[name], known[name] = row, end is not None
+                progress.advance(task)
+        except KeyboardInterrupt:
+            note = f"Interrupted after {len(rows)} of {len(cases)} cases."
+    write(out / "hard-cases.csv", as_csv(rows).encode())
+    write(out / "hard-cases.md", markdown(rows, known, note).encode())
+    console.print(f"{summary(rows)} {note}".strip())
+    console.print(f"written to {out}")
+    if note:
+        return 130
+    return 0 if all(row["auto"].survived for row in rows.values()) else 1
+
+
+def summary(rows: dict[str, Row]) -> str:
+    """How many cases each method survives."""
+    counts = []
+    for method in METHODS:
+        ran = [row[method] for row in rows.values() if method in row]
+        counts.append(f"{method} {sum(o.survived for o in ran)} of {len(ran)}")
+    return f"Cases survived: {', '.join(counts)}."
+
+
+def as_csv(rows: dict[str, Row]) -> str:
+    """A row for each case and method."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(
+        ("case", "method", "gave_up_at", "behind", "error_in_tolerances", "energy_made", "last_resorts")
+    )
+    for name, row in rows.items():
+        for method, o in row.items():
+            numbers = (math.nan if o.stopped is None else o.stopped, o.behind, o.error, o.made)
+            writer.writerow(
+                (name, method, *(f"{n:.6g}" if math.isfinite(n) else "" for n in numbers), o.rescues)
+            )
+    return text.getvalue()
+
+
+def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
+    """The report: a row for each case, a column for each method."""
+    (_, strict), _ = REFERENCES
+    lines = [
+        "# Hard cases",
+        "",
+        "Written by `softrod stability --hard-cases --out DIR`. The tutorial's rope of twelve masses, let go "
+        f"horizontally unless the case says otherwise, for {FRAMES} frames of a sixtieth of a second (three "
+        "steps where a step is a second), under the conservative law, with the default step and tolerance. "
+        "Long rods are for `auto` only.",
+        "",
+        "- **… tol**: it ran; the largest distance of a mass from the reference at the end, in tolerances. A "
+        f"reference is where {' and '.join(m for m, _ in REFERENCES)}, with {strict:g} of the tolerance, agree "
+        f"to {AGREED:g} of it;",
+        "- **ran**: it ran, and there is no reference (the motion is chaotic, or no strict method gets through);",
+        "- **gave up at**: it ran away, or found no way on, and stopped at its last good state;",
+        f"- **lagged**: it ran out of attempts, {ATTEMPTS} in a frame, and the clock is behind by so much;",
+        f"- **made energy**: more than {100.0 * MADE:g} % of all the energy that was turned over came from "
+        "nothing;",
+        "- **last resorts**: steps in which no method could go on, and a strongly damped one was taken.",
+        "",
+        f"**{summary(rows)}**{' ' + note if note else ''}",
+        "",
+        "| case | reference | " + " | ".join(METHODS) + " |",
+        "|---|---|" + "---|" * len(METHODS),
+    ]
+    for name, row in rows.items():
+        cells = [str(row[method]) if method in row else "" for method in METHODS]
+        lines.append(f"| {name} | {'yes' if known[name] else 'no'} | " + " | ".join(cells) + " |")
+    return "\n".join([*lines, "", provenance(), ""])
