@@ -154,8 +154,8 @@ class Bench:
         Positional[Literal["kernels", "ensemble", "start", "page"]],
         arg(metavar="{kernels,ensemble,start,page}"),
     ]
-    """kernels: the step by several programs; ensemble: many ropes at once and one by one; start: until the rope
-    moves; page: cost and latency."""
+    """kernels: the step by several programs; ensemble: many ropes at once and one by one; start: until the
+    rope moves; page: cost and latency."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 
@@ -190,7 +190,7 @@ class Validate:
 
 @dataclass
 class Stability:
-    """Map where each integrator breaks, over two numbers of a scene; or hold all of them against hard cases."""
+    """Map where each integrator breaks, over two numbers of a scene, or run them all on hard cases."""
 
     scene: Annotated[Positional[str], arg(metavar="SCENE")] = "tutorial-3.1"
     """A preset's name or a file's path."""

@@ -12,7 +12,7 @@ from sim.ensemble import LANES, Member, run_ensemble
 
 from . import fastest
 
-MASSES, STEPS = 12, 20_000
+MASSES, STEPS = 12, 60_000
 STEP = 1e-6
 """s; a tiny step: the arithmetic is the same, and the body stays put."""
 NAMES = ("one by one", "ensemble, 1 thread", "ensemble, 2 threads")

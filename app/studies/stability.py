@@ -180,18 +180,18 @@ def markdown(scene: Scene, moving: Scene, charts: Sequence[Map], duration: float
     lines = [
         f"# Where {scene.name} breaks",
         "",
-        f"Written by `softrod stability --out DIR`. {let_go}Each cell is a simulation of {duration:g} s with the "
-        "two numbers of its place, under the force law "
-        f"“{moving.force_law}”, with a time step of {1e3 * moving.integrator.dt:g} ms where none is an axis. "
-        "Each free mass starts with a kick of an extent of the body per second, in a direction that turns by "
+        f"Written by `softrod stability --out DIR`. {let_go}Each cell is a simulation of {duration:g} s with "
+        f"the two numbers of its place, under the force law “{moving.force_law}”, with a time step of "
+        f"{1e3 * moving.integrator.dt:g} ms where none is an axis. Each free mass starts with a kick of an "
+        "extent of the body per second, in a direction that turns by "
         f"the golden angle from mass to mass. It is looked at {LOOKS} times:",
         "",
-        f"- **accurate**: no mass is ever farther than {100.0 * NEAR:g} % of the body's extent from where it is "
-        "in the reference, which is `auto` with a tolerance of a thousandth of that;",
+        f"- **accurate**: no mass is ever farther than {100.0 * NEAR:g} % of the body's extent from where it "
+        "is in the reference, which is `auto` with a tolerance of a thousandth of that;",
         "- **damped wrongly**: it stays within bounds, but amplitude or phase is off by more;",
-        "- **unstable**: a mass passes the limits of a simulation (1e6 px, 1e6 px/s), or the method finds no way "
-        "on, or kinetic energy and height come to more than they ever do in the reference by all that was put "
-        "in: kinetic and elastic energy at the start, and the body's weight times its extent.",
+        "- **unstable**: a mass passes the limits of a simulation (1e6 px, 1e6 px/s), or the method finds no "
+        "way on, or kinetic energy and height come to more than they ever do in the reference by all that "
+        "was put in: kinetic and elastic energy at the start, and the body's weight times its extent.",
         "",
         "The black line is the analytic limit of the step, that of small motions about the start "
         "(`sim/stability.py`), which the meter in the page shows, too. The last column of the tables has the "

@@ -161,8 +161,8 @@ def released(scene: Scene) -> Scene:
 def in_cell(scene: Scene, values: dict[str, float]) -> Scene:
     """The experiment of a cell: some numbers set, and every free mass kicked.
 
-    A kick is an extent of the body per second, in a direction that turns by the golden angle from each mass to
-    the next, so that every motion that a body has is in it.
+    A kick is an extent of the body per second, in a direction that turns by the golden angle from mass to
+    mass, so that every motion that a body has is in it.
 
     Raises:
         InputError: the numbers make no valid scene.

@@ -1,4 +1,4 @@
-"""The maps of `softrod stability`: a panel for each integrator, in colours that colour-blind people can tell."""
+"""The maps of `softrod stability`: a panel for each integrator, in colours that all eyes tell apart."""
 
 from __future__ import annotations
 

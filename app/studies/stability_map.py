@@ -1,4 +1,4 @@
-"""Maps of stability: how each integrator ends in each cell of two parameters, and where theory has the border."""
+"""Maps of stability: how each integrator ends over two parameters, and where theory has the border."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Map:
         x, y: what is varied; xs, ys: the values.
         dt: time step, s, where no axis is.
         endings: (rows, columns) of each method, see ENDINGS.
-        errors: largest distance from the reference at any look, in extents of the body; NaN where it ran away.
+        errors: largest distance from the reference at any look, in extents; NaN where a body ran away.
         limits: the analytic limit of the step at each cell, s.
     """
 
@@ -140,7 +140,7 @@ class Reference:
 
 
 class Energies:
-    """The energies of a scene's body; under the tutorial's law, which has none, those of the conservative one."""
+    """Energies of a scene's body; under the tutorial's law, which has none, those of the conservative one."""
 
     def __init__(self, scene: Scene) -> None:
         self._scene = scene
