@@ -231,7 +231,7 @@ def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
         "Written by `softrod stability --hard-cases --out DIR`. The tutorial's rope of twelve masses, let go "
         f"horizontally unless the case says otherwise, for {FRAMES} frames of a sixtieth of a second (three "
         "steps where a step is a second), under the conservative law, with the default step and tolerance. "
-        "Long rods are for `auto` only; their reference is `auto` under stricter tolerances, and their energy "
+        "Long rods are for `auto` only; their reference is `auto` under stricter tolerances; their energy "
         "is not judged.",
         "",
         "- **… tol**: it ran; the largest distance of a mass from the reference at the end, in tolerances. "

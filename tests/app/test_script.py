@@ -12,6 +12,7 @@ from app import commands, readouts, script
 from app.colors import palette
 from app.drawing import Mapping
 from app.session import Session
+from sim.methods import METHODS
 
 MAPPING = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
 
@@ -88,6 +89,14 @@ def test_the_meter_says_when_the_step_is_too_large() -> None:
     session = Session(sim.load_scene("tutorial-3.3"))
     session.stability = session.simulation.stability()
     assert ": stable" in readouts.hud(session, palette("softrod", dark=False), at_rest=False)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_there_is_a_meter_for_every_method_that_has_a_limit(method: str) -> None:
+    session = Session(sim.set_choice(sim.load_scene("tutorial-3.3"), "method", method))
+    session.stability = session.simulation.stability()
+    shown = "softrod-meter" in readouts.hud(session, palette("softrod", dark=False), at_rest=False)
+    assert shown == (method in ("symplectic_euler", "velocity_verlet", "rk4", "stable_spring"))
 
 
 def test_clicking_a_mass_finds_its_joint() -> None:

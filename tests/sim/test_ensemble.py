@@ -68,6 +68,12 @@ def test_every_lane_is_a_simulation(method: str, law: ForceLaw) -> None:
     assert_alike(ropes(2 * LANES + 6 if law != "angle" else 4, law), method)
 
 
+@pytest.mark.parametrize("law", ["tutorial", "conservative"])
+def test_stable_springs_are_weakened_in_every_lane_for_its_own_step(law: ForceLaw) -> None:
+    stiff = sim.rope(masses=5, stiffness=1e7, damping=1e4, angular_stiffness=1e7, force_law=law)
+    assert_alike([Member(stiff, dt, marks(0.1, dt, 3)) for dt in (5e-4, 1e-3, 3e-3)], "stable_spring")
+
+
 @pytest.mark.parametrize("shape", ["hub", "ring"])
 @pytest.mark.parametrize("method", fixed_step_methods())
 def test_other_bodies_go_alone(method: str, shape: str) -> None:
