@@ -78,6 +78,7 @@ class EulerStepper:
         self._kept = np.zeros((5, live.x.size))
         self._start, self._dt = 0.0, scene.integrator.dt
         self._steps = 0
+        self._led: Targets = {}
         self._effort = Effort()
         circles = {int(system.mass_place[a.mass]): a.circle for a in scene.anchors if a.circle is not None}
         self._circle = circles
@@ -91,10 +92,13 @@ class EulerStepper:
     def begin(self, time: float) -> None:
         """The state in `live` is that of a time, s, and has come from elsewhere."""
         self._start, self._steps = time, 0
+        self._stop_led()
 
     def step(self, steps: int, targets: Targets, presses: Presses, all_held: bool) -> Outcome:
         """Do some steps; fewer when the body runs away."""
         body, live = self._system.body, self._live
+        self._stop_led()
+        self._led = targets
         motion = self._motion(steps, targets, presses)
         self._effort.steps += steps
         self._effort.forces += steps
@@ -112,6 +116,11 @@ class EulerStepper:
         done, _, what, place = (int(p) for p in progress)
         self._steps += done
         return Outcome(done, what, place)
+
+    def _stop_led(self) -> None:
+        for place in self._led:
+            self._live.vx[place] = self._live.vy[place] = 0.0
+        self._led = {}
 
     def effort(self) -> Effort:
         """What was done since the last call of this."""

@@ -95,7 +95,7 @@ def run_alpha(
             to_q[j] = start[j] + step * step * beta * inner[j]
         if drive.moving:
             drive_to(body, live, drive, t + step, to_q, to_v)
-        _predict(matrix, flow, step, to_q)
+        _predict(matrix, live.inverse_mass, flow, step, to_q)
         for j in range(q.size):
             guess[j] = to_q[j]
         converged = False
@@ -121,7 +121,7 @@ def run_alpha(
             size = biggest(move)
             if not size < 1e8 or (iteration >= 2 and size > 0.5 * last):
                 break
-            _turn_and_stretch(matrix, to_q, move, rows[7])
+            _turn_and_stretch(matrix, live.inverse_mass, to_q, move, rows[7])
             if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
                 converged = True
                 break
@@ -191,11 +191,11 @@ def _remember(matrix, flow, step):
 
 
 @kernel(fastmath=FAST)
-def _predict(matrix, flow, step, to_q):
+def _predict(matrix, inverse_mass, flow, step, to_q):
     """Extrapolate how each spring of the forest turned and stretched in the last two steps.
 
     In complex numbers: a vector becomes vector * (1 + z), and z, less its square's half, is extrapolated as a
-    polynomial of time. The masses without a parent are where they are in `to_q` already.
+    polynomial of time. The masses without a parent, or in a hand, are where they are in `to_q` already.
     """
     clock, places, q = flow.clock, flow.q.size // 2, flow.q
     last, older = flow.history[1], flow.history[2]
@@ -209,7 +209,7 @@ def _predict(matrix, flow, step, to_q):
     for i in range(matrix.walk.size):
         m = matrix.walk[i]
         p = matrix.parent[m]
-        if p == 0:
+        if p == 0 or inverse_mass[m] == 0.0:
             continue
         x, y = q[m] - q[p], q[places + m] - q[places + p]
         re, im = _logarithm(x, y, last[m], last[places + m])
@@ -241,7 +241,7 @@ def _turned(x, y, stretch, turn):
 
 
 @kernel(fastmath=FAST)
-def _turn_and_stretch(matrix, q, move, old):
+def _turn_and_stretch(matrix, inverse_mass, q, move, old):
     """Apply an update to the positions q, turning and stretching each spring of the forest."""
     places = q.size // 2
     for j in range(q.size):
@@ -249,7 +249,7 @@ def _turn_and_stretch(matrix, q, move, old):
     for i in range(matrix.walk.size):
         m = matrix.walk[i]
         p = matrix.parent[m]
-        if p == 0:
+        if p == 0 or inverse_mass[m] == 0.0:
             q[m] += move[m]
             q[places + m] += move[places + m]
             continue

@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from sim import AngularSpring, LinearSpring, Mass, Scene, Simulation
+from sim import AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
 from sim.scene import ForceLaw
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import LAWS, SHAPES, body
@@ -49,6 +49,8 @@ def two_springs(
         linear_springs=tuple(LinearSpring(a=i, b=i + 1, stiffness=0.0, rest_length=1.0) for i in (0, 1)),
         angular_springs=(AngularSpring(a=0, b=1, stiffness=5.0, damping=damping, rest_angle=rest),),
         force_law=law,
+        # Whose forces are the law's to the last digit.
+        integrator=Integrator(method="symplectic_euler"),
     )
 
 
