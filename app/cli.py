@@ -119,7 +119,12 @@ class Scenes:
     def run(self) -> int:
         """Print them."""
         table = Table("scene", "description", box=None, padding=(0, 2, 0, 0))
+        group = ""
         for info in sim.list_scenes():
+            if info.group and info.group != group:
+                table.add_row()
+                table.add_row(f"[bold]{info.group}[/]", f"scenes of `softrod {info.group}`")
+            group = info.group
             table.add_row(info.name if info.built_in else f"{info.name} (saved)", info.description)
         Console().print(table)
         return 0

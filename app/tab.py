@@ -233,5 +233,5 @@ class Tab:
 
     @staticmethod
     def _scene_names(present: str) -> list[str]:
-        names = [info.name for info in sim.list_scenes()]
+        names = [info.name for info in sim.list_scenes() if not info.group]
         return names if present in names else [*names, present]

@@ -31,18 +31,32 @@ _TEXT_OR_NUMBERS = re.compile(rb'"(?:[^"\\]|\\.)*"|\[\s+[-+.\deE]+(?:,\s+[-+.\de
 
 @dataclass(frozen=True)
 class SceneInfo:
-    """One entry of `list_scenes()`."""
+    """One entry of `list_scenes()`.
+
+    Attributes:
+        name, description: of the scene.
+        path: of its file.
+        built_in: whether it ships with softrod.
+        group: the folder of presets that it is in, such as "study", or empty.
+    """
 
     name: str
     description: str
     path: Path
     built_in: bool
+    group: str = ""
 
 
 def built_in_folder() -> Path:
     """Where the presets are: inside the package once installed, beside it in a checkout."""
     installed = Path(__file__).parent / "presets"
     return installed if installed.is_dir() else Path(__file__).parent.parent / "presets"
+
+
+def built_in_files() -> list[Path]:
+    """The presets: those for the page first, then groups of others, each in a folder of its own."""
+    folder = built_in_folder()
+    return [*sorted(folder.glob("*.json")), *sorted(folder.glob("*/*.json"))]
 
 
 def user_folder() -> Path:
@@ -176,11 +190,13 @@ def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
     path = Path(text)
     if path.suffix == ".json" or path.name != text:
         return read_scene(path)
-    for folder in (built_in_folder(), user_folder()):
-        candidate = folder / f"{text}.json"
-        with contextlib.suppress(OSError, ValueError):  # a name that no file can have
-            if candidate.is_file():
-                return read_scene(candidate)
+    for path in built_in_files():
+        if path.stem == text:
+            return read_scene(path)
+    with contextlib.suppress(OSError, ValueError):  # a name that no file can have
+        candidate = user_folder() / f"{text}.json"
+        if candidate.is_file():
+            return read_scene(candidate)
     known = ", ".join(info.name for info in list_scenes())
     raise SceneError(f"there is no scene called {text!r}; there are {known}")
 
@@ -236,16 +252,17 @@ def list_scenes() -> list[SceneInfo]:
 
     A file that is not a valid scene is left out; `softrod check` says what is wrong with it.
     """
+    presets, own = built_in_files(), user_folder()
+    saved = [path for path in sorted(own.glob("*.json")) if not is_built_in(path.stem)] if own.is_dir() else []
     found = []
-    for folder, built_in in ((built_in_folder(), True), (user_folder(), False)):
-        for path in sorted(folder.glob("*.json")) if folder.is_dir() else []:
-            if not built_in and is_built_in(path.stem):
-                continue
-            try:
-                scene = read_scene(path)
-            except SceneError:
-                continue
-            found.append(SceneInfo(path.stem, scene.description, path, built_in))
+    for path in (*presets, *saved):
+        try:
+            scene = read_scene(path)
+        except SceneError:
+            continue
+        built_in = path in presets
+        group = path.parent.name if built_in and path.parent != built_in_folder() else ""
+        found.append(SceneInfo(path.stem, scene.description, path, built_in, group))
     return found
 
 
@@ -269,7 +286,7 @@ def safe_name(name: str) -> str:
 
 def is_built_in(name: str) -> bool:
     """Whether a preset that ships with softrod has that name, in any mix of upper and lower case."""
-    return any(path.stem.casefold() == name.casefold() for path in built_in_folder().glob("*.json"))
+    return any(path.stem.casefold() == name.casefold() for path in built_in_files())
 
 
 def user_path(name: str) -> Path:

@@ -169,6 +169,7 @@ def test_scenes_are_listed_with_descriptions() -> None:
         if info.built_in:
             assert info.name in result.stdout
             assert info.description.split()[0] in result.stdout
+    assert "scenes of `softrod study`" in result.stdout
 
 
 def test_check_tells_good_from_bad(tmp_path: Path) -> None:

@@ -39,8 +39,9 @@ def wheel(uv: str, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_wheel_has_everything_that_runs(wheel: Path) -> None:
     names = set(zipfile.ZipFile(wheel).namelist())
-    presets = {f"sim/presets/{path.name}" for path in (ROOT / "presets").glob("*.json")}
-    assert len(presets) >= 7
+    folder = ROOT / "presets"
+    presets = {f"sim/presets/{path.relative_to(folder).as_posix()}" for path in folder.glob("**/*.json")}
+    assert len(presets) >= 15
     assert presets <= names
     assert {
         "sim/py.typed",

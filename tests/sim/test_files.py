@@ -53,7 +53,21 @@ def refused(data: bytes | dict[str, Any]) -> str:
 # ------------------------------------------------------------------------- presets
 def test_the_presets_are_there() -> None:
     assert {"tutorial-3.1", "tutorial-3.2", "tutorial-3.3", "ring", "box", "hair-tuft"} <= set(PRESETS)
-    assert [info.name for info in list_scenes() if info.built_in] == PRESETS
+    assert [info.name for info in list_scenes() if info.built_in and not info.group] == PRESETS
+
+
+def test_groups_of_presets_are_kept_apart_and_found_by_name() -> None:
+    grouped = {info.name: info for info in list_scenes() if info.group}
+    assert set(grouped) == {f"study-{name}" for name in ("w1", "w2", "w3", "w4", "w5", "ring", "tree", "cloth")}
+    assert {info.group for info in grouped.values()} == {"study"}
+    assert all(info.built_in for info in grouped.values())
+    for name in grouped:
+        scene = load_scene(name)
+        assert scene.name == name
+        assert scene.description
+        assert Simulation(scene).step(400) == 400
+    with pytest.raises(SceneError, match="built-in"):
+        safe_name("Study-W1")
 
 
 @pytest.mark.parametrize("preset", PRESETS)

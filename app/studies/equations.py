@@ -1,0 +1,205 @@
+"""A scene as a system of first-order equations, for solvers that want that; softrod's kernels evaluate it."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Literal
+
+import msgspec
+import numba
+import numpy as np
+from numba.core import types
+from numba.experimental import structref
+from numpy.typing import NDArray
+
+import sim
+from sim.kernels.drive import drive_to
+from sim.kernels.forces import accelerations
+from sim.kernels.jit import FAST, kernel
+from sim.kernels.sparse import assemble
+from sim.pattern import new_matrix
+from sim.stepping import FlowStepper
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+Layout = Literal["dense", "banded", "sparse"]
+"""A Jacobian as an (N, N) array; as diagonals, of which row `above` + i - j holds J[i, j] at column j; or as
+the numbers of a matrix in compressed columns."""
+
+
+@structref.register
+class _TablesType(types.StructRef):
+    pass
+
+
+class _Tables(structref.StructRefProxy):
+    """What the functions below need, in one box: numba takes 8 µs to unpack it from Python at each call
+    otherwise, which would be held against the solvers that call them."""
+
+    def __new__(cls, *fields: object) -> _Tables:
+        return structref.StructRefProxy.__new__(cls, *fields)
+
+
+structref.define_proxy(
+    _Tables,
+    _TablesType,
+    ["body", "general", "live", "work", "drive", "matrix", "at", "q", "v", "a", "used", "row", "scratch"],
+)
+
+
+@kernel(fastmath=FAST)
+def _take(live, body, drive, at, q, v, t, y):
+    """Put the state y at time t where the kernels want it."""
+    places = q.size // 2
+    for i in range(at.size):
+        m, k = at[i], 4 * i
+        q[m], q[places + m], v[m], v[places + m] = y[k], y[k + 1], y[k + 2], y[k + 3]
+    if drive.moving:
+        drive_to(body, live, drive, t, q, v)
+
+
+@numba.njit
+def _derivative(tables, t, y, out):
+    at, q, a = tables.at, tables.q, tables.a
+    places = q.size // 2
+    _take(tables.live, tables.body, tables.drive, at, q, tables.v, t, y)
+    accelerations(tables.body, tables.live, tables.work, q, tables.v, a)
+    for i in range(at.size):
+        m, k = at[i], 4 * i
+        out[k], out[k + 1], out[k + 2], out[k + 3] = y[k + 2], y[k + 3], a[m], a[places + m]
+
+
+@numba.njit
+def _jacobian(tables, to_place, to_speed, to_one, t, y, out):
+    """The Jacobian of `_derivative` into the flat array `out`.
+
+    Args:
+        to_place, to_speed: (4 B,) where in `out` a block's derivatives by positions and by velocities belong.
+        to_one: (2 free masses) where in `out` a velocity is the derivative of a position; after those, as
+            many on the diagonal by velocities, where air acts.
+    """
+    at, q, v, row, used, scratch = tables.at, tables.q, tables.v, tables.row, tables.used, tables.scratch
+    live, blocks = tables.live, tables.matrix.blocks
+    _take(live, tables.body, tables.drive, at, q, v, t, y)
+    # The blocks are linear in g: without it they are by positions, and what g = 1 adds is by velocities.
+    assemble(tables.general, live, tables.matrix, q, v, 0.0, False)
+    for i in range(used.size):
+        w = live.inverse_mass[row[i]]
+        for k in range(4):
+            scratch[4 * i + k] = blocks[4 * used[i] + k]
+            out[to_place[4 * i + k]] = w * scratch[4 * i + k]
+    assemble(tables.general, live, tables.matrix, q, v, 1.0, False)
+    for i in range(used.size):
+        w = live.inverse_mass[row[i]]
+        for k in range(4):
+            out[to_speed[4 * i + k]] = w * (blocks[4 * used[i] + k] - scratch[4 * i + k])
+    for i in range(2 * at.size):
+        out[to_one[i]] = 1.0
+        m = at[i // 2] + q.size // 2 * (i % 2)
+        out[to_one[2 * at.size + i]] -= 2.0 * live.air[at[i // 2]] * abs(v[m])
+
+
+class Equations:
+    """dy/dt = f(t, y) of a scene, and its Jacobian; anchors on circles make f depend on t.
+
+    y holds x, y, vx, vy of one free mass after the other. Masses of a chain are in its order and those of any
+    other body in reverse Cuthill-McKee order, so that the Jacobian has a narrow band.
+
+    Args:
+        scene: a valid scene.
+
+    Attributes:
+        start: (N,) y at time 0.
+        below, above: how many diagonals the Jacobian has on either side.
+    """
+
+    def __init__(self, scene: sim.Scene) -> None:
+        scene = msgspec.structs.replace(scene, integrator=sim.Integrator(method="dop853"))
+        simulation = sim.Simulation(scene)
+        stepper = simulation._stepper
+        assert isinstance(stepper, FlowStepper)
+        stepper.begin(0.0)
+        self._solver = solver = stepper.solver
+        system, flow, n = solver.system, solver.flow, len(scene.masses)
+        # The pattern of a chain has no blocks to be read; that of any other topology has.
+        general = system.body._replace(chain=False)
+        matrix = new_matrix(general, system.held)
+        owner = np.repeat(np.arange(n), np.diff(matrix.row_start))
+        used = np.unique(np.concatenate((matrix.spring_target, matrix.joint_target, matrix.diagonal)))
+        row, column = matrix.order[owner[used]], matrix.order[matrix.column[used]]  # places
+        free = np.flatnonzero(~system.held) + 1
+        inside = np.isin(row, free) & np.isin(column, free)
+        used, row, column = used[inside], row[inside], column[inside]
+        self._at = at = free if system.body.chain else _in_order(free, row, column)
+        number = np.full(n + 1, -1)
+        number[at] = np.arange(free.size)
+        i, j = number[row], number[column]
+        # (row, column) in the Jacobian of each number, in the order in which the kernel has them.
+        rows = (4 * i[:, None] + np.array([2, 2, 3, 3])).ravel()
+        columns = (4 * j[:, None] + np.array([0, 1, 0, 1])).ravel()
+        x = (4 * np.arange(free.size)[:, None] + np.array([0, 1])).ravel()
+        self._rows, self._columns = (
+            np.concatenate(parts) for parts in ((rows, rows, x, x + 2), (columns, columns + 2, x + 2, x + 2))
+        )
+        self.below = int((self._rows - self._columns).max())
+        self.above = int((self._columns - self._rows).max())
+        p = solver.places
+        self.start = np.column_stack((flow.q[at], flow.q[p + at], flow.v[at], flow.v[p + at])).ravel()
+        self._scratch = np.zeros(rows.size)
+        drive = solver.drive(np.inf, {}, 0.0, 0.0)
+        self._tables = _Tables(
+            system.body, general, solver.live, solver.work, drive, matrix, at, flow.q, flow.v, flow.a, used,
+            row, self._scratch,
+        )  # fmt: skip
+
+    def derivative_into(self) -> Callable[[float, Floats, Floats], None]:
+        """A function (t, y, out) that writes dy/dt into `out`."""
+        return functools.partial(_derivative, self._tables)
+
+    def derivative(self) -> Callable[[float, Floats], Floats]:
+        """A function (t, y) that returns dy/dt."""
+        tables, size = self._tables, self.start.size
+
+        def derivative(t: float, y: Floats) -> Floats:
+            out = np.empty(size)
+            _derivative(tables, t, y, out)
+            return out
+
+        return derivative
+
+    def jacobian_into(self, layout: Layout) -> Callable[[float, Floats, Floats], None]:
+        """A function (t, y, out) that writes the Jacobian into `out`, flat; zeros of the pattern stay as they
+        are there."""
+        size, (i, j) = self.start.size, (self._rows, self._columns)
+        if layout == "dense":
+            place = i * size + j
+        elif layout == "banded":
+            place = (self.above + i - j) * size + j
+        else:
+            place = np.searchsorted(np.unique(j * size + i), j * size + i)
+        parts = np.split(place, (self._scratch.size, 2 * self._scratch.size))
+        return functools.partial(_jacobian, self._tables, *parts)
+
+    def pattern(self) -> tuple[Indices, Indices]:
+        """(row of each number, first number of each column) of the Jacobian in compressed columns."""
+        size = self.start.size
+        keys = np.unique(self._columns * size + self._rows)
+        return keys % size, np.searchsorted(keys // size, np.arange(size + 1))
+
+    def positions(self, t: float, y: Floats) -> Floats:
+        """(n, 2) positions of all masses at time t, px, in the scene's order."""
+        self.derivative_into()(t, y, np.empty(y.size))  # puts every mass where it is by then
+        flow, place = self._solver.flow, self._solver.system.mass_place
+        return np.column_stack((flow.q[place], flow.q[self._solver.places + place]))
+
+
+def _in_order(free: Indices, row: Indices, column: Indices) -> Indices:
+    """The free places in reverse Cuthill-McKee order."""
+    from scipy.sparse import csr_matrix
+    from scipy.sparse.csgraph import reverse_cuthill_mckee
+
+    index = np.searchsorted(free, row), np.searchsorted(free, column)
+    graph = csr_matrix((np.ones(row.size), index), (free.size, free.size))
+    return free[reverse_cuthill_mckee(graph, symmetric_mode=True)]

@@ -1,0 +1,142 @@
+"""What a user would take instead of softrod: SciPy's solvers and CVODE, on the same equations.
+
+They are given the best that they can use: equations in machine code, the analytic Jacobian, and its narrow band
+or sparse pattern.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from .equations import Equations, Floats
+
+SCIPY = ("RK45", "DOP853", "Radau", "BDF", "LSODA")
+CVODE = ("CVODE BDF", "CVODE Adams")
+
+RELATIVE = 1e-3
+"""Relative tolerance for an absolute one of 1 px and 1 px/s: places and speeds are hundreds."""
+
+LARGE = 60
+"""Unknowns from which on SciPy's implicit methods are faster with a sparse Jacobian than with a dense one."""
+
+Derivative = Callable[[float, Floats, Floats], None]
+Solve = Callable[[float, Floats, Derivative], Floats]
+"""(tolerance, times, derivative) -> (times, N); the derivative is `Equations.derivative_into`, or watches it."""
+
+
+class Failed(Exception):
+    """A solver gave up; the text says why."""
+
+
+def others() -> tuple[str, ...]:
+    """The names of the solvers that are there."""
+    return (*(f"SciPy {name}" for name in SCIPY), *(CVODE if has_cvode() else ()))
+
+
+def has_cvode() -> bool:
+    """Whether scikit-sundae is installed."""
+    return importlib.util.find_spec("sksundae") is not None
+
+
+def solver(name: str, equations: Equations) -> Solve:
+    """The solver of a name, ready for a scene's equations; what it raises besides `Failed` is a failure, too."""
+    if name.startswith("SciPy "):
+        return _scipy(name.removeprefix("SciPy "), equations)
+    return _cvode(name.removeprefix("CVODE "), equations)
+
+
+def _scipy(method: str, equations: Equations) -> Solve:
+    from scipy.integrate import solve_ivp
+
+    size = equations.start.size
+    options: dict[str, Any] = {}
+    if method in ("Radau", "BDF"):
+        options["jac"] = _sparse(equations) if size > LARGE else _array(equations, "dense", (size, size))
+    elif method == "LSODA":
+        options = {"lband": equations.below, "uband": equations.above}
+        rows = equations.below + equations.above + 1
+        options["jac"] = _array(equations, "banded", (rows, size))
+
+    def solve(tolerance: float, times: Floats, derivative: Derivative) -> Floats:
+        def function(t: float, y: Floats) -> Floats:
+            out = np.empty(size)
+            derivative(t, y, out)
+            return out
+
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            found = solve_ivp(
+                function,
+                (0.0, times[-1]),
+                equations.start,
+                method,
+                t_eval=times,
+                rtol=RELATIVE * tolerance,
+                atol=tolerance,
+                **options,
+            )
+        if not found.success:
+            raise Failed(str(found.message))
+        return found.y.T
+
+    return solve
+
+
+def _array(equations: Equations, layout: Any, shape: tuple[int, int]) -> Callable[[float, Floats], Floats]:
+    jacobian = equations.jacobian_into(layout)
+
+    def function(t: float, y: Floats) -> Floats:
+        out = np.zeros(shape)
+        jacobian(t, y, out.reshape(-1))
+        return out
+
+    return function
+
+
+def _sparse(equations: Equations) -> Callable[[float, Floats], Any]:
+    from scipy.sparse import csc_matrix
+
+    jacobian, (index, first) = equations.jacobian_into("sparse"), equations.pattern()
+    size = equations.start.size
+    matrix = csc_matrix((np.zeros(index.size), index, first), (size, size))
+
+    def function(t: float, y: Floats) -> Any:
+        jacobian(t, y, matrix.data)
+        return matrix  # SciPy makes a copy
+
+    return function
+
+
+def _cvode(method: str, equations: Equations) -> Solve:
+    from sksundae.cvode import CVODE as Solver
+
+    jacobian = equations.jacobian_into("dense")  # of which CVODE takes the band
+
+    def fill(t: float, y: Floats, _: Floats, out: Floats) -> None:
+        jacobian(t, y, out.reshape(-1))
+
+    def solve(tolerance: float, times: Floats, derivative: Derivative) -> Floats:
+        cvode = Solver(
+            lambda t, y, out: derivative(t, y, out),
+            method=method,
+            rtol=RELATIVE * tolerance,
+            atol=tolerance,
+            linsolver="band",
+            lband=equations.below,
+            uband=equations.above,
+            jacfn=fill,
+            max_num_steps=10_000_000,
+        )
+        # Of two times alone it would keep all steps between them.
+        whole = np.concatenate(([0.0], times)) if times.size > 1 else np.array([0.0, 0.5, 1.0]) * times[0]
+        found = cvode.solve(whole, equations.start)
+        if not found.success:
+            raise Failed(str(found.message))
+        return found.y[-times.size :]
+
+    return solve
