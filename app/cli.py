@@ -263,6 +263,32 @@ def _range(name: str, text: str | None) -> tuple[float, float] | None:
     return low, high
 
 
+@dataclass
+class Study:
+    """Measure computing time against error, of softrod's methods and of SciPy's and CVODE."""
+
+    out: Path
+    """Folder for the report: study.md, study.csv, bodies.csv and figures."""
+    scenes: Annotated[Positional[tuple[str, ...]], arg(metavar="SCENE")] = ()
+    """Presets' names or files' paths; without any, the presets of the group study."""
+    integrators: str = ""
+    """Methods, separated by commas; without any, all there are, the other solvers among them."""
+    errors: str = "1,0.1,1e-3,1e-6"
+    """Errors to ask about, px, separated by commas."""
+    random: int = 0
+    """Random bodies to hold auto's tolerance against."""
+
+    def run(self) -> int:
+        """Measure, print and write."""
+        from .studies.study import parse_errors, parse_integrators, study, study_scenes
+
+        if not 0 <= self.random <= 100_000:
+            return _fail(f"--random: {self.random} is not in the range 0..100000")
+        scenes = [(name, sim.load_scene(name)) for name in self.scenes or study_scenes()]
+        integrators, errors = parse_integrators(self.integrators), parse_errors(self.errors)
+        return study(scenes, integrators, errors, self.random, self.out, Console())
+
+
 COMMANDS = {
     "run": Run,
     "scenes": Scenes,
@@ -270,6 +296,7 @@ COMMANDS = {
     "bench": Bench,
     "validate": Validate,
     "stability": Stability,
+    "study": Study,
 }
 
 
@@ -281,7 +308,7 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 def _main(
-    command: type[Serve | Run | Scenes | Check | Bench | Validate | Stability], words: list[str]
+    command: type[Serve | Run | Scenes | Check | Bench | Validate | Stability | Study], words: list[str]
 ) -> int:
     program = "softrod" if command is Serve else f"softrod {command.__name__.lower()}"
     description = None

@@ -253,7 +253,9 @@ def list_scenes() -> list[SceneInfo]:
     A file that is not a valid scene is left out; `softrod check` says what is wrong with it.
     """
     presets, own = built_in_files(), user_folder()
-    saved = [path for path in sorted(own.glob("*.json")) if not is_built_in(path.stem)] if own.is_dir() else []
+    saved = (
+        [path for path in sorted(own.glob("*.json")) if not is_built_in(path.stem)] if own.is_dir() else []
+    )
     found = []
     for path in (*presets, *saved):
         try:

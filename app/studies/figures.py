@@ -36,7 +36,8 @@ def new_figure(
     return figure, figure.subplots(rows, columns, **options)
 
 
-def _tidy(axes: Axes) -> None:
+def tidy(axes: Axes) -> None:
+    """Only two sides of the frame, and a faint grid."""
     axes.spines[["top", "right"]].set_visible(False)
     axes.grid(True, color="#e4e4e4", linewidth=0.6)
     axes.set_axisbelow(True)
@@ -72,7 +73,7 @@ def master_curve() -> Figure:
     _plain(top.yaxis, (0.01, 0.1, 1.0, 10.0))
     _plain(bottom.yaxis, (0.001, 0.01, 0.1, 1.0, 10.0))
     for axes in (top, bottom):
-        _tidy(axes)
+        tidy(axes)
     return figure
 
 
@@ -120,7 +121,7 @@ def convergence() -> Figure:
     left.legend(frameon=False, fontsize=8.5, loc="lower left")
     right.legend(frameon=False, fontsize=8.5, loc="lower right")
     for axes in (left, right):
-        _tidy(axes)
+        tidy(axes)
     return figure
 
 
@@ -149,7 +150,7 @@ def shapes() -> Figure:
     axes.set_xlabel("x / L")
     axes.set_ylabel("y / L, downwards")
     axes.legend(frameon=False, loc="lower right")
-    _tidy(axes)
+    tidy(axes)
     return figure
 
 

@@ -21,7 +21,7 @@ from sim.methods import METHODS
 
 from .hard_cases import HardCase, hard_cases, long_rods
 from .report import provenance
-from .validate import make_folder, write
+from .output import make_folder, write
 
 FRAMES = 40
 """Frames of a sixtieth of a second; where the time step is longer, three steps."""

@@ -1,7 +1,7 @@
 """What a user would take instead of softrod: SciPy's solvers and CVODE, on the same equations.
 
-They are given the best that they can use: equations in machine code, the analytic Jacobian, and its narrow band
-or sparse pattern.
+They are given the best that they can use: equations in machine code, the analytic Jacobian, and its narrow
+band or sparse pattern.
 """
 
 from __future__ import annotations
@@ -15,8 +15,9 @@ import numpy as np
 
 from .equations import Equations, Floats
 
-SCIPY = ("RK45", "DOP853", "Radau", "BDF", "LSODA")
-CVODE = ("CVODE BDF", "CVODE Adams")
+SCIPY = {f"scipy_{name.lower()}": name for name in ("RK45", "DOP853", "Radau", "BDF", "LSODA")}
+CVODE = {f"cvode_{name.lower()}": name for name in ("BDF", "Adams")}
+"""The names that the solvers have here, and those that they have there."""
 
 RELATIVE = 1e-3
 """Relative tolerance for an absolute one of 1 px and 1 px/s: places and speeds are hundreds."""
@@ -26,16 +27,11 @@ LARGE = 60
 
 Derivative = Callable[[float, Floats, Floats], None]
 Solve = Callable[[float, Floats, Derivative], Floats]
-"""(tolerance, times, derivative) -> (times, N); the derivative is `Equations.derivative_into`, or watches it."""
+"""(tolerance, times, derivative) -> (times, N); the derivative is that of `Equations`, perhaps watched."""
 
 
 class Failed(Exception):
     """A solver gave up; the text says why."""
-
-
-def others() -> tuple[str, ...]:
-    """The names of the solvers that are there."""
-    return (*(f"SciPy {name}" for name in SCIPY), *(CVODE if has_cvode() else ()))
 
 
 def has_cvode() -> bool:
@@ -43,11 +39,16 @@ def has_cvode() -> bool:
     return importlib.util.find_spec("sksundae") is not None
 
 
+def label(name: str) -> str:
+    """A solver's name for people."""
+    return f"SciPy {SCIPY[name]}" if name in SCIPY else f"CVODE {CVODE[name]}"
+
+
 def solver(name: str, equations: Equations) -> Solve:
-    """The solver of a name, ready for a scene's equations; what it raises besides `Failed` is a failure, too."""
-    if name.startswith("SciPy "):
-        return _scipy(name.removeprefix("SciPy "), equations)
-    return _cvode(name.removeprefix("CVODE "), equations)
+    """A solver, ready for a scene's equations; what it raises beside `Failed` is a failure, too."""
+    if name in SCIPY:
+        return _scipy(SCIPY[name], equations)
+    return _cvode(CVODE[name], equations)
 
 
 def _scipy(method: str, equations: Equations) -> Solve:
@@ -63,7 +64,7 @@ def _scipy(method: str, equations: Equations) -> Solve:
         options["jac"] = _array(equations, "banded", (rows, size))
 
     def solve(tolerance: float, times: Floats, derivative: Derivative) -> Floats:
-        def function(t: float, y: Floats) -> Floats:
+        def function(t: float, y: Any) -> Floats:
             out = np.empty(size)
             derivative(t, y, out)
             return out
@@ -133,8 +134,8 @@ def _cvode(method: str, equations: Equations) -> Solve:
             max_num_steps=10_000_000,
         )
         # Of two times alone it would keep all steps between them.
-        whole = np.concatenate(([0.0], times)) if times.size > 1 else np.array([0.0, 0.5, 1.0]) * times[0]
-        found = cvode.solve(whole, equations.start)
+        whole = np.array([0.0, *([0.5 * times[0]] if times.size == 1 else []), *times])
+        found: Any = cvode.solve(whole, equations.start)
         if not found.success:
             raise Failed(str(found.message))
         return found.y[-times.size :]

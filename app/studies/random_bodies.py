@@ -1,4 +1,4 @@
-"""Random bodies of any topology, and how near `auto` keeps to its tolerance on them."""
+"""Random bodies of any topology."""
 
 from __future__ import annotations
 
@@ -58,9 +58,7 @@ def random_body(seed: int) -> Scene:
             name=f"{shape}-{seed}",
             masses=tuple(
                 Mass(position=(x, y), velocity=(u, v), mass=about(kilograms))
-                for (x, y), (u, v) in zip(
-                    at.tolist(), rng.normal(0.0, speed, (n, 2)).tolist(), strict=True
-                )
+                for (x, y), (u, v) in zip(at.tolist(), rng.normal(0.0, speed, (n, 2)).tolist(), strict=True)
             ),
             linear_springs=tuple(
                 LinearSpring(
@@ -142,13 +140,10 @@ def _grid(rng: np.random.Generator) -> Graph:
     joints = [
         (s, t)
         for s, t in itertools.permutations(range(len(springs)), 2)
-        if springs[s][1] == springs[t][0]
-        and springs[s][1] - springs[s][0] == springs[t][1] - springs[t][0]
+        if springs[s][1] == springs[t][0] and springs[s][1] - springs[s][0] == springs[t][1] - springs[t][0]
     ]
     if rng.random() < 0.7:
-        springs += [
-            (i, i + across + 1) for i in range(across * (down - 1)) if i % across < across - 1
-        ]
+        springs += [(i, i + across + 1) for i in range(across * (down - 1)) if i % across < across - 1]
     return places, springs, joints
 
 

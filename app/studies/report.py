@@ -103,9 +103,9 @@ def as_csv(found: Found) -> str:
     return text.getvalue()
 
 
-def provenance() -> str:
-    """What the results were computed with: processor, versions, date."""
-    versions = ", ".join(f"{name} {version(name)}" for name in ("softrod", "numpy", "numba", "scipy"))
+def provenance(*more: str) -> str:
+    """What the results were computed with: processor, versions (also of `more` packages), date."""
+    versions = ", ".join(f"{name} {version(name)}" for name in ("softrod", "numpy", "numba", "scipy", *more))
     today = datetime.date.today().isoformat()
     return f"{_processor()}, {os.cpu_count()} cores; Python {platform.python_version()}, {versions}; {today}"
 

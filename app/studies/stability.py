@@ -20,7 +20,7 @@ from sim.methods import METHODS
 from .report import provenance
 from .stability_axes import AXES, released
 from .stability_map import ACCURATE, DAMPED_WRONGLY, ENDINGS, LOOKS, NEAR, UNSTABLE, Map, borders, compute
-from .validate import make_folder, write
+from .output import make_folder, write
 
 PAIRS = (
     ("dt", "stiffness"),

@@ -7,10 +7,8 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
-from sim.errors import InputError
-from sim.files import write_atomically
-
 from . import energy, motion, report, statics
+from .output import make_folder, write
 from .results import Case, Result
 
 CASES: tuple[Case, ...] = (*statics.CASES, *motion.CASES, *energy.CASES)
@@ -82,27 +80,3 @@ def _draw(out: Path) -> list[tuple[str, str]]:
         for kind in ("png", "svg"):
             write(out / f"{name}.{kind}", encoded(figure, kind))
     return [(name, caption) for name, (caption, _) in FIGURES.items()]
-
-
-def make_folder(out: Path) -> None:
-    """Make the folder of a report.
-
-    Raises:
-        InputError: it cannot be made.
-    """
-    try:
-        out.mkdir(exist_ok=True)
-    except OSError as error:
-        raise InputError(f"--out {out}: the folder cannot be made ({error.strerror or error})") from None
-
-
-def write(path: Path, content: bytes) -> None:
-    """Write a file of a report.
-
-    Raises:
-        InputError: it cannot be written.
-    """
-    try:
-        write_atomically(path, content)
-    except OSError as error:
-        raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None

@@ -1,0 +1,139 @@
+"""How near `auto` keeps to its tolerance on random bodies of any topology."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import msgspec
+import numpy as np
+
+from sim import Pose, Scene
+
+from .contenders import REFERENCES, Ours, distance
+from .random_bodies import random_body
+
+TOLERANCE = 0.1
+"""px, given to `auto`."""
+
+TIGHT = 1e-9
+"""Tolerance of the references, px."""
+
+NUDGE = 1e-6
+"""How far the farthest mass is moved, px, to see what becomes of it."""
+
+CHAOTIC = 1e3
+"""A body is chaotic, and left out, if a nudge of its start grows more than so many times within the run. Then
+it would turn errors of a thousandth of the tolerance into ones beyond it, whatever the method."""
+
+UNSURE = 1e-3
+"""A body is left out, too, if two references are farther apart than this, px."""
+
+
+@dataclass(frozen=True)
+class BodyResult:
+    """What came of one random body.
+
+    Attributes:
+        seed: `random_bodies.random_body(seed)` makes it again.
+        shape, law: its kind and its force law.
+        masses: how many.
+        growth: of a nudge of its start, the largest along the path.
+        doubt: how far the references are apart at most, px; infinite where one has not arrived.
+        left_out: why it does not count, or empty; what `auto` does has no part in that.
+        error, framed_error: at the end, px, in one call and in a call per frame; infinite where it failed.
+        seconds, framed_seconds: of computing, once.
+    """
+
+    seed: int
+    shape: str
+    law: str
+    masses: int
+    growth: float
+    doubt: float
+    left_out: str
+    error: float
+    framed_error: float
+    seconds: float
+    framed_seconds: float
+
+
+def measure_body(seed: int) -> BodyResult:
+    """Run the body of a seed by the references, by one of them with its start nudged, and by `auto`."""
+    scene = random_body(seed)
+    path, other = (Ours(scene, method, TIGHT).frame_by_frame().path for method in REFERENCES)
+    nudged = None if path is None else Ours(_nudged(scene, seed), REFERENCES[0], TIGHT).frame_by_frame().path
+    growth = math.inf if path is None or nudged is None else distance(nudged, path) / NUDGE
+    doubt = math.inf if path is None or other is None else distance(other, path)
+    left_out = "a reference fails" if path is None or other is None or nudged is None else ""
+    if not left_out and growth > CHAOTIC:
+        left_out = "chaotic"
+    elif not left_out and doubt > UNSURE:
+        left_out = "references disagree"
+    right = path if path is not None else other
+    auto = Ours(scene, "auto", TOLERANCE)
+    whole, framed = auto.in_one_call(), auto.frame_by_frame()
+    error, framed_error = (
+        math.inf if run.path is None or right is None else distance(run.path[-1], right[-1])
+        for run in (whole, framed)
+    )
+    shape = scene.name.partition("-")[0]
+    return BodyResult(
+        seed, shape, scene.force_law, len(scene.masses), growth, doubt, left_out, error, framed_error,
+        whole.seconds, framed.seconds,
+    )  # fmt: skip
+
+
+def measure_bodies(count: int) -> Iterator[BodyResult]:
+    """The results of the seeds from 0 on, one by one."""
+    for seed in range(count):
+        yield measure_body(seed)
+
+
+def _nudged(scene: Scene, seed: int) -> Scene:
+    """The scene with its free masses moved a little, in random directions."""
+    shift = np.random.default_rng((7, seed)).normal(size=(len(scene.masses), 2))
+    shift[[anchor.mass for anchor in scene.anchors]] = 0.0
+    shift *= NUDGE / np.hypot(*shift.T).max()
+    places = np.array([mass.position for mass in scene.masses]) + shift
+    pose = Pose(
+        positions=tuple((x, y) for x, y in places.tolist()),
+        velocities=tuple(mass.velocity for mass in scene.masses),
+    )
+    return msgspec.structs.replace(scene, pose=pose)
+
+
+@dataclass(frozen=True)
+class Shares:
+    """What the bodies that count come to.
+
+    Attributes:
+        counted: how many they are.
+        within, within_three: the share that ends within the tolerance, and within three times that.
+        largest: the largest error, in tolerances.
+        beyond: seeds of those that end beyond ten times the tolerance, the worst first.
+    """
+
+    counted: int
+    within: float
+    within_three: float
+    largest: float
+    beyond: tuple[int, ...]
+
+
+def shares(bodies: Sequence[BodyResult], framed: bool = False) -> Shares:
+    """Sum up the bodies that are not left out, in one call or in a call per frame."""
+    found = sorted(
+        ((b.framed_error if framed else b.error) / TOLERANCE, b.seed) for b in bodies if not b.left_out
+    )
+    errors = np.array([error for error, _ in found])
+    if not found:
+        return Shares(0, math.nan, math.nan, math.nan, ())
+    return Shares(
+        counted=len(found),
+        within=float((errors <= 1.0).mean()),
+        within_three=float((errors <= 3.0).mean()),
+        largest=found[-1][0],
+        beyond=tuple(seed for error, seed in reversed(found) if error > 10.0),
+    )
