@@ -156,23 +156,30 @@ class Bench:
     """Measure softrod on this machine, beside other programs that do the same."""
 
     what: Annotated[
-        Positional[Literal["kernels", "ensemble", "start", "page"]],
-        arg(metavar="{kernels,ensemble,start,page}"),
+        Positional[Literal["kernels", "growth", "ensemble", "start", "page"]],
+        arg(metavar="{kernels,growth,ensemble,start,page}"),
     ]
-    """kernels: the step by several programs; ensemble: many ropes at once and one by one; start: until the
-    rope moves; page: cost and latency."""
+    """kernels: the step by several programs; growth: the step as the body grows; ensemble: many ropes at once
+    and one by one; start: until the rope moves; page: cost and latency."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 
     def run(self) -> int:
         """Measure and print."""
         from .bench.ensemble import bench_ensemble
+        from .bench.growth import bench_growth
         from .bench.kernels import bench
         from .bench.serving import bench_page, bench_start
 
         if not 1 <= self.repeats <= 1000:
             return _fail("--repeats: it must be from 1 to 1000")
-        benches = {"kernels": bench, "ensemble": bench_ensemble, "start": bench_start, "page": bench_page}
+        benches = {
+            "kernels": bench,
+            "growth": bench_growth,
+            "ensemble": bench_ensemble,
+            "start": bench_start,
+            "page": bench_page,
+        }
         benches[self.what](Console(), self.repeats)
         return 0
 

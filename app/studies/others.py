@@ -104,7 +104,7 @@ def _sparse(equations: Equations) -> Callable[[float, Floats], Any]:
 
     jacobian, (index, first) = equations.jacobian_into("sparse"), equations.pattern()
     size = equations.start.size
-    matrix = csc_matrix((np.zeros(index.size), index, first), (size, size))
+    matrix: Any = csc_matrix((np.zeros(index.size), index, first), (size, size))
 
     def function(t: float, y: Floats) -> Any:
         jacobian(t, y, matrix.data)
@@ -121,6 +121,12 @@ def _cvode(method: str, equations: Equations) -> Solve:
     def fill(t: float, y: Floats, _: Floats, out: Floats) -> None:
         jacobian(t, y, out.reshape(-1))
 
+    # CVODE's arrays must not be written to, which takes machine code of its own: here, before any clock starts.
+    start = equations.start.copy()
+    start.setflags(write=False)
+    equations.derivative_into()(0.0, start, np.empty(start.size))
+    jacobian(0.0, start, np.empty(start.size**2))
+
     def solve(tolerance: float, times: Floats, derivative: Derivative) -> Floats:
         cvode = Solver(
             lambda t, y, out: derivative(t, y, out),
@@ -134,7 +140,7 @@ def _cvode(method: str, equations: Equations) -> Solve:
             max_num_steps=10_000_000,
         )
         # Of two times alone it would keep all steps between them.
-        whole = np.array([0.0, *([0.5 * times[0]] if times.size == 1 else []), *times])
+        whole: Any = np.array([0.0, *([0.5 * times[0]] if times.size == 1 else []), *times])
         found: Any = cvode.solve(whole, equations.start)
         if not found.success:
             raise Failed(str(found.message))
