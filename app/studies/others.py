@@ -121,7 +121,7 @@ def _cvode(method: str, equations: Equations) -> Solve:
     def fill(t: float, y: Floats, _: Floats, out: Floats) -> None:
         jacobian(t, y, out.reshape(-1))
 
-    # CVODE's arrays must not be written to, which takes machine code of its own: here, before any clock starts.
+    # CVODE's arrays must not be written to, which takes machine code of its own; before any clock starts.
     start = equations.start.copy()
     start.setflags(write=False)
     equations.derivative_into()(0.0, start, np.empty(start.size))

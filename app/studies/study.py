@@ -124,8 +124,9 @@ def _report(found: Study, note: str, out: Path, console: Console) -> None:
     from .figures import encoded
     from .study_figures import figures
 
-    console.print(report.short_table(found))
-    console.print()
+    for error in report.SHORT_HEADINGS:
+        console.print(report.short_table(found, error))
+        console.print()
     console.print(report.target_table(found))
     console.print(f"{report.summary(found)}. {note}".strip())
     write(out / "study.csv", report.points_csv(found).encode())

@@ -112,26 +112,25 @@ def _against(
 
 
 # ------------------------------------------------------------------------- tables
-SHORT_HEADINGS = (
-    "scene", "auto, one call", "60 calls", "error", "tutorial Euler", "/ auto", "best other", "/ auto",
-    "auto at 1e-6 px", "error", "softrod's best", "best other", "/ auto",
-)  # fmt: skip
+SHORT_HEADINGS: dict[float, tuple[str, ...]] = {
+    COARSE: ("scene", "auto", "in 60 calls", "its error", "tutorial Euler", "/ auto", "best other", "/ auto"),
+    FINE: ("scene", "auto", "in 60 calls", "its error", "softrod's best", "best other", "/ auto"),
+}
+"""Of the short tables, by the error."""
 
 
-def short_rows(study: Study) -> list[tuple[str, ...]]:
-    """The short table: for each scene `auto` at 0.1 px and at 1e-6 px beside the best of the others."""
+def short_rows(study: Study, error: float) -> list[tuple[str, ...]]:
+    """For each scene `auto` with an error as its tolerance, beside the best of the others within it."""
     rows = []
     for results in study.scenes:
-        row = [results.scene.removeprefix("study-")]
-        auto = results.at(FOLLOWED, COARSE)
-        row += [_ms(auto), _ms(auto, framed=True), _px(auto)]
-        row += _beside(results, (EULER,), COARSE, named=False)
-        row += _beside(results, (*others.SCIPY, *others.CVODE), COARSE)
-        auto = results.at(FOLLOWED, FINE)
-        row += [_ms(auto), _px(auto)]
-        row += _beside(results, tuple(METHODS), FINE)[:1]
-        row += _beside(results, (*others.SCIPY, *others.CVODE), FINE)
-        rows.append(tuple(row))
+        auto = results.at(FOLLOWED, error)
+        row = [results.scene.removeprefix("study-"), _ms(auto), _ms(auto, framed=True), _px(auto)]
+        row += (
+            _beside(results, (EULER,), error, named=False)
+            if error == COARSE
+            else _beside(results, tuple(METHODS), error)[:1]
+        )
+        rows.append((*row, *_beside(results, (*others.SCIPY, *others.CVODE), error)))
     return rows
 
 
@@ -161,12 +160,13 @@ def _px(point: Point | None) -> str:
     return f"{point.end_error:.2g}" if math.isfinite(point.end_error) else point.failure
 
 
-def short_table(study: Study) -> Table:
-    """The short table, for the terminal."""
-    table = Table(title="ms for a second; errors in px", title_justify="left", box=None, padding=(0, 2, 0, 0))
-    for i, heading in enumerate(SHORT_HEADINGS):
+def short_table(study: Study, error: float) -> Table:
+    """A short table, for the terminal."""
+    title = f"to {error:g} px: ms for a second; errors in px"
+    table = Table(title=title, title_justify="left", box=None, padding=(0, 2, 0, 0))
+    for i, heading in enumerate(SHORT_HEADINGS[error]):
         table.add_column(heading, justify="right" if i else "left")
-    for row in short_rows(study):
+    for row in short_rows(study, error):
         table.add_row(*row)
     return table
 
@@ -233,7 +233,9 @@ def markdown(study: Study, figures: Sequence[tuple[str, str]], note: str) -> str
     for name, caption in figures:
         lines += [f"![{caption}]({name}.svg)", "", f"*{caption}*", ""]
     if study.scenes:
-        lines += ["## In short", "", _SHORT, "", *_grid(SHORT_HEADINGS, short_rows(study))]
+        lines += ["## In short", "", _SHORT, ""]
+        for error, headings in SHORT_HEADINGS.items():
+            lines += [f"To {error:g} px:", "", *_grid(headings, short_rows(study, error))]
     rows = [(t.what, t.wanted, t.found, "met" if t.met else "missed") for t in targets(study)]
     lines += ["## Targets", "", *_grid(("target", "wanted", "found", ""), rows, left=4)] if rows else []
     for results in study.scenes:
@@ -258,8 +260,8 @@ _INTRODUCTION = (
 )
 
 _SHORT = (
-    f"`auto` at a tolerance of {COARSE:g} px, in one call and in 60 calls a second as the page does it, and "
-    f"at {FINE:g} px; beside it the fastest that ends within the same error. Times in ms, errors in px."
+    "Milliseconds of computing for a simulated second, errors in px: `auto` with the error as its tolerance, "
+    "in one call and in 60 as the page does it, and beside it the fastest that ends within the same error."
 )
 
 
