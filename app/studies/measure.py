@@ -17,10 +17,11 @@ from .equations import Equations
 TIGHT = (1e-9, 1e-10, 1e-11)
 """Tolerances of the reference, px; the tighter ones only where it takes them."""
 
-SURE = 0.1
-"""The reference's doubt has to be below this part of an error that is asked for."""
+SURE, UNSURE = 0.1, 0.3
+"""Part of the smallest error that is asked for, to which the references are brought if they can be; and part of
+an error above which their doubt makes it unknown who is within it."""
 
-LONGEST, LONGEST_OURS = 2.0, 0.5
+LONGEST, LONGEST_OURS = 2.0, 0.2
 """Seconds of a run beyond which finer settings of a method are not tried: of another solver's, and of
 softrod's."""
 
@@ -84,6 +85,10 @@ class SceneResults:
     doubt: float
     points: list[Point] = field(default_factory=list)
     complete: bool = False
+
+    def doubtful(self, error: float) -> bool:
+        """Whether the reference is too unsure to tell who is within an error, px."""
+        return self.doubt > UNSURE * error
 
     def best(self, integrators: Sequence[str], error: float) -> Point | None:
         """The cheapest setting of some methods that ends within an error, px."""
@@ -208,7 +213,7 @@ class _Explorer:
 
 def repeats(seconds: float) -> int:
     """How often a run of that length is timed: the shorter, the more often, since others disturb it more."""
-    return 25 if seconds < 0.005 else 7 if seconds < 0.1 else 3 if seconds < 0.5 else 1
+    return 25 if seconds < 0.005 else 5 if seconds < 0.05 else 2 if seconds < 0.5 else 1
 
 
 def explore(

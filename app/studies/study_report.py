@@ -14,7 +14,7 @@ from rich.table import Table
 from sim.methods import METHODS
 
 from . import others, random_study
-from .measure import FOLLOWED, SURE, Point, SceneResults, label
+from .measure import FOLLOWED, Point, SceneResults, label
 from .random_study import BodyResult, shares
 from .report import provenance
 
@@ -100,15 +100,16 @@ def _against(
     auto = results.at(FOLLOWED, error)
     if auto is None or not any(p.integrator in names for p in results.points):
         return []
+    title = f"{results.scene}: {what} / auto"
+    if results.doubtful(error):
+        return [Target(title, f"≥ {wanted:g}×", "below the doubt", False)]
     best = results.best(names, error)
     ratio = best.seconds / auto.seconds if best else math.inf
     found = f"{ratio:.3g}×" if best else "never reached"
     missed = auto.end_error > error
     if missed:
         found += f", but auto ends {auto.end_error:.2g} px off"
-    return [
-        Target(f"{results.scene}: {what} / auto", f"≥ {wanted:g}×", found, ratio >= wanted and not missed)
-    ]
+    return [Target(title, f"≥ {wanted:g}×", found, ratio >= wanted and not missed)]
 
 
 # ------------------------------------------------------------------------- tables
@@ -137,7 +138,7 @@ def short_rows(study: Study, error: float) -> list[tuple[str, ...]]:
 def _beside(results: SceneResults, names: Sequence[str], error: float, named: bool = True) -> list[str]:
     """The time of the best, with its name, and how many times that of `auto` it is."""
     auto, best = results.at(FOLLOWED, error), results.best(names, error)
-    if results.doubt > SURE * error:
+    if results.doubtful(error):
         return ["below the doubt", ""]
     if best is None:
         tried = any(p.integrator in names for p in results.points)
@@ -201,7 +202,7 @@ def _scene_rows(results: SceneResults, errors: Sequence[float]) -> list[list[str
         row = [label(name)]
         for error in errors:
             best = results.best((name,), error)
-            if results.doubt > SURE * error:
+            if results.doubtful(error):
                 row.append("below the doubt")
             elif best is None:
                 row.append("not reached")
