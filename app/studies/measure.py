@@ -18,8 +18,8 @@ TIGHT = (1e-9, 1e-10, 1e-11)
 """Tolerances of the reference, px; the tighter ones only where it takes them."""
 
 SURE, UNSURE = 0.1, 0.3
-"""Part of the smallest error that is asked for, to which the references are brought if they can be; and part of
-an error above which their doubt makes it unknown who is within it."""
+"""Part of the smallest error that is asked for, to which the references are brought if they can be; and part
+of an error above which their doubt makes it unknown who is within it."""
 
 LONGEST, LONGEST_OURS = 2.0, 0.2
 """Seconds of a run beyond which finer settings of a method are not tried: of another solver's, and of

@@ -226,6 +226,14 @@ def some_study() -> Study:
     return Study((1.0, 0.1, 1e-6), [results], [some_body(0, 0.05), some_body(1, 2.0)])
 
 
+def test_a_doubtful_reference_meets_no_target() -> None:
+    doubtful = some_study()
+    doubtful.scenes[0].doubt = 0.05
+    found = [target for target in targets(doubtful) if target.what.startswith("study-w1")]
+    assert len(found) == 3
+    assert {(target.found, target.met) for target in found} == {("below the doubt", False)}
+
+
 def test_targets_are_judged() -> None:
     found = {target.what: target for target in targets(some_study())}
     euler = found["study-w1: tutorial Euler, best step / auto"]
