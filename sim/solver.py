@@ -171,8 +171,8 @@ class Solver:
             vx = vy = 0.0
             if m in targets:
                 ex, ey = offset(circle, until)
-                vx = (targets[m][0] - ex - (x - ox)) / duration
-                vy = (targets[m][1] - ey - (y - oy)) / duration
+                vx = bounded((targets[m][0] - ex - (x - ox)) / duration)
+                vy = bounded((targets[m][1] - ey - (y - oy)) / duration)
             radius, omega, ramp = (
                 (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
             )
@@ -311,6 +311,11 @@ class Solver:
         effort = Effort(*(int(counts[i]) for i in places))
         counts[list(places)] = 0
         return effort
+
+
+def bounded(speed: float) -> float:
+    """A speed with which a mass may be led, px/s; what is led faster gets there by a jump."""
+    return min(max(speed, -MAX_SPEED), MAX_SPEED)
 
 
 def offset(circle: Circle | None, time: float) -> tuple[float, float]:

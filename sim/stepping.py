@@ -13,7 +13,7 @@ from .kernels.general import run_general, run_held
 from .kernels.tables import NO_JOINTS, SCALE_MAX, SCALE_MIN, TUTORIAL, Drive, Live, Motion, Work
 from .methods import METHODS
 from .scene import MAX_COORDINATE, RUNAWAY_SPEED, Scene
-from .solver import UNLIMITED, Effort, Solver, offset
+from .solver import UNLIMITED, Effort, Solver, bounded, offset
 from .system import System
 
 Targets = dict[int, tuple[float, float]]
@@ -146,7 +146,7 @@ class EulerStepper:
             radius, omega, ramp = (
                 (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
             )
-            vx, vy = ((to - at) / duration * self._hand for to, at in ((tx, x), (ty, y)))
+            vx, vy = (bounded((to - at) / duration) * self._hand for to, at in ((tx, x), (ty, y)))
             rows.append((x, y, tx, ty, vx, vy, radius, omega, ramp))
         columns = np.array(rows, float).reshape(-1, 9).T.copy()
         return Motion(

@@ -116,7 +116,7 @@ class Equations:
     """
 
     def __init__(self, scene: sim.Scene) -> None:
-        scene = msgspec.structs.replace(scene, integrator=sim.Integrator(method="dop853"))
+        scene = msgspec.structs.replace(scene, integrator=sim.Integrator(method="dop853", tolerance=1e-9))
         simulation = sim.Simulation(scene)
         stepper = simulation._stepper
         assert isinstance(stepper, FlowStepper)

@@ -20,8 +20,8 @@ from sim import EnergyBook, Simulation
 from sim.methods import METHODS
 
 from .hard_cases import HardCase, hard_cases, long_rods
-from .report import provenance
 from .output import make_folder, write
+from .report import provenance
 
 FRAMES = 40
 """Frames of a sixtieth of a second; where the time step is longer, three steps."""

@@ -114,7 +114,7 @@ def _sparse(equations: Equations) -> Callable[[float, Floats], Any]:
 
 
 def _cvode(method: str, equations: Equations) -> Solve:
-    from sksundae.cvode import CVODE as Solver
+    from sksundae.cvode import CVODE as Solver  # pyright: ignore[reportMissingImports]
 
     jacobian = equations.jacobian_into("dense")  # of which CVODE takes the band
 

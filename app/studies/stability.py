@@ -17,10 +17,10 @@ from sim.ensemble import fixed_step_methods
 from sim.errors import InputError
 from sim.methods import METHODS
 
+from .output import make_folder, write
 from .report import provenance
 from .stability_axes import AXES, released
 from .stability_map import ACCURATE, DAMPED_WRONGLY, ENDINGS, LOOKS, NEAR, UNSTABLE, Map, borders, compute
-from .output import make_folder, write
 
 PAIRS = (
     ("dt", "stiffness"),

@@ -16,6 +16,7 @@ from .guard import GOOD
 from .implicit import factorise, solve
 from .jit import FAST, kernel
 from .resist import add_resistance, remember_directions
+from .steps import biggest
 from .tables import (
     CLOCK_LAST,
     CLOCK_LAST_BUT_ONE,
@@ -88,7 +89,7 @@ def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity
             drive_to(body, live, drive, t + h, to_q, to_v)
         energies(body, live, mass, gravity_x, gravity_y, to_q, to_v, four)
         after = four[0] + four[1] + four[2] + four[3]
-        if after <= before:
+        if after <= before and biggest(to_q) <= flow.limits[0] and biggest(to_v) <= flow.limits[1]:
             break
         part *= 0.5
     for j in range(q.size):

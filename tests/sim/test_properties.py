@@ -241,7 +241,8 @@ def test_the_pointer_may_go_anywhere(scene: Scene, to: tuple[float, float], at_o
     mass = len(scene.masses) - 1
     simulation.grab(mass)
     (simulation.move if at_once else simulation.lead)(mass, to)
-    if go_on(simulation, 20) == 20:
+    goes_round = any(anchor.mass == mass and anchor.circle is not None for anchor in scene.anchors)
+    if go_on(simulation, 20) == 20 and not goes_round:
         assert tuple(simulation.positions[mass]) == to
     is_fine(simulation)
     simulation.release(mass)
