@@ -49,9 +49,9 @@ from .kernels.tables import (
 from .methods import METHODS, MethodInfo
 from .pattern import NO_MATRIX, new_matrix
 from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
-from .system import System
+from .system import System, slab
 
-_ROWS = 24
+_ROWS, _HISTORY = 24, 4
 LOW_TOLERANCE = 3e-3
 """Tolerance, px, from which on `auto` uses methods of low order."""
 
@@ -107,16 +107,18 @@ class Solver:
         self.scene, self.system, self.live, self.work = scene, system, live, work
         self.places = live.x.size
         wide = 2 * self.places
+        (room,) = slab([((3 + _ROWS + _HISTORY) * wide, 0)], page_offset=2560)
+        rows = room.reshape(-1, wide)  # a whole number of cache lines each
         self.flow = Flow(
-            q=np.zeros(wide),
-            v=np.zeros(wide),
-            a=np.zeros(wide),
+            q=rows[0],
+            v=rows[1],
+            a=rows[2],
             clock=np.zeros(CLOCKS),
             limits=np.array([MAX_COORDINATE, MAX_SPEED]),
             counts=np.zeros(COUNTS, np.int64),
-            rows=np.zeros((_ROWS, wide)),
+            rows=rows[3 : 3 + _ROWS],
             mind=np.array(AUTO_NEW),
-            history=np.zeros((4, wide)),
+            history=rows[3 + _ROWS :],
         )
         if not METHODS[scene.integrator.method].adaptive:
             self.flow.limits[1] = RUNAWAY_SPEED

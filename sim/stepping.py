@@ -180,7 +180,8 @@ class FlowStepper:
         """The state in `live` is that of a time, s, and has come from elsewhere."""
         self.solver.load(time)
         self._goal = time
-        self._undisturbed = None
+        if self._undisturbed is not None and self._undisturbed.mass.size:
+            self._undisturbed = None  # circles start from where the masses are now
 
     def step(
         self, steps: int, targets: Targets, presses: Presses, all_held: bool, attempts: int = UNLIMITED

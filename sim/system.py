@@ -104,7 +104,7 @@ def joint_stiffness(scene: Scene) -> list[float]:
     return [joint.stiffness * factor for joint in scene.angular_springs]
 
 
-def _slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
+def slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
     """Zeroed arrays behind each other in one block of memory.
 
     Each is given as (count, first): its length, and the element that is to stand at a multiple of 64 bytes,
@@ -139,7 +139,7 @@ def new_live(system: System) -> Live:
         "couple_sin": (joints, 0),
         "couple_rest": (joints, 0),
     }
-    live = Live(*_slab([sizes.get(field, (places, 1)) for field in Live._fields], page_offset=0))
+    live = Live(*slab([sizes.get(field, (places, 1)) for field in Live._fields], page_offset=0))
     live.controls[0] = 1.0
     return live
 
@@ -149,7 +149,7 @@ def new_work(system: System) -> Work:
     room = max(system.body.stiffness.size, system.body.joints) + 3
     first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # the places that loops over springs and masses start at
     # Behind the arrays of a short chain's `Live`.
-    return Work(*_slab([(room, first.get(field, 0)) for field in Work._fields], page_offset=2560))
+    return Work(*slab([(room, first.get(field, 0)) for field in Work._fields], page_offset=2560))
 
 
 def _chain_order(scene: Scene) -> tuple[list[int], list[int]] | None:
@@ -182,7 +182,7 @@ def _body(
     n, springs = len(scene.masses), [scene.linear_springs[s] for s in spring_order]
     # As many springs as masses at least: the chain's loops over masses have the same length.
     room = padded(max(len(springs), n))
-    stiffness, damping, rest = _slab([(room, 0)] * 3, page_offset=1536)
+    stiffness, damping, rest = slab([(room, 0)] * 3, page_offset=1536)
     for s, spring in enumerate(springs):
         stiffness[s], damping[s], rest[s] = spring.stiffness, spring.damping, spring.rest_length
     spring_a = mass_place[np.array([spring.a for spring in springs], np.int64)]
