@@ -1,0 +1,208 @@
+"""Wild scenes of any topology with wild inputs, drawn from a seed."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+import sim
+from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.scene import ArrowKeys, ForceLaw
+from sim.settings import settings_of
+
+Places = list[tuple[float, float]]
+Pairs = list[tuple[int, int]]
+Random = np.random.Generator
+
+STEPS = 7
+"""Time steps in a frame."""
+
+_SLIDERS = (
+    "linear_stiffness",
+    "linear_damping",
+    "angular_stiffness",
+    "rest_angle",
+    "gravity",
+    "air_friction",
+    "rest_length_scale",
+)
+
+
+def _ten_to(rng: Random, low: float, high: float) -> float:
+    return float(10.0 ** rng.uniform(low, high))
+
+
+def _row(rng: Random, n: int, h: float) -> tuple[Places, Pairs]:
+    turn = float(rng.uniform(0.0, math.tau))
+    places = [(300.0 + h * i * math.cos(turn), 150.0 + h * i * math.sin(turn)) for i in range(n)]
+    return places, [(i, i + 1) for i in range(n - 1)]
+
+
+def _ring(_: Random, n: int, h: float) -> tuple[Places, Pairs]:
+    radius, turn = h * n / math.tau, math.tau / n
+    places = [(300.0 + radius * math.cos(turn * i), 300.0 + radius * math.sin(turn * i)) for i in range(n)]
+    return places, [(i, (i + 1) % n) for i in range(n)]
+
+
+def _tree(rng: Random, n: int, h: float) -> tuple[Places, Pairs]:
+    places, pairs = [(300.0, 300.0)], []
+    for i in range(1, n):
+        parent, turn = int(rng.integers(max(0, i - 4), i)), float(rng.uniform(0.0, math.tau))
+        x, y = places[parent]
+        places.append((x + h * math.cos(turn), y + h * math.sin(turn)))
+        pairs.append((parent, i))
+    return places, pairs
+
+
+def _cloth(rng: Random, _: int, h: float) -> tuple[Places, Pairs]:
+    wide, high = (int(size) for size in rng.integers(2, 6, 2))
+    places = [(250.0 + h * i, 150.0 + h * j) for j in range(high) for i in range(wide)]
+    along = [(j * wide + i, j * wide + i + 1) for j in range(high) for i in range(wide - 1)]
+    return places, along + [(j * wide + i, (j + 1) * wide + i) for j in range(high - 1) for i in range(wide)]
+
+
+def _tangle(rng: Random, n: int, _: float) -> tuple[Places, Pairs]:
+    places = [(float(x), float(y)) for x, y in rng.uniform(200.0, 400.0, (n, 2))]
+    pairs = list(itertools.combinations(range(n), 2))
+    return places, [pairs[i] for i in sorted(rng.choice(len(pairs), min(len(pairs), 2 * n), replace=False))]
+
+
+_SHAPES: dict[str, Callable[[Random, int, float], tuple[Places, Pairs]]] = {
+    "rope": _row, "free": _row, "ring": _ring, "tree": _tree, "cloth": _cloth, "tangle": _tangle,
+}  # fmt: skip
+
+
+def _joints(rng: Random, pairs: Pairs, most: int) -> Pairs:
+    """Springs that meet in a mass."""
+    meeting = [
+        (i, k) for i, k in itertools.combinations(range(len(pairs)), 2) if set(pairs[i]) & set(pairs[k])
+    ]
+    kept = sorted(rng.choice(len(meeting), min(len(meeting), most), replace=False)) if meeting else []
+    return [meeting[i] for i in kept]
+
+
+def wild_scene(rng: Random) -> Scene:
+    """A scene, perhaps not a valid one.
+
+    Stiffnesses, dampings and masses differ by many powers of ten, rest lengths may be next to nothing, and
+    springs may lie on one another.
+    """
+    shape = str(rng.choice(list(_SHAPES)))
+    law: ForceLaw = rng.choice(["conservative", "tutorial", "angle"], p=[0.5, 0.35, 0.15])
+    n = int(rng.integers(3, 26))
+    places, pairs = _SHAPES[shape](rng, n, float(rng.uniform(5.0, 40.0)))
+    at = np.array(places) + rng.normal(0.0, _ten_to(rng, -9.0, 1.5), (len(places), 2))
+    stiffness, bending = _ten_to(rng, 1.0, 7.0), _ten_to(rng, 0.0, 7.0)
+    damping = _ten_to(rng, -1.0, 4.0) if rng.random() < 0.8 else 0.0
+    twist = _ten_to(rng, -2.0, 2.0) if rng.random() < 0.3 else 0.0
+    spread, kilograms, speed = rng.random() < 0.4, _ten_to(rng, -2.0, 1.0), _ten_to(rng, 0.0, 3.0)
+
+    def about(size: float) -> float:
+        return size * _ten_to(rng, -1.0, 1.0) if spread else size
+
+    def weight() -> float:
+        odd = _ten_to(rng, -2.0, 2.0) if rng.random() < 0.1 else 1.0
+        return float(np.clip(about(kilograms) * odd, 1e-6, 1e6))
+
+    def rest_length(a: int, b: int) -> float:
+        part = rng.choice([1.0, rng.uniform(0.5, 1.5), rng.uniform(0.0, 0.01)], p=[0.6, 0.3, 0.1])
+        return float(np.hypot(*(at[a] - at[b])) * part)
+
+    held = [] if shape == "free" else sorted(set(rng.integers(0, len(at), int(rng.integers(1, 3))).tolist()))
+    return Scene(
+        name=shape,
+        masses=tuple(
+            Mass(position=(x, y), mass=weight(), velocity=(float(u), float(v)))
+            for (x, y), (u, v) in zip(at.tolist(), rng.normal(0.0, speed, at.shape), strict=True)
+        ),
+        linear_springs=tuple(
+            LinearSpring(
+                a=a, b=b, stiffness=about(stiffness), damping=about(damping), rest_length=rest_length(a, b)
+            )
+            for a, b in pairs
+        ),
+        angular_springs=tuple(
+            AngularSpring(
+                a=a,
+                b=b,
+                stiffness=about(bending),
+                damping=about(twist),
+                rest_angle=float(rng.uniform(-180.0, 180.0)),
+            )
+            for a, b in _joints(rng, pairs, 2 * n)
+        ),
+        anchors=tuple(Anchor(mass=i, driven=i == held[0]) for i in held),
+        gravity=(0.0, _ten_to(rng, 1.0, 4.0)),
+        air_friction=float(rng.choice([0.0, 0.002, 0.05])),
+        force_law=law,
+        arrow_keys=ArrowKeys(),
+        integrator=Integrator(method="auto"),
+    )
+
+
+@dataclass
+class Ending:
+    """How a case went.
+
+    Attributes:
+        simulation: as it was left.
+        tries: steps tried in the worst frame.
+        made: energy that came from nowhere, as a part of all that was turned over.
+    """
+
+    simulation: Simulation
+    tries: int
+    made: float
+
+
+def run_case(seed: int, frames: int, budget: int) -> Ending:
+    """A wild scene with inputs: an anchor moved at once, led or torn, keys held, sliders flung."""
+    rng = np.random.default_rng(seed)
+    simulation = None
+    while simulation is None:
+        try:
+            simulation = Simulation(wild_scene(rng))
+        except sim.SceneError:
+            continue
+    simulation.keep_books(True)
+    simulation.energy()
+    does = rng.choice(["nothing", "move", "lead", "keys", "sliders", "tear"])
+    worst = 0
+    for frame in range(frames):
+        _disturb(simulation, does, frame, rng)
+        simulation.step(STEPS, attempts=budget)
+        effort = simulation.effort()
+        worst = max(worst, effort.steps + effort.rejected)
+        if simulation.divergence is not None:
+            break
+    book = simulation.energy()
+    turned_over = (
+        book.kinetic + book.linear + book.angular + abs(book.anchors) + abs(book.keys) + abs(book.changes)
+    ) + abs(book.law)
+    return Ending(simulation, worst, (book.residual + book.damping + book.air) / max(turned_over, 1e-9))
+
+
+def _disturb(simulation: Simulation, does: str, frame: int, rng: Random) -> None:
+    anchors = simulation.anchors
+    if anchors and does in ("move", "lead", "tear"):
+        mass = anchors[0].mass
+        x, y = simulation.positions[mass]
+        dx, dy = rng.normal(0.0, 20.0, 2)
+        if does == "move" and frame % 7 == 3:
+            simulation.move(mass, (300.0 + 7.5 * dx, 300.0 + 7.5 * dy))
+        elif does == "lead":
+            simulation.lead(mass, (float(x + dx), float(y + dy)))
+        elif does == "tear":
+            simulation.lead(mass, (300.0 + (frame % 2) * 500.0, 300.0))
+    if does == "keys":
+        simulation.keys = set(rng.choice(["up", "down", "left", "right"], 2).tolist())
+    if does == "sliders" and frame % 3 == 0:
+        dials = [dial for dial in settings_of(simulation.scene) if dial.key in _SLIDERS]
+        dial = dials[rng.integers(len(dials))]
+        with contextlib.suppress(sim.SettingError, sim.SceneError):
+            simulation.replace(sim.set_value(simulation.scene, dial.key, dial.slider[rng.integers(2)]))

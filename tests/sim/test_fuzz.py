@@ -1,0 +1,32 @@
+"""Two thousand wild scenes with wild inputs under `auto`: no bad number, no energy from nowhere, and no frame
+that tries more than it may."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.sim.fuzzing import run_case
+
+CASES, BATCH = 2000, 50
+FRAMES, BUDGET = 10, 400
+MADE = 0.1
+"""Energy that may come from nowhere, as a part of all that was turned over. What is damped away at once does
+not count, since that is where most errors of a method end."""
+
+
+@pytest.mark.parametrize("first", range(0, CASES, BATCH))
+def test_nothing_explodes(first: int) -> None:
+    for seed in range(first, first + BATCH):
+        ending = run_case(seed, FRAMES, BUDGET)
+        simulation = ending.simulation
+        told = f"seed {seed}: {simulation.scene.name}, {simulation.scene.force_law}, {simulation.divergence}"
+        assert np.isfinite(simulation.positions).all(), told
+        assert np.isfinite(simulation.velocities).all(), told
+        assert ending.made < MADE, f"{told}: made {ending.made:.2g}"
+        assert ending.tries <= BUDGET, told
+        # The tutorial's law has no energy: it may drive a body ever faster, and the books say that it did.
+        if simulation.divergence is not None:
+            assert simulation.scene.force_law == "tutorial", told
+            book = simulation.energy()
+            assert book.law > 0.5 * (book.kinetic + book.linear + book.angular), told
