@@ -51,7 +51,7 @@ from .pattern import NO_MATRIX, new_matrix
 from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
 from .system import System, slab
 
-_ROWS, _HISTORY = 24, 4
+_ROWS, _HISTORY = 24, 3
 LOW_TOLERANCE = 3e-3
 """Tolerance, px, from which on `auto` uses methods of low order."""
 
@@ -107,6 +107,8 @@ class Solver:
         self.scene, self.system, self.live, self.work = scene, system, live, work
         self.places = live.x.size
         wide = 2 * self.places
+        kind = METHODS[scene.integrator.method].kind
+        remembers = kind == "alpha" or (kind == "auto" and system.body.masses >= LONG)
         (room,) = slab([((3 + _ROWS + _HISTORY) * wide, 0)], page_offset=2560)
         rows = room.reshape(-1, wide)  # a whole number of cache lines each
         self.flow = Flow(
@@ -118,7 +120,7 @@ class Solver:
             counts=np.zeros(COUNTS, np.int64),
             rows=rows[3 : 3 + _ROWS],
             mind=np.array(AUTO_NEW),
-            history=rows[3 + _ROWS :],
+            history=rows[3 + _ROWS :] if remembers else rows[:0],
         )
         if not METHODS[scene.integrator.method].adaptive:
             self.flow.limits[1] = RUNAWAY_SPEED

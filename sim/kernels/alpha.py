@@ -150,7 +150,7 @@ def run_alpha(
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, force, step)
             t = end if step == end - t else t + step
-            _remember(matrix, flow, step)
+            remember(matrix, flow, step)
             for j in range(q.size):
                 q[j], v[j], flow.a[j], inner[j] = to_q[j], to_v[j], force[j], to_a[j]
             count[COUNT_STEPS] += 1
@@ -176,7 +176,7 @@ def run_alpha(
 
 
 @kernel(fastmath=FAST)
-def _remember(matrix, flow, step):
+def remember(matrix, flow, step):
     """Shift the history of the springs' vectors by a step; called before the state is replaced."""
     clock, places = flow.clock, flow.q.size // 2
     last, older = flow.history[1], flow.history[2]

@@ -39,6 +39,9 @@ _SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.3
 """The share of the computing that goes into asking another method; that for one whose pace was not within a
 part of the best; and that part."""
 
+_NEWS = 0.3
+"""How much a turn of generalized-alpha that went badly counts against the ones before it."""
+
 _LONG_STEP = 0.02
 """Seconds that hardly any implicit step is longer than while a body moves. Where the explicit method does as
 much for the same computing, the others are asked late."""
@@ -85,8 +88,11 @@ def _run_best(b, drive, low, end, whole_tolerance, attempts):
         arm, limit = _whose_turn(mind, costs)
         fresh = mind[AUTO_PACE + arm] < 0.0
         limit = min(limit, left)
-        if arm != int(mind[AUTO_LAST]):
-            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0
+        if arm == ARM_ALPHA and arm != int(mind[AUTO_LAST]):
+            for j in range(flow.a.size):
+                flow.history[0, j] = flow.a[j]
+        if arm == ARM_EXPLICIT:
+            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0  # it keeps no history
         began, tried = clock[CLOCK_TIME], count[COUNT_STEPS] + count[COUNT_REJECTED]
         step, tolerance = mind[AUTO_STEP + arm], max(b.strictness[arm] * whole_tolerance, 1e-13)
         if fresh and step <= 0.0 and arm != ARM_EXPLICIT:
@@ -114,9 +120,10 @@ def _run_best(b, drive, low, end, whole_tolerance, attempts):
             if mind[AUTO_PACE + ARM_ROSENBROCK] == 0.0:
                 mind[AUTO_PACE + ARM_ROSENBROCK] = -1.0
         elif arm == ARM_ALPHA or fresh:
-            # It has hardly begun to lengthen its steps.
-            mind[AUTO_PACE + arm] = max(pace, clock[CLOCK_STEP] / costs[arm])
-        elif fresh or clock[CLOCK_TIME] < end:
+            # It has hardly begun to lengthen its steps; and one bad turn is no reason to change at once.
+            pace = max(pace, clock[CLOCK_STEP] / costs[arm])
+            mind[AUTO_PACE + arm] = max(pace, (1.0 - _NEWS) * mind[AUTO_PACE + arm] + _NEWS * pace)
+        elif clock[CLOCK_TIME] < end:
             # The last steps of a call are cut short, which says nothing about the method.
             mind[AUTO_PACE + arm] = pace
         mind[AUTO_WORK] += tries * costs[arm]

@@ -6,6 +6,7 @@ Velocity is eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solves
 
 from __future__ import annotations
 
+from .alpha import remember
 from .drive import drive_to
 from .forces import accelerations
 from .guard import GOOD, sound
@@ -120,6 +121,8 @@ def run_rosenbrock(
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
             t = end if step == end - t else t + step
+            if flow.history.shape[0] > 0:
+                remember(matrix, flow, step)  # for generalized-alpha, should it go on from here
             replace_state(flow, to_q, to_v, to_a)
             count[COUNT_STEPS] += 1
         else:

@@ -20,8 +20,8 @@ WORTH_SHORTENING = 1e-9
 """A step (s) so short that one that is still bad tells of the body, and not of the step."""
 
 SHORTEST_SPAN = 1e-7
-"""Seconds whose share of the tolerance any step may use up. Where a spring shrinks to a point and is turned round
-in no time, the error of a step, per second of it, is small only in steps that are too short for anything."""
+"""Seconds whose share of the tolerance any step may use up. Where a spring shrinks to a point and is turned
+round in no time, the error of a step, per second of it, is small only in steps too short for anything."""
 
 _SHORTEST_TURN = 1e-7
 """A step (s) that is kept however far springs turn in it."""

@@ -201,7 +201,9 @@ class Flow(NamedTuple):
     counts: Indices  # see the COUNT_ constants
     rows: Rows  # (R, 2 places) scratch
     mind: Floats  # what `auto` has learnt, see the AUTO_ constants
-    history: Rows  # (4, 2 places) what generalized-alpha carries from step to step
+    history: (
+        Rows  # (3, 2 places) what generalized-alpha carries from step to step; no rows where it is not used
+    )
 
 
 CLOCK_TIME = 0
