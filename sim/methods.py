@@ -76,11 +76,11 @@ _ALL = (
     MethodInfo(
         "dop853", "Dormand-Prince 8", "explicit", 8, True, False,
         "Error-controlled Runge-Kutta of order 8: for errors far below a thousandth of a pixel.",
-        tableaux.DOP853, 5.0,
+        tableaux.DOP853, 2.5,
     ),
     MethodInfo(
         "rodas4", "RODAS 4", "rosenbrock", 4, True, True,
-        "Error-controlled Rosenbrock method: for stiff bodies.", tableaux.RODAS4, 4.0,
+        "Error-controlled Rosenbrock method: for stiff bodies.", tableaux.RODAS4, 3.3,
     ),
     MethodInfo(
         "rodas5p", "RODAS 5P", "rosenbrock", 5, True, True,

@@ -12,7 +12,6 @@ from .kernels import guard
 from .kernels.auto import (
     KIND_ALPHA,
     KIND_AUTO,
-    KIND_AUTO_LOW,
     KIND_EXPLICIT,
     KIND_ROSENBROCK,
     KIND_VERLET,
@@ -22,6 +21,11 @@ from .kernels.bound import Bound, bind, new_buffer
 from .kernels.controls import circle_at
 from .kernels.rescue import run_rescue
 from .kernels.tables import (
+    ARM_ALPHA,
+    ARM_EXPLICIT,
+    ARM_ROSENBROCK,
+    ARM_VERLET,
+    ARMS,
     AUTO_NEW,
     CLOCK_TIME,
     CLOCKS,
@@ -38,6 +42,7 @@ from .kernels.tables import (
     COUNTS,
     WORKS,
     Drive,
+    Floats,
     Flow,
     Ledger,
     Live,
@@ -53,7 +58,7 @@ from .system import System, slab
 
 _ROWS, _HISTORY = 24, 3
 LOW_TOLERANCE = 3e-3
-"""Tolerance, px, from which on `auto` uses methods of low order."""
+"""Tolerance, px, below which `auto` chooses from methods of high order, too."""
 
 LONG = 200
 """Masses from which on `auto` tries generalized-alpha, too: what it is good at is long rods."""
@@ -214,10 +219,7 @@ class Solver:
     ) -> None:
         """Go on to a time, with a fixed step `dt` or under a tolerance; `what` tells how it ended."""
         info = METHODS[method]
-        kind, low = _KINDS[info.kind], False
-        if info.kind == "auto":
-            low = tolerance >= LOW_TOLERANCE
-            kind = KIND_AUTO_LOW if low else KIND_AUTO
+        kind, low = _KINDS[info.kind], info.kind == "auto" and tolerance >= LOW_TOLERANCE
         local = max(tolerance * info.strictness, 1e-13) if info.adaptive else 1.0
         fixed = 0.0 if info.adaptive else dt
         if self._bound_for != (info, low):
@@ -237,21 +239,14 @@ class Solver:
     def _bind(self, info: MethodInfo, low: bool) -> None:
         """Hand all tables over to the compiled code, for a method."""
         self._bound_for = info, low
-        explicit = info.table if isinstance(info.table, Tableau) else METHODS["dop853"].table
-        implicit = (
-            info.table
-            if isinstance(info.table, Rosenbrock)
-            else METHODS["rodas4" if low else "rodas5p"].table
+        rodas = METHODS["rodas4" if low else "rodas5p"]
+        arms = (METHODS["velocity_verlet"], rodas, METHODS["generalized_alpha"], METHODS["dop853"])
+        explicit, implicit = (
+            info.table if isinstance(info.table, kind) else arm.table
+            for kind, arm in ((Tableau, arms[ARM_EXPLICIT]), (Rosenbrock, rodas))
         )
         assert isinstance(explicit, Tableau)
         assert isinstance(implicit, Rosenbrock)
-        arms = (
-            METHODS["velocity_verlet" if low else "dop853"],
-            METHODS["rodas4" if low else "rodas5p"],
-            METHODS["generalized_alpha"],
-        )
-        n = self.system.body.masses
-        costs = np.array([90.0 + 4.3 * n, 880.0 + 185.0 * n, 500.0 + 110.0 * n]) / (90.0 + 4.3 * n)
         self._bound = Bound(
             body=self.system.body,
             live=self.live,
@@ -261,10 +256,31 @@ class Solver:
             ledger=self.ledger,
             explicit=explicit,
             implicit=implicit,
-            costs=costs if n >= LONG else costs[:2],
+            costs=self._costs(low) if info.kind == "auto" else np.zeros(ARMS),
             strictness=np.array([arm.strictness for arm in arms]),
         )
         bind(self._buffer, self._bound)
+
+    def _costs(self, low: bool) -> Floats:
+        """See `Bound.costs`; measured in ns on chains, elsewhere in proportion to operations."""
+        body, matrix = self.system.body, self.matrix
+        n = body.masses
+        force, factors = 3.6 * n, 40.0 * n
+        blocks = 5.0 * n
+        if not body.chain:
+            force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
+            later = matrix.row_start[1:] - matrix.diagonal - 1
+            factors = 20.0 * body.springs + 60.0 * body.joints + 7.0 * float((later * (later + 1)).sum())
+            blocks = float(matrix.column.size)
+        stages = 6 if low else 8
+        costs = np.zeros(ARMS)
+        costs[ARM_VERLET] = 66.0 + force
+        costs[ARM_ROSENBROCK] = 900.0 + factors + stages * (force + 2.0 * blocks + 4.0 * n)
+        if low and n >= LONG:
+            costs[ARM_ALPHA] = 500.0 + 1.2 * factors + 2.0 * (force + 2.0 * blocks) + 35.0 * n
+        if not low:
+            costs[ARM_EXPLICIT] = 800.0 + 12.0 * (force + 1.5 * n)
+        return costs / costs[ARM_VERLET]
 
     def rescue(self, until: float, drive: Drive) -> None:
         """Leave a state that no method can leave, by a step of last resort."""

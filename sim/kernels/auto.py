@@ -17,6 +17,8 @@ from .tables import (
     ARM_ALPHA,
     ARM_EXPLICIT,
     ARM_ROSENBROCK,
+    ARM_VERLET,
+    ARMS,
     AUTO_ASKED,
     AUTO_LAST,
     AUTO_PACE,
@@ -32,8 +34,8 @@ from .tables import (
 )
 from .verlet import run_verlet
 
-KIND_EXPLICIT, KIND_VERLET, KIND_ROSENBROCK, KIND_ALPHA, KIND_AUTO, KIND_AUTO_LOW = 0, 1, 2, 3, 4, 5
-"""What `run` runs; `KIND_AUTO_LOW` is `auto` with methods of low order."""
+KIND_EXPLICIT, KIND_VERLET, KIND_ROSENBROCK, KIND_ALPHA, KIND_AUTO = 0, 1, 2, 3, 4
+"""What `run` runs."""
 
 _SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.3
 """The share of the computing that goes into asking another method; that for one whose pace was not within a
@@ -74,12 +76,12 @@ def run(buffer, driven, kind, end, fixed, tolerance, attempts):
     elif kind == KIND_ALPHA:
         run_alpha(b.body, b.live, b.work, b.matrix, drive, b.flow, b.ledger, end, fixed, tolerance, attempts)
     else:
-        _run_best(b, drive, kind == KIND_AUTO_LOW, end, tolerance, attempts)
+        _run_best(b, drive, end, tolerance, attempts)
 
 
 @kernel(forceinline=True)
-def _run_best(b, drive, low, end, whole_tolerance, attempts):
-    """Go on to `end` by turns; `low` says whether velocity Verlet stands in for the explicit method."""
+def _run_best(b, drive, end, whole_tolerance, attempts):
+    """Go on to `end` by turns."""
     body, live, work, matrix, flow, ledger = b.body, b.live, b.work, b.matrix, b.flow, b.ledger
     costs = b.costs
     clock, count, mind = flow.clock, flow.counts, flow.mind
@@ -91,21 +93,21 @@ def _run_best(b, drive, low, end, whole_tolerance, attempts):
         if arm == ARM_ALPHA and arm != int(mind[AUTO_LAST]):
             for j in range(flow.a.size):
                 flow.history[0, j] = flow.a[j]
-        if arm == ARM_EXPLICIT:
-            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0  # it keeps no history
+        if arm in (ARM_VERLET, ARM_EXPLICIT):
+            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0  # they keep no history
         began, tried = clock[CLOCK_TIME], count[COUNT_STEPS] + count[COUNT_REJECTED]
         step, tolerance = mind[AUTO_STEP + arm], max(b.strictness[arm] * whole_tolerance, 1e-13)
-        if fresh and step <= 0.0 and arm != ARM_EXPLICIT:
-            step = min(4.0 * mind[AUTO_STEP + ARM_EXPLICIT], 0.5 * (end - began))
+        if fresh and step <= 0.0 and arm != ARM_VERLET:
+            step = min(4.0 * mind[AUTO_STEP + ARM_VERLET], 0.5 * (end - began))
         clock[CLOCK_STEP] = step
-        if arm == ARM_ROSENBROCK:
+        if arm == ARM_VERLET:
+            run_verlet(body, live, work, drive, flow, ledger, end, 0.0, tolerance, limit)
+        elif arm == ARM_ROSENBROCK:
             run_rosenbrock(
                 body, live, work, matrix, drive, flow, ledger, b.implicit, end, 0.0, tolerance, limit
             )
         elif arm == ARM_ALPHA:
             run_alpha(body, live, work, matrix, drive, flow, ledger, end, 0.0, tolerance, limit)
-        elif low:
-            run_verlet(body, live, work, drive, flow, ledger, end, 0.0, tolerance, limit)
         else:
             run_explicit(body, live, work, drive, flow, ledger, b.explicit, end, 0.0, tolerance, limit)
         mind[AUTO_STEP + arm] = clock[CLOCK_STEP]
@@ -132,23 +134,26 @@ def _run_best(b, drive, low, end, whole_tolerance, attempts):
 @kernel(forceinline=True, fastmath=FAST)
 def _whose_turn(mind, costs):
     """(the method, how many steps it may try)."""
-    best, arms = ARM_EXPLICIT, costs.size
-    for arm in range(1, arms):
+    if mind[AUTO_PACE + ARM_VERLET] < 0.0:
+        return ARM_VERLET, 16
+    best = ARM_VERLET
+    for arm in range(1, ARMS):
         if mind[AUTO_PACE + arm] > mind[AUTO_PACE + best]:
             best = arm
-    if mind[AUTO_PACE + ARM_EXPLICIT] < 0.0:
-        return ARM_EXPLICIT, 16
     pace = mind[AUTO_PACE + best]
-    for arm in range(1, arms):
-        if mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < _LONG_STEP:
+    for arm in range(1, ARMS):
+        if costs[arm] > 0.0 and mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < _LONG_STEP:
             mind[AUTO_WORK] = 0.0
             return arm, 12 if arm == ARM_ALPHA else 4
-    other = (best + 1 + int(mind[AUTO_ASKED]) % (arms - 1)) % arms
-    # Generalized-alpha needs some steps to show what it can do.
-    tries = 8 if other == ARM_EXPLICIT else 3 if other == ARM_ROSENBROCK else 12
-    share = _SHARE if mind[AUTO_PACE + other] > _CLOSE * pace else _SHARE_OF_HOPELESS
-    if mind[AUTO_WORK] * share > tries * costs[other]:
-        mind[AUTO_WORK] = 0.0
+    other = (best + 1 + int(mind[AUTO_ASKED]) % (ARMS - 1)) % ARMS
+    if costs[other] > 0.0:
+        # Generalized-alpha needs some steps to show what it can do.
+        tries = 8 if other == ARM_VERLET else 12 if other == ARM_ALPHA else 3
+        share = _SHARE if mind[AUTO_PACE + other] > _CLOSE * pace else _SHARE_OF_HOPELESS
+        if mind[AUTO_WORK] * share > tries * costs[other]:
+            mind[AUTO_WORK] = 0.0
+            mind[AUTO_ASKED] += 1.0
+            return other, tries
+    else:
         mind[AUTO_ASKED] += 1.0
-        return other, tries
-    return best, 64 if best == ARM_EXPLICIT else 12
+    return best, 64 if best == ARM_VERLET else 12

@@ -31,8 +31,8 @@ class Bound(NamedTuple):
     ledger: Ledger
     explicit: Tableau
     implicit: Rosenbrock
-    costs: Floats  # (arms,) see `auto`
-    strictness: Floats  # (arms,) of each method
+    costs: Floats  # (ARMS,) of a step of each method for `auto`, in those of Verlet's; 0: not used
+    strictness: Floats  # (ARMS,) of each of them
 
 
 _SCALARS = {"int": types.int64, "bool": types.boolean, "float": types.float64}

@@ -216,14 +216,15 @@ CLOCK_LAST, CLOCK_LAST_BUT_ONE = 3, 4
 """Places in `Flow.clock`: the last two steps that `Flow.history` knows of, s; 0 where it does not."""
 CLOCKS = 5
 
-ARM_EXPLICIT, ARM_ROSENBROCK, ARM_ALPHA = 0, 1, 2
+ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_EXPLICIT = 0, 1, 2, 3
 """The methods that `auto` chooses from."""
+ARMS = 4
 
-AUTO_STEP, AUTO_PACE, AUTO_WORK, AUTO_LAST, AUTO_ASKED = 0, 3, 6, 7, 8
-"""Places in `Flow.mind`: the next step of each method, s; simulated time for the computing of an explicit
-step, s, of each, negative where unknown; computing, in explicit steps, since a method was asked; the method
+AUTO_STEP, AUTO_PACE, AUTO_WORK, AUTO_LAST, AUTO_ASKED = 0, ARMS, 2 * ARMS, 2 * ARMS + 1, 2 * ARMS + 2
+"""Places in `Flow.mind`: the next step of each method, s; simulated time for the computing of a Verlet
+step, s, of each, negative where unknown; computing, in Verlet steps, since a method was asked; the method
 that had the last turn; how many times one was asked."""
-AUTO_NEW = (0.0, 0.0, 0.0, -1.0, -1.0, -1.0, 0.0, 0.0, 0.0)
+AUTO_NEW = (0.0,) * ARMS + (-1.0,) * ARMS + (0.0,) * 3
 """What `auto` knows at first."""
 
 COUNT_FRESH, COUNT_STEPS, COUNT_REJECTED, COUNT_WHAT, COUNT_MASS = 0, 1, 2, 3, 4

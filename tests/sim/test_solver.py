@@ -1,0 +1,132 @@
+"""What lies between scenes and kernels: tables handed over once, softened lengths, steps that are gentle."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numba
+import numpy as np
+import pytest
+
+import sim
+from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.kernels.bound import BOUND, BUFFER, DRIVE
+from sim.methods import METHODS
+from sim.scene import Circle, Method
+from sim.solver import LONG, LOW_TOLERANCE
+from sim.stepping import FlowStepper
+from sim.system import build_system
+from tests.sim.bodies import body
+
+REPLACE = msgspec.structs.replace
+FLOWS: tuple[Method, ...] = tuple(m.name for m in METHODS.values() if m.kind != "euler")
+
+
+def stepper_of(simulation: Simulation) -> FlowStepper:
+    stepper = simulation._stepper
+    assert isinstance(stepper, FlowStepper)
+    return stepper
+
+
+@pytest.mark.parametrize("shape", ["chain", "ring", "tree"])
+@pytest.mark.parametrize("method", FLOWS)
+def test_tables_are_what_the_compiled_code_takes_them_for(method: Method, shape: str) -> None:
+    # It reads them out of a buffer, by types that nobody checks when it does.
+    for tolerance in (0.1, LOW_TOLERANCE / 10.0):
+        simulation = Simulation(
+            REPLACE(body(shape, "conservative", 1), integrator=Integrator(method=method, tolerance=tolerance))
+        )
+        simulation.step()
+        solver = stepper_of(simulation).solver
+        assert numba.typeof(solver._bound) == BOUND
+        for drive in (solver.drive(1.0, {}, 0, 0), solver.drive(1.0, {1: (0, 0)}, 1, 90)):
+            assert numba.typeof(drive) == DRIVE
+    assert solver._buffer.size == BUFFER
+
+
+def test_methods_and_books_may_be_changed_on_the_way() -> None:
+    # Whatever is handed over once has to be handed over again when it is replaced.
+    scene = body("chain", "conservative", 3)
+    simulation = Simulation(scene)
+    simulation.step(5)
+    simulation.keep_books(True)
+    simulation.energy()
+    simulation.step(5)
+    moving = simulation.energy()
+    assert moving.damping < 0.0
+    simulation.keep_books(False)
+    simulation.step(5)
+    simulation.keep_books(True)
+    assert simulation.energy().damping == 0.0
+    simulation.step(5)
+    assert simulation.energy().damping < 0.0
+
+
+@pytest.mark.parametrize("masses", [7, 8, 9, 15, 16, 17, LONG])
+def test_books_see_the_hand_at_the_end_of_a_rope_of_any_length(masses: int) -> None:
+    scene = sim.rope(masses, driven=None, integrator=Integrator(tolerance=1e-5))
+    scene = REPLACE(scene, rope=None, anchors=(Anchor(mass=0), Anchor(mass=masses - 1, driven=True)))
+    simulation = Simulation(scene)
+    simulation.energy()
+    x, y = simulation.positions[masses - 1]
+    simulation.lead(masses - 1, (float(x) + 20.0, float(y) + 10.0))
+    simulation.step(20)
+    book = simulation.energy()
+    assert book.anchors > 0.0
+    assert abs(book.residual) < 1e-3 * book.anchors
+
+
+def test_lengths_are_softened_far_below_the_tolerance_and_not_at_all_for_the_tutorial() -> None:
+    def softened(**integrator: object) -> float:
+        scene = REPLACE(body("chain", "conservative", 1), integrator=Integrator(**integrator))  # type: ignore[arg-type]
+        return math.sqrt(build_system(scene).body.softening)
+
+    for tolerance in (0.1, 1e-3, 1e-6):
+        assert 0.0 < softened(tolerance=tolerance) <= 0.03 * tolerance
+    assert softened(method="symplectic_euler") < 1e-100
+    assert softened(method="stable_spring") < 1e-100
+
+
+def collapsing() -> Scene:
+    """Two masses that fly through each other, a hair off the middle."""
+    return Scene(
+        name="pass",
+        masses=(
+            Mass(position=(0.0, 0.0), velocity=(1500.0, 0.0)),
+            Mass(position=(10.0, 0.003), velocity=(-1500.0, 0.0)),
+        ),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=1e4, rest_length=10.0),),
+        gravity=(0.0, 0.0),
+        air_friction=0.0,
+        integrator=Integrator(dt=0.005),
+    )
+
+
+@pytest.mark.parametrize("method", ["auto", "dopri5", "dop853", "rodas4", "rodas5p"])
+def test_a_spring_that_passes_through_a_point_keeps_its_energy(method: Method) -> None:
+    simulation = Simulation(REPLACE(collapsing(), integrator=Integrator(method=method, dt=0.005)))
+    before = simulation.energy()
+    simulation.step()
+    after = simulation.energy()
+    # They have passed: nothing but a great many short steps shows that the spring pushed both ways.
+    assert simulation.positions[0, 0] > simulation.positions[1, 0]
+    start = before.kinetic + before.linear
+    assert after.kinetic + after.linear == pytest.approx(start, rel=0.02)
+
+
+def test_what_goes_round_starts_anew_from_where_it_is_put() -> None:
+    scene = sim.rope(5)
+    circle = Circle(radius=30.0, frequency=2.0, ramp=0.05)
+    simulation = Simulation(REPLACE(scene, rope=None, anchors=(Anchor(mass=0, driven=True, circle=circle),)))
+    simulation.step(40)
+    away = simulation.positions[0]
+    simulation.move(0, (float(away[0]) + 50.0, float(away[1])))
+    simulation.step(40)
+    moved = simulation.positions[0]
+    other = Simulation(REPLACE(scene, rope=None, anchors=(Anchor(mass=0, driven=True, circle=circle),)))
+    other.step(80)
+    assert moved - other.positions[0] == pytest.approx(np.array([50.0, 0.0]), abs=1e-9)
+    simulation.reset()
+    simulation.step(80)
+    assert simulation.positions[0] == pytest.approx(other.positions[0], abs=1e-9)
