@@ -11,6 +11,7 @@ Nothing here knows of the page; `import sim` is enough to use it in a script:
 """
 
 from .books import EnergyBook
+from .equilibrium import Vibrations, equilibrium, vibrations
 from .errors import InputError, SceneError, SettingError
 from .files import list_scenes, load_scene, save_scene
 from .rope import rope
@@ -48,7 +49,9 @@ __all__ = [
     "SceneError",
     "SettingError",
     "Simulation",
+    "Vibrations",
     "View",
+    "equilibrium",
     "list_scenes",
     "load_scene",
     "rope",
@@ -56,4 +59,5 @@ __all__ = [
     "set_choice",
     "set_value",
     "validate",
+    "vibrations",
 ]

@@ -36,6 +36,8 @@ class Divergence:
         dt: the time step used, s.
         stability: the stability limit to blame: that of the body as it was at its start, or, if that
             was stable, in its last good shape.
+        driven: whether the force law has no energy and the method a tolerance, so that it is the law, and not
+            the method, that drove the body ever faster.
     """
 
     mass: int
@@ -44,6 +46,7 @@ class Divergence:
     limit: float
     dt: float
     stability: StabilityEstimate
+    driven: bool = False
 
     def __str__(self) -> str:
         what = {
@@ -62,4 +65,6 @@ class Divergence:
                 f"time step {self.dt:.4g} s is above the stability limit {self.stability.limit:.2g} s, "
                 f"which the {self.stability.cause} sets"
             )
+        if self.driven:
+            return "the tutorial's force law has no energy and can drive a body ever faster; others cannot"
         return "the body was moved or set up too violently for this time step"

@@ -353,10 +353,11 @@ class Simulation:
 
     def _explain(self, outcome: Outcome) -> Divergence:
         quantity, limit = LIMITS[outcome.what]
-        if quantity == "speed" and METHODS[self.method].adaptive:
-            limit = MAX_SPEED
+        adaptive = METHODS[self.method].adaptive
+        limit = MAX_SPEED if quantity == "speed" and adaptive else limit
+        driven = adaptive and self._scene.force_law == "tutorial" and self._body.joints > 0
         mass = int(self._system.mass_order[outcome.place - 1]) if outcome.place > 0 else 0
-        return Divergence(mass, self._steps, quantity, limit, self.dt, self._diagnose())
+        return Divergence(mass, self._steps, quantity, limit, self.dt, self._diagnose(), driven)
 
     def _diagnose(self) -> StabilityEstimate:
         """The stability limit to blame for a divergence.

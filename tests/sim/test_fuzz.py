@@ -28,5 +28,6 @@ def test_nothing_explodes(first: int) -> None:
         # The tutorial's law has no energy: it may drive a body ever faster, and the books say that it did.
         if simulation.divergence is not None:
             assert simulation.scene.force_law == "tutorial", told
+            assert "has no energy" in str(simulation.divergence)
             book = simulation.energy()
             assert book.law > 0.5 * (book.kinetic + book.linear + book.angular), told
