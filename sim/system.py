@@ -23,10 +23,9 @@ from .kernels.tables import (
 from .methods import METHODS
 from .scene import Scene
 
-_SOFT, _SOFT_IN_TOLERANCES, _SOFT_AT_MOST = 1e-6, 0.02, 1e-4
-"""The length below which a spring has no direction to speak of: for a method with a fixed step as a part of a
-typical spring's; for one with a tolerance in tolerances, since it could not follow anything smaller, with a
-part of a typical spring's as the most."""
+_SOFT_IN_TOLERANCES, _SOFT_AT_MOST = 0.02, 1e-4
+"""The length below which a spring has no direction to speak of, in tolerances, since no method could follow
+anything smaller; and at most, as a part of a typical spring's."""
 
 _LAWS = {"tutorial": TUTORIAL, "conservative": CONSERVATIVE, "angle": ANGLE}
 
@@ -246,10 +245,8 @@ def _body(
 
 
 def _softening(scene: Scene) -> float:
-    """`Body.softening`, px²: next to none under the tutorial's integrator, which does just what the tutorial
-    does."""
-    method = METHODS[scene.integrator.method]
-    if method.kind == "euler":
+    """`Body.softening`, px²: next to none for a method with a fixed step, the tutorial's among them."""
+    if not METHODS[scene.integrator.method].adaptive:
         return SHORTEST_SQUARED
     lengths = np.array([spring.rest_length for spring in scene.linear_springs])
     if not lengths.any():
@@ -258,9 +255,7 @@ def _softening(scene: Scene) -> float:
         lengths = np.hypot(*(at[ends[:, 1]] - at[ends[:, 0]]).T)
     lengths = lengths[lengths > 0.0]
     typical = float(np.median(lengths)) if lengths.size else 1.0
-    soft = _SOFT * typical
-    if method.adaptive:
-        soft = min(_SOFT_IN_TOLERANCES * scene.integrator.tolerance, _SOFT_AT_MOST * typical)
+    soft = min(_SOFT_IN_TOLERANCES * scene.integrator.tolerance, _SOFT_AT_MOST * typical)
     return max(soft * soft, SHORTEST_SQUARED)
 
 

@@ -47,4 +47,5 @@ echo "browser: $SOFTROD_BROWSER"
 uv run ruff check .
 uv run ruff format --check .
 uv run pyright
-uv run pytest "$@"
+uv run pytest --numprocesses=2 --dist=loadfile tests/sim tests/app "$@"
+uv run pytest tests/browser "$@"

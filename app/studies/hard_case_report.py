@@ -61,8 +61,8 @@ class Outcome:
 
     @property
     def survived(self) -> bool:
-        """Whether it is at the end, in time."""
-        return self.stopped is None and self.behind == 0.0
+        """Whether it is at the end, late by a frame at most."""
+        return self.stopped is None and self.behind <= 1.0 / 60.0
 
     def __str__(self) -> str:
         if self.stopped is not None:
@@ -240,7 +240,7 @@ def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
         "- **ran**: it ran, and there is no reference: the motion is chaotic, or no strict method gets "
         "through;",
         "- **gave up at**: it ran away, or found no way on, and stopped at its last good state;",
-        f"- **lagged**: it ran out of attempts, {ATTEMPTS} in a frame, and the clock is behind by so much;",
+        f"- **lagged**: it ran out of attempts, {ATTEMPTS} in a frame, and the clock is behind by so much; up to a frame counts as surviving;",
         "- **made energy**: at the end it has more energy than was ever put in, by more than "
         f"{100.0 * MADE:g} % of what was turned over;",
         "- **last resorts**: steps in which no method could go on, and a strongly damped one was taken.",

@@ -14,7 +14,7 @@ damping adds C |A||B| dV/dt to G.
 
 A spring that shrinks to a point would have a force that jumps there, and a body may want to stay just there.
 So a length is sqrt(L² + softening), in the energies, too, with a softening far too small to be seen; none for
-the tutorial's integrator. A . R(-r) B is without it, and in the angle's law |L| becomes
+methods with a fixed step. A . R(-r) B is without it, and in the angle's law |L| becomes
 L² / sqrt(L² + softening), since V means nothing at a point.
 
 Loops that gather through indices are kept apart from loops over the springs in order, so that the latter,

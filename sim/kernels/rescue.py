@@ -57,8 +57,9 @@ def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity
             x, y = q[k] - q[i], q[places + k] - q[places + i]
             if math.sqrt(x * x + y * y) < shortest:
                 # Some direction of its own for each spring, so that no two fall on one another.
-                q[k] = q[i] + shortest * math.cos(1.0 + s)
-                q[places + k] = q[places + i] + shortest * math.sin(1.0 + s)
+                far = flow.limits[0]
+                q[k] = min(max(q[i] + shortest * math.cos(1.0 + s), -far), far)
+                q[places + k] = min(max(q[places + i] + shortest * math.sin(1.0 + s), -far), far)
     energies(body, live, mass, gravity_x, gravity_y, q, v, four)
     before = four[0] + four[1] + four[2] + four[3]
     accelerations(body, live, work, q, v, a)
