@@ -240,7 +240,8 @@ def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
         "- **ran**: it ran, and there is no reference: the motion is chaotic, or no strict method gets "
         "through;",
         "- **gave up at**: it ran away, or found no way on, and stopped at its last good state;",
-        f"- **lagged**: it ran out of attempts, {ATTEMPTS} in a frame, and the clock is behind by so much; up to a frame counts as surviving;",
+        f"- **lagged**: it ran out of attempts, {ATTEMPTS} in a frame, and the clock is that much behind; up "
+        "to a frame counts as surviving;",
         "- **made energy**: at the end it has more energy than was ever put in, by more than "
         f"{100.0 * MADE:g} % of what was turned over;",
         "- **last resorts**: steps in which no method could go on, and a strongly damped one was taken.",

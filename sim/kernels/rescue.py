@@ -12,7 +12,7 @@ import math
 from .drive import drive_to
 from .energy import energies
 from .forces import accelerations
-from .guard import GOOD
+from .guard import GOOD, sound
 from .implicit import factorise, solve
 from .jit import FAST, kernel
 from .resist import add_resistance, remember_directions
@@ -43,6 +43,9 @@ def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity
     places = flow.q.size // 2
     clock, q, v, rows = flow.clock, flow.q, flow.v, flow.rows
     to_q, to_v, a, move, four = rows[0], rows[1], rows[2], rows[3], rows[4][:4]
+    kept_q, kept_v = rows[5], rows[6]
+    for j in range(q.size):
+        kept_q[j], kept_v[j] = q[j], v[j]
     t = clock[CLOCK_TIME]
     mass = ledger.mass
     energies(body, live, mass, gravity_x, gravity_y, q, v, four)
@@ -93,6 +96,10 @@ def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity
         if after <= before and biggest(to_q) <= flow.limits[0] and biggest(to_v) <= flow.limits[1]:
             break
         part *= 0.5
+    if not sound(body, flow, to_q, to_v, True):
+        for j in range(q.size):  # what is driven has left all bounds
+            q[j], v[j] = kept_q[j], kept_v[j]
+        return
     for j in range(q.size):
         q[j], v[j] = to_q[j], to_v[j]
     # Springs that were given a length, and anchors that were moved, did work of their own.

@@ -115,6 +115,24 @@ def test_a_spring_that_passes_through_a_point_keeps_its_energy(method: Method) -
     assert after.kinetic + after.linear == pytest.approx(start, rel=0.02)
 
 
+def test_a_step_of_last_resort_keeps_within_bounds() -> None:
+    # An anchor that goes round beyond the edge of what a scene may have.
+    circle = Circle(radius=1.0, frequency=1.0, ramp=1.0)
+    scene = REPLACE(
+        collapsing(),
+        masses=(Mass(position=(0.0, 1e6)), Mass(position=(0.0, 1e6 - 10.0))),
+        anchors=(Anchor(mass=0, driven=True, circle=circle),),
+    )
+    simulation = Simulation(scene)
+    stepper_of(simulation).leave_dead_end()
+    stepper_of(simulation).solver.store()
+    assert np.abs(simulation.positions).max() <= 1e6
+    simulation.step()
+    assert simulation.divergence is not None
+    assert simulation.divergence.quantity == "position"
+    assert np.abs(simulation.positions).max() <= 1e6
+
+
 def test_what_goes_round_starts_anew_from_where_it_is_put() -> None:
     scene = sim.rope(5)
     circle = Circle(radius=30.0, frequency=2.0, ramp=0.05)
