@@ -117,7 +117,7 @@ def test_a_spring_that_passes_through_a_point_keeps_its_energy(method: Method) -
 
 def test_a_step_of_last_resort_keeps_within_bounds() -> None:
     # An anchor that goes round beyond the edge of what a scene may have.
-    circle = Circle(radius=1.0, frequency=1.0, ramp=1.0)
+    circle = Circle(radius=10.0, frequency=20.0, ramp=0.001)
     scene = REPLACE(
         collapsing(),
         masses=(Mass(position=(0.0, 1e6)), Mass(position=(0.0, 1e6 - 10.0))),
