@@ -74,7 +74,7 @@ class Problem:
         )
 
     def __str__(self) -> str:
-        parts = [self.shape, self.law, self.anchor, *self.keys]
+        parts = [self.shape, self.law, self.anchor, *sorted(self.keys)]
         return " ".join([*parts, *([] if self.damped else ["undamped"]), *(["air"] if self.air else [])])
 
 
