@@ -12,7 +12,7 @@ from .kernels.chain import run_chain
 from .kernels.general import run_general, run_held
 from .kernels.tables import NO_JOINTS, SCALE_MAX, SCALE_MIN, TUTORIAL, Drive, Live, Motion, Work
 from .methods import METHODS
-from .scene import MAX_COORDINATE, RUNAWAY_SPEED, Scene
+from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Scene
 from .solver import UNLIMITED, Effort, Solver, bounded, offset
 from .system import System
 
@@ -102,17 +102,17 @@ class EulerStepper:
         motion = self._motion(steps, targets, presses)
         self._effort.steps += steps
         self._effort.forces += steps
-        if all_held:
-            run_held(body, live, motion, steps)
-            self._steps += steps
-            return Outcome(steps)
-        plain = body.law in (NO_JOINTS, TUTORIAL) and not body.twisted
-        run = run_chain if body.chain and plain else run_general
         progress = guard.new_progress()
-        run(
-            body, live, self._work, motion, self._kept, progress, self._dt, steps,
-            self._scene.air_friction > 0.0, MAX_COORDINATE, RUNAWAY_SPEED,
-        )  # fmt: skip
+        if all_held:
+            # However fast they are led, they do not run away.
+            run_held(body, live, motion, self._kept, progress, steps, MAX_COORDINATE, MAX_SPEED)
+        else:
+            plain = body.law in (NO_JOINTS, TUTORIAL) and not body.twisted
+            run = run_chain if body.chain and plain else run_general
+            run(
+                body, live, self._work, motion, self._kept, progress, self._dt, steps,
+                self._scene.air_friction > 0.0, MAX_COORDINATE, RUNAWAY_SPEED,
+            )  # fmt: skip
         done, _, what, place = (int(p) for p in progress)
         self._steps += done
         return Outcome(done, what, place)

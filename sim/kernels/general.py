@@ -28,10 +28,15 @@ def run_general(body, live, work, motion, kept, progress, dt, steps, has_air, fa
 
 
 @kernel()
-def run_held(body, live, motion, steps):
-    """The steps of a body all of whose masses are held: no forces, only the pointer and the keys."""
-    for step in range(steps):
-        lead_and_press(body, live, motion, step, steps)
+def run_held(body, live, motion, kept, progress, steps, farthest, fastest):
+    """The steps of a body all of whose masses are held: no forces, only circles, the pointer and the keys."""
+    while progress[DONE] < steps and progress[WHAT] == GOOD:
+        done = progress[DONE]
+        count = min(progress[STRIDE], steps - done)
+        keep(live, kept)
+        for step in range(done, done + count):
+            lead_and_press(body, live, motion, step, steps)
+        judge(body, live, kept, progress, count, farthest, fastest)
 
 
 @kernel(inline="always")

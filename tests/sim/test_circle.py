@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Anchor, Integrator, Scene, Simulation
+from sim import Anchor, Integrator, Mass, Scene, Simulation
 from sim.scene import Circle, ForceLaw, Method
 from tests.sim.builders import chain, row
 
@@ -246,3 +246,20 @@ def test_damping_goes_by_the_velocity_of_a_hand_under_all_laws_but_the_tutorials
     simulation.step(1)
     seen = 500.0 if law == "conservative" else 0.0
     assert simulation.velocities[1, 0] == pytest.approx(1e-3 * 4.0 * seen, rel=1e-2, abs=1e-9)
+
+
+@pytest.mark.parametrize("method", ["symplectic_euler", "auto"])
+def test_an_anchor_that_goes_round_beyond_the_edge_stops_there(method: Method) -> None:
+    # Nothing is free, so there are no forces, and still nothing may leave the range of a scene file.
+    circle = Circle(radius=10.0, frequency=2.0, ramp=0.01)
+    scene = Scene(
+        name="edge",
+        masses=(Mass(position=(0.0, 1e6)),),
+        anchors=(Anchor(mass=0, circle=circle),),
+        integrator=Integrator(method=method),
+    )
+    simulation = Simulation(scene)
+    assert simulation.step(100) < 100
+    assert simulation.divergence is not None
+    assert simulation.divergence.quantity == "position"
+    assert abs(simulation.positions).max() <= 1e6
