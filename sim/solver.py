@@ -17,7 +17,7 @@ from .kernels.auto import (
     KIND_VERLET,
     run,
 )
-from .kernels.bound import Bound, bind, new_buffer
+from .kernels.bound import BOUND, DRIVE, Bound, bind, new_buffer
 from .kernels.controls import circle_at
 from .kernels.rescue import run_rescue
 from .kernels.tables import (
@@ -65,10 +65,6 @@ LONG = 200
 
 RESCUE_STEP = 1e-3
 """Length of a step of last resort, s."""
-
-_LOW = ("velocity_verlet", "rodas4", "generalized_alpha")
-_HIGH = ("dop853", "rodas5p", "generalized_alpha")
-"""What `auto` chooses from at high and at low tolerances."""
 
 UNLIMITED = 2**62
 
@@ -132,7 +128,7 @@ class Solver:
         self.ledger = Ledger(False, np.zeros(WORKS), np.zeros(self.places), np.zeros((4, wide)))
         self.ledger.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
-        self._buffer, self._driven = new_buffer(), new_buffer()
+        self._buffer, self._driven = new_buffer(BOUND), new_buffer(DRIVE)
         self._bound_for: tuple[MethodInfo, bool] | None = None
         self._driven_by: Drive | None = None
         circles = {a.mass: a.circle for a in scene.anchors if a.circle is not None}

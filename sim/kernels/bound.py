@@ -16,9 +16,6 @@ from numba.extending import intrinsic
 from .jit import kernel
 from .tables import Body, Drive, Floats, Flow, Ledger, Live, Matrix, Rosenbrock, Tableau, Work
 
-BUFFER = 2048
-"""Places in a buffer: eight bytes each, and seven for an array."""
-
 
 class Bound(NamedTuple):
     """All that a run needs beside what drives the body and how far it is to go."""
@@ -95,6 +92,13 @@ def bind(buffer, value):
     _put_away(buffer, value)
 
 
-def new_buffer() -> Floats:
-    """An empty buffer."""
-    return np.zeros(BUFFER)
+def new_buffer(kept: Any) -> Floats:
+    """An empty buffer with room for a value of a type, `BOUND` or `DRIVE`."""
+    return np.zeros(_words(kept))
+
+
+def _words(kept: Any) -> int:
+    """How many times eight bytes the compiled code needs for a value of a type, at most."""
+    if isinstance(kept, types.Array):
+        return 5 + 2 * kept.ndim
+    return sum(_words(part) for part in kept) if hasattr(kept, "__iter__") else 1

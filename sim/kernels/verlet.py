@@ -73,9 +73,13 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
             change = max(change, size_bits(to_a[j] - a[j]))
             far = max(far, size_bits(to_q[j]))
             fast = max(fast, size_bits(new))
+        moved = step * from_bits(fast)
         for k in range(drive.mass.size):
             m = drive.mass[k]
-            to_v[m], to_v[places + m] = driven[m], driven[places + m]
+            for j in (m, places + m):
+                to_v[j] = driven[j]
+                fast = max(fast, size_bits(driven[j]))
+                moved = max(moved, abs(to_q[j] - q[j]))  # a hand's speed may count as none
         error = 0.0
         if fixed == 0.0:
             error = from_bits(change) * step * step / (12.0 * max(step, SHORTEST_SPAN) * tolerance)
@@ -84,7 +88,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
         good = error <= 1.0
         if good and fixed == 0.0:
             # No spring has turned far while all moves since a look at the shortest were short beside it.
-            reach -= 2.0 * step * from_bits(fast)
+            reach -= 2.0 * moved
             if not reach > 0.0:
                 good = is_gentle(body, live, q, to_q, step)
                 short = 0
