@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from .kernels.band import ROW
+from .kernels.band import PARTS, ROW
 from .kernels.tables import Body, Floats, Indices, Matrix
 
-NO_MATRIX = Matrix._make([np.zeros(0)] * 4 + [np.zeros(0, np.int64)] * (len(Matrix._fields) - 4))
+NO_MATRIX = Matrix._make([np.zeros(0)] * 5 + [np.zeros(0, np.int64)] * (len(Matrix._fields) - 5))
 """For methods that solve no linear systems."""
 
 
@@ -21,9 +21,10 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     springs = [np.zeros(body.stiffness.size) for _ in range(3)]
     trees = forest(body, held)
     if body.chain:
+        factors = np.zeros(ROW * (body.stiffness.size + 3)), np.zeros(PARTS)
         nothing = np.zeros(0, np.int64)
-        rest = [nothing for _ in Matrix._fields[6:]]
-        return Matrix._make((np.zeros(ROW * (body.stiffness.size + 3)), *springs, *trees, *rest))
+        rest = [nothing for _ in Matrix._fields[7:]]
+        return Matrix._make((*factors, *springs, *trees, *rest))
     n = body.masses
     a, b = body.spring_a - 1, body.spring_b - 1
     ja, jb = body.joint_a, body.joint_b
@@ -53,6 +54,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     walk, parent = trees
     return Matrix(
         blocks=np.zeros(4 * column.size),
+        parts=np.zeros(0),
         ux=ux,
         uy=uy,
         inverse=inverse,

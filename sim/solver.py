@@ -27,6 +27,9 @@ from .kernels.tables import (
     ARM_VERLET,
     ARMS,
     AUTO_NEW,
+    CLOCK_CALM,
+    CLOCK_LAST,
+    CLOCK_LAST_BUT_ONE,
     CLOCK_TIME,
     CLOCKS,
     CONTROL_SCALE,
@@ -289,6 +292,7 @@ class Solver:
             h, 1e-6 * typical, typical,
         )  # fmt: skip
         self.flow.mind[:] = AUTO_NEW
+        self.flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_CALM]] = 0.0
 
     def open_ledger(self) -> None:
         """Keep books from now on of what changes the energy."""

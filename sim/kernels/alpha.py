@@ -27,8 +27,10 @@ from .steps import (
     step_after,
 )
 from .tables import (
+    CLOCK_CALM,
     CLOCK_LAST,
     CLOCK_LAST_BUT_ONE,
+    CLOCK_SOLVABLE,
     CLOCK_STEP,
     CLOCK_TIME,
     COUNT_FORCES,
@@ -41,10 +43,23 @@ from .tables import (
 _RHO = 0.8
 """What is left of the fastest motions after each step (the spectral radius at infinity)."""
 
+_AM, _AF = (2.0 * _RHO - 1.0) / (_RHO + 1.0), _RHO / (_RHO + 1.0)
+_BETA = 0.25 * (1.0 - _AM + _AF) ** 2
+_ALPHA = _AM, _AF, 0.5 - _AM + _AF, _BETA, 0.5 - _BETA
+_EULER = 0.0, 0.0, 1.0, 1.0, 0.0
+"""Of a step: alpha_m, alpha_f, gamma, beta, and the weight of the acceleration at its start in positions; and
+those of the implicit Euler method, which does not look at that acceleration."""
+
+_CALMING = 2
+"""Steps of the implicit Euler method that the method begins with."""
+
 _ITERATIONS = 8
 _SPAN = 2.5e-3
 """A step's error is held to the tolerance of so many seconds, however long it is: an error per second of it
 would have this method, of second order, take steps that are too short to pay."""
+
+_RAISE = 1.2
+"""How much longer than the last step the next one may be after Newton's method failed."""
 
 _ERROR = 0.1
 """The error of a step as a part of the distance between prediction and solution, found by trying."""
@@ -67,14 +82,10 @@ def run_alpha(
         rows[5],
         rows[6],
     )
-    inner = flow.history[0]  # the method's own acceleration
-    am, af = (2.0 * _RHO - 1.0) / (_RHO + 1.0), _RHO / (_RHO + 1.0)
-    gamma = 0.5 - am + af
-    beta = 0.25 * (1.0 - am + af) ** 2
-    weight = 1.0 / (1.0 - af)
-    if clock[CLOCK_LAST] == 0.0:
+    late, inner = flow.history[0], rows[8]  # the method's own acceleration, and for the step to try
+    if clock[CLOCK_CALM] == 0.0:
         for j in range(q.size):
-            inner[j] = flow.a[j]
+            late[j] = flow.a[j]
     precision = 0.05 * _SPAN * tolerance if fixed == 0.0 else 1e-9
     t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
     if fixed > 0.0:
@@ -87,12 +98,19 @@ def run_alpha(
             break
         # Equal steps up to the end: what is carried along is of first order only where steps change.
         step = (end - t) / math.ceil((end - t) / h - 1e-6)
+        # What is too fast for the steps to come shows in the accelerations first: forget those.
+        calming = fixed == 0.0 and clock[CLOCK_CALM] < _CALMING
+        am, af, gamma, beta, kept = _EULER if calming else _ALPHA
+        weight = 1.0 / (1.0 - af)
         inverse = 1.0 / (beta * step * step)
         g2 = weight * (1.0 - am) * inverse
         g1 = gamma / (beta * step)
+        # It is that of a moment a part of the step off, which goes with the step (Jay & Negrut, 2007).
+        ratio = min(step / clock[CLOCK_LAST], 2.0) if clock[CLOCK_LAST] > 0.0 else 1.0
         for j in range(q.size):
-            start[j] = q[j] + step * v[j] + step * step * (0.5 - beta) * inner[j]
-            to_q[j] = start[j] + step * step * beta * inner[j]
+            inner[j] = flow.a[j] + ratio * (late[j] - flow.a[j])
+            start[j] = q[j] + step * v[j] + step * step * kept * inner[j]
+            to_q[j] = q[j] + step * v[j] + 0.5 * step * step * inner[j]
         if drive.moving:
             drive_to(body, live, drive, t + step, to_q, to_v)
         _predict(matrix, live.inverse_mass, flow, step, to_q)
@@ -141,8 +159,8 @@ def run_alpha(
                 drive_to(body, live, drive, t + step, to_q, to_v)
             error = 0.0
             if fixed == 0.0:
-                known = 1.0 if clock[CLOCK_LAST_BUT_ONE] > 0.0 else 0.3
-                error = known * _ERROR * biggest(guess) / (_SPAN * tolerance)
+                part = _ERROR if clock[CLOCK_LAST_BUT_ONE] > 0.0 else 0.3 * _ERROR
+                error = (1.0 if calming else part) * biggest(guess) / (_SPAN * tolerance)
         good = error <= 1.5 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good and fixed == 0.0:
             good = is_gentle(body, live, q, to_q, step)
@@ -150,9 +168,10 @@ def run_alpha(
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, force, step)
             t = end if step == end - t else t + step
-            remember(matrix, flow, step)
+            remember(matrix, flow, step, 0.0)
             for j in range(q.size):
-                q[j], v[j], flow.a[j], inner[j] = to_q[j], to_v[j], force[j], to_a[j]
+                q[j], v[j], flow.a[j], late[j] = to_q[j], to_v[j], force[j], to_a[j]
+            clock[CLOCK_CALM] += 1.0
             count[COUNT_STEPS] += 1
         else:
             error = max(error, 2.0)
@@ -160,6 +179,11 @@ def run_alpha(
             if drive.pressed:
                 drive_to(body, live, drive, t, q, v)
         after = step_after(flow, h, step, error, 3, good, failed)
+        if not good and error >= HOPELESS:
+            clock[CLOCK_SOLVABLE] = after = 0.5 * step
+        elif clock[CLOCK_SOLVABLE] > 0.0:
+            clock[CLOCK_SOLVABLE] *= _RAISE
+            after = min(after, clock[CLOCK_SOLVABLE])
         if not good or after > 1.5 * h or after < 0.8 * h:
             h = after
         failed = not good
@@ -167,18 +191,24 @@ def run_alpha(
             h = min(h, fixed)
         elif not good and h < 1e-6 and h > SHORTEST_STEP:
             # Perhaps it is what was carried along that is no good.
-            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0
+            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_CALM] = 0.0
             accelerations(body, live, work, q, v, flow.a)
             for j in range(q.size):
-                inner[j] = flow.a[j]
+                late[j] = flow.a[j]
     clock[CLOCK_TIME] = t
     clock[CLOCK_STEP] = h
 
 
 @kernel(fastmath=FAST)
-def remember(matrix, flow, step):
-    """Shift the history of the springs' vectors by a step; called before the state is replaced."""
+def remember(matrix, flow, step, least):
+    """Shift the history of the springs' vectors by a step; called before the state is replaced.
+
+    Steps that together are shorter than `least`, s, count as one, since the next step is much longer.
+    """
     clock, places = flow.clock, flow.q.size // 2
+    if 0.0 < clock[CLOCK_LAST] < least:
+        clock[CLOCK_LAST] += step
+        return
     last, older = flow.history[1], flow.history[2]
     for i in range(matrix.walk.size):
         m = matrix.walk[i]

@@ -24,6 +24,7 @@ from .tables import (
     AUTO_PACE,
     AUTO_STEP,
     AUTO_WORK,
+    CLOCK_CALM,
     CLOCK_LAST,
     CLOCK_LAST_BUT_ONE,
     CLOCK_STEP,
@@ -37,9 +38,19 @@ from .verlet import run_verlet
 KIND_EXPLICIT, KIND_VERLET, KIND_ROSENBROCK, KIND_ALPHA, KIND_AUTO = 0, 1, 2, 3, 4
 """What `run` runs."""
 
-_SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.3
-"""The share of the computing that goes into asking another method; that for one whose pace was not within a
-part of the best; and that part."""
+_SHARE, _CLOSE = 0.05, 0.3
+"""The share of the computing that goes into asking another method whose pace was within a part of the best;
+and that part."""
+
+_SHARE_OF_SLOW, _SHARE_OF_HOPELESS = 0.01, 0.002
+"""The share for one that was farther behind, which falls with its pace where that is below a tenth of the
+best; and the least."""
+
+_TAKING_OVER = 0.3
+"""How long the first step of generalized-alpha is beside its last one, since it is of first order."""
+
+_RESTART = 8.0
+"""Steps that it takes generalized-alpha to be as fast again after another method had a turn."""
 
 _NEWS = 0.3
 """How much a turn of generalized-alpha that went badly counts against the ones before it."""
@@ -90,15 +101,13 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
         arm, limit = _whose_turn(mind, costs)
         fresh = mind[AUTO_PACE + arm] < 0.0
         limit = min(limit, left)
-        if arm == ARM_ALPHA and arm != int(mind[AUTO_LAST]):
-            for j in range(flow.a.size):
-                flow.history[0, j] = flow.a[j]
-        if arm in (ARM_VERLET, ARM_EXPLICIT):
-            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0  # they keep no history
         began, tried = clock[CLOCK_TIME], count[COUNT_STEPS] + count[COUNT_REJECTED]
         step, tolerance = mind[AUTO_STEP + arm], max(b.strictness[arm] * whole_tolerance, 1e-13)
         if fresh and step <= 0.0 and arm != ARM_VERLET:
             step = min(4.0 * mind[AUTO_STEP + ARM_VERLET], 0.5 * (end - began))
+        if arm == ARM_ALPHA and arm != int(mind[AUTO_LAST]):
+            clock[CLOCK_CALM] = 0.0
+            step *= _TAKING_OVER
         clock[CLOCK_STEP] = step
         if arm == ARM_VERLET:
             run_verlet(body, live, work, drive, flow, ledger, end, 0.0, tolerance, limit)
@@ -110,6 +119,11 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
             run_alpha(body, live, work, matrix, drive, flow, ledger, end, 0.0, tolerance, limit)
         else:
             run_explicit(body, live, work, drive, flow, ledger, b.explicit, end, 0.0, tolerance, limit)
+        if arm in (ARM_VERLET, ARM_EXPLICIT):  # they keep no history
+            if clock[CLOCK_LAST] > 0.0 and clock[CLOCK_TIME] - began < 0.5 * mind[AUTO_STEP + ARM_ALPHA]:
+                clock[CLOCK_LAST] += clock[CLOCK_TIME] - began
+            else:
+                clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0
         mind[AUTO_STEP + arm] = clock[CLOCK_STEP]
         mind[AUTO_LAST] = arm
         tries = count[COUNT_STEPS] + count[COUNT_REJECTED] - tried
@@ -149,8 +163,12 @@ def _whose_turn(mind, costs):
     if costs[other] > 0.0:
         # Generalized-alpha needs some steps to show what it can do.
         tries = 8 if other == ARM_VERLET else 12 if other == ARM_ALPHA else 3
-        share = _SHARE if mind[AUTO_PACE + other] > _CLOSE * pace else _SHARE_OF_HOPELESS
-        if mind[AUTO_WORK] * share > tries * costs[other]:
+        price = tries * costs[other] + (_RESTART * costs[ARM_ALPHA] if best == ARM_ALPHA else 0.0)
+        behind = mind[AUTO_PACE + other] / pace
+        share = (
+            _SHARE if behind > _CLOSE else max(_SHARE_OF_SLOW * min(10.0 * behind, 1.0), _SHARE_OF_HOPELESS)
+        )
+        if mind[AUTO_WORK] * share > price:
             mind[AUTO_WORK] = 0.0
             mind[AUTO_ASKED] += 1.0
             return other, tries

@@ -51,6 +51,12 @@ def outer(factor, a, b):
 
 
 @kernel(forceinline=True, fastmath=FAST)
+def scaled(factor, block):
+    """A block times a number."""
+    return factor * block[0], factor * block[1], factor * block[2], factor * block[3]
+
+
+@kernel(forceinline=True, fastmath=FAST)
 def spring_block(stiffness, damping, pull, length, vector, rate, g, definite):
     """Of the tension of a linear spring, by its own vector.
 
@@ -115,10 +121,10 @@ def joint_blocks(
         couple = cos * (a[0] * b[1] - a[1] * b[0]) - sin * (a[0] * b[0] + a[1] * b[1])
         by_a = (cos * b[1] - sin * b[0], -cos * b[0] - sin * b[1])
         by_b = (-cos * a[1] - sin * a[0], cos * a[0] - sin * a[1])
-        aa = minus(outer(-1.0, normal_a, by_a), _scaled(couple, turn_a))
+        aa = minus(outer(-1.0, normal_a, by_a), scaled(couple, turn_a))
         ab = outer(-1.0, normal_a, by_b)
         ba = outer(1.0, normal_b, by_a)
-        bb = plus(outer(1.0, normal_b, by_b), _scaled(couple, turn_b))
+        bb = plus(outer(1.0, normal_b, by_b), scaled(couple, turn_b))
     else:
         aa, ab, ba, bb = _angle_blocks(size, rest, a, b, inv_a, inv_b, softening)
     if damping > 0.0:
@@ -150,8 +156,8 @@ def joint_blocks(
                 + damping * len_a * inv_b * turning * b[1]
                 - strength * (turn_b[1] * rate_b[0] + turn_b[3] * rate_b[1]),
             )
-            aa = minus(aa, _scaled(couple, turn_a))
-            bb = plus(bb, _scaled(couple, turn_b))
+            aa = minus(aa, scaled(couple, turn_a))
+            bb = plus(bb, scaled(couple, turn_b))
         aa = minus(aa, outer(1.0, normal_a, by_a))
         ab = minus(ab, outer(1.0, normal_a, by_b))
         ba = plus(ba, outer(1.0, normal_b, by_a))
@@ -171,14 +177,14 @@ def _angle_blocks(size, rest, a, b, inv_a, inv_b, softening):
     weight_a, slope_a, bend_a, normal_a, turn_a = _weight(a, inv_a, softening)
     weight_b, slope_b, bend_b, normal_b, turn_b = _weight(b, inv_b, softening)
     aa = plus(outer(off, slope_a, normal_a), outer(off, normal_a, slope_a))
-    aa = plus(aa, plus(_scaled(half, bend_a), outer(weight_a, normal_a, normal_a)))
-    aa = _scaled(-size * weight_b, plus(aa, _scaled(weight_a * off, turn_a)))
+    aa = plus(aa, plus(scaled(half, bend_a), outer(weight_a, normal_a, normal_a)))
+    aa = scaled(-size * weight_b, plus(aa, scaled(weight_a * off, turn_a)))
     bb = plus(outer(-off, slope_b, normal_b), outer(-off, normal_b, slope_b))
-    bb = plus(bb, plus(_scaled(half, bend_b), outer(weight_b, normal_b, normal_b)))
-    bb = _scaled(-size * weight_a, minus(bb, _scaled(weight_b * off, turn_b)))
+    bb = plus(bb, plus(scaled(half, bend_b), outer(weight_b, normal_b, normal_b)))
+    bb = scaled(-size * weight_a, minus(bb, scaled(weight_b * off, turn_b)))
     ab = minus(outer(off * weight_b, slope_a, normal_b), outer(off * weight_a, normal_a, slope_b))
     ab = plus(minus(ab, outer(half, slope_a, slope_b)), outer(weight_a * weight_b, normal_a, normal_b))
-    ab = _scaled(size, ab)
+    ab = scaled(size, ab)
     return aa, ab, (ab[0], ab[2], ab[1], ab[3]), bb
 
 
@@ -194,11 +200,6 @@ def _weight(vector, inv, softening):
     second = plus((slope, 0.0, 0.0, slope), outer(bend, vector, vector))
     turn = _normal_by_vector(vector, normal, math.sqrt(true))
     return square * inv, (slope * vector[0], slope * vector[1]), second, normal, turn
-
-
-@kernel(forceinline=True, fastmath=FAST)
-def _scaled(factor, block):
-    return factor * block[0], factor * block[1], factor * block[2], factor * block[3]
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -26,6 +26,8 @@ from .steps import (
     step_after,
 )
 from .tables import (
+    ARM_ALPHA,
+    AUTO_STEP,
     CLOCK_STEP,
     CLOCK_TIME,
     COUNT_FORCES,
@@ -121,8 +123,8 @@ def run_rosenbrock(
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
             t = end if step == end - t else t + step
-            if flow.history.shape[0] > 0:
-                remember(matrix, flow, step)  # for generalized-alpha, should it go on from here
+            if flow.history.shape[0] > 0:  # for generalized-alpha, should it go on from here
+                remember(matrix, flow, step, 0.5 * flow.mind[AUTO_STEP + ARM_ALPHA])
             replace_state(flow, to_q, to_v, to_a)
             count[COUNT_STEPS] += 1
         else:

@@ -150,6 +150,7 @@ class Matrix(NamedTuple):
     """What an implicit step needs: the factors of its matrix and, where the body is no chain, the pattern."""
 
     blocks: Floats  # the factors; see `band` and `sparse`
+    parts: Floats  # scratch of a chain; see `band`
     ux: Floats  # (S padded) unit vectors of the springs, where the matrix was built
     uy: Floats
     inverse: Floats  # 1 / length there
@@ -214,7 +215,11 @@ CLOCK_CAP = 2
 """Place in `Flow.clock`: the largest step that seems to be stable, s."""
 CLOCK_LAST, CLOCK_LAST_BUT_ONE = 3, 4
 """Places in `Flow.clock`: the last two steps that `Flow.history` knows of, s; 0 where it does not."""
-CLOCKS = 5
+CLOCK_SOLVABLE = 5
+"""Place in `Flow.clock`: the largest step for which Newton's method seems to converge, s; 0 where unknown."""
+CLOCK_CALM = 6
+"""Place in `Flow.clock`: how many steps generalized-alpha has taken since it took over."""
+CLOCKS = 7
 
 ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_EXPLICIT = 0, 1, 2, 3
 """The methods that `auto` chooses from."""
