@@ -38,13 +38,9 @@ from .verlet import run_verlet
 KIND_EXPLICIT, KIND_VERLET, KIND_ROSENBROCK, KIND_ALPHA, KIND_AUTO = 0, 1, 2, 3, 4
 """What `run` runs."""
 
-_SHARE, _CLOSE = 0.05, 0.3
-"""The share of the computing that goes into asking another method whose pace was within a part of the best;
-and that part."""
-
-_SHARE_OF_SLOW, _SHARE_OF_HOPELESS = 0.01, 0.002
-"""The share for one that was farther behind, which falls with its pace where that is below a tenth of the
-best; and the least."""
+_SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.3
+"""The share of the computing that goes into asking another method; that for one whose pace was not within a
+part of the best; and that part."""
 
 _TAKING_OVER = 0.3
 """How long the first step of generalized-alpha is beside its last one, since it is of first order."""
@@ -164,14 +160,13 @@ def _whose_turn(mind, costs):
         # Generalized-alpha needs some steps to show what it can do.
         tries = 8 if other == ARM_VERLET else 12 if other == ARM_ALPHA else 3
         price = tries * costs[other] + (_RESTART * costs[ARM_ALPHA] if best == ARM_ALPHA else 0.0)
-        behind = mind[AUTO_PACE + other] / pace
-        share = (
-            _SHARE if behind > _CLOSE else max(_SHARE_OF_SLOW * min(10.0 * behind, 1.0), _SHARE_OF_HOPELESS)
-        )
+        share = _SHARE if mind[AUTO_PACE + other] > _CLOSE * pace else _SHARE_OF_HOPELESS
         if mind[AUTO_WORK] * share > price:
             mind[AUTO_WORK] = 0.0
             mind[AUTO_ASKED] += 1.0
             return other, tries
     else:
         mind[AUTO_ASKED] += 1.0
+    if best != ARM_ALPHA and int(mind[AUTO_LAST]) == ARM_ALPHA:
+        return best, 3  # what is known of it is old
     return best, 64 if best == ARM_VERLET else 12
