@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from . import tableaux
-from .kernels.tables import Rosenbrock, Tableau
+from . import multistep, tableaux
+from .kernels.adams import PAST
+from .kernels.tables import Adams, Rosenbrock, Tableau
 from .scene import Method
 
-Kind = Literal["euler", "verlet", "explicit", "rosenbrock", "alpha", "auto"]
+Kind = Literal["euler", "verlet", "explicit", "rosenbrock", "alpha", "adams", "auto"]
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ class MethodInfo:
     adaptive: bool
     implicit: bool
     summary: str
-    table: Tableau | Rosenbrock | None = None
+    table: Tableau | Rosenbrock | Adams | None = None
     strictness: float = 1.0
 
 
@@ -77,6 +78,12 @@ _ALL = (
         "dop853", "Dormand-Prince 8", "explicit", 8, True, False,
         "Error-controlled Runge-Kutta of order 8: for errors far below a thousandth of a pixel.",
         tableaux.DOP853, 2.5,
+    ),
+    MethodInfo(
+        "adams", "Adams", "adams", 9, True, False,
+        "Error-controlled, by a polynomial through past accelerations: two evaluations a step; for small "
+        "errors of what moves smoothly.",
+        multistep.adams(PAST - 1), 1.2,
     ),
     MethodInfo(
         "rodas4", "RODAS 4", "rosenbrock", 4, True, True,

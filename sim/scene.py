@@ -55,6 +55,7 @@ Method = Literal[
     "stable_spring",
     "dopri5",
     "dop853",
+    "adams",
     "rodas4",
     "rodas5p",
 ]

@@ -9,7 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from .kernels import guard
+from .kernels.adams import PAST
 from .kernels.auto import (
+    KIND_ADAMS,
     KIND_ALPHA,
     KIND_AUTO,
     KIND_EXPLICIT,
@@ -21,13 +23,14 @@ from .kernels.bound import BOUND, DRIVE, Bound, bind, new_buffer
 from .kernels.controls import circle_at
 from .kernels.rescue import run_rescue
 from .kernels.tables import (
+    ARM_ADAMS,
     ARM_ALPHA,
     ARM_EXPLICIT,
     ARM_ROSENBROCK,
     ARM_VERLET,
     ARMS,
     AUTO_NEW,
-    CLOCK_CALM,
+    CLOCK_BEGUN,
     CLOCK_LAST,
     CLOCK_LAST_BUT_ONE,
     CLOCK_TIME,
@@ -44,6 +47,7 @@ from .kernels.tables import (
     COUNT_WHAT,
     COUNTS,
     WORKS,
+    Adams,
     Drive,
     Floats,
     Flow,
@@ -60,6 +64,7 @@ from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
 from .system import System, slab
 
 _ROWS, _HISTORY = 24, 3
+
 LOW_TOLERANCE = 3e-3
 """Tolerance, px, below which `auto` chooses from methods of high order, too."""
 
@@ -76,6 +81,7 @@ _KINDS = {
     "verlet": KIND_VERLET,
     "rosenbrock": KIND_ROSENBROCK,
     "alpha": KIND_ALPHA,
+    "adams": KIND_ADAMS,
     "auto": KIND_AUTO,
 }
 
@@ -113,7 +119,7 @@ class Solver:
         wide = 2 * self.places
         kind = METHODS[scene.integrator.method].kind
         remembers = kind == "alpha" or (kind == "auto" and system.body.masses >= LONG)
-        (room,) = slab([((3 + _ROWS + _HISTORY) * wide, 0)], page_offset=2560)
+        (room,) = slab([((3 + _ROWS + _HISTORY + PAST) * wide, 0)], page_offset=2560)
         rows = room.reshape(-1, wide)  # a whole number of cache lines each
         self.flow = Flow(
             q=rows[0],
@@ -124,7 +130,8 @@ class Solver:
             counts=np.zeros(COUNTS, np.int64),
             rows=rows[3 : 3 + _ROWS],
             mind=np.array(AUTO_NEW),
-            history=rows[3 + _ROWS :] if remembers else rows[:0],
+            history=rows[3 + _ROWS : 3 + _ROWS + _HISTORY] if remembers else rows[:0],
+            past=rows[3 + _ROWS + _HISTORY :] if kind in ("adams", "auto") else rows[:0],
         )
         if not METHODS[scene.integrator.method].adaptive:
             self.flow.limits[1] = RUNAWAY_SPEED
@@ -239,13 +246,16 @@ class Solver:
         """Hand all tables over to the compiled code, for a method."""
         self._bound_for = info, low
         rodas = METHODS["rodas4" if low else "rodas5p"]
-        arms = (METHODS["velocity_verlet"], rodas, METHODS["generalized_alpha"], METHODS["dop853"])
+        names = ("velocity_verlet", rodas.name, "generalized_alpha", "dop853", "adams")
+        arms = [METHODS[name] for name in names]
         explicit, implicit = (
             info.table if isinstance(info.table, kind) else arm.table
             for kind, arm in ((Tableau, arms[ARM_EXPLICIT]), (Rosenbrock, rodas))
         )
         assert isinstance(explicit, Tableau)
         assert isinstance(implicit, Rosenbrock)
+        adams = arms[ARM_ADAMS].table
+        assert isinstance(adams, Adams)
         self._bound = Bound(
             body=self.system.body,
             live=self.live,
@@ -255,6 +265,7 @@ class Solver:
             ledger=self.ledger,
             explicit=explicit,
             implicit=implicit,
+            adams=adams,
             costs=self._costs(low) if info.kind == "auto" else np.zeros(ARMS),
             strictness=np.array([arm.strictness for arm in arms]),
         )
@@ -274,6 +285,7 @@ class Solver:
         stages = 6 if low else 8
         costs = np.zeros(ARMS)
         costs[ARM_VERLET] = 66.0 + force
+        costs[ARM_ADAMS] = 90.0 + 2.0 * force + 4.0 * n
         costs[ARM_ROSENBROCK] = 900.0 + factors + stages * (force + 2.0 * blocks + 4.0 * n)
         if low and n >= LONG:
             costs[ARM_ALPHA] = 500.0 + 1.2 * factors + 2.0 * (force + 2.0 * blocks) + 35.0 * n
@@ -292,7 +304,7 @@ class Solver:
             h, 1e-6 * typical, typical,
         )  # fmt: skip
         self.flow.mind[:] = AUTO_NEW
-        self.flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_CALM]] = 0.0
+        self.flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_BEGUN]] = 0.0
 
     def open_ledger(self) -> None:
         """Keep books from now on of what changes the energy."""

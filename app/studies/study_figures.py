@@ -27,6 +27,7 @@ STYLES: dict[str, tuple[str, str]] = {
     "stable_spring": (ORANGE, "P"),
     "dopri5": (GREEN, "<"),
     "dop853": (GREEN, ">"),
+    "adams": (YELLOW, "*"),
     "rodas4": (PURPLE, "X"),
     "rodas5p": (PURPLE, "p"),
     "scipy_rk45": (GREY, "<"),

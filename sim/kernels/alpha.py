@@ -27,7 +27,7 @@ from .steps import (
     step_after,
 )
 from .tables import (
-    CLOCK_CALM,
+    CLOCK_BEGUN,
     CLOCK_LAST,
     CLOCK_LAST_BUT_ONE,
     CLOCK_SOLVABLE,
@@ -83,7 +83,7 @@ def run_alpha(
         rows[6],
     )
     late, inner = flow.history[0], rows[8]  # the method's own acceleration, and for the step to try
-    if clock[CLOCK_CALM] == 0.0:
+    if clock[CLOCK_BEGUN] == 0.0:
         for j in range(q.size):
             late[j] = flow.a[j]
     precision = 0.05 * _SPAN * tolerance if fixed == 0.0 else 1e-9
@@ -99,7 +99,7 @@ def run_alpha(
         # Equal steps up to the end: what is carried along is of first order only where steps change.
         step = (end - t) / math.ceil((end - t) / h - 1e-6)
         # What is too fast for the steps to come shows in the accelerations first: forget those.
-        calming = fixed == 0.0 and clock[CLOCK_CALM] < _CALMING
+        calming = fixed == 0.0 and clock[CLOCK_BEGUN] < _CALMING
         am, af, gamma, beta, kept = _EULER if calming else _ALPHA
         weight = 1.0 / (1.0 - af)
         inverse = 1.0 / (beta * step * step)
@@ -171,7 +171,7 @@ def run_alpha(
             remember(matrix, flow, step, 0.0)
             for j in range(q.size):
                 q[j], v[j], flow.a[j], late[j] = to_q[j], to_v[j], force[j], to_a[j]
-            clock[CLOCK_CALM] += 1.0
+            clock[CLOCK_BEGUN] += 1.0
             count[COUNT_STEPS] += 1
         else:
             error = max(error, 2.0)
@@ -191,7 +191,7 @@ def run_alpha(
             h = min(h, fixed)
         elif not good and h < 1e-6 and h > SHORTEST_STEP:
             # Perhaps it is what was carried along that is no good.
-            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_CALM] = 0.0
+            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_BEGUN] = 0.0
             accelerations(body, live, work, q, v, flow.a)
             for j in range(q.size):
                 late[j] = flow.a[j]

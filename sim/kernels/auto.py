@@ -7,6 +7,7 @@ on. Every step counts, none is a trial: all hold the same tolerance.
 
 from __future__ import annotations
 
+from .adams import run_adams
 from .alpha import run_alpha
 from .bound import take_bound, take_drive
 from .explicit import run_explicit
@@ -14,6 +15,7 @@ from .guard import GOOD, STUCK
 from .jit import FAST, kernel
 from .rosenbrock import run_rosenbrock
 from .tables import (
+    ARM_ADAMS,
     ARM_ALPHA,
     ARM_EXPLICIT,
     ARM_ROSENBROCK,
@@ -24,7 +26,7 @@ from .tables import (
     AUTO_PACE,
     AUTO_STEP,
     AUTO_WORK,
-    CLOCK_CALM,
+    CLOCK_BEGUN,
     CLOCK_LAST,
     CLOCK_LAST_BUT_ONE,
     CLOCK_STEP,
@@ -35,7 +37,7 @@ from .tables import (
 )
 from .verlet import run_verlet
 
-KIND_EXPLICIT, KIND_VERLET, KIND_ROSENBROCK, KIND_ALPHA, KIND_AUTO = 0, 1, 2, 3, 4
+KIND_EXPLICIT, KIND_VERLET, KIND_ROSENBROCK, KIND_ALPHA, KIND_ADAMS, KIND_AUTO = 0, 1, 2, 3, 4, 5
 """What `run` runs."""
 
 _SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.3
@@ -46,7 +48,7 @@ _TAKING_OVER = 0.3
 """How long the first step of generalized-alpha is beside its last one, since it is of first order."""
 
 _RESTART = 8.0
-"""Steps that it takes generalized-alpha to be as fast again after another method had a turn."""
+"""Steps that it takes a method that goes by the past to be as fast again after another one had a turn."""
 
 _NEWS = 0.3
 """How much a turn of generalized-alpha that went badly counts against the ones before it."""
@@ -82,6 +84,8 @@ def run(buffer, driven, kind, end, fixed, tolerance, attempts):
         )  # fmt: skip
     elif kind == KIND_ALPHA:
         run_alpha(b.body, b.live, b.work, b.matrix, drive, b.flow, b.ledger, end, fixed, tolerance, attempts)
+    elif kind == KIND_ADAMS:
+        run_adams(b.body, b.live, b.work, drive, b.flow, b.ledger, b.adams, end, tolerance, attempts)
     else:
         _run_best(b, drive, end, tolerance, attempts)
 
@@ -99,10 +103,11 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
         limit = min(limit, left)
         began, tried = clock[CLOCK_TIME], count[COUNT_STEPS] + count[COUNT_REJECTED]
         step, tolerance = mind[AUTO_STEP + arm], max(b.strictness[arm] * whole_tolerance, 1e-13)
+        begins = arm == ARM_ADAMS and arm != int(mind[AUTO_LAST])
         if fresh and step <= 0.0 and arm != ARM_VERLET:
             step = min(4.0 * mind[AUTO_STEP + ARM_VERLET], 0.5 * (end - began))
         if arm == ARM_ALPHA and arm != int(mind[AUTO_LAST]):
-            clock[CLOCK_CALM] = 0.0
+            clock[CLOCK_BEGUN] = 0.0
             step *= _TAKING_OVER
         clock[CLOCK_STEP] = step
         if arm == ARM_VERLET:
@@ -113,9 +118,11 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
             )
         elif arm == ARM_ALPHA:
             run_alpha(body, live, work, matrix, drive, flow, ledger, end, 0.0, tolerance, limit)
+        elif arm == ARM_ADAMS:
+            run_adams(body, live, work, drive, flow, ledger, b.adams, end, tolerance, limit)
         else:
             run_explicit(body, live, work, drive, flow, ledger, b.explicit, end, 0.0, tolerance, limit)
-        if arm in (ARM_VERLET, ARM_EXPLICIT):  # they keep no history
+        if arm in (ARM_VERLET, ARM_EXPLICIT, ARM_ADAMS):  # they keep no history
             if clock[CLOCK_LAST] > 0.0 and clock[CLOCK_TIME] - began < 0.5 * mind[AUTO_STEP + ARM_ALPHA]:
                 clock[CLOCK_LAST] += clock[CLOCK_TIME] - began
             else:
@@ -131,7 +138,7 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
             mind[AUTO_PACE + arm] = 0.0
             if mind[AUTO_PACE + ARM_ROSENBROCK] == 0.0:
                 mind[AUTO_PACE + ARM_ROSENBROCK] = -1.0
-        elif arm == ARM_ALPHA or fresh:
+        elif arm == ARM_ALPHA or fresh or begins:
             # It has hardly begun to lengthen its steps; and one bad turn is no reason to change at once.
             pace = max(pace, clock[CLOCK_STEP] / costs[arm])
             mind[AUTO_PACE + arm] = max(pace, (1.0 - _NEWS) * mind[AUTO_PACE + arm] + _NEWS * pace)
@@ -154,12 +161,11 @@ def _whose_turn(mind, costs):
     for arm in range(1, ARMS):
         if costs[arm] > 0.0 and mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < _LONG_STEP:
             mind[AUTO_WORK] = 0.0
-            return arm, 12 if arm == ARM_ALPHA else 4
+            return arm, _few(arm)
     other = (best + 1 + int(mind[AUTO_ASKED]) % (ARMS - 1)) % ARMS
     if costs[other] > 0.0:
-        # Generalized-alpha needs some steps to show what it can do.
-        tries = 8 if other == ARM_VERLET else 12 if other == ARM_ALPHA else 3
-        price = tries * costs[other] + (_RESTART * costs[ARM_ALPHA] if best == ARM_ALPHA else 0.0)
+        tries = _few(other)
+        price = tries * costs[other] + (_RESTART * costs[best] if best in (ARM_ALPHA, ARM_ADAMS) else 0.0)
         share = _SHARE if mind[AUTO_PACE + other] > _CLOSE * pace else _SHARE_OF_HOPELESS
         if mind[AUTO_WORK] * share > price:
             mind[AUTO_WORK] = 0.0
@@ -168,5 +174,11 @@ def _whose_turn(mind, costs):
     else:
         mind[AUTO_ASKED] += 1.0
     if best != ARM_ALPHA and int(mind[AUTO_LAST]) == ARM_ALPHA:
-        return best, 3  # what is known of it is old
-    return best, 64 if best == ARM_VERLET else 12
+        return best, _few(best)  # what is known of it is old
+    return best, 64 if best in (ARM_VERLET, ARM_ADAMS) else 12
+
+
+@kernel(forceinline=True)
+def _few(arm):
+    """Steps in which a method shows what it can do; the last two have to find their step first."""
+    return 8 if arm == ARM_VERLET else 12 if arm == ARM_ALPHA else 24 if arm == ARM_ADAMS else 4

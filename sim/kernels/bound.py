@@ -14,7 +14,7 @@ from numba.core import types
 from numba.extending import intrinsic
 
 from .jit import kernel
-from .tables import Body, Drive, Floats, Flow, Ledger, Live, Matrix, Rosenbrock, Tableau, Work
+from .tables import Adams, Body, Drive, Floats, Flow, Ledger, Live, Matrix, Rosenbrock, Tableau, Work
 
 
 class Bound(NamedTuple):
@@ -28,13 +28,16 @@ class Bound(NamedTuple):
     ledger: Ledger
     explicit: Tableau
     implicit: Rosenbrock
+    adams: Adams
     costs: Floats  # (ARMS,) of a step of each method for `auto`, in those of Verlet's; 0: not used
     strictness: Floats  # (ARMS,) of each of them
 
 
 _SCALARS = {"int": types.int64, "bool": types.boolean, "float": types.float64}
 _ARRAYS = {"Floats": (types.float64, 1), "Rows": (types.float64, 2), "Indices": (types.int64, 1)}
-_TUPLES = {t.__name__: t for t in (Body, Live, Work, Matrix, Drive, Flow, Ledger, Tableau, Rosenbrock, Bound)}
+_TUPLES = {
+    t.__name__: t for t in (Body, Live, Work, Matrix, Drive, Flow, Ledger, Tableau, Rosenbrock, Adams, Bound)
+}
 
 
 def _type(name: str, read_only: bool = False) -> Any:

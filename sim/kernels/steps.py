@@ -11,7 +11,7 @@ from .drive import drive_to
 from .forces import accelerations
 from .guard import STUCK
 from .jit import FAST, kernel
-from .tables import CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT
+from .tables import CLOCK_PAST, CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT
 
 SHORTEST_STEP = 1e-12
 """A step (s) that is not worth shortening any more."""
@@ -39,6 +39,7 @@ def freshen(body, live, work, drive, flow):
         accelerations(body, live, work, flow.q, flow.v, flow.a)
         flow.counts[COUNT_FORCES] += 1
         flow.counts[COUNT_FRESH] = 1
+        flow.clock[CLOCK_PAST] = -1.0
 
 
 @kernel(forceinline=True)
@@ -70,6 +71,15 @@ def _turned(spring_a, spring_b, springs, softening, inverse_mass, q, to_q):
         free = inverse_mass[a] + inverse_mass[b] > 0.0
         most += free and size > softening * softening and along * abs(along) < 0.25 * size
     return most == 0
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def reach_of(body, work):
+    """How far masses may move, all in all, before a spring can have turned far: half of the shortest, px."""
+    short = 0
+    for s in range(body.springs):
+        short = max(short, size_bits(work.inverse[s]))
+    return 0.5 / max(from_bits(short), 1e-300)
 
 
 @kernel(forceinline=True)

@@ -205,6 +205,7 @@ class Flow(NamedTuple):
     history: (
         Rows  # (3, 2 places) what generalized-alpha carries from step to step; no rows where it is not used
     )
+    past: Rows  # (PAST, 2 places) past accelerations, of Adams' methods; no rows where they are not used
 
 
 CLOCK_TIME = 0
@@ -217,13 +218,17 @@ CLOCK_LAST, CLOCK_LAST_BUT_ONE = 3, 4
 """Places in `Flow.clock`: the last two steps that `Flow.history` knows of, s; 0 where it does not."""
 CLOCK_SOLVABLE = 5
 """Place in `Flow.clock`: the largest step for which Newton's method seems to converge, s; 0 where unknown."""
-CLOCK_CALM = 6
+CLOCK_BEGUN = 6
 """Place in `Flow.clock`: how many steps generalized-alpha has taken since it took over."""
-CLOCKS = 7
+CLOCK_PAST, CLOCK_SPACING, CLOCK_DEGREE, CLOCK_HEAD, CLOCK_SINCE = 7, 8, 9, 10, 11
+"""Places in `Flow.clock`, of Adams' methods: the time that `Flow.past` goes up to, negative where it says
+nothing; the time between two of its rows, s; the degree of the polynomial; the row of the latest; and the
+steps since a change of the step."""
+CLOCKS = 12
 
-ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_EXPLICIT = 0, 1, 2, 3
+ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_EXPLICIT, ARM_ADAMS = 0, 1, 2, 3, 4
 """The methods that `auto` chooses from."""
-ARMS = 4
+ARMS = 5
 
 AUTO_STEP, AUTO_PACE, AUTO_WORK, AUTO_LAST, AUTO_ASKED = 0, ARMS, 2 * ARMS, 2 * ARMS + 1, 2 * ARMS + 2
 """Places in `Flow.mind`: the next step of each method, s; simulated time for the computing of a Verlet
@@ -271,6 +276,22 @@ class Rosenbrock(NamedTuple):
     a: Rows  # (stages + 1, padded); the last row gives the end of the step
     coupling: Rows  # (stages, padded)
     error: Floats  # (padded) weights of the error estimate
+
+
+class Adams(NamedTuple):
+    """Adams' methods for q'' = f(t, q, q'), by the degree k of the polynomial through past accelerations.
+
+    The weights of the acceleration i steps back are in column i.
+    """
+
+    degree: int  # the highest that is used
+    position: Rows  # (PAST, PAST) in a predicted position, by row k
+    velocity: Rows  # in a predicted velocity
+    ahead: Rows  # in the acceleration that is expected
+    barycentric: Rows  # in an interpolated acceleration, before division by the distances in time
+    to_position: Floats  # (PAST,) of what the acceleration is off, in a corrected position
+    to_velocity: Floats  # in a corrected velocity
+    error: Floats  # in the error estimate
 
 
 class Ledger(NamedTuple):

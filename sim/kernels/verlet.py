@@ -16,6 +16,7 @@ from .steps import (
     fitting_step,
     freshen,
     is_gentle,
+    reach_of,
     replace_state,
     step_after,
 )
@@ -91,10 +92,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
             reach -= 2.0 * moved
             if not reach > 0.0:
                 good = is_gentle(body, live, q, to_q, step)
-                short = 0
-                for s in range(body.springs):
-                    short = max(short, size_bits(work.inverse[s]))
-                reach = 0.5 / max(from_bits(short), 1e-300)
+                reach = reach_of(body, work)
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good:

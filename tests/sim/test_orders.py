@@ -175,7 +175,20 @@ def test_order(problem: Problem, method: Method) -> None:
 
 
 def test_every_method_has_its_order_tested() -> None:
-    assert {name for name, info in METHODS.items() if info.order} - {"stable_spring"} == set(STEPS)
+    assert {name for name, info in METHODS.items() if info.order} - {"stable_spring", "adams"} == set(STEPS)
+
+
+def test_order_of_adams() -> None:
+    # It has no fixed steps, since it has to begin with short ones: the error goes with the number of steps.
+    scene, duration, expected = controlled("undamped")
+    counts, sizes = [], []
+    for tolerance in (1e-2, 1e-4, 1e-6, 1e-8):
+        integrator = Integrator(method="adams", dt=duration, tolerance=tolerance)
+        simulation = Simulation(REPLACE(scene, integrator=integrator))
+        simulation.step()
+        counts.append(simulation.effort().steps)
+        sizes.append(float(np.abs(simulation.positions - expected).max()))
+    assert METHODS["adams"].order - 1.5 <= slope(tuple(counts), sizes) <= METHODS["adams"].order + 1.5
 
 
 # ------------------------------------------------------------------------- the kink of the air
@@ -205,7 +218,7 @@ def test_order_in_air(method: Method, steps: tuple[int, ...], low: float, high: 
 
 
 # ------------------------------------------------------------------------- error control
-ADAPTIVE: tuple[Method, ...] = ("dopri5", "dop853", "rodas4", "rodas5p", "auto")
+ADAPTIVE: tuple[Method, ...] = ("dopri5", "dop853", "adams", "rodas4", "rodas5p", "auto")
 
 
 def stiff_rope(law: ForceLaw) -> Scene:

@@ -110,7 +110,7 @@ def collapsing() -> Scene:
     )
 
 
-@pytest.mark.parametrize("method", ["auto", "dopri5", "dop853", "rodas4", "rodas5p"])
+@pytest.mark.parametrize("method", ["auto", "dopri5", "dop853", "adams", "rodas4", "rodas5p"])
 def test_a_spring_that_passes_through_a_point_keeps_its_energy(method: Method) -> None:
     simulation = Simulation(REPLACE(collapsing(), integrator=Integrator(method=method, dt=0.005)))
     before = simulation.energy()

@@ -15,8 +15,10 @@ import numpy as np
 import pytest
 
 from sim import tableaux
-from sim.kernels.tables import Rosenbrock, Tableau
+from sim.kernels.adams import PAST
+from sim.kernels.tables import Adams, Rosenbrock, Tableau
 from sim.methods import METHODS
+from sim.multistep import adams
 
 Tree = tuple["Tree", ...]
 """A node, as the tuple of its children."""
@@ -134,5 +136,41 @@ def test_rosenbrock_methods_fulfil_their_conditions(table: Rosenbrock, order: in
 def test_methods_say_the_order_that_their_tables_have() -> None:
     known = [*((id(t), order) for t, order, _ in EXPLICIT), *((id(t), order) for t, order, _ in ROSENBROCK)]
     for info in METHODS.values():
-        if info.table is not None:
+        if isinstance(info.table, Adams):
+            assert info.order == info.table.degree + 2
+        elif info.table is not None:
             assert (id(info.table), info.order) in known
+
+
+@pytest.mark.parametrize("k", range(PAST))
+def test_adams_methods_are_exact_for_polynomials(k: int) -> None:
+    table = adams(PAST - 1)
+    back = -np.arange(PAST, dtype=float)
+    for power in range(k + 2):
+        past = back**power
+        off = 1.0 - float(table.ahead[k] @ past)
+        # The prediction is exact up to the degree of the polynomial, the correction one beyond it.
+        assert off == pytest.approx(0.0 if power <= k else float(math.factorial(k + 1)), abs=1e-8)
+        place = float(table.position[k] @ past) + off * table.to_position[k]
+        speed = float(table.velocity[k] @ past) + off * table.to_velocity[k]
+        assert place == pytest.approx(1.0 / ((power + 1) * (power + 2)), abs=1e-9)
+        assert speed == pytest.approx(1.0 / (power + 1), abs=1e-9)
+    # Between the places that are known, by the barycentric formula.
+    distance = 0.3 + np.arange(k + 1)
+    weights = table.barycentric[k, : k + 1] / distance * np.prod(distance) * (-1.0) ** k
+    for power in range(k + 1):
+        assert float(weights @ np.arange(k + 1.0) ** power) == pytest.approx((-0.3) ** power, abs=1e-9)
+    for padded in (table.position, table.velocity, table.ahead, table.barycentric):
+        assert not padded[k, k + 1 :].any()
+
+
+def test_the_known_coefficients_of_adams() -> None:
+    # Hairer, Norsett & Wanner I, III.1: explicit and implicit, of the fourth order.
+    table = adams(PAST - 1)
+    assert table.velocity[3, :4] * 24.0 == pytest.approx([55.0, -59.0, 37.0, -9.0], abs=1e-12)
+    corrected = table.velocity[2, :3] - table.to_velocity[2] * table.ahead[2, :3]
+    assert np.array([table.to_velocity[2], *corrected]) * 24.0 == pytest.approx(
+        [9.0, 19.0, -5.0, 1.0], abs=1e-12
+    )
+    # The estimate is what the oldest point changes: in the velocity, the Adams-Moulton constants' difference.
+    assert table.error[2] == pytest.approx(abs(9.0 / 24.0 - 5.0 / 12.0))

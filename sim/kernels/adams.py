@@ -1,0 +1,199 @@
+"""Adams' methods: a polynomial through the last accelerations, and two evaluations of the forces a step.
+
+Positions and velocities are integrals of the polynomial; it is continued to predict them, and corrected with
+the accelerations there (predict, evaluate, correct, evaluate: Shampine & Gordon, 1975). Past accelerations
+are kept as they are, at equal distances in time, and interpolated anew where the step changes.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from .bits import from_bits, size_bits
+from .drive import drive_to
+from .forces import accelerations
+from .guard import GOOD, STUCK, sound
+from .jit import FAST, kernel
+from .ledger import tally
+from .steps import (
+    HOPELESS,
+    SHORTEST_STEP,
+    WORTH_SHORTENING,
+    first_step,
+    freshen,
+    is_gentle,
+    reach_of,
+    replace_state,
+)
+from .tables import (
+    CLOCK_DEGREE,
+    CLOCK_HEAD,
+    CLOCK_PAST,
+    CLOCK_SINCE,
+    CLOCK_SPACING,
+    CLOCK_STEP,
+    CLOCK_TIME,
+    COUNT_FORCES,
+    COUNT_REJECTED,
+    COUNT_STEPS,
+    COUNT_WHAT,
+)
+
+PAST = 8
+"""Past accelerations that are kept: one more than the highest degree. A power of two."""
+
+_EVENLY = 4
+"""Steps before the end of a call that are made equally long."""
+
+_SPAN = 1e-3
+"""Seconds whose share of the tolerance any step may use up. Where a velocity changes its sign, friction of
+air has a kink, which no short step makes smooth: it is an error once, and not one per second."""
+
+_SHORT = 8.0
+"""How many times a step that span is at most. With more, velocities could be off by anything."""
+
+_LONGER, _MUCH_LONGER = 1.25, 2.0
+"""The least change of a step that is worth interpolating for, and the largest."""
+
+_BESIDE = 1.0 + 1e-12
+"""A factor that moves a point off those that are known, where the formula divides by nothing."""
+
+
+@kernel(fastmath=FAST)
+def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, attempts):
+    """Go on to `end` under a tolerance; arguments as those of `run_explicit`."""
+    freshen(body, live, work, drive, flow)
+    clock, count = flow.clock, flow.counts
+    q, v, past, rows = flow.q, flow.v, flow.past, flow.rows
+    to_q, to_v, to_a, ahead = rows[0], rows[1], rows[2], rows[3]
+    t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
+    degree, head, since, spacing = 0, 0, 0, 0.0
+    if clock[CLOCK_PAST] == t:
+        degree, head, since = int(clock[CLOCK_DEGREE]), int(clock[CLOCK_HEAD]), int(clock[CLOCK_SINCE])
+        spacing = clock[CLOCK_SPACING]
+    else:
+        for j in range(q.size):
+            past[0, j] = flow.a[j]
+        first = first_step(flow, drive, 0.01 * tolerance)
+        h = min(h, first) if h > 0.0 else first
+    failures, reach = 0, 0.0
+    for _ in range(attempts):
+        if not (t < end and count[COUNT_WHAT] == GOOD):
+            break
+        pieces = math.ceil((end - t) / h - 1e-6)
+        step = (end - t) / pieces if pieces <= _EVENLY else h
+        if degree > 0 and abs(step - spacing) > 1e-9 * spacing:
+            _space(past, head, method, degree, step / spacing, rows)
+        spacing = step
+        _predict(q, v, past, head, method, degree, step, to_q, to_v, ahead)
+        if drive.moving:
+            drive_to(body, live, drive, t + step, to_q, to_v)
+        accelerations(body, live, work, to_q, to_v, to_a)
+        count[COUNT_FORCES] += 1
+        by_q, by_v = step * step * method.to_position[degree], step * method.to_velocity[degree]
+        change, moved = 0, 0
+        for j in range(q.size):
+            off = to_a[j] - ahead[j]
+            to_q[j] += by_q * off
+            to_v[j] += by_v * off
+            change = max(change, size_bits(off))
+            moved = max(moved, size_bits(to_q[j] - q[j]))
+        error = method.error[degree] * step * step * from_bits(change)
+        error /= max(step, min(_SPAN, _SHORT * step)) * tolerance
+        if not error < HOPELESS:
+            error = HOPELESS
+        good = error <= 1.0 and sound(body, flow, to_q, to_v, step < WORTH_SHORTENING)
+        if good:
+            # No spring has turned far while all moves since a look at the shortest were short beside it.
+            reach -= 2.0 * from_bits(moved)
+            if not reach > 0.0:
+                good = is_gentle(body, live, q, to_q, step)
+                reach = reach_of(body, work)
+        if good:
+            accelerations(body, live, work, to_q, to_v, to_a)
+            count[COUNT_FORCES] += 1
+            if ledger.active:
+                tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
+            t = end if pieces == 1 else t + step
+            head = (head - 1) & (PAST - 1)
+            for j in range(q.size):
+                past[head, j] = to_a[j]
+            replace_state(flow, to_q, to_v, to_a)
+            count[COUNT_STEPS] += 1
+            since, failures = since + 1, 0
+            rising = degree < method.degree
+            factor = 1.0
+            if rising or since > degree or error > 0.5:  # powers take time
+                factor = min(0.9 * max(error, 1e-12) ** (-1.0 / (degree + 2.0)), _MUCH_LONGER)
+            degree += rising
+            if rising or factor < 0.95 or factor > _LONGER:
+                since = 0
+                # A step that was cut short says little about longer ones.
+                h = max(h, step * factor) if step < 0.999 * h else step * factor
+        else:
+            count[COUNT_REJECTED] += 1
+            if drive.pressed:
+                drive_to(body, live, drive, t, q, v)
+            since, failures = 0, failures + 1
+            h = step * min(0.5, max(0.2, 0.9 * max(error, 2.0) ** (-1.0 / (degree + 2.0))))
+            if failures > 2:
+                degree = 0  # the past tells nothing of what is to come
+            if h < SHORTEST_STEP:
+                count[COUNT_WHAT] = STUCK
+    clock[CLOCK_TIME], clock[CLOCK_STEP] = t, h
+    clock[CLOCK_PAST], clock[CLOCK_SPACING] = t, spacing
+    clock[CLOCK_DEGREE], clock[CLOCK_HEAD], clock[CLOCK_SINCE] = degree, head, since
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
+    """Positions, velocities and accelerations a step ahead, by the polynomial."""
+    hh = h * h
+    x, u, w = method.position[degree], method.velocity[degree], method.ahead[degree]
+    x0, x1, x2, x3, x4, x5, x6, x7 = x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]
+    u0, u1, u2, u3, u4, u5, u6, u7 = u[0], u[1], u[2], u[3], u[4], u[5], u[6], u[7]
+    w0, w1, w2, w3, w4, w5, w6, w7 = w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]
+    a0, a1, a2, a3 = past[head], past[_row(head, 1)], past[_row(head, 2)], past[_row(head, 3)]
+    a4, a5, a6, a7 = past[_row(head, 4)], past[_row(head, 5)], past[_row(head, 6)], past[_row(head, 7)]
+    for j in range(q.size):
+        r0, r1, r2, r3, r4, r5, r6, r7 = a0[j], a1[j], a2[j], a3[j], a4[j], a5[j], a6[j], a7[j]
+        by_x = x0 * r0 + x1 * r1 + x2 * r2 + x3 * r3 + (x4 * r4 + x5 * r5 + x6 * r6 + x7 * r7)
+        by_u = u0 * r0 + u1 * r1 + u2 * r2 + u3 * r3 + (u4 * r4 + u5 * r5 + u6 * r6 + u7 * r7)
+        by_w = w0 * r0 + w1 * r1 + w2 * r2 + w3 * r3 + (w4 * r4 + w5 * r5 + w6 * r6 + w7 * r7)
+        to_q[j] = q[j] + h * v[j] + hh * by_x
+        to_v[j] = v[j] + h * by_u
+        ahead[j] = by_w
+
+
+@kernel(forceinline=True)
+def _row(head, i):
+    """The row of the acceleration i steps before the latest."""
+    return np.uint64(head + i) & np.uint64(PAST - 1)
+
+
+@kernel(fastmath=FAST)
+def _space(past, head, method, degree, ratio, rows):
+    """Interpolate the past accelerations, for another step: `ratio` is that of the new one to the old one.
+
+    By Lagrange's formula in its barycentric form (Berrut & Trefethen, 2004).
+    """
+    parts, size = method.barycentric[degree], past.shape[1]
+    a0, a1, a2, a3 = past[head], past[_row(head, 1)], past[_row(head, 2)], past[_row(head, 3)]
+    a4, a5, a6, a7 = past[_row(head, 4)], past[_row(head, 5)], past[_row(head, 6)], past[_row(head, 7)]
+    for m in range(1, degree + 1):
+        at, out = ratio * m * _BESIDE, rows[3 + m]
+        whole = 1.0
+        for i in range(degree + 1):
+            whole *= at - i
+        w0, w1, w2, w3 = parts[0] / at, parts[1] / (at - 1.0), parts[2] / (at - 2.0), parts[3] / (at - 3.0)
+        w4, w5, w6 = parts[4] / (at - 4.0), parts[5] / (at - 5.0), parts[6] / (at - 6.0)
+        w7 = parts[7] / (at - 7.0)
+        for j in range(size):
+            low = w0 * a0[j] + w1 * a1[j] + w2 * a2[j] + w3 * a3[j]
+            out[j] = whole * (low + (w4 * a4[j] + w5 * a5[j] + w6 * a6[j] + w7 * a7[j]))
+    for m in range(1, degree + 1):
+        row, out = past[_row(head, m)], rows[3 + m]
+        for j in range(size):
+            row[j] = out[j]
