@@ -54,8 +54,11 @@ air has a kink, which no short step makes smooth: it is an error once, and not o
 _SHORT = 8.0
 """How many times a step that span is at most. With more, velocities could be off by anything."""
 
-_LONGER, _MUCH_LONGER = 1.25, 2.0
-"""The least change of a step that is worth interpolating for, and the largest."""
+_LONGER, _MUCH_LONGER, _FIRST_LONGER = 1.25, 2.0, 4.0
+"""The least change of a step that is worth interpolating for; the largest, and that of the first steps."""
+
+_PATIENCE = 4
+"""Steps after a change before the next one to a longer step."""
 
 _BESIDE = 1.0 + 1e-12
 """A factor that moves a point off those that are known, where the formula divides by nothing."""
@@ -82,7 +85,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
             break
-        pieces = math.ceil((end - t) / h - 1e-6)
+        pieces = max(math.ceil((end - t) / h - 1e-6), 1)
         step = (end - t) / pieces if pieces <= _EVENLY else h
         if degree > 0 and abs(step - spacing) > 1e-9 * spacing:
             _space(past, head, method, degree, step / spacing, rows)
@@ -125,8 +128,11 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
             since, failures = since + 1, 0
             rising = degree < method.degree
             factor = 1.0
-            if rising or since > degree or error > 0.5:  # powers take time
-                factor = min(0.9 * max(error, 1e-12) ** (-1.0 / (degree + 2.0)), _MUCH_LONGER)
+            if rising or since > _PATIENCE or error > 0.5:  # powers take time
+                factor = min(
+                    0.9 * max(error, 1e-12) ** (-1.0 / (degree + 2.0)),
+                    _FIRST_LONGER if rising else _MUCH_LONGER,
+                )
             degree += rising
             if rising or factor < 0.95 or factor > _LONGER:
                 since = 0
@@ -151,6 +157,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
 def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
     """Positions, velocities and accelerations a step ahead, by the polynomial."""
     hh = h * h
+    # All eight at once: in one pass, everything stays in registers.
     x, u, w = method.position[degree], method.velocity[degree], method.ahead[degree]
     x0, x1, x2, x3, x4, x5, x6, x7 = x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]
     u0, u1, u2, u3, u4, u5, u6, u7 = u[0], u[1], u[2], u[3], u[4], u[5], u[6], u[7]

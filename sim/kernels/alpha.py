@@ -97,7 +97,7 @@ def run_alpha(
         if not (t < end and count[COUNT_WHAT] == GOOD):
             break
         # Equal steps up to the end: what is carried along is of first order only where steps change.
-        step = (end - t) / math.ceil((end - t) / h - 1e-6)
+        step = (end - t) / max(math.ceil((end - t) / h - 1e-6), 1)
         # What is too fast for the steps to come shows in the accelerations first: forget those.
         calming = fixed == 0.0 and clock[CLOCK_BEGUN] < _CALMING
         am, af, gamma, beta, kept = _EULER if calming else _ALPHA

@@ -157,3 +157,16 @@ def test_what_goes_round_starts_anew_from_where_it_is_put() -> None:
     simulation.reset()
     simulation.step(80)
     assert simulation.positions[0] == pytest.approx(other.positions[0], abs=1e-9)
+
+
+@pytest.mark.parametrize("method", FLOWS)
+def test_a_short_call_after_long_steps(method: Method) -> None:
+    # Of a body at rest, steps grow and grow; a call may then be a millionth of one.
+    scene = REPLACE(sim.rope(5), gravity=(0.0, 0.0), integrator=Integrator(method=method, dt=1.0))
+    simulation = Simulation(scene)
+    simulation.step(20)
+    solver, start = stepper_of(simulation).solver, simulation.time
+    drive = solver.drive(start + 1.0, {}, 0.0, 0.0)
+    for end in (start + 1e-9, start + 1e-5):
+        solver.run(method, end, drive, dt=1e-3, tolerance=0.1, attempts=1000)
+        assert solver.time == end
