@@ -119,7 +119,9 @@ class Solver:
         wide = 2 * self.places
         kind = METHODS[scene.integrator.method].kind
         remembers = kind == "alpha" or (kind == "auto" and system.body.masses >= LONG)
-        (room,) = slab([((3 + _ROWS + _HISTORY + PAST) * wide, 0)], page_offset=2560)
+        history, past = 3 + _ROWS, 3 + _ROWS + (_HISTORY if remembers else 0)
+        count = past + (PAST if kind in ("adams", "auto") else 0)
+        (room,) = slab([(count * wide, 0)], page_offset=2560)
         rows = room.reshape(-1, wide)  # a whole number of cache lines each
         self.flow = Flow(
             q=rows[0],
@@ -130,8 +132,8 @@ class Solver:
             counts=np.zeros(COUNTS, np.int64),
             rows=rows[3 : 3 + _ROWS],
             mind=np.array(AUTO_NEW),
-            history=rows[3 + _ROWS : 3 + _ROWS + _HISTORY] if remembers else rows[:0],
-            past=rows[3 + _ROWS + _HISTORY :] if kind in ("adams", "auto") else rows[:0],
+            history=rows[history:past],
+            past=rows[past:],
         )
         if not METHODS[scene.integrator.method].adaptive:
             self.flow.limits[1] = RUNAWAY_SPEED

@@ -180,5 +180,5 @@ def _whose_turn(mind, costs):
 
 @kernel(forceinline=True)
 def _few(arm):
-    """Steps in which a method shows what it can do; the last two have to find their step first."""
+    """Steps in which a method shows what it can do; those that go by the past begin with short ones."""
     return 8 if arm == ARM_VERLET else 12 if arm == ARM_ALPHA else 24 if arm == ARM_ADAMS else 4
