@@ -54,7 +54,7 @@ _ALL = (
     ),
     MethodInfo(
         "velocity_verlet", "Velocity Verlet", "verlet", 2, False, False,
-        "As cheap as Euler's and of second order; the same limit.", strictness=2.5,
+        "As cheap as Euler's and of second order; the same limit.", strictness=1.5,
     ),
     MethodInfo(
         "rk4", "Runge-Kutta 4", "explicit", 4, False, False,
@@ -83,11 +83,11 @@ _ALL = (
         "adams", "Adams", "adams", 9, True, False,
         "Error-controlled, by a polynomial through past accelerations: two evaluations a step; for small "
         "errors of what moves smoothly.",
-        multistep.adams(PAST - 1), 1.2,
+        multistep.adams(PAST - 1), 0.9,
     ),
     MethodInfo(
         "rodas4", "RODAS 4", "rosenbrock", 4, True, True,
-        "Error-controlled Rosenbrock method: for stiff bodies.", tableaux.RODAS4, 3.3,
+        "Error-controlled Rosenbrock method: for stiff bodies.", tableaux.RODAS4, 2.2,
     ),
     MethodInfo(
         "rodas5p", "RODAS 5P", "rosenbrock", 5, True, True,

@@ -25,7 +25,6 @@ from .kernels.rescue import run_rescue
 from .kernels.tables import (
     ARM_ADAMS,
     ARM_ALPHA,
-    ARM_EXPLICIT,
     ARM_ROSENBROCK,
     ARM_VERLET,
     ARMS,
@@ -62,6 +61,7 @@ from .methods import METHODS, MethodInfo
 from .pattern import NO_MATRIX, new_matrix
 from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
 from .system import System, slab
+from .tableaux import RK4
 
 _ROWS, _HISTORY = 24, 3
 
@@ -109,7 +109,7 @@ class Solver:
     Args:
         scene: a valid scene.
         system: its tables.
-        live: parameters that change; positions and velocities there are not used.
+        live: parameters that change.
         work: scratch.
     """
 
@@ -168,11 +168,6 @@ class Solver:
         flow.clock[CLOCK_TIME] = time
         flow.counts[:] = 0
 
-    def store(self) -> None:
-        """Hand the state over to `live`."""
-        flow, live, p = self.flow, self.live, self.places
-        live.x[:], live.y[:], live.vx[:], live.vy[:] = flow.q[:p], flow.q[p:], flow.v[:p], flow.v[p:]
-
     def drive(
         self, until: float, targets: dict[int, tuple[float, float]], growth: float, turn: float
     ) -> Drive:
@@ -225,7 +220,10 @@ class Solver:
         tolerance: float = 0.0,
         attempts: int = UNLIMITED,
     ) -> None:
-        """Go on to a time, with a fixed step `dt` or under a tolerance; `what` tells how it ended."""
+        """Go on to a time, with a fixed step `dt` or under a tolerance; `what` tells how it ended.
+
+        Positions and velocities are in `live`, too, afterwards.
+        """
         info = METHODS[method]
         kind, low = _KINDS[info.kind], info.kind == "auto" and tolerance >= LOW_TOLERANCE
         local = max(tolerance * info.strictness, 1e-13) if info.adaptive else 1.0
@@ -248,11 +246,11 @@ class Solver:
         """Hand all tables over to the compiled code, for a method."""
         self._bound_for = info, low
         rodas = METHODS["rodas4" if low else "rodas5p"]
-        names = ("velocity_verlet", rodas.name, "generalized_alpha", "dop853", "adams")
+        names = ("velocity_verlet", rodas.name, "generalized_alpha", "adams")
         arms = [METHODS[name] for name in names]
         explicit, implicit = (
-            info.table if isinstance(info.table, kind) else arm.table
-            for kind, arm in ((Tableau, arms[ARM_EXPLICIT]), (Rosenbrock, rodas))
+            info.table if isinstance(info.table, kind) else other
+            for kind, other in ((Tableau, RK4), (Rosenbrock, rodas.table))
         )
         assert isinstance(explicit, Tableau)
         assert isinstance(implicit, Rosenbrock)
@@ -291,12 +289,10 @@ class Solver:
         costs[ARM_ROSENBROCK] = 900.0 + factors + stages * (force + 2.0 * blocks + 4.0 * n)
         if low and n >= LONG:
             costs[ARM_ALPHA] = 500.0 + 1.2 * factors + 2.0 * (force + 2.0 * blocks) + 35.0 * n
-        if not low:
-            costs[ARM_EXPLICIT] = 800.0 + 12.0 * (force + 1.5 * n)
         return costs / costs[ARM_VERLET]
 
     def rescue(self, until: float, drive: Drive) -> None:
-        """Leave a state that no method can leave, by a step of last resort."""
+        """Leave a state that no method can leave, by a step of last resort; as `run`."""
         body = self.system.body
         lengths = body.rest_length[: body.springs] * self.live.controls[CONTROL_SCALE]
         typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
@@ -305,8 +301,10 @@ class Solver:
             body, self.live, self.work, self.matrix, drive, self.flow, self.ledger, *self.scene.gravity,
             h, 1e-6 * typical, typical,
         )  # fmt: skip
-        self.flow.mind[:] = AUTO_NEW
-        self.flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_BEGUN]] = 0.0
+        flow, live, p = self.flow, self.live, self.places
+        live.x[:], live.y[:], live.vx[:], live.vy[:] = flow.q[:p], flow.q[p:], flow.v[:p], flow.v[p:]
+        flow.mind[:] = AUTO_NEW
+        flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_BEGUN]] = 0.0
 
     def open_ledger(self) -> None:
         """Keep books from now on of what changes the energy."""

@@ -205,7 +205,7 @@ class FlowStepper:
             for place, (x, y) in targets.items():
                 # To the last digit, which the way there has rounded.
                 solver.flow.q[place], solver.flow.q[solver.places + place] = x, y
-        solver.store()
+                self._live.x[place], self._live.y[place] = x, y
         done = int((solver.time - self._goal) / dt + 1e-6)
         self._goal += done * dt
         return Outcome(done, solver.what, solver.place)

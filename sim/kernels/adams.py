@@ -60,6 +60,9 @@ _LONGER, _MUCH_LONGER, _FIRST_LONGER = 1.25, 2.0, 4.0
 _PATIENCE = 4
 """Steps after a change before the next one to a longer step."""
 
+_LITTLE, _MUCH = 0.06, 0.6
+"""Errors, in tolerances, above and below which the step is about right."""
+
 _BESIDE = 1.0 + 1e-12
 """A factor that moves a point off those that are known, where the formula divides by nothing."""
 
@@ -128,7 +131,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
             since, failures = since + 1, 0
             rising = degree < method.degree
             factor = 1.0
-            if rising or since > _PATIENCE or error > 0.5:  # powers take time
+            if rising or error > _MUCH or (error < _LITTLE and since > _PATIENCE):  # powers take time
                 factor = min(
                     0.9 * max(error, 1e-12) ** (-1.0 / (degree + 2.0)),
                     _FIRST_LONGER if rising else _MUCH_LONGER,

@@ -17,7 +17,6 @@ from .rosenbrock import run_rosenbrock
 from .tables import (
     ARM_ADAMS,
     ARM_ALPHA,
-    ARM_EXPLICIT,
     ARM_ROSENBROCK,
     ARM_VERLET,
     ARMS,
@@ -27,6 +26,7 @@ from .tables import (
     AUTO_STEP,
     AUTO_WORK,
     CLOCK_BEGUN,
+    CLOCK_HELD,
     CLOCK_LAST,
     CLOCK_LAST_BUT_ONE,
     CLOCK_STEP,
@@ -58,9 +58,14 @@ _LONG_STEP = 0.02
 much for the same computing, the others are asked late."""
 
 
+_HELD, _SOME = 0.3, 48.0
+"""The share of Verlet's steps at a limit that says that it is one of stability; and the computing, in its
+steps, after which that is known."""
+
+
 @kernel()
 def run(buffer, driven, kind, end, fixed, tolerance, attempts):
-    """Go on to a time by one method, or by the best.
+    """Go on to a time by one method, or by the best; then `live` has the state, too.
 
     Args:
         buffer, driven: of a `Bound` and a `Drive`.
@@ -88,6 +93,11 @@ def run(buffer, driven, kind, end, fixed, tolerance, attempts):
         run_adams(b.body, b.live, b.work, drive, b.flow, b.ledger, b.adams, end, tolerance, attempts)
     else:
         _run_best(b, drive, end, tolerance, attempts)
+    # Beside a call, which takes some 8 µs, this is nothing; from outside it would be a sixth of that.
+    places = b.live.x.size
+    for m in range(places):
+        b.live.x[m], b.live.y[m] = b.flow.q[m], b.flow.q[places + m]
+        b.live.vx[m], b.live.vy[m] = b.flow.v[m], b.flow.v[places + m]
 
 
 @kernel(forceinline=True)
@@ -98,7 +108,7 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
     clock, count, mind = flow.clock, flow.counts, flow.mind
     left = attempts
     while clock[CLOCK_TIME] < end and left > 0 and count[COUNT_WHAT] == GOOD:
-        arm, limit = _whose_turn(mind, costs)
+        arm, limit = _whose_turn(mind, costs, clock[CLOCK_HELD] > _HELD)
         fresh = mind[AUTO_PACE + arm] < 0.0
         limit = min(limit, left)
         began, tried = clock[CLOCK_TIME], count[COUNT_STEPS] + count[COUNT_REJECTED]
@@ -118,11 +128,9 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
             )
         elif arm == ARM_ALPHA:
             run_alpha(body, live, work, matrix, drive, flow, ledger, end, 0.0, tolerance, limit)
-        elif arm == ARM_ADAMS:
-            run_adams(body, live, work, drive, flow, ledger, b.adams, end, tolerance, limit)
         else:
-            run_explicit(body, live, work, drive, flow, ledger, b.explicit, end, 0.0, tolerance, limit)
-        if arm in (ARM_VERLET, ARM_EXPLICIT, ARM_ADAMS):  # they keep no history
+            run_adams(body, live, work, drive, flow, ledger, b.adams, end, tolerance, limit)
+        if arm in (ARM_VERLET, ARM_ADAMS):  # they keep no history
             if clock[CLOCK_LAST] > 0.0 and clock[CLOCK_TIME] - began < 0.5 * mind[AUTO_STEP + ARM_ALPHA]:
                 clock[CLOCK_LAST] += clock[CLOCK_TIME] - began
             else:
@@ -149,8 +157,8 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _whose_turn(mind, costs):
-    """(the method, how many steps it may try)."""
+def _whose_turn(mind, costs, held):
+    """(the method, how many steps it may try); `held`: whether stability limits Verlet's steps."""
     if mind[AUTO_PACE + ARM_VERLET] < 0.0:
         return ARM_VERLET, 16
     best = ARM_VERLET
@@ -158,12 +166,15 @@ def _whose_turn(mind, costs):
         if mind[AUTO_PACE + arm] > mind[AUTO_PACE + best]:
             best = arm
     pace = mind[AUTO_PACE + best]
+    # Where Verlet's steps are limited by stability, those of Adams' methods are all the more.
+    worth = not (best == ARM_VERLET and held)
     for arm in range(1, ARMS):
-        if costs[arm] > 0.0 and mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < _LONG_STEP:
+        unknown = costs[arm] > 0.0 and mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < _LONG_STEP
+        if unknown and (arm != ARM_ADAMS or (worth and mind[AUTO_WORK] >= _SOME)):
             mind[AUTO_WORK] = 0.0
             return arm, _few(arm)
     other = (best + 1 + int(mind[AUTO_ASKED]) % (ARMS - 1)) % ARMS
-    if costs[other] > 0.0:
+    if costs[other] > 0.0 and (worth or other != ARM_ADAMS):
         tries = _few(other)
         price = tries * costs[other] + (_RESTART * costs[best] if best in (ARM_ALPHA, ARM_ADAMS) else 0.0)
         share = _SHARE if mind[AUTO_PACE + other] > _CLOSE * pace else _SHARE_OF_HOPELESS

@@ -224,11 +224,13 @@ CLOCK_PAST, CLOCK_SPACING, CLOCK_DEGREE, CLOCK_HEAD, CLOCK_SINCE = 7, 8, 9, 10, 
 """Places in `Flow.clock`, of Adams' methods: the time that `Flow.past` goes up to, negative where it says
 nothing; the time between two of its rows, s; the degree of the polynomial; the row of the latest; and the
 steps since a change of the step."""
-CLOCKS = 12
+CLOCK_HELD = 12
+"""Place in `Flow.clock`: the share of Verlet's steps in its last turn that its stability kept short."""
+CLOCKS = 13
 
-ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_EXPLICIT, ARM_ADAMS = 0, 1, 2, 3, 4
+ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_ADAMS = 0, 1, 2, 3
 """The methods that `auto` chooses from."""
-ARMS = 5
+ARMS = 4
 
 AUTO_STEP, AUTO_PACE, AUTO_WORK, AUTO_LAST, AUTO_ASKED = 0, ARMS, 2 * ARMS, 2 * ARMS + 1, 2 * ARMS + 2
 """Places in `Flow.mind`: the next step of each method, s; simulated time for the computing of a Verlet

@@ -22,6 +22,7 @@ from .steps import (
 )
 from .tables import (
     CLOCK_CAP,
+    CLOCK_HELD,
     CLOCK_STEP,
     CLOCK_TIME,
     COUNT_FORCES,
@@ -29,6 +30,9 @@ from .tables import (
     COUNT_STEPS,
     COUNT_WHAT,
 )
+
+_SINK, _RAISE = 0.93, 1.002
+"""What a step that failed leaves of the limit, and how fast that rises again, per step."""
 
 
 @kernel(fastmath=FAST)
@@ -53,7 +57,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
         clock[CLOCK_CAP] = 1e9
     cap = clock[CLOCK_CAP]
     failed = False
-    steps, tries, swaps, reach = 0, 0, 0, 0.0
+    steps, tries, held, swaps, reach = 0, 0, 0, 0, 0.0
     while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
         tries += 1
         step = fitting_step(t, end, h)
@@ -108,8 +112,11 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
         else:
             error = max(error, 2.0)
         if fixed == 0.0:
-            cap = 1.004 * cap if good else 0.93 * step
-            h = min(step_after(flow, h, step, error, 2, good, failed), cap)
+            cap = _RAISE * cap if good else _SINK * step
+            h = step_after(flow, h, step, error, 2, good, failed)
+            if h > cap:
+                h = cap
+                held += 1
             failed = not good
     if swaps % 2:
         replace_state(flow, q, v, a)
@@ -117,3 +124,4 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
     count[COUNT_STEPS] += steps
     count[COUNT_REJECTED] += tries - steps
     clock[CLOCK_TIME], clock[CLOCK_STEP], clock[CLOCK_CAP] = t, h, cap
+    clock[CLOCK_HELD] = held / max(tries, 1)

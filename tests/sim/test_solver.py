@@ -133,7 +133,6 @@ def test_a_step_of_last_resort_keeps_within_bounds() -> None:
     simulation = Simulation(scene)
     stepper_of(simulation).begin(0.0)
     stepper_of(simulation).leave_dead_end()
-    stepper_of(simulation).solver.store()
     assert simulation.positions[0, 1] == 1e6
     assert np.abs(simulation.positions).max() <= 1e6
     simulation.step()
