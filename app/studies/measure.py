@@ -11,7 +11,7 @@ from sim import Scene
 from sim.methods import METHODS
 
 from . import others
-from .contenders import FRAMES, Contender, Ours, Reference, Theirs, distance, reference
+from .contenders import FRAMES, Contender, Ours, Reference, Run, Theirs, distance, reference
 from .equations import Equations
 
 TIGHT = (1e-9, 1e-10, 1e-11)
@@ -37,6 +37,10 @@ FINEST_STEP = 1e-6
 BISECTIONS = 5
 """Times that the interval of steps is halved in which hindsight looks for the longest that is good enough."""
 
+WARM = 0.002
+"""Seconds of computing in a turn of the repeats: the first run of a turn finds the processor's caches full of
+what others have left there, which takes a run of a tenth of a millisecond a quarter longer."""
+
 FOLLOWED = "auto"
 """The method that is timed frame by frame, too."""
 
@@ -54,7 +58,7 @@ class Point:
         seconds: of computing in one call, the least of the repeats.
         framed_seconds: in a call per frame, or NaN where that is not timed.
         framed_end_error: error at the end after a call per frame, or NaN.
-        runs: how often it was timed.
+        runs: how many turns of timing it had.
         failure: why it failed, or empty.
     """
 
@@ -203,12 +207,20 @@ class _Explorer:
             yield f"repeat {number} of {max(rounds.values()) - 1}"
             for point, contender in self._ready:
                 if number < rounds[id(point)]:
-                    point.seconds = min(point.seconds, contender.in_one_call().seconds)
+                    point.seconds = min(point.seconds, _least(contender.in_one_call))
                     if point.integrator == FOLLOWED:
-                        framed = contender.frame_by_frame().seconds
-                        point.framed_seconds = min(point.framed_seconds, framed)
+                        point.framed_seconds = min(point.framed_seconds, _least(contender.frame_by_frame))
                     point.runs += 1
         self.results.complete = True
+
+
+def _least(run: Callable[[], Run]) -> float:
+    """The least seconds of computing of the runs of a turn."""
+    least, spent = math.inf, 0.0
+    while spent < WARM:
+        seconds = run().seconds
+        least, spent = min(least, seconds), spent + max(seconds, 1e-6)
+    return least
 
 
 def repeats(seconds: float) -> int:

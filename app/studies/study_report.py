@@ -250,7 +250,8 @@ def markdown(study: Study, figures: Sequence[tuple[str, str]], note: str) -> str
 
 _INTRODUCTION = (
     "Written by `softrod study --out DIR`. Milliseconds of computing for one simulated second, one core, "
-    "the least of interleaved repeats, against the largest position error of a mass at the end, px. "
+    "the least of interleaved repeats of 2 ms or more each, against the largest position error of a mass at "
+    "the end, px. "
     "Everybody solves the same equations, in machine code: softrod's methods by `Simulation.step`, SciPy's "
     "and CVODE by softrod's own forces and, where they can use one, its analytic Jacobian, with its narrow "
     "band (LSODA, CVODE) or as a dense or sparse matrix (Radau, BDF); their relative tolerance is "
