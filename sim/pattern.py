@@ -7,7 +7,7 @@ import numpy as np
 from .kernels.band import PARTS, ROW
 from .kernels.tables import Body, Floats, Indices, Matrix
 
-NO_MATRIX = Matrix._make([np.zeros(0)] * 5 + [np.zeros(0, np.int64)] * (len(Matrix._fields) - 5))
+NO_MATRIX = Matrix._make([np.zeros(0)] * 5 + [np.zeros(0, np.int64)] * (len(Matrix._fields) - 6) + [False])
 """For methods that solve no linear systems."""
 
 
@@ -23,8 +23,10 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     if body.chain:
         factors = np.zeros(ROW * (body.stiffness.size + 3)), np.zeros(PARTS)
         nothing = np.zeros(0, np.int64)
-        rest = [nothing for _ in Matrix._fields[7:]]
-        return Matrix._make((*factors, *springs, *trees, *rest))
+        rest = [nothing for _ in Matrix._fields[7:-1]]
+        walk, parent = trees
+        straight = bool(((parent[walk] == walk - 1) | (parent[walk] == 0)).all())
+        return Matrix._make((*factors, *springs, *trees, *rest, straight))
     n = body.masses
     a, b = body.spring_a - 1, body.spring_b - 1
     ja, jb = body.joint_a, body.joint_b
@@ -67,6 +69,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
         slot=np.zeros(n, np.int64),
         spring_target=targets(spring_pairs),
         joint_target=targets(joint_pairs),
+        straight=False,
     )
 
 

@@ -39,6 +39,7 @@ from .tables import (
     COUNT_STEPS,
     COUNT_WHAT,
 )
+from .turning import predict, remember, turn_and_stretch
 
 _RHO = 0.8
 """What is left of the fastest motions after each step (the spectral radius at infinity)."""
@@ -113,7 +114,7 @@ def run_alpha(
             to_q[j] = q[j] + step * v[j] + 0.5 * step * step * inner[j]
         if drive.moving:
             drive_to(body, live, drive, t + step, to_q, to_v)
-        _predict(matrix, live.inverse_mass, flow, step, to_q)
+        predict(matrix, live.inverse_mass, flow, step, to_q, rows[7])
         for j in range(q.size):
             guess[j] = to_q[j]
         converged = False
@@ -139,7 +140,7 @@ def run_alpha(
             size = biggest(move)
             if not size < 1e8 or (iteration >= 2 and size > 0.5 * last):
                 break
-            _turn_and_stretch(matrix, live.inverse_mass, to_q, move, rows[7])
+            turn_and_stretch(matrix, live.inverse_mass, to_q, move, rows[7])
             if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
                 converged = True
                 break
@@ -197,98 +198,3 @@ def run_alpha(
                 late[j] = flow.a[j]
     clock[CLOCK_TIME] = t
     clock[CLOCK_STEP] = h
-
-
-@kernel(fastmath=FAST)
-def remember(matrix, flow, step, least):
-    """Shift the history of the springs' vectors by a step; called before the state is replaced.
-
-    Steps that together are shorter than `least`, s, count as one, since the next step is much longer.
-    """
-    clock, places = flow.clock, flow.q.size // 2
-    if 0.0 < clock[CLOCK_LAST] < least:
-        clock[CLOCK_LAST] += step
-        return
-    last, older = flow.history[1], flow.history[2]
-    for i in range(matrix.walk.size):
-        m = matrix.walk[i]
-        p = matrix.parent[m]
-        for j, k in ((m, p), (places + m, places + p)):
-            older[j] = last[j]
-            last[j] = flow.q[j] - flow.q[k]
-    clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_LAST]
-    clock[CLOCK_LAST] = step
-
-
-@kernel(fastmath=FAST)
-def _predict(matrix, inverse_mass, flow, step, to_q):
-    """Extrapolate how each spring of the forest turned and stretched in the last two steps.
-
-    In complex numbers: a vector becomes vector * (1 + z), and z, less its square's half, is extrapolated as a
-    polynomial of time. The masses without a parent, or in a hand, are where they are in `to_q` already.
-    """
-    clock, places, q = flow.clock, flow.q.size // 2, flow.q
-    last, older = flow.history[1], flow.history[2]
-    h1, h0 = clock[CLOCK_LAST], clock[CLOCK_LAST_BUT_ONE]
-    if h1 == 0.0:
-        return
-    c1, c0 = step / h1, 0.0
-    if h0 > 0.0:
-        ratio = (h1 + step) / (h0 + h1)
-        c1, c0 = c1 * (1.0 + ratio), -step / h0 * ratio
-    for i in range(matrix.walk.size):
-        m = matrix.walk[i]
-        p = matrix.parent[m]
-        if p == 0 or inverse_mass[m] == 0.0:
-            continue
-        x, y = q[m] - q[p], q[places + m] - q[places + p]
-        re, im = _logarithm(x, y, last[m], last[places + m])
-        re, im = c1 * re, c1 * im
-        if c0 != 0.0:
-            more = _logarithm(last[m], last[places + m], older[m], older[places + m])
-            re, im = re + c0 * more[0], im + c0 * more[1]
-        x, y = _turned(x, y, 1.0 + re, im)
-        to_q[m], to_q[places + m] = to_q[p] + x, to_q[places + p] + y
-
-
-@kernel(forceinline=True, fastmath=FAST)
-def _logarithm(x, y, x0, y0):
-    """Of (x + iy) / (x0 + iy0), to second order in the turn."""
-    inverse = 1.0 / max(x0 * x0 + y0 * y0, 1e-300)
-    re, im = (x * x0 + y * y0) * inverse - 1.0, (y * x0 - x * y0) * inverse
-    return re + 0.5 * im * im, im
-
-
-@kernel(forceinline=True, fastmath=FAST)
-def _turned(x, y, stretch, turn):
-    """A vector turned (by Cayley's map, without trigonometry) and stretched; as it is if that is wild."""
-    half = 0.5 * turn
-    if not (stretch > 0.4 and stretch < 2.5 and abs(half) < 0.7):
-        return x, y
-    scale = stretch / (1.0 + half * half)
-    cos, sin = (1.0 - half * half) * scale, 2.0 * half * scale
-    return cos * x - sin * y, sin * x + cos * y
-
-
-@kernel(fastmath=FAST)
-def _turn_and_stretch(matrix, inverse_mass, q, move, old):
-    """Apply an update to the positions q, turning and stretching each spring of the forest."""
-    places = q.size // 2
-    for j in range(q.size):
-        old[j] = q[j]
-    for i in range(matrix.walk.size):
-        m = matrix.walk[i]
-        p = matrix.parent[m]
-        if p == 0 or inverse_mass[m] == 0.0:
-            q[m] += move[m]
-            q[places + m] += move[places + m]
-            continue
-        x, y = old[m] - old[p], old[places + m] - old[places + p]
-        dx, dy = move[m] - move[p], move[places + m] - move[places + p]
-        inverse = 1.0 / max(x * x + y * y, 1e-300)
-        stretch, turn = 1.0 + (x * dx + y * dy) * inverse, (x * dy - y * dx) * inverse
-        if stretch > 0.4 and stretch < 2.5 and abs(turn) < 1.4:
-            x, y = _turned(x, y, stretch, turn)
-        else:
-            x, y = x + dx, y + dy
-        q[m], q[places + m] = q[p] + x, q[places + p] + y

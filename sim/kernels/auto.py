@@ -166,8 +166,9 @@ def _whose_turn(mind, costs, held):
         if mind[AUTO_PACE + arm] > mind[AUTO_PACE + best]:
             best = arm
     pace = mind[AUTO_PACE + best]
-    # Where Verlet's steps are limited by stability, those of Adams' methods are all the more.
-    worth = not (best == ARM_VERLET and held)
+    # Where stability limits Verlet's steps, or long bodies ask for an implicit method, it limits those of
+    # Adams' methods all the more.
+    worth = best != ARM_ALPHA and not (best == ARM_VERLET and held)
     for arm in range(1, ARMS):
         unknown = costs[arm] > 0.0 and mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < _LONG_STEP
         if unknown and (arm != ARM_ADAMS or (worth and mind[AUTO_WORK] >= _SOME)):

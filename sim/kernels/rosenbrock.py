@@ -6,7 +6,6 @@ Velocity is eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solves
 
 from __future__ import annotations
 
-from .alpha import remember
 from .drive import drive_to
 from .forces import accelerations
 from .guard import GOOD, sound
@@ -36,6 +35,7 @@ from .tables import (
     COUNT_STEPS,
     COUNT_WHAT,
 )
+from .turning import remember
 
 _MOST_STAGES = 8
 

@@ -165,6 +165,7 @@ class Matrix(NamedTuple):
     slot: Indices  # (n,) scratch: block of the present row in each column
     spring_target: Indices  # (4 S,) blocks that a spring adds to, at rows and columns bb, ba, ab, aa
     joint_target: Indices  # (16 J,) blocks that a joint adds to, likewise for each pair of its springs
+    straight: bool  # each mass of the forest that hangs on another one hangs on that of the place before it
 
 
 class Drive(NamedTuple):
