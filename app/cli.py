@@ -156,17 +156,19 @@ class Bench:
     """Measure softrod on this machine, beside other programs that do the same."""
 
     what: Annotated[
-        Positional[Literal["kernels", "growth", "ensemble", "start", "page"]],
-        arg(metavar="{kernels,growth,ensemble,start,page}"),
+        Positional[Literal["kernels", "growth", "frames", "ensemble", "start", "page"]],
+        arg(metavar="{kernels,growth,frames,ensemble,start,page}"),
     ]
-    """kernels: the step by several programs; growth: the step as the body grows; ensemble: many ropes at once
-    and one by one; start: until the rope moves; page: cost and latency."""
+    """kernels: the step by several programs; growth: the step as the body grows; frames: time and error of a
+    rod led in a circle; ensemble: many ropes at once and one by one; start: until the rope moves; page: cost
+    and latency."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 
     def run(self) -> int:
         """Measure and print."""
         from .bench.ensemble import bench_ensemble
+        from .bench.frames import bench_frames
         from .bench.growth import bench_growth
         from .bench.kernels import bench
         from .bench.serving import bench_page, bench_start
@@ -176,6 +178,7 @@ class Bench:
         benches = {
             "kernels": bench,
             "growth": bench_growth,
+            "frames": bench_frames,
             "ensemble": bench_ensemble,
             "start": bench_start,
             "page": bench_page,

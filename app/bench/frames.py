@@ -1,0 +1,121 @@
+"""`softrod bench frames`: what a frame of 1/60 s takes, and how exact it is, for a rod led in a circle.
+
+The rods are the same one in more and more pieces: length, weight and stiffness of the whole do not change.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from rich.console import Console
+from rich.table import Table
+
+import sim
+from sim import Integrator, Scene
+from sim.scene import Circle, Method
+
+SIZES = (12, 100, 1000, 3000, 10_000)
+"""Masses."""
+
+FRAMES = 60
+TOLERANCE = 0.1
+"""px, given to `auto`."""
+
+REFERENCE: tuple[Method, float] = ("rodas5p", 1e-3)
+"""What errors are measured against: method, and tolerance in px."""
+
+
+def led_rod(masses: int, method: Method, tolerance: float) -> Scene:
+    """The tutorial's rope of twelve masses in so many, its first mass led in a circle twice a second."""
+    finer = (masses - 1) / 11.0
+    return sim.rope(
+        masses,
+        length=300.0,
+        start=(100.0, 100.0),
+        direction=(1.0, 0.0),
+        mass=12.0 / masses,
+        stiffness=1e4 * finer,
+        damping=40.0 * finer,
+        angular_stiffness=1e4 * finer**3,
+        air_friction=0.002 * 12.0 / masses,
+        circle=Circle(radius=200.0, frequency=2.0, ramp=0.1),
+        driven=None,
+        force_law="tutorial",
+        integrator=Integrator(method=method, dt=1.0 / FRAMES, tolerance=tolerance),
+    )
+
+
+@dataclass(frozen=True)
+class Frames:
+    """What came of a run.
+
+    Attributes:
+        path: (frames, n, 2) px.
+        seconds: (frames,) of computing.
+        steps, rejected: of all frames.
+    """
+
+    path: NDArray[np.float64]
+    seconds: NDArray[np.float64]
+    steps: int
+    rejected: int
+
+
+def run_frames(simulation: sim.Simulation) -> Frames:
+    """Run from the start, frame by frame.
+
+    Raises:
+        RuntimeError: the body ran away.
+    """
+    simulation.reset()
+    simulation.effort()
+    path, seconds = [], []
+    for _ in range(FRAMES):
+        began = time.perf_counter()
+        simulation.step()
+        seconds.append(time.perf_counter() - began)
+        path.append(simulation.positions)
+    if simulation.divergence is not None:
+        raise RuntimeError(f"the rod ran away: {simulation.divergence}")
+    effort = simulation.effort()
+    return Frames(np.array(path), np.array(seconds), effort.steps, effort.rejected)
+
+
+def errors(path: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(frames,) the largest distance of a mass from where it should be, px."""
+    return np.hypot(*np.moveaxis(path - right, -1, 0)).max(axis=1)
+
+
+def bench_frames(console: Console, repeats: int) -> None:
+    """Measure, and print ms per frame and errors for each size; of each frame the fastest of the repeats."""
+    table = Table(
+        "masses",
+        "ms, median",
+        "worst",
+        "worst but the first",
+        "steps",
+        "rejected",
+        "error at the end, px",
+        "at any frame",
+        box=None,
+    )
+    for masses in SIZES:
+        simulation = sim.Simulation(led_rod(masses, "auto", TOLERANCE))
+        runs = [run_frames(simulation) for _ in range(repeats + 1)][1:]
+        milliseconds = 1e3 * np.min([run.seconds for run in runs], axis=0)
+        reference = run_frames(sim.Simulation(led_rod(masses, *REFERENCE)))
+        off = errors(runs[0].path, reference.path)
+        table.add_row(
+            str(masses),
+            *(f"{ms:.3g}" for ms in (np.median(milliseconds), milliseconds.max(), milliseconds[1:].max())),
+            str(runs[0].steps),
+            str(runs[0].rejected),
+            *(f"{error:.2g}" for error in (off[-1], off.max())),
+        )
+    console.print(
+        f"{FRAMES} frames of 1/60 s, auto at {TOLERANCE:g} px, beside {REFERENCE[0]} at {REFERENCE[1]:g} px"
+    )
+    console.print(table)
