@@ -67,7 +67,7 @@ _BESIDE = 1.0 + 1e-12
 """A factor that moves a point off those that are known, where the formula divides by nothing."""
 
 
-@kernel(fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, attempts):
     """Go on to `end` under a tolerance; arguments as those of `run_explicit`."""
     freshen(body, live, work, drive, flow)

@@ -66,7 +66,7 @@ _ERROR = 0.1
 """The error of a step as a part of the distance between prediction and solution, found by trying."""
 
 
-@kernel(fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def run_alpha(
     body, live, work, matrix, drive, flow, ledger, end, fixed, tolerance, attempts
 ):  # fmt: skip

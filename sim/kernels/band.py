@@ -31,7 +31,7 @@ PARTS = _KINDS * _LANES
 _ZERO = (0.0, 0.0, 0.0, 0.0)
 
 
-@kernel(fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def factorise_chain(body, live, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
     places, n = q.size // 2, body.masses

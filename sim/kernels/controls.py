@@ -32,7 +32,7 @@ def refresh(body, live):
         live.couple_rest[j + 1] = rest
 
 
-@kernel()
+@kernel(inner=True)
 def lead_and_press(body, live, motion, step, steps):
     """Step `step` of `steps`: first pointer and circles set their masses, then the keys do their work."""
     place_led(live, motion, step, steps)
@@ -43,7 +43,7 @@ def lead_and_press(body, live, motion, step, steps):
         refresh(body, live)
 
 
-@kernel()
+@kernel(inner=True)
 def place_led(live, motion, step, steps):
     """Put the masses that are led, and those on circles, where they are at the end of a step."""
     part = (step + 1) / steps

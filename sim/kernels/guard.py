@@ -67,7 +67,7 @@ def put_back(body, live, kept):
     refresh(body, live)
 
 
-@kernel()
+@kernel(inner=True)
 def judge(body, live, kept, progress, count, farthest, fastest):
     """Enter in `progress` how the `count` steps beyond the kept state went.
 

@@ -25,6 +25,7 @@ _KEPT_FOLDERS = 3
 
 _OPTIONS = {
     "nogil": True,
+    "no_cfunc_wrapper": True,  # nobody calls one from C: less to compile
     # A division by zero gives an infinity, which the guard catches, instead of a test at every division.
     "error_model": "numpy",
     # No reference counting: a kernel allocates nothing, and its caller holds all its arrays. Counting each
@@ -70,14 +71,18 @@ FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
 NaN and infinities keep their meaning, since guards and error estimates go by them."""
 
 
-def kernel(**options: Any) -> Callable[[Callable[..., Any]], Any]:
+def kernel(*, inner: bool = False, **options: Any) -> Callable[[Callable[..., Any]], Any]:
     """Compile a kernel: no Python objects, GIL released, machine code kept on disk.
 
     IEEE double arithmetic, in the order written, unless `fastmath=FAST`: a run is the same bit for bit
-    every time on one machine, and the tutorial's on every machine.
+    every time on one machine, and the tutorial's on every machine. Only other kernels can call one that is
+    `inner`, or whose name starts with an underscore.
     """
 
     def decorate(function: Callable[..., Any]) -> Any:
+        # What only other kernels call needs no way in from Python: taking a hundred arrays out of their
+        # tuples is half a second to compile.
+        options["no_cpython_wrapper"] = inner or function.__name__.startswith("_")
         folder = cache_folder()
         if folder is None:
             return numba.njit(**_OPTIONS, **options)(function)

@@ -76,7 +76,7 @@ def assemble(body, live, matrix, q, v, g, definite):
             i += 4
 
 
-@kernel(fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def factorise_sparse(body, live, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
     places = q.size // 2
@@ -118,7 +118,7 @@ def factorise_sparse(body, live, matrix, q, v, a, g, definite):
     return regular
 
 
-@kernel(fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def solve_sparse(body, matrix, b):
     """Solve in place; b is flat, x of every place, then y."""
     places = b.size // 2

@@ -13,7 +13,7 @@ from .jit import FAST, kernel
 from .tables import CLOCK_LAST, CLOCK_LAST_BUT_ONE
 
 
-@kernel(fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def remember(matrix, flow, step, least):
     """Shift the history of the springs' vectors by a step; called before the state is replaced.
 
@@ -38,7 +38,7 @@ def remember(matrix, flow, step, least):
     clock[CLOCK_LAST] = step
 
 
-@kernel(fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def predict(matrix, inverse_mass, flow, step, to_q, vector):
     """Extrapolate how each spring of the forest turned and stretched in the last two steps.
 
@@ -74,7 +74,7 @@ def predict(matrix, inverse_mass, flow, step, to_q, vector):
     _add_up(matrix, inverse_mass, vector, to_q)
 
 
-@kernel(fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def turn_and_stretch(matrix, inverse_mass, q, move, vector):
     """Apply an update to the positions q, turning and stretching each spring; `vector` is scratch."""
     places, n = q.size // 2, matrix.walk.size

@@ -35,7 +35,7 @@ _SINK, _RAISE = 0.93, 1.002
 """What a step that failed leaves of the limit, and how fast that rises again, per step."""
 
 
-@kernel(fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, attempts):
     """Go on to `end` by x += h v + h²/2 a, v += h/2 (a + a'); arguments as those of `run_explicit`.
 
