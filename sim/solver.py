@@ -76,6 +76,9 @@ RESCUE_STEP = 1e-3
 
 UNLIMITED = 2**62
 
+_SHY = 1.0 - 1e-15
+"""A hand that goes to the very edge of what a scene may have must not pass it by a rounding error."""
+
 _KINDS = {
     "explicit": KIND_EXPLICIT,
     "verlet": KIND_VERLET,
@@ -183,8 +186,8 @@ class Solver:
             vx = vy = 0.0
             if m in targets:
                 ex, ey = offset(circle, until)
-                vx = bounded((targets[m][0] - ex - (x - ox)) / duration)
-                vy = bounded((targets[m][1] - ey - (y - oy)) / duration)
+                vx = _SHY * bounded((targets[m][0] - ex - (x - ox)) / duration)
+                vy = _SHY * bounded((targets[m][1] - ey - (y - oy)) / duration)
             radius, omega, ramp = (
                 (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
             )

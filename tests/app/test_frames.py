@@ -16,7 +16,10 @@ def test_the_rod_is_the_same_in_more_pieces() -> None:
     # Standing still, so that how finely it is cut is all there is between the two.
     coarse, fine = (
         msgspec.structs.replace(
-            scene, anchors=(msgspec.structs.replace(scene.anchors[0], circle=None),), gravity=(0.0, 20.0)
+            scene,
+            rope=None,
+            anchors=(msgspec.structs.replace(scene.anchors[0], circle=None),),
+            gravity=(0.0, 20.0),
         )
         for scene in (led_rod(34, *REFERENCE), led_rod(67, *REFERENCE))
     )

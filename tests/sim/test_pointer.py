@@ -216,3 +216,16 @@ def test_a_body_that_is_held_everywhere_only_follows_the_pointer_and_keys() -> N
     assert simulation.time == pytest.approx(0.025)
     assert simulation.rest_length_scale == pytest.approx(1.002**10)
     assert simulation.rest_angles == pytest.approx([1.0, 1.0])
+
+
+@pytest.mark.parametrize("dt", [0.001, 0.0037, 0.008817065458705083, 0.0123])
+@pytest.mark.parametrize("edge", [(0.0, 1e6), (-1e6, 1e6), (1e6, -3.3)])
+def test_a_mass_may_be_led_to_the_very_edge(dt: float, edge: tuple[float, float]) -> None:
+    scene = REPLACE(chain(row(1)), integrator=Integrator(method="auto", dt=dt, tolerance=1.0))
+    simulation = Simulation(scene)
+    simulation.grab(0)
+    # Not a rounding error beyond it, which would be out of range.
+    simulation.lead(0, edge)
+    assert simulation.step(20) == 20
+    assert simulation.divergence is None
+    assert tuple(simulation.positions[0]) == edge
