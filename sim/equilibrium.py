@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from .errors import InputError
-from .kernels.band import ROW
+from .kernels.band import LOWER
 from .kernels.controls import refresh
 from .kernels.forces import accelerations
 from .kernels.implicit import factorise, solve
@@ -198,7 +198,7 @@ class _Resting:
         matrix, n = self.matrix, self.tables.masses
         regular = factorise(self.tables, self.live, matrix, q, self.still, shift, 0.0, definite)
         if self.tables.chain:
-            inverse = matrix.blocks.reshape(-1, ROW)[1 : n + 1, 8:12]
+            inverse = matrix.blocks[: LOWER * (n + 1)].reshape(-1, LOWER)[1:, 8:12]
         else:
             inverse = matrix.blocks.reshape(-1, 4)[matrix.diagonal]
         xx, xy, yx, yy = inverse[self.live.inverse_mass[self._rows] > 0.0].T

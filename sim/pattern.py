@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .kernels.band import PARTS, ROW
+from .kernels.band import LOWER, PARTS, UPPER
 from .kernels.tables import Body, Floats, Indices, Matrix
 
 NO_MATRIX = Matrix._make([np.zeros(0)] * 5 + [np.zeros(0, np.int64)] * (len(Matrix._fields) - 6) + [False])
@@ -21,7 +21,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     springs = [np.zeros(body.stiffness.size) for _ in range(3)]
     trees = forest(body, held)
     if body.chain:
-        factors = np.zeros(ROW * (body.stiffness.size + 3)), np.zeros(PARTS)
+        factors = np.zeros((LOWER + UPPER) * (body.stiffness.size + 3)), np.zeros(PARTS)
         nothing = np.zeros(0, np.int64)
         rest = [nothing for _ in Matrix._fields[7:-1]]
         walk, parent = trees

@@ -30,6 +30,7 @@ from .kernels.tables import (
     ARMS,
     AUTO_NEW,
     CLOCK_BEGUN,
+    CLOCK_CONTRACTION,
     CLOCK_LAST,
     CLOCK_LAST_BUT_ONE,
     CLOCK_TIME,
@@ -63,7 +64,7 @@ from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
 from .system import System, slab
 from .tableaux import RK4
 
-_ROWS, _HISTORY = 24, 3
+_ROWS, _HISTORY = 24, 4
 
 LOW_TOLERANCE = 3e-3
 """Tolerance, px, below which `auto` chooses from methods of high order, too."""
@@ -307,7 +308,7 @@ class Solver:
         flow, live, p = self.flow, self.live, self.places
         live.x[:], live.y[:], live.vx[:], live.vy[:] = flow.q[:p], flow.q[p:], flow.v[:p], flow.v[p:]
         flow.mind[:] = AUTO_NEW
-        flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_BEGUN]] = 0.0
+        flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_BEGUN, CLOCK_CONTRACTION]] = 0.0
 
     def open_ledger(self) -> None:
         """Keep books from now on of what changes the energy."""

@@ -2,11 +2,12 @@
 
 The matrix is a I - g Jv - Jx, with Jx and Jv the derivatives of the accelerations by positions and by
 velocities: velocity is eliminated, so there are two unknowns a mass. On a chain it has five diagonals of two
-by two blocks; rows are built and eliminated one after the other (block LU without pivoting between blocks).
-Row i of `matrix.blocks` then holds D^-1 L2, D^-1 L1, D^-1, D^-1 U1 and D^-1 U2, with D the pivot.
+by two blocks, and is factorised without pivoting between blocks. `matrix.blocks` then holds D^-1 L2, D^-1 L1
+and D^-1 of every row, with D the pivot, which is what solving forwards reads, and after those of all rows
+D^-1 U1 and D^-1 U2, for solving backwards.
 
-The derivatives of the forces take more arithmetic than the elimination does. Springs do not wait for each
-other there, so they are done eight at a time, in loops that are vectorised.
+Rows have to be eliminated one after the other. All that comes before, the derivatives of the forces and the
+rows that follow from them, is done for many springs at a time, in loops that are vectorised.
 """
 
 from __future__ import annotations
@@ -17,55 +18,79 @@ from .blocks import joint_blocks, length_of, minus, plus, scaled, spring_block, 
 from .jit import FAST, kernel
 from .tables import ANGLE, CONSERVATIVE, TUTORIAL
 
-ROW = 20
-"""Numbers in a row."""
+LOWER, UPPER = 12, 8
+"""Numbers of each row in `Matrix.blocks` that belong to its lower and to its upper part."""
 
-_LANES = 8
+_CHUNK, _VECTOR = 16, 8
+"""Springs whose derivatives are taken before their rows are eliminated, and how many of them are a vector."""
+_STRIDE = _VECTOR + _CHUNK
+"""Of each kind of number there is room for a chunk, and before it for the end of the chunk before."""
+
 _OWN, _AA, _AB, _BA, _BB, _KINDS = 0, 4, 8, 12, 16, 20
 """The derivatives of the tension of a spring by its own vector; those that the joint between it and the next
 spring adds, as `joint_blocks` names them; and how many numbers these are."""
+_L2, _L1, _D, _U1, _U2, _ALL = 44, 48, 52, 56, 60, 64
+"""The five blocks of the row of the mass that each spring begins at. They are 4 kB from what they are built
+from: LLVM does not vectorise a loop that might load, a little later, parts of what it stored."""
 
-PARTS = _KINDS * _LANES
-"""Numbers in `Matrix.parts`: of each kind of derivative in turn, those of eight springs side by side."""
+PARTS = _ALL * _STRIDE
+"""Numbers in `Matrix.parts`: of each kind in turn, those of all springs of a chunk side by side."""
 
 _ZERO = (0.0, 0.0, 0.0, 0.0)
+
+_ORDERED = {"contract", "nsz"}
+"""For sums that wait for what their last terms hold: those are added last, as written."""
 
 
 @kernel(inner=True, fastmath=FAST)
 def factorise_chain(body, live, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
-    places, n = q.size // 2, body.masses
-    parts = matrix.parts
+    n, parts = body.masses, matrix.parts
+    for kind in range(_KINDS):
+        _hand_on(parts, kind, 0.0, 0.0)
     rows = _ZERO, _ZERO, _ZERO, _ZERO  # of the last row: D^-1 U1 and D^-1 U2; and of the one before it
-    before = _ZERO, _ZERO, _ZERO  # by the vectors of the spring before, of its own and of the next: a tension
-    to_last, to_own = _ZERO, _ZERO  # ba and bb of the joint behind
-    regular = True
-    for first in range(0, n - 1, _LANES):
-        _derive_springs(body, live, q, v, g, definite, first, parts)
+    check = 0.0
+    for first in range(0, n, _CHUNK):
+        springs = min(_CHUNK, (n - 2 - first + _VECTOR) // _VECTOR * _VECTOR)
+        _derive_springs(body, live, q, v, g, definite, first, springs, parts)
         if body.joints:
             if definite:
-                _derive_joints(body, live, q, v, g, CONSERVATIVE, True, True, first, parts)
+                _derive_joints(body, live, q, v, g, CONSERVATIVE, True, True, first, springs, parts)
             elif body.law == TUTORIAL and not body.twisted:
-                _derive_joints(body, live, q, v, g, TUTORIAL, False, False, first, parts)
+                _derive_joints(body, live, q, v, g, TUTORIAL, False, False, first, springs, parts)
             elif body.law == CONSERVATIVE and not body.twisted:
-                _derive_joints(body, live, q, v, g, CONSERVATIVE, False, False, first, parts)
+                _derive_joints(body, live, q, v, g, CONSERVATIVE, False, False, first, springs, parts)
             else:
-                _derive_joints(body, live, q, v, g, body.law, True, False, first, parts)
-        for k in range(min(_LANES, n - 1 - first)):
-            m = first + k + 1
-            own = plus(plus(_part(parts, _OWN, k), to_own), _part(parts, _AA, k))
-            present = to_last, own, _part(parts, _AB, k)
-            rows, good = _eliminate(live, matrix, m, places, v, a, g, before, present, rows)
-            regular = regular and good
-            before = present
-            to_last, to_own = _part(parts, _BA, k), _part(parts, _BB, k)
-    rows, good = _eliminate(live, matrix, n, places, v, a, g, before, (_ZERO, _ZERO, _ZERO), rows)
-    return regular and good
+                _derive_joints(body, live, q, v, g, body.law, True, False, first, springs, parts)
+        # There is no spring n - 1, nor a joint before it.
+        for s in range(max(n - 2, first), min(n, first + _CHUNK)):
+            for kind in range(_AA if s == n - 2 else _OWN, _KINDS):
+                parts[_at(kind, s - first)] = 0.0
+        count = min(_CHUNK, n - first)
+        _build_rows(live, v, a, g, first, (count + _VECTOR - 1) // _VECTOR * _VECTOR, parts)
+        for k in range(count):
+            rows, size = _eliminate(matrix, first + 1 + k, k, rows)
+            check += 0.0 * size  # infinities become NaN
+        if first + _CHUNK < n:
+            for kind in range(_KINDS):
+                _hand_on(parts, kind, parts[_at(kind, _CHUNK - 2)], parts[_at(kind, _CHUNK - 1)])
+    return check == 0.0
+
+
+@kernel(forceinline=True)
+def _at(kind, k):
+    """Where `Matrix.parts` has a number of the chunk's spring k; -1 and -2 are of the chunk before."""
+    return np.uint64(_STRIDE * kind + _VECTOR + k)
+
+
+@kernel(forceinline=True)
+def _hand_on(parts, kind, last_but_one, last):
+    parts[_at(kind, -2)], parts[_at(kind, -1)] = last_but_one, last
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _derive_springs(body, live, q, v, g, definite, first, parts):
-    for k in range(parts.size // _KINDS):
+def _derive_springs(body, live, q, v, g, definite, first, springs, parts):
+    for k in range(springs):
         s = np.uint64(first + k)  # unsigned indices need no test for counting from the end
         vector, rate = _between(q, s), _between(v, s)
         length = length_of(vector[0], vector[1], body.softening)
@@ -76,10 +101,10 @@ def _derive_springs(body, live, q, v, g, definite, first, parts):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _derive_joints(body, live, q, v, g, law, twisted, definite, first, parts):
+def _derive_joints(body, live, q, v, g, law, twisted, definite, first, springs, parts):
     """The law, whether joints have damping, and `definite`, are constants where it is called: a loop each."""
     soft = body.softening
-    for k in range(parts.size // _KINDS):
+    for k in range(springs):
         s, place = np.uint64(first + k), np.uint64(first + k + 1)
         vector, after = _between(q, s), _between(q, place)
         rate, rate_after, damping, rest = (0.0, 0.0), (0.0, 0.0), 0.0, 0.0
@@ -122,68 +147,87 @@ def _between(values, s):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _put(parts, kind, k, block):
-    parts[_LANES * kind + k] = block[0]
-    parts[_LANES * (kind + 1) + k] = block[1]
-    parts[_LANES * (kind + 2) + k] = block[2]
-    parts[_LANES * (kind + 3) + k] = block[3]
+    parts[_at(kind, k)] = block[0]
+    parts[_at(kind + 1, k)] = block[1]
+    parts[_at(kind + 2, k)] = block[2]
+    parts[_at(kind + 3, k)] = block[3]
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def _part(parts, kind, k):
-    return (
-        parts[_LANES * kind + k],
-        parts[_LANES * (kind + 1) + k],
-        parts[_LANES * (kind + 2) + k],
-        parts[_LANES * (kind + 3) + k],
-    )
+    return parts[_at(kind, k)], parts[_at(kind + 1, k)], parts[_at(kind + 2, k)], parts[_at(kind + 3, k)]
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _eliminate(live, matrix, m, places, v, a, g, before, present, rows):
-    """Build the row of mass m from how the springs behind and ahead of it answer, and eliminate."""
-    last_back, last_own, last_ahead = before
-    back, own, ahead = present
+def _build_rows(live, v, a, g, first, count, parts):
+    """From how each spring answers to its own vector and to those of the two beside it."""
+    places = v.size // 2
+    for k in range(count):
+        m = np.uint64(first + k + 1)
+        w, drag = live.inverse_mass[m], 2.0 * live.air[m] * g
+        last_back, back = _part(parts, _BA, k - 2), _part(parts, _BA, k - 1)
+        last_ahead, ahead = _part(parts, _AB, k - 1), _part(parts, _AB, k)
+        last_own, own = _whole(parts, k - 1), _whole(parts, k)
+        diagonal = scaled(-w, minus(plus(last_own, own), plus(last_ahead, back)))
+        diagonal = (
+            diagonal[0] + a + drag * abs(v[m]),
+            diagonal[1],
+            diagonal[2],
+            diagonal[3] + a + drag * abs(v[np.uint64(places) + m]),
+        )
+        _put(parts, _L2, k, scaled(w, last_back))
+        _put(parts, _L1, k, scaled(w, minus(last_own, plus(last_back, back))))
+        _put(parts, _D, k, diagonal)
+        _put(parts, _U1, k, scaled(w, minus(own, plus(last_ahead, ahead))))
+        _put(parts, _U2, k, scaled(w, ahead))
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _whole(parts, k):
+    """How a spring answers to its own vector, with what the joints at both its ends add."""
+    return plus(_part(parts, _OWN, k), plus(_part(parts, _AA, k), _part(parts, _BB, k - 1)))
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _eliminate(matrix, m, k, rows):
+    """Eliminate from the row of mass m, the chunk's k-th, the masses before it; also some size of D^-1."""
+    parts, blocks = matrix.parts, matrix.blocks
     p1, p2, pp1, pp2 = rows
-    w = live.inverse_mass[m]
-    c1 = minus(last_back, last_own)
-    c2 = minus(last_own, last_ahead)
-    d1 = minus(back, own)
-    d2 = minus(own, ahead)
-    lower2 = scaled(w, last_back)
-    lower1 = minus(scaled(-w, plus(c1, back)), times(lower2, pp1))
-    diagonal = scaled(-w, minus(c2, d1))
-    drag = 2.0 * live.air[m] * g
-    diagonal = (
-        diagonal[0] + a + drag * abs(v[m]),
-        diagonal[1],
-        diagonal[2],
-        diagonal[3] + a + drag * abs(v[places + m]),
-    )
-    diagonal = minus(minus(diagonal, times(lower2, pp2)), times(lower1, p1))
-    upper1 = minus(scaled(-w, minus(last_ahead, d2)), times(lower1, p2))
-    upper2 = scaled(w, ahead)
+    lower2 = _part(parts, _L2, k)
+    lower1 = minus(_part(parts, _L1, k), times(lower2, pp1))
+    diagonal = minus(minus(_part(parts, _D, k), times(lower2, pp2)), times(lower1, p1))
+    upper1 = minus(_part(parts, _U1, k), times(lower1, p2))
+    upper2 = _part(parts, _U2, k)
     # What waits for the division is as little as can be: the next row waits for this one.
     adjoint = (diagonal[3], -diagonal[1], -diagonal[2], diagonal[0])
     factor = 1.0 / (diagonal[0] * diagonal[3] - diagonal[1] * diagonal[2])
     inverse = scaled(factor, adjoint)
-    good = abs(inverse[0]) + abs(inverse[1]) + abs(inverse[2]) + abs(inverse[3]) < 1e300
     to1, to2 = scaled(factor, times(adjoint, upper1)), scaled(factor, times(adjoint, upper2))
-    row, blocks = ROW * m, matrix.blocks
-    for j, block in (
-        (0, times(inverse, lower2)),
-        (4, times(inverse, lower1)),
-        (8, inverse),
-        (12, to1),
-        (16, to2),
-    ):
-        blocks[row + j] = block[0]
-        blocks[row + j + 1] = block[1]
-        blocks[row + j + 2] = block[2]
-        blocks[row + j + 3] = block[3]
-    return (to1, to2, p1, p2), good
+    row = np.uint64(LOWER * m)
+    _store(blocks, row, times(inverse, lower2))
+    _store(blocks, row + 4, times(inverse, lower1))
+    _store(blocks, row + 8, inverse)
+    row = np.uint64(_upper(blocks) + UPPER * m)
+    _store(blocks, row, to1)
+    _store(blocks, row + 4, to2)
+    return (to1, to2, p1, p2), inverse[0] + inverse[1] + inverse[2] + inverse[3]
+
+
+@kernel(forceinline=True)
+def _upper(blocks):
+    """Where the upper parts of the rows begin."""
+    return blocks.size // (LOWER + UPPER) * LOWER
 
 
 @kernel(forceinline=True, fastmath=FAST)
+def _store(blocks, i, block):
+    blocks[i] = block[0]
+    blocks[i + np.uint64(1)] = block[1]
+    blocks[i + np.uint64(2)] = block[2]
+    blocks[i + np.uint64(3)] = block[3]
+
+
+@kernel(forceinline=True, fastmath=_ORDERED)
 def solve_chain(body, matrix, b):
     """Solve in place; b is flat, x of every place, then y."""
     places = b.size // 2
@@ -191,18 +235,19 @@ def solve_chain(body, matrix, b):
     r = matrix.blocks
     x1, y1, x2, y2 = 0.0, 0.0, 0.0, 0.0
     for m in range(1, n + 1):
-        i = ROW * m
+        i = LOWER * m
         x, y = r[i + 8] * b[m] + r[i + 9] * b[places + m], r[i + 10] * b[m] + r[i + 11] * b[places + m]
-        x -= r[i] * x2 + r[i + 1] * y2
-        y -= r[i + 2] * x2 + r[i + 3] * y2
+        x = x - r[i] * x2 - r[i + 1] * y2
+        y = y - r[i + 2] * x2 - r[i + 3] * y2
         x2, y2 = x1, y1
-        x1, y1 = x - (r[i + 4] * x1 + r[i + 5] * y1), y - (r[i + 6] * x1 + r[i + 7] * y1)
+        x1, y1 = x - r[i + 4] * x1 - r[i + 5] * y1, y - r[i + 6] * x1 - r[i + 7] * y1
         b[m], b[places + m] = x1, y1
+    upper = _upper(r)
     x1, y1, x2, y2 = 0.0, 0.0, 0.0, 0.0
     for m in range(n, 0, -1):
-        i = ROW * m
-        rx = b[m] - (r[i + 16] * x2 + r[i + 17] * y2) - (r[i + 12] * x1 + r[i + 13] * y1)
-        ry = b[places + m] - (r[i + 18] * x2 + r[i + 19] * y2) - (r[i + 14] * x1 + r[i + 15] * y1)
+        i = upper + UPPER * m
+        rx = b[m] - r[i + 4] * x2 - r[i + 5] * y2 - r[i] * x1 - r[i + 1] * y1
+        ry = b[places + m] - r[i + 6] * x2 - r[i + 7] * y2 - r[i + 2] * x1 - r[i + 3] * y1
         x2, y2 = x1, y1
         x1, y1 = rx, ry
         b[m], b[places + m] = rx, ry

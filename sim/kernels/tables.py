@@ -204,7 +204,7 @@ class Flow(NamedTuple):
     rows: Rows  # (R, 2 places) scratch
     mind: Floats  # what `auto` has learnt, see the AUTO_ constants
     history: (
-        Rows  # (3, 2 places) what generalized-alpha carries from step to step; no rows where it is not used
+        Rows  # (4, 2 places) what generalized-alpha carries from step to step; no rows where it is not used
     )
     past: Rows  # (PAST, 2 places) past accelerations, of Adams' methods; no rows where they are not used
 
@@ -227,7 +227,13 @@ nothing; the time between two of its rows, s; the degree of the polynomial; the 
 steps since a change of the step."""
 CLOCK_HELD = 12
 """Place in `Flow.clock`: the share of Verlet's steps in its last turn that its stability kept short."""
-CLOCKS = 13
+CLOCK_CONTRACTION = 13
+"""Place in `Flow.clock`: how large a second move of Newton's method is for the square of the first, 1/px; 0
+where unknown."""
+CLOCK_CUBE = 14
+"""Place in `Flow.clock`: a product of three spans of time, s³, that the error of generalized-alpha's last
+prediction goes with; 0 where it is not known."""
+CLOCKS = 15
 
 ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_ADAMS = 0, 1, 2, 3
 """The methods that `auto` chooses from."""
