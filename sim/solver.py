@@ -279,8 +279,8 @@ class Solver:
         """See `Bound.costs`; measured in ns on chains, elsewhere in proportion to operations."""
         body, matrix = self.system.body, self.matrix
         n = body.masses
-        force, factors = 3.6 * n, 40.0 * n
-        blocks = 5.0 * n
+        force, factors = 3.6 * n, 30.0 * n
+        blocks = 2.7 * n
         if not body.chain:
             force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
             later = matrix.row_start[1:] - matrix.diagonal - 1
@@ -290,9 +290,9 @@ class Solver:
         costs = np.zeros(ARMS)
         costs[ARM_VERLET] = 66.0 + force
         costs[ARM_ADAMS] = 90.0 + 2.0 * force + 4.0 * n
-        costs[ARM_ROSENBROCK] = 900.0 + factors + stages * (force + 2.0 * blocks + 4.0 * n)
+        costs[ARM_ROSENBROCK] = 1200.0 + factors + stages * (force + 2.0 * blocks + 6.0 * n)
         if low and n >= LONG:
-            costs[ARM_ALPHA] = 500.0 + 1.2 * factors + 2.0 * (force + 2.0 * blocks) + 35.0 * n
+            costs[ARM_ALPHA] = 600.0 + 1.2 * (factors + force + 2.0 * blocks) + 10.0 * n
         return costs / costs[ARM_VERLET]
 
     def rescue(self, until: float, drive: Drive) -> None:

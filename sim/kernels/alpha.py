@@ -69,8 +69,13 @@ _SPAN = 2.5e-3
 """A step's error is held to the tolerance of so many seconds, however long it is: an error per second of it
 would have this method, of second order, take steps that are too short to pay."""
 
-_RAISE = 1.2
-"""How much longer than the last step the next one may be after Newton's method failed."""
+_LEFT, _WORTH = 0.75, 1.25
+"""What is left of a step whose error was too large, at most: to halve it would be too much, since the error
+grows smoothly. And how much longer the next step has to be for it to be worth the change."""
+
+_SOLVED, _RAISE = 0.6, 1.06
+"""How long a step is beside one for which Newton's method failed; and how much longer than the last one each
+may be from then on: to fail takes longer than to succeed."""
 
 _ERROR = 0.1
 """The error of a step as a part of the distance between prediction and solution, found by trying."""
@@ -206,13 +211,13 @@ def run_alpha(
             count[COUNT_REJECTED] += 1
             if drive.pressed:
                 drive_to(body, live, drive, t, q, v)
-        after = step_after(flow, h, step, error, 3, good, failed)
+        after = step_after(flow, h, step, error, 3, good, failed, _LEFT)
         if not good and error >= HOPELESS:
-            clock[CLOCK_SOLVABLE] = after = 0.5 * step
+            clock[CLOCK_SOLVABLE] = after = _SOLVED * step
         elif clock[CLOCK_SOLVABLE] > 0.0:
             clock[CLOCK_SOLVABLE] *= _RAISE
             after = min(after, clock[CLOCK_SOLVABLE])
-        if not good or after > 1.5 * h or after < 0.8 * h:
+        if not good or after > _WORTH * h or after < 0.8 * h:
             h = after
         failed = not good
         if fixed > 0.0:

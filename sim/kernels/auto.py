@@ -93,7 +93,7 @@ def run(buffer, driven, kind, end, fixed, tolerance, attempts):
         run_adams(b.body, b.live, b.work, drive, b.flow, b.ledger, b.adams, end, tolerance, attempts)
     else:
         _run_best(b, drive, end, tolerance, attempts)
-    # Beside a call, which takes some 8 µs, this is nothing; from outside it would be a sixth of that.
+    # Beside a call, which takes some 6 µs, this is nothing; from outside it would be a fifth of that.
     places = b.live.x.size
     for m in range(places):
         b.live.x[m], b.live.y[m] = b.flow.q[m], b.flow.q[places + m]

@@ -104,7 +104,7 @@ def first_step(flow, drive, tolerance):
 
 
 @kernel(forceinline=True)
-def step_after(flow, h, step, error, order, good, after_failure):
+def step_after(flow, h, step, error, order, good, after_failure, left=0.5):
     """The step to try next, s.
 
     Args:
@@ -114,13 +114,14 @@ def step_after(flow, h, step, error, order, good, after_failure):
         order: power of the step that the estimate goes with.
         good: whether it was kept.
         after_failure: whether the one before it was not.
+        left: what part of a step that was not kept is left, at most.
     """
     factor = 5.0
     if error > 1e-12:
         root = 1.0 / math.sqrt(error) if order == 2 else error ** (-1.0 / order)
         factor = min(5.0, max(0.2, 0.9 * root))
     if not good:
-        h = step * min(factor, 0.5)
+        h = step * min(factor, left)
         if h < SHORTEST_STEP:
             flow.counts[COUNT_WHAT] = STUCK
         return h
