@@ -63,7 +63,7 @@ _ALL = (
     MethodInfo(
         "generalized_alpha", "Generalized-alpha", "alpha", 2, False, True,
         "Implicit: bears any stiffness and calms what the step is too long for; springs turn and stretch in "
-        "its Newton updates.", strictness=12.0,
+        "its Newton updates.", strictness=10.0,
     ),
     MethodInfo(
         "stable_spring", "Stable spring", "euler", 1, False, False,

@@ -73,9 +73,9 @@ _LEFT, _WORTH = 0.75, 1.25
 """What is left of a step whose error was too large, at most: to halve it would be too much, since the error
 grows smoothly. And how much longer the next step has to be for it to be worth the change."""
 
-_SOLVED, _RAISE = 0.6, 1.06
+_SOLVED, _RAISE, _RAISE_FIXED = 0.6, 1.06, 1.3
 """How long a step is beside one for which Newton's method failed; and how much longer than the last one each
-may be from then on: to fail takes longer than to succeed."""
+may be from then on: to fail takes longer than to succeed. What is to be a fixed step is so again soon."""
 
 _ERROR = 0.1
 """The error of a step as a part of the distance between prediction and solution, found by trying."""
@@ -215,7 +215,7 @@ def run_alpha(
         if not good and error >= HOPELESS:
             clock[CLOCK_SOLVABLE] = after = _SOLVED * step
         elif clock[CLOCK_SOLVABLE] > 0.0:
-            clock[CLOCK_SOLVABLE] *= _RAISE
+            clock[CLOCK_SOLVABLE] *= _RAISE if fixed == 0.0 else _RAISE_FIXED
             after = min(after, clock[CLOCK_SOLVABLE])
         if not good or after > _WORTH * h or after < 0.8 * h:
             h = after

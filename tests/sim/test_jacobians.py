@@ -139,6 +139,32 @@ def test_the_definite_matrix_at_rest(shape: str, joints: bool, law: ForceLaw) ->
         assert np.abs(more).max() <= 1e-8 * size
 
 
+# ------------------------------------------------------------------------- lengths of chains
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("count", [2, 3, 7, 8, 9, 15, 16, 17, 18, 31, 32, 33, 34, 60])
+def test_a_chain_of_any_length_is_solved_like_any_other_body(count: int, law: ForceLaw) -> None:
+    # Derivatives are taken of eight springs at once, and of sixteen before their rows are eliminated.
+    rng = np.random.default_rng(count)
+    places = np.array(row(count)) + rng.uniform(-3.0, 3.0, (count, 2))
+    scene = chain(
+        list(map(tuple, places.tolist())),
+        stiffness=2000.0,
+        angular_stiffness=3000.0,
+        damping=20.0,
+        velocities=list(map(tuple, rng.normal(0.0, 50.0, (count, 2)).tolist())),
+        held=(count // 2,) if count > 3 else (),
+    )
+    scene = REPLACE(scene, force_law=law, air_friction=0.01)
+    one, other = Arrays(scene), Arrays(scene, general=True)
+    assert one.body.chain
+    assert not other.body.chain
+    right = rng.normal(size=2 * count)
+    for arrays in (one, other):
+        assert arrays.factorise(100.0, 10.0)
+    expected = other.solve(right)
+    assert np.abs(one.solve(right) - expected).max() <= 1e-9 * np.abs(expected).max()
+
+
 # ------------------------------------------------------------------------- pivots
 @pytest.mark.parametrize("general", [False, True])
 def test_a_singular_pivot_is_told(general: bool) -> None:
