@@ -10,9 +10,8 @@ import msgspec
 import numpy as np
 
 import sim
-from sim import Anchor, AngularSpring, Circle, Integrator, LinearSpring, Mass, Pose, Scene
+from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
 from sim.files import built_in_folder
-from sim.scene import ForceLaw
 
 PRESETS = sorted(path.stem for path in built_in_folder().glob("*.json"))
 
@@ -30,25 +29,6 @@ def tutorial_rope(**changes: Any) -> Scene:
 def tutorial_preset(name: str) -> Scene:
     """A preset under the tutorial's law and method, whatever it says itself."""
     return msgspec.structs.replace(sim.load_scene(name), force_law="tutorial", integrator=euler())
-
-
-def led_rod(masses: int, integrator: Integrator, force_law: ForceLaw = "tutorial") -> Scene:
-    """A rod that is as stiff and as heavy however finely it is cut, its first mass led in a circle."""
-    finer = (masses - 1) / 11.0
-    return sim.rope(
-        masses,
-        300.0,
-        direction=(1.0, 0.0),
-        driven=None,
-        force_law=force_law,
-        mass=12.0 / masses,
-        stiffness=1e4 * finer,
-        damping=40.0 * finer,
-        angular_stiffness=1e4 * finer**3,
-        air_friction=0.002 * 12.0 / masses,
-        circle=Circle(radius=200.0, frequency=2.0, ramp=0.1),
-        integrator=integrator,
-    )
 
 
 def chain(

@@ -5,28 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sim import Integrator, Scene, Simulation
-from sim.scene import Method
-from tests.sim.builders import led_rod
+from app.bench.frames import REFERENCE, TOLERANCE, errors, led_rod, run_frames
+from sim import Simulation
 
-
-def rod(method: Method, tolerance: float, masses: int = 250) -> Scene:
-    """The led rod, a frame of 1/60 s a step."""
-    return led_rod(masses, Integrator(method=method, dt=1.0 / 60.0, tolerance=tolerance))
-
-
-def path(scene: Scene, frames: int) -> np.ndarray:
-    """(frames, n, 2) where the masses are after each frame."""
-    simulation = Simulation(scene)
-    places = []
-    for _ in range(frames):
-        simulation.step(1)
-        places.append(simulation.positions.copy())
-    return np.array(places)
+MASSES = 250
 
 
 def test_a_smooth_motion_takes_little_more_than_one_move_a_step() -> None:
-    simulation = Simulation(rod("auto", 0.1))
+    simulation = Simulation(led_rod(MASSES, "auto", TOLERANCE))
     simulation.step(6)
     simulation.effort()
     simulation.step(30)
@@ -40,28 +26,29 @@ def test_a_smooth_motion_takes_little_more_than_one_move_a_step() -> None:
 
 def test_moves_that_are_left_out_do_not_show() -> None:
     # What one of them would change is nothing beside the tolerance, but hundreds of them add up.
-    right = path(rod("rodas5p", 1e-3), 30)
-    off = np.abs(path(rod("auto", 0.1), 30) - right).max(axis=(1, 2))
-    assert off.max() <= 0.12
-    assert np.ptp(right[:, 0], axis=0) == pytest.approx((400.0, 400.0), rel=0.1)
+    right = run_frames(Simulation(led_rod(MASSES, *REFERENCE)))
+    run = run_frames(Simulation(led_rod(MASSES, "auto", TOLERANCE)))
+    assert errors(run.path, right.path).max() <= 0.12
+    assert np.ptp(right.path[:, 0], axis=0) == pytest.approx((400.0, 400.0), rel=0.1)
 
 
 def test_a_rod_whose_end_is_torn_away_is_solved_for_all_the_same() -> None:
     # What was learnt about Newton's method in smooth motion does not hold any more.
-    right, found = Simulation(rod("rodas5p", 1e-3)), Simulation(rod("auto", 0.1))
+    right = Simulation(led_rod(MASSES, *REFERENCE))
+    found = Simulation(led_rod(MASSES, "auto", TOLERANCE))
     for simulation in (right, found):
         simulation.step(10)
-        simulation.grab(249)
-        x, y = simulation.positions[249]
-        simulation.lead(249, (x - 60.0, y - 60.0))
+        simulation.grab(MASSES - 1)
+        x, y = simulation.positions[MASSES - 1]
+        simulation.lead(MASSES - 1, (x - 60.0, y - 60.0))
         simulation.step(6)
-        simulation.release(249)
+        simulation.release(MASSES - 1)
         simulation.step(12)
     assert np.abs(found.positions - right.positions).max() <= 0.2
 
 
 def test_nothing_is_carried_over_a_reset() -> None:
-    one, other = Simulation(rod("auto", 0.1)), Simulation(rod("auto", 0.1))
+    one, other = (Simulation(led_rod(MASSES, "auto", TOLERANCE)) for _ in range(2))
     one.step(12)
     one.reset()
     one.step(6)
@@ -71,7 +58,7 @@ def test_nothing_is_carried_over_a_reset() -> None:
 
 def test_a_very_long_rod_is_not_upset_by_how_it_begins() -> None:
     # Short steps follow vibrations that long ones cannot: handed on, they would make those fail for long.
-    simulation = Simulation(rod("auto", 0.1, 3000))
+    simulation = Simulation(led_rod(3000, "auto", TOLERANCE))
     assert simulation.step(30) == 30
     effort = simulation.effort()
     assert effort.steps < 700
