@@ -58,7 +58,7 @@ from .kernels.tables import (
     Tableau,
     Work,
 )
-from .methods import METHODS, MethodInfo
+from .methods import METHODS
 from .pattern import NO_MATRIX, new_matrix
 from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
 from .system import System, slab
@@ -121,11 +121,12 @@ class Solver:
         self.scene, self.system, self.live, self.work = scene, system, live, work
         self.places = live.x.size
         wide = 2 * self.places
-        kind = METHODS[scene.integrator.method].kind
+        self._info = METHODS[scene.integrator.method]
+        kind = self._info.kind
         remembers = kind == "alpha" or (kind == "auto" and system.body.masses >= LONG)
         history, past = 3 + _ROWS, 3 + _ROWS + (_HISTORY if remembers else 0)
         count = past + (PAST if kind in ("adams", "auto") else 0)
-        (room,) = slab([(count * wide, 0)], page_offset=2560)
+        (room,) = slab([(count * wide, 1)], page_offset=2560)
         rows = room.reshape(-1, wide)  # a whole number of cache lines each
         self.flow = Flow(
             q=rows[0],
@@ -139,13 +140,13 @@ class Solver:
             history=rows[history:past],
             past=rows[past:],
         )
-        if not METHODS[scene.integrator.method].adaptive:
+        if not self._info.adaptive:
             self.flow.limits[1] = RUNAWAY_SPEED
         self.ledger = Ledger(False, np.zeros(WORKS), np.zeros(self.places), np.zeros((4, wide)))
         self.ledger.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
         self._buffer, self._driven = new_buffer(BOUND), new_buffer(DRIVE)
-        self._bound_for: tuple[MethodInfo, bool] | None = None
+        self._bound: Bound | None = None
         self._driven_by: Drive | None = None
         circles = {a.mass: a.circle for a in scene.anchors if a.circle is not None}
         self._circle = {int(system.mass_place[m]): circle for m, circle in circles.items()}
@@ -214,41 +215,32 @@ class Solver:
             turn=float(turn),
         )
 
-    def run(
-        self,
-        method: str,
-        until: float,
-        drive: Drive,
-        *,
-        dt: float = 0.0,
-        tolerance: float = 0.0,
-        attempts: int = UNLIMITED,
-    ) -> None:
-        """Go on to a time, with a fixed step `dt` or under a tolerance; `what` tells how it ended.
+    def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
+        """Go on to a time by the scene's method, as far as the attempts lead.
 
         Positions and velocities are in `live`, too, afterwards.
+
+        Returns:
+            guard.GOOD, or what is wrong with the state that the next step would lead to.
         """
-        info = METHODS[method]
-        kind, low = _KINDS[info.kind], info.kind == "auto" and tolerance >= LOW_TOLERANCE
-        local = max(tolerance * info.strictness, 1e-13) if info.adaptive else 1.0
-        fixed = 0.0 if info.adaptive else dt
-        if self._bound_for != (info, low):
-            self._bind(info, low)
+        if self._bound is None:
+            self._bind()
         if drive is not self._driven_by:
             bind(self._driven, drive)
             self._driven_by = drive
         counts = self.flow.counts
-        while True:
-            done = counts[COUNT_STEPS] + counts[COUNT_REJECTED]
-            run(self._buffer, self._driven, kind, until, fixed, local, attempts)
-            attempts -= int(counts[COUNT_STEPS] + counts[COUNT_REJECTED] - done)
-            if counts[COUNT_WHAT] != guard.STUCK or not info.implicit or self.time >= until or attempts <= 0:
-                return
+        left = attempts - run(self._buffer, self._driven, until, attempts)
+        what = int(counts[COUNT_WHAT])
+        while what == guard.STUCK and self._info.implicit and left > 0 and self.time < until:
             self.rescue(until, drive)
+            left -= run(self._buffer, self._driven, until, left)
+            what = int(counts[COUNT_WHAT])
+        return what
 
-    def _bind(self, info: MethodInfo, low: bool) -> None:
-        """Hand all tables over to the compiled code, for a method."""
-        self._bound_for = info, low
+    def _bind(self) -> None:
+        """Hand all tables over to the compiled code."""
+        info, integrator = self._info, self.scene.integrator
+        low = info.kind == "auto" and integrator.tolerance >= LOW_TOLERANCE
         rodas = METHODS["rodas4" if low else "rodas5p"]
         names = ("velocity_verlet", rodas.name, "generalized_alpha", "adams")
         arms = [METHODS[name] for name in names]
@@ -261,6 +253,9 @@ class Solver:
         adams = arms[ARM_ADAMS].table
         assert isinstance(adams, Adams)
         self._bound = Bound(
+            kind=_KINDS[info.kind],
+            fixed=0.0 if info.adaptive else integrator.dt,
+            tolerance=max(integrator.tolerance * info.strictness, 1e-13) if info.adaptive else 1.0,
             body=self.system.body,
             live=self.live,
             work=self.work,
@@ -313,13 +308,13 @@ class Solver:
     def open_ledger(self) -> None:
         """Keep books from now on of what changes the energy."""
         self.ledger = self.ledger._replace(active=True)
-        self._bound_for = None
+        self._bound = None
         self.ledger.work[:] = 0.0
 
     def close_ledger(self) -> None:
         """Keep books no more."""
         self.ledger = self.ledger._replace(active=False)
-        self._bound_for = None
+        self._bound = None
 
     def touch(self) -> None:
         """Say that the state or what acts on it has changed from outside."""
@@ -334,11 +329,6 @@ class Solver:
     def place(self) -> int:
         """The place of the mass that shows what is wrong."""
         return int(self.flow.counts[COUNT_MASS])
-
-    @property
-    def what(self) -> int:
-        """guard.GOOD, or what is wrong with the state that the next step would lead to."""
-        return int(self.flow.counts[COUNT_WHAT])
 
     def effort(self) -> Effort:
         """What was done since the last call of this."""

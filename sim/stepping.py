@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,8 +20,7 @@ Targets = dict[int, tuple[float, float]]
 """Where masses that are led are to be at the end of a call, by place, px."""
 
 
-@dataclass(frozen=True)
-class Presses:
+class Presses(NamedTuple):
     """What held keys do to all rest lengths and rest angles.
 
     Attributes:
@@ -32,17 +31,15 @@ class Presses:
     factor: float = 1.0
     angle: float = 0.0
 
-    @property
-    def any(self) -> bool:
-        """Whether they do anything."""
-        return (self.factor, self.angle) != (1.0, 0.0)
+
+NO_PRESSES = Presses()
 
 
 def presses_of(scene: Scene, keys: frozenset[str]) -> Presses:
     """What the keys held do in one time step of a scene."""
+    if not keys or scene.arrow_keys is None:
+        return NO_PRESSES
     rates, dt = scene.arrow_keys, scene.integrator.dt
-    if rates is None or not keys:
-        return Presses()
     intervals = dt / rates.interval
     # However fast the keys: more than the whole range of scales, or than a full turn, is no more.
     most = math.log(SCALE_MAX / SCALE_MIN)
@@ -55,8 +52,7 @@ def presses_of(scene: Scene, keys: frozenset[str]) -> Presses:
     return Presses(length, turn * (("right" in keys) - ("left" in keys)))
 
 
-@dataclass(frozen=True)
-class Outcome:
+class Outcome(NamedTuple):
     """How a call went.
 
     Attributes:
@@ -150,7 +146,7 @@ class EulerStepper:
             rows.append((x, y, tx, ty, vx, vy, radius, omega, ramp))
         columns = np.array(rows, float).reshape(-1, 9).T.copy()
         return Motion(
-            bool(places) or presses.any,
+            bool(places) or presses != NO_PRESSES,
             np.array(places, np.int64),
             *columns,
             start=t,
@@ -164,7 +160,7 @@ class FlowStepper:
     """Any other method, from one whole time step to a later one."""
 
     def __init__(self, scene: Scene, system: System, live: Live, work: Work) -> None:
-        self._scene, self._live = scene, live
+        self._dt, self._live = scene.integrator.dt, live
         self.solver = Solver(scene, system, live, work)
         self._led: Targets = {}
         self._undisturbed: Drive | None = None  # what drives the body while nobody does
@@ -187,28 +183,31 @@ class FlowStepper:
         self, steps: int, targets: Targets, presses: Presses, all_held: bool, attempts: int = UNLIMITED
     ) -> Outcome:
         """Go on by some time steps; by fewer when the attempts run out or the body runs away."""
-        solver, integrator = self.solver, self._scene.integrator
-        dt = integrator.dt
+        # A short body's frame takes less than a microsecond: what is always the same is not asked anew.
+        solver, dt = self.solver, self._dt
         until = self._goal + steps * dt
-        growth = math.log(presses.factor) / dt
         if targets or self._led:
             solver.stop(self._led)
             solver.touch()
-        if targets or self._led or presses.any:
             self._undisturbed = None
-        drive = self._undisturbed or solver.drive(until, targets, growth, presses.angle / dt)
-        if not (targets or presses.any):
-            self._undisturbed = drive
-        self._led = targets
-        solver.run(integrator.method, until, drive, dt=dt, tolerance=integrator.tolerance, attempts=attempts)
-        if solver.time == until:
+            self._led = targets
+        if presses != NO_PRESSES:
+            self._undisturbed = None
+        drive = self._undisturbed
+        if drive is None:
+            drive = solver.drive(until, targets, math.log(presses.factor) / dt, presses.angle / dt)
+            if not targets and presses == NO_PRESSES:
+                self._undisturbed = drive
+        what = solver.run(until, drive, attempts)
+        time = solver.time
+        if targets and time == until:
             for place, (x, y) in targets.items():
                 # To the last digit, which the way there has rounded.
                 solver.flow.q[place], solver.flow.q[solver.places + place] = x, y
                 self._live.x[place], self._live.y[place] = x, y
-        done = int((solver.time - self._goal) / dt + 1e-6)
+        done = int((time - self._goal) / dt + 1e-6)
         self._goal += done * dt
-        return Outcome(done, solver.what, solver.place)
+        return Outcome(done) if what == guard.GOOD else Outcome(done, what, solver.place)
 
     def effort(self) -> Effort:
         """What was done since the last call of this."""
@@ -216,7 +215,7 @@ class FlowStepper:
 
     def leave_dead_end(self) -> None:
         """Do a step of last resort, whether it is needed or not."""
-        until = self._goal + self._scene.integrator.dt
+        until = self._goal + self._dt
         self.solver.rescue(until, self.solver.drive(until, {}, 0.0, 0.0))
 
     def close_books(self) -> None:

@@ -23,8 +23,7 @@ from .steps import (
     WORTH_SHORTENING,
     first_step,
     freshen,
-    is_gentle,
-    reach_of,
+    is_surely_gentle,
     replace_state,
 )
 from .tables import (
@@ -39,6 +38,7 @@ from .tables import (
     COUNT_REJECTED,
     COUNT_STEPS,
     COUNT_WHAT,
+    SPARE,
 )
 
 PAST = 8
@@ -80,11 +80,11 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
         degree, head, since = int(clock[CLOCK_DEGREE]), int(clock[CLOCK_HEAD]), int(clock[CLOCK_SINCE])
         spacing = clock[CLOCK_SPACING]
     else:
-        for j in range(q.size):
+        for j in range(1, q.size - SPARE):
             past[0, j] = flow.a[j]
         first = first_step(flow, drive, 0.01 * tolerance)
         h = min(h, first) if h > 0.0 else first
-    failures, reach = 0, 0.0
+    failures, shortest = 0, 0.0
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
             break
@@ -100,7 +100,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
         count[COUNT_FORCES] += 1
         by_q, by_v = step * step * method.to_position[degree], step * method.to_velocity[degree]
         change, moved = 0, 0
-        for j in range(q.size):
+        for j in range(1, q.size - SPARE):
             off = to_a[j] - ahead[j]
             to_q[j] += by_q * off
             to_v[j] += by_v * off
@@ -112,11 +112,10 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
             error = HOPELESS
         good = error <= 1.0 and sound(body, flow, to_q, to_v, step < WORTH_SHORTENING)
         if good:
-            # No spring has turned far while all moves since a look at the shortest were short beside it.
-            reach -= 2.0 * from_bits(moved)
-            if not reach > 0.0:
-                good = is_gentle(body, live, q, to_q, step)
-                reach = reach_of(body, work)
+            corrected = by_q * from_bits(change)  # since forces were asked for
+            good, shortest = is_surely_gentle(
+                body, live, work, q, to_q, step, from_bits(moved) + corrected, shortest
+            )
         if good:
             accelerations(body, live, work, to_q, to_v, to_a)
             count[COUNT_FORCES] += 1
@@ -124,7 +123,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
             t = end if pieces == 1 else t + step
             head = (head - 1) & (PAST - 1)
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 past[head, j] = to_a[j]
             replace_state(flow, to_q, to_v, to_a)
             count[COUNT_STEPS] += 1
@@ -167,7 +166,7 @@ def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
     w0, w1, w2, w3, w4, w5, w6, w7 = w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]
     a0, a1, a2, a3 = past[head], past[_row(head, 1)], past[_row(head, 2)], past[_row(head, 3)]
     a4, a5, a6, a7 = past[_row(head, 4)], past[_row(head, 5)], past[_row(head, 6)], past[_row(head, 7)]
-    for j in range(q.size):
+    for j in range(1, q.size - SPARE):
         r0, r1, r2, r3, r4, r5, r6, r7 = a0[j], a1[j], a2[j], a3[j], a4[j], a5[j], a6[j], a7[j]
         by_x = x0 * r0 + x1 * r1 + x2 * r2 + x3 * r3 + (x4 * r4 + x5 * r5 + x6 * r6 + x7 * r7)
         by_u = u0 * r0 + u1 * r1 + u2 * r2 + u3 * r3 + (u4 * r4 + u5 * r5 + u6 * r6 + u7 * r7)
@@ -200,10 +199,10 @@ def _space(past, head, method, degree, ratio, rows):
         w0, w1, w2, w3 = parts[0] / at, parts[1] / (at - 1.0), parts[2] / (at - 2.0), parts[3] / (at - 3.0)
         w4, w5, w6 = parts[4] / (at - 4.0), parts[5] / (at - 5.0), parts[6] / (at - 6.0)
         w7 = parts[7] / (at - 7.0)
-        for j in range(size):
+        for j in range(1, size - SPARE):
             low = w0 * a0[j] + w1 * a1[j] + w2 * a2[j] + w3 * a3[j]
             out[j] = whole * (low + (w4 * a4[j] + w5 * a5[j] + w6 * a6[j] + w7 * a7[j]))
     for m in range(1, degree + 1):
         row, out = past[_row(head, m)], rows[3 + m]
-        for j in range(size):
+        for j in range(1, size - SPARE):
             row[j] = out[j]

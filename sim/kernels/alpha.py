@@ -40,6 +40,7 @@ from .tables import (
     COUNT_REJECTED,
     COUNT_STEPS,
     COUNT_WHAT,
+    SPARE,
 )
 from .turning import predict, remember, turn_and_stretch
 
@@ -102,7 +103,7 @@ def run_alpha(
     late, inner = flow.history[0], rows[8]  # the method's own acceleration, and for the step to try
     if clock[CLOCK_BEGUN] == 0.0:
         clock[CLOCK_CUBE] = 0.0
-        for j in range(q.size):
+        for j in range(1, q.size - SPARE):
             late[j] = flow.a[j]
     precision = 0.05 * _SPAN * tolerance if fixed == 0.0 else 1e-9
     t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
@@ -125,7 +126,7 @@ def run_alpha(
         g1 = gamma / (beta * step)
         # It is that of a moment a part of the step off, which goes with the step (Jay & Negrut, 2007).
         ratio = min(step / clock[CLOCK_LAST], 2.0) if clock[CLOCK_LAST] > 0.0 else 1.0
-        for j in range(q.size):
+        for j in range(1, q.size - SPARE):
             inner[j] = flow.a[j] + ratio * (late[j] - flow.a[j])
             start[j] = q[j] + step * v[j] + step * step * kept * inner[j]
             to_q[j] = q[j] + step * v[j] + 0.5 * step * step * inner[j]
@@ -138,20 +139,20 @@ def run_alpha(
         again = cube / clock[CLOCK_CUBE] if clock[CLOCK_CUBE] > 0.0 else 0.0
         if again > 8.0:
             again = 0.0
-        for j in range(q.size):
+        for j in range(1, q.size - SPARE):
             guess[j] = to_q[j]
             to_q[j] += again * missed[j]
         converged = False
         surveyed = fixed == 0.0 and clock[CLOCK_CONTRACTION] > 0.0 and int(clock[CLOCK_BEGUN]) % _SURVEY > 0
         last = 1e300
         for iteration in range(_ITERATIONS):
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 to_a[j] = (to_q[j] - start[j]) * inverse
                 to_v[j] = v[j] + step * ((1.0 - gamma) * inner[j] + gamma * to_a[j])
             if drive.moving:
                 drive_to(body, live, drive, t + step, to_q, to_v)
             accelerations(body, live, work, to_q, to_v, force)
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 move[j] = force[j] + weight * (af * flow.a[j] - (1.0 - am) * to_a[j] - am * inner[j])
             for k in range(drive.mass.size):
                 m = drive.mass[k]
@@ -177,7 +178,7 @@ def run_alpha(
             last = size
         error = HOPELESS
         if converged:
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 to_a[j] = (to_q[j] - start[j]) * inverse
                 to_v[j] = v[j] + step * ((1.0 - gamma) * inner[j] + gamma * to_a[j])
                 force[j] = weight * ((1.0 - am) * to_a[j] + am * inner[j] - af * flow.a[j])
@@ -200,7 +201,7 @@ def run_alpha(
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, force, step)
             t = end if step == end - t else t + step
             remember(matrix, flow, step, 0.0)
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 q[j], v[j], flow.a[j], late[j] = to_q[j], to_v[j], force[j], to_a[j]
                 missed[j] = -guess[j]
             clock[CLOCK_CUBE] = 0.0 if calming else cube
@@ -226,7 +227,7 @@ def run_alpha(
             # Perhaps it is what was carried along that is no good.
             clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_BEGUN] = clock[CLOCK_CUBE] = 0.0
             accelerations(body, live, work, q, v, flow.a)
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 late[j] = flow.a[j]
     clock[CLOCK_TIME] = t
     clock[CLOCK_STEP] = h

@@ -20,6 +20,9 @@ from .tables import Adams, Body, Drive, Floats, Flow, Ledger, Live, Matrix, Rose
 class Bound(NamedTuple):
     """All that a run needs beside what drives the body and how far it is to go."""
 
+    kind: int  # of the method, see the KIND_ constants
+    fixed: float  # the step, s, or 0 for error control
+    tolerance: float  # of one step, px per second of it; that of `auto` before it is multiplied by strictness
     body: Body
     live: Live
     work: Work

@@ -21,14 +21,7 @@ from .steps import (
     replace_state,
     step_after,
 )
-from .tables import (
-    CLOCK_STEP,
-    CLOCK_TIME,
-    COUNT_FORCES,
-    COUNT_REJECTED,
-    COUNT_STEPS,
-    COUNT_WHAT,
-)
+from .tables import CLOCK_STEP, CLOCK_TIME, COUNT_FORCES, COUNT_REJECTED, COUNT_STEPS, COUNT_WHAT, SPARE
 
 
 @kernel(fastmath=FAST)
@@ -56,7 +49,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
         if not (t < end and count[COUNT_WHAT] == GOOD):
             break
         step = fitting_step(t, end, h)
-        for j in range(q.size):
+        for j in range(1, q.size - SPARE):
             rates[0, j] = flow.a[j]
         for i in range(1, stages + 1):
             combine(q, v, step, tableau.c[i], tableau.a[i], tableau.abar[i], rates, i, to_q, to_v)
@@ -82,7 +75,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
             error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
             for i in range(stages + 1):  # sums run over stages with weight zero, too
-                for j in range(q.size):
+                for j in range(1, q.size - SPARE):
                     rates[i, j] = 0.0
         if fixed == 0.0:
             h = step_after(flow, h, step, error, tableau.order - 1, good, failed)
@@ -95,14 +88,14 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
 def combine(q, v, h, c, a, abar, rates, count, to_q, to_v):
     """to_q = q + c h v + h² sum abar_l k_l and to_v = v + h sum a_l k_l, over the first `count` rates k."""
     ch, hh = c * h, h * h
-    for j in range(q.size):
+    for j in range(1, q.size - SPARE):
         to_q[j] = q[j] + ch * v[j]
         to_v[j] = v[j]
     for i in range(0, count, 4):
         a0, a1, a2, a3 = h * a[i], h * a[i + 1], h * a[i + 2], h * a[i + 3]
         b0, b1, b2, b3 = hh * abar[i], hh * abar[i + 1], hh * abar[i + 2], hh * abar[i + 3]
         k0, k1, k2, k3 = rates[i], rates[i + 1], rates[i + 2], rates[i + 3]
-        for j in range(q.size):
+        for j in range(1, q.size - SPARE):
             r0, r1, r2, r3 = k0[j], k1[j], k2[j], k3[j]
             to_q[j] += b0 * r0 + b1 * r1 + b2 * r2 + b3 * r3
             to_v[j] += a0 * r0 + a1 * r1 + a2 * r2 + a3 * r3
@@ -121,11 +114,11 @@ def _estimate(tableau, rates, probe, h):
 
 @kernel(fastmath=FAST)
 def _weighted(weights, rates, count, probe):
-    for j in range(probe.size):
+    for j in range(1, probe.size - SPARE):
         probe[j] = 0.0
     for i in range(0, count, 4):
         w0, w1, w2, w3 = weights[i], weights[i + 1], weights[i + 2], weights[i + 3]
         k0, k1, k2, k3 = rates[i], rates[i + 1], rates[i + 2], rates[i + 3]
-        for j in range(probe.size):
+        for j in range(1, probe.size - SPARE):
             probe[j] += w0 * k0[j] + w1 * k1[j] + w2 * k2[j] + w3 * k3[j]
     return biggest(probe)

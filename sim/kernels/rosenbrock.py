@@ -34,6 +34,7 @@ from .tables import (
     COUNT_REJECTED,
     COUNT_STEPS,
     COUNT_WHAT,
+    SPARE,
 )
 from .turning import remember
 
@@ -73,10 +74,10 @@ def run_rosenbrock(
             _by_time(body, live, work, drive, flow, t, step, to_q, to_v, to_a, by_time)
         count[COUNT_MATRICES] += 1
         for i in range(stages + 1):
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 to_q[j], to_v[j] = q[j], v[j]
             if i == 0:
-                for j in range(q.size):
+                for j in range(1, q.size - SPARE):
                     to_a[j] = flow.a[j]
             else:
                 _accumulate(to_q, 1.0, method.a[i], xs, i)
@@ -87,28 +88,28 @@ def run_rosenbrock(
             if i == stages:
                 break
             x, w = xs[i], ws[i]
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 rest[j], x[j] = to_v[j], to_a[j]
             if i > 0:
                 _accumulate(rest, 1.0 / step, method.coupling[i], xs, i)
                 _accumulate(x, 1.0 / step, method.coupling[i], ws, i)
             if drive.moving:
                 slope = method.slope[i] * step
-                for j in range(q.size):
+                for j in range(1, q.size - SPARE):
                     x[j] += slope * by_time[j]
                 for k in range(drive.mass.size):
                     m = drive.mass[k]
                     rest[m], rest[q.size // 2 + m] = 0.0, 0.0
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 x[j] += g * rest[j]
             add_resistance(body, live, work, matrix, v, rest, -1.0, x)
             solve(body, matrix, x)
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 w[j] = g * x[j] - rest[j]
         count[COUNT_FORCES] += stages
         error = 0.0
         if fixed == 0.0:
-            for j in range(q.size):
+            for j in range(1, q.size - SPARE):
                 rest[j] = 0.0
             _accumulate(rest, 1.0, method.error, xs, stages)
             error = biggest(rest) / (max(step, _SPAN) * tolerance)
@@ -131,7 +132,7 @@ def run_rosenbrock(
             error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
             for i in range(2 * _MOST_STAGES):  # sums run over stages with weight zero, too
-                for j in range(q.size):
+                for j in range(1, q.size - SPARE):
                     rows[i, j] = 0.0
             if drive.pressed:
                 drive_to(body, live, drive, t, q, v)
@@ -153,7 +154,7 @@ def _accumulate(out, factor, weights, rows, count):
             factor * weights[i + 3],
         )
         r0, r1, r2, r3 = rows[i], rows[i + 1], rows[i + 2], rows[i + 3]
-        for j in range(out.size):
+        for j in range(1, out.size - SPARE):
             out[j] += w0 * r0[j] + w1 * r1[j] + w2 * r2[j] + w3 * r3[j]
 
 
@@ -164,13 +165,13 @@ def _by_time(body, live, work, drive, flow, t, h, q, v, a, out):
     A difference over a small part of the step: what is driven is smooth within a call.
     """
     part = 1e-4 * h
-    for j in range(q.size):
+    for j in range(1, q.size - SPARE):
         q[j], v[j] = flow.q[j], flow.v[j]
         out[j] = 0.0
     for sign in (1.0, -1.0):
         drive_to(body, live, drive, t + sign * part, q, v)
         accelerations(body, live, work, q, v, a)
-        for j in range(q.size):
+        for j in range(1, q.size - SPARE):
             out[j] += sign * a[j] / (2.0 * part)
     if drive.pressed:
         drive_to(body, live, drive, t, q, v)

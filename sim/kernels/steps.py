@@ -11,7 +11,7 @@ from .drive import drive_to
 from .forces import accelerations
 from .guard import STUCK
 from .jit import FAST, kernel
-from .tables import CLOCK_PAST, CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT
+from .tables import CLOCK_PAST, CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT, SPARE
 
 SHORTEST_STEP = 1e-12
 """A step (s) that is not worth shortening any more."""
@@ -25,6 +25,10 @@ round in no time, the error of a step, per second of it, is small only in steps 
 
 _SHORTEST_TURN = 1e-7
 """A step (s) that is kept however far springs turn in it."""
+
+_SURE = 0.6
+"""What part of a spring's length its ends may move, both together, so that it has surely not turned far: the
+sine of the angle, less what softening adds to the length."""
 
 HOPELESS = 1e30
 """An error estimate (in tolerances) that stands for infinities and NaN."""
@@ -73,13 +77,32 @@ def _turned(spring_a, spring_b, springs, softening, inverse_mass, q, to_q):
     return most == 0
 
 
+@kernel(forceinline=True)
+def is_surely_gentle(body, live, work, q, to_q, step, moved, shortest):
+    """`is_gentle`, asked only where it may be in doubt.
+
+    Args:
+        moved: the farthest that a mass has moved in the step, px, at least.
+        shortest: as this returned it for the step before; 0 in the beginning.
+
+    Returns:
+        whether no spring has turned far; and the length of every spring at the end, px, at most.
+    """
+    gentle = True
+    if not 2.0 * moved < _SURE * shortest:
+        shortest = _shortest(body, work) - 2.0 * moved
+        if not 2.0 * moved < _SURE * shortest:
+            gentle = is_gentle(body, live, q, to_q, step)
+    return gentle, shortest - 2.0 * moved
+
+
 @kernel(forceinline=True, fastmath=FAST)
-def reach_of(body, work):
-    """How far masses may move, all in all, before a spring can have turned far: half of the shortest, px."""
+def _shortest(body, work):
+    """The length of the shortest spring at the positions that forces were last asked for, px."""
     short = 0
     for s in range(body.springs):
         short = max(short, size_bits(work.inverse[s]))
-    return 0.5 / max(from_bits(short), 1e-300)
+    return 1.0 / max(from_bits(short), 1e-300)
 
 
 @kernel(forceinline=True)
@@ -134,7 +157,7 @@ def step_after(flow, h, step, error, order, good, after_failure, left=0.5):
 @kernel(forceinline=True)
 def replace_state(flow, q, v, a):
     """Take over the state at the end of a step."""
-    for j in range(q.size):
+    for j in range(1, q.size - SPARE):
         flow.q[j], flow.v[j], flow.a[j] = q[j], v[j], a[j]
 
 
@@ -142,6 +165,6 @@ def replace_state(flow, q, v, a):
 def biggest(values):
     """The largest size of the values; NaN if one is."""
     most = 0
-    for j in range(values.size):
+    for j in range(1, values.size - SPARE):
         most = max(most, size_bits(values[j]))
     return from_bits(most)

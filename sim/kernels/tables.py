@@ -146,6 +146,10 @@ def padded(count: int) -> int:
     return -(-count // 8) * 8
 
 
+SPARE = 7
+"""Places at the end of a flat vector that no mass is ever at; see `Flow`."""
+
+
 class Matrix(NamedTuple):
     """What an implicit step needs: the factors of its matrix and, where the body is no chain, the pattern."""
 
@@ -192,7 +196,9 @@ class Drive(NamedTuple):
 class Flow(NamedTuple):
     """Mutable: the state as the integrators other than the tutorial's go by it, and their scratch.
 
-    Vectors are flat: x of every place, then y of every place.
+    Vectors are flat: x of every place, then y of every place. No mass is at the first place of either half,
+    nor at the last `SPARE` ones; loops over a vector leave them out at its two ends, and so start where loops
+    over masses do: what is stored by one is loaded by the next in the same pieces, without waiting.
     """
 
     q: Floats  # px

@@ -10,7 +10,7 @@ and only their sum goes from mass to mass: that takes half of the time.
 from __future__ import annotations
 
 from .jit import FAST, kernel
-from .tables import CLOCK_LAST, CLOCK_LAST_BUT_ONE
+from .tables import CLOCK_LAST, CLOCK_LAST_BUT_ONE, SPARE
 
 
 @kernel(inner=True, fastmath=FAST)
@@ -24,7 +24,7 @@ def remember(matrix, flow, step, least):
         clock[CLOCK_LAST] += step
         return
     last, older = flow.history[1], flow.history[2]
-    for j in range(q.size):
+    for j in range(1, q.size - SPARE):
         older[j] = last[j]
     if matrix.straight:
         for j in range(1, q.size):

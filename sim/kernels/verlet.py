@@ -15,8 +15,7 @@ from .steps import (
     first_step,
     fitting_step,
     freshen,
-    is_gentle,
-    reach_of,
+    is_surely_gentle,
     replace_state,
     step_after,
 )
@@ -29,7 +28,11 @@ from .tables import (
     COUNT_REJECTED,
     COUNT_STEPS,
     COUNT_WHAT,
+    SPARE,
 )
+
+_ROOMY = 0.8
+"""An error, in tolerances, that leaves the step as long as it is."""
 
 _SINK, _RAISE = 0.93, 1.002
 """What a step that failed leaves of the limit, and how fast that rises again, per step."""
@@ -57,12 +60,12 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
         clock[CLOCK_CAP] = 1e9
     cap = clock[CLOCK_CAP]
     failed = False
-    steps, tries, held, swaps, reach = 0, 0, 0, 0, 0.0
+    steps, tries, held, swaps, shortest = 0, 0, 0, 0, 0.0
     while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
         tries += 1
         step = fitting_step(t, end, h)
         half = 0.5 * step
-        for j in range(q.size):
+        for j in range(1, q.size - SPARE):
             to_q[j] = q[j] + step * (v[j] + half * a[j])
             to_v[j] = v[j] + step * a[j]
         if drive.moving:
@@ -72,7 +75,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
                 driven[m], driven[places + m] = to_v[m], to_v[places + m]
         accelerations(body, live, work, to_q, to_v, to_a)
         change, far, fast = 0, 0, 0
-        for j in range(q.size):
+        for j in range(1, q.size - SPARE):
             new = v[j] + half * (a[j] + to_a[j])
             to_v[j] = new
             change = max(change, size_bits(to_a[j] - a[j]))
@@ -92,32 +95,36 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
                 error = HOPELESS
         good = error <= 1.0
         if good and fixed == 0.0:
-            # No spring has turned far while all moves since a look at the shortest were short beside it.
-            reach -= 2.0 * moved
-            if not reach > 0.0:
-                good = is_gentle(body, live, q, to_q, step)
-                reach = reach_of(body, work)
+            good, shortest = is_surely_gentle(body, live, work, q, to_q, step, moved, shortest)
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
-        if good:
-            if ledger.active:
-                tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
-                replace_state(flow, to_q, to_v, to_a)
-            else:
-                # Change places instead of copying.
-                q, to_q, v, to_v, a, to_a = to_q, q, to_v, v, to_a, a
-            t = end if step == end - t else t + step
-            steps += 1
-            swaps += not ledger.active
+        if not good:
+            if fixed == 0.0:
+                cap = _SINK * step
+                h = min(step_after(flow, h, step, max(error, 2.0), 2, False, failed), cap)
+                failed = True
+            continue
+        if ledger.active:
+            tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
+            replace_state(flow, to_q, to_v, to_a)
         else:
-            error = max(error, 2.0)
+            # Change places instead of copying.
+            q, to_q, v, to_v, a, to_a = to_q, q, to_v, v, to_a, a
+            swaps += 1
+        t = end if step == end - t else t + step
+        steps += 1
         if fixed == 0.0:
-            cap = _RAISE * cap if good else _SINK * step
-            h = step_after(flow, h, step, error, 2, good, failed)
-            if h > cap:
+            cap *= _RAISE
+            if not failed and error * cap * cap < _ROOMY * step * step and cap < 2.0 * step:
+                # The limit decides, whatever the error exactly is: so the next step need not wait for it.
                 h = cap
                 held += 1
-            failed = not good
+            else:
+                h = step_after(flow, h, step, error, 2, True, failed)
+                if h > cap:
+                    h = cap
+                    held += 1
+            failed = False
     if swaps % 2:
         replace_state(flow, q, v, a)
     count[COUNT_FORCES] += tries
