@@ -6,8 +6,9 @@ import numpy as np
 
 from .kernels.band import LOWER, PARTS, UPPER
 from .kernels.tables import Body, Floats, Indices, Matrix
+from .system import slab
 
-NO_MATRIX = Matrix._make([np.zeros(0)] * 5 + [np.zeros(0, np.int64)] * (len(Matrix._fields) - 6) + [False])
+NO_MATRIX = Matrix._make([np.zeros(0)] * 6 + [np.zeros(0, np.int64)] * (len(Matrix._fields) - 7) + [False])
 """For methods that solve no linear systems."""
 
 
@@ -18,12 +19,14 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     elimination on the graph of masses, in which a spring joins its two masses and a joint all of its three
     or four.
     """
-    springs = [np.zeros(body.stiffness.size) for _ in range(3)]
+    room = body.stiffness.size
+    springs = slab([(room + 1, 1)] * 4, page_offset=1024)
+    springs[3][1:] = body.damping
     trees = forest(body, held)
     if body.chain:
-        factors = np.zeros((LOWER + UPPER) * (body.stiffness.size + 3)), np.zeros(PARTS)
+        factors = slab([((LOWER + UPPER) * (room + 3), 0), (PARTS, 0)], page_offset=0)
         nothing = np.zeros(0, np.int64)
-        rest = [nothing for _ in Matrix._fields[7:-1]]
+        rest = [nothing for _ in Matrix._fields[8:-1]]
         walk, parent = trees
         straight = bool(((parent[walk] == walk - 1) | (parent[walk] == 0)).all())
         return Matrix._make((*factors, *springs, *trees, *rest, straight))
@@ -52,7 +55,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     def targets(pairs: Indices) -> Indices:
         return np.searchsorted(keys, (position[pairs[..., 0]] * n + position[pairs[..., 1]]).ravel())
 
-    ux, uy, inverse = springs
+    ux, uy, inverse, damping = springs
     walk, parent = trees
     return Matrix(
         blocks=np.zeros(4 * column.size),
@@ -60,6 +63,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
         ux=ux,
         uy=uy,
         inverse=inverse,
+        damping=damping,
         walk=walk,
         parent=parent,
         order=order + 1,

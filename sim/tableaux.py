@@ -63,7 +63,7 @@ def rosenbrock(
     """The table of a Rosenbrock method of s stages; `weights` and `error` are for the stages' solutions."""
     stages = len(weights)
     padded = -(-stages // 4) * 4
-    a, c = np.zeros((stages + 1, padded)), np.zeros((stages, padded))
+    a, c = np.zeros((2, stages + 1, padded))
     for i, row in enumerate([*rows, weights]):
         a[i, : len(row)] = row
     for i, row in enumerate(coupling):

@@ -99,13 +99,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
         accelerations(body, live, work, to_q, to_v, to_a)
         count[COUNT_FORCES] += 1
         by_q, by_v = step * step * method.to_position[degree], step * method.to_velocity[degree]
-        change, moved = 0, 0
-        for j in range(1, q.size - SPARE):
-            off = to_a[j] - ahead[j]
-            to_q[j] += by_q * off
-            to_v[j] += by_v * off
-            change = max(change, size_bits(off))
-            moved = max(moved, size_bits(to_q[j] - q[j]))
+        change, moved = _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
         error = method.error[degree] * step * step * from_bits(change)
         error /= max(step, min(_SPAN, _SHORT * step)) * tolerance
         if not error < HOPELESS:
@@ -155,7 +149,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
     clock[CLOCK_DEGREE], clock[CLOCK_HEAD], clock[CLOCK_SINCE] = degree, head, since
 
 
-@kernel(forceinline=True, fastmath=FAST)
+@kernel(apart=True, forceinline=True, fastmath=FAST)
 def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
     """Positions, velocities and accelerations a step ahead, by the polynomial."""
     hh = h * h
@@ -176,13 +170,26 @@ def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
         ahead[j] = by_w
 
 
+@kernel(apart=True, forceinline=True, fastmath=FAST)
+def _correct(q, by_q, by_v, to_a, ahead, to_q, to_v):
+    """Correct a prediction; (the largest amount by which the acceleration was off, and move, as bits)."""
+    change, moved = 0, 0
+    for j in range(1, q.size - SPARE):
+        off = to_a[j] - ahead[j]
+        to_q[j] += by_q * off
+        to_v[j] += by_v * off
+        change = max(change, size_bits(off))
+        moved = max(moved, size_bits(to_q[j] - q[j]))
+    return change, moved
+
+
 @kernel(forceinline=True)
 def _row(head, i):
     """The row of the acceleration i steps before the latest."""
     return np.uint64(head + i) & np.uint64(PAST - 1)
 
 
-@kernel(fastmath=FAST)
+@kernel(apart=True, fastmath=FAST)
 def _space(past, head, method, degree, ratio, rows):
     """Interpolate the past accelerations, for another step: `ratio` is that of the new one to the old one.
 

@@ -227,7 +227,7 @@ def _store(blocks, i, block):
     blocks[i + np.uint64(3)] = block[3]
 
 
-@kernel(forceinline=True, fastmath=_ORDERED)
+@kernel(apart=True, forceinline=True, fastmath=_ORDERED)
 def solve_chain(body, matrix, b):
     """Solve in place; b is flat, x of every place, then y."""
     places = b.size // 2

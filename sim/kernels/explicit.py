@@ -13,11 +13,11 @@ from .steps import (
     HOPELESS,
     SHORTEST_SPAN,
     WORTH_SHORTENING,
-    biggest,
     first_step,
     fitting_step,
     freshen,
     is_gentle,
+    largest_sum,
     replace_state,
     step_after,
 )
@@ -84,7 +84,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
     clock[CLOCK_STEP] = h
 
 
-@kernel(forceinline=True, fastmath=FAST)
+@kernel(apart=True, forceinline=True, fastmath=FAST)
 def combine(q, v, h, c, a, abar, rates, count, to_q, to_v):
     """to_q = q + c h v + h² sum abar_l k_l and to_v = v + h sum a_l k_l, over the first `count` rates k."""
     ch, hh = c * h, h * h
@@ -104,21 +104,9 @@ def combine(q, v, h, c, a, abar, rates, count, to_q, to_v):
 @kernel(fastmath=FAST)
 def _estimate(tableau, rates, probe, h):
     """The largest position error of a step, px; two estimates are weighted as in DOP853."""
-    first = _weighted(tableau.error, rates, tableau.stages + 1, probe) * h * h
+    first = largest_sum(tableau.error, rates, tableau.stages + 1, probe) * h * h
     if not tableau.paired:
         return first
-    second = _weighted(tableau.second, rates, tableau.stages + 1, probe) * h * h
+    second = largest_sum(tableau.second, rates, tableau.stages + 1, probe) * h * h
     whole = math.sqrt(first * first + 0.01 * second * second)
     return first * first / whole if not whole <= 0.0 else 0.0
-
-
-@kernel(fastmath=FAST)
-def _weighted(weights, rates, count, probe):
-    for j in range(1, probe.size - SPARE):
-        probe[j] = 0.0
-    for i in range(0, count, 4):
-        w0, w1, w2, w3 = weights[i], weights[i + 1], weights[i + 2], weights[i + 3]
-        k0, k1, k2, k3 = rates[i], rates[i + 1], rates[i + 2], rates[i + 3]
-        for j in range(1, probe.size - SPARE):
-            probe[j] += w0 * k0[j] + w1 * k1[j] + w2 * k2[j] + w3 * k3[j]
-    return biggest(probe)

@@ -178,7 +178,7 @@ def joint_couples(body, live, work):
                 couple[j + 1] += friction[j + 1]
 
 
-@kernel(forceinline=True, fastmath=FAST)
+@kernel(apart=True, forceinline=True, fastmath=FAST)
 def accelerations(body, live, work, q, v, a):
     """Accelerations of all masses at positions q and velocities v; zero where a mass is held.
 
@@ -213,7 +213,7 @@ def any_accelerations(body, live, work, x, y, vx, vy, a):
         a[places + i] = fy[i] * w - air * (vy[i] * abs(vy[i])) + live.gy[i]
 
 
-@kernel(forceinline=True, fastmath=FAST)
+@kernel(apart=True, forceinline=True, fastmath=FAST)
 def chain_tensions(body, live, work, x, y, vx, vy):
     """The force on the b end of every spring of a chain, at the place of the mass there: s + 2."""
     springs, soft = body.stiffness.size, body.softening  # padded

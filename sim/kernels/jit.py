@@ -17,6 +17,7 @@ from typing import Any
 import llvmlite.binding
 import numba
 import platformdirs
+from numba.core.compiler import Compiler
 
 _SOURCES = Path(__file__).parent
 _KEPT_FOLDERS = 3
@@ -71,18 +72,34 @@ FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
 NaN and infinities keep their meaning, since guards and error estimates go by them."""
 
 
-def kernel(*, inner: bool = False, **options: Any) -> Callable[[Callable[..., Any]], Any]:
+class _Apart(Compiler):
+    """Compiles a function whose arrays share no memory, as C's `restrict` says."""
+
+    def define_pipelines(self) -> Any:
+        self.state.flags.noalias = True
+        return super().define_pipelines()
+
+
+def kernel(
+    *, inner: bool = False, apart: bool = False, **options: Any
+) -> Callable[[Callable[..., Any]], Any]:
     """Compile a kernel: no Python objects, GIL released, machine code kept on disk.
 
     IEEE double arithmetic, in the order written, unless `fastmath=FAST`: a run is the same bit for bit
     every time on one machine, and the tutorial's on every machine. Only other kernels can call one that is
     `inner`, or whose name starts with an underscore.
+
+    Of one that is `apart`, nothing that is written through one array may be read or written through
+    another. Its loops then need not look whether they may be vectorised, which for a dozen short arrays takes
+    longer than the loops.
     """
 
     def decorate(function: Callable[..., Any]) -> Any:
         # What only other kernels call needs no way in from Python: taking a hundred arrays out of their
         # tuples is half a second to compile.
         options["no_cpython_wrapper"] = inner or function.__name__.startswith("_")
+        if apart:
+            options["pipeline_class"] = _Apart
         folder = cache_folder()
         if folder is None:
             return numba.njit(**_OPTIONS, **options)(function)

@@ -74,7 +74,7 @@ def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity
     for i in range(drive.mass.size):
         m = drive.mass[i]
         move[m], move[places + m] = 0.0, 0.0
-    add_resistance(body, live, work, matrix, v, v, -1.0, move)
+    add_resistance(body, live, matrix, v, v, -1.0, move)
     solve(body, matrix, move)
     for m in range(1, body.masses + 1):
         size = math.sqrt(move[m] * move[m] + move[places + m] * move[places + m])

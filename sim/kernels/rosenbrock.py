@@ -16,11 +16,11 @@ from .resist import add_resistance, remember_directions
 from .steps import (
     HOPELESS,
     WORTH_SHORTENING,
-    biggest,
     first_step,
     fitting_step,
     freshen,
     is_gentle,
+    largest_sum,
     replace_state,
     step_after,
 )
@@ -55,7 +55,7 @@ def run_rosenbrock(
     q, v, rows = flow.q, flow.v, flow.rows
     xs, ws = rows[:_MOST_STAGES], rows[_MOST_STAGES : 2 * _MOST_STAGES]
     to_q, to_v, to_a = rows[2 * _MOST_STAGES], rows[2 * _MOST_STAGES + 1], rows[2 * _MOST_STAGES + 2]
-    rest, by_time = rows[2 * _MOST_STAGES + 3], rows[2 * _MOST_STAGES + 4]
+    rest, right, by_time = rows[2 * _MOST_STAGES + 3], rows[2 * _MOST_STAGES + 4], rows[2 * _MOST_STAGES + 5]
     stages = method.stages
     t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
     if fixed > 0.0:
@@ -74,45 +74,36 @@ def run_rosenbrock(
             _by_time(body, live, work, drive, flow, t, step, to_q, to_v, to_a, by_time)
         count[COUNT_MATRICES] += 1
         for i in range(stages + 1):
-            for j in range(1, q.size - SPARE):
-                to_q[j], to_v[j] = q[j], v[j]
             if i == 0:
                 for j in range(1, q.size - SPARE):
-                    to_a[j] = flow.a[j]
+                    to_a[j], rest[j], right[j] = flow.a[j], v[j], 0.0
             else:
-                _accumulate(to_q, 1.0, method.a[i], xs, i)
-                _accumulate(to_v, 1.0, method.a[i], ws, i)
+                _combine(
+                    q, v, method.a[i], method.coupling[i], 1.0 / step, xs, ws, i, to_q, to_v, rest, right
+                )
                 if drive.moving:
                     drive_to(body, live, drive, t + method.c[i] * step, to_q, to_v)
                 accelerations(body, live, work, to_q, to_v, to_a)
             if i == stages:
                 break
             x, w = xs[i], ws[i]
-            for j in range(1, q.size - SPARE):
-                rest[j], x[j] = to_v[j], to_a[j]
-            if i > 0:
-                _accumulate(rest, 1.0 / step, method.coupling[i], xs, i)
-                _accumulate(x, 1.0 / step, method.coupling[i], ws, i)
             if drive.moving:
                 slope = method.slope[i] * step
                 for j in range(1, q.size - SPARE):
-                    x[j] += slope * by_time[j]
+                    right[j] += slope * by_time[j]
                 for k in range(drive.mass.size):
                     m = drive.mass[k]
                     rest[m], rest[q.size // 2 + m] = 0.0, 0.0
             for j in range(1, q.size - SPARE):
-                x[j] += g * rest[j]
-            add_resistance(body, live, work, matrix, v, rest, -1.0, x)
+                x[j] = to_a[j] + right[j] + g * rest[j]
+            add_resistance(body, live, matrix, v, rest, -1.0, x)
             solve(body, matrix, x)
             for j in range(1, q.size - SPARE):
                 w[j] = g * x[j] - rest[j]
         count[COUNT_FORCES] += stages
         error = 0.0
         if fixed == 0.0:
-            for j in range(1, q.size - SPARE):
-                rest[j] = 0.0
-            _accumulate(rest, 1.0, method.error, xs, stages)
-            error = biggest(rest) / (max(step, _SPAN) * tolerance)
+            error = largest_sum(method.error, xs, stages, rest) / (max(step, _SPAN) * tolerance)
             if not error < HOPELESS:
                 error = HOPELESS
         good = (
@@ -143,19 +134,30 @@ def run_rosenbrock(
     clock[CLOCK_STEP] = h
 
 
-@kernel(forceinline=True, fastmath=FAST)
-def _accumulate(out, factor, weights, rows, count):
-    """out += factor sum weights_l rows_l, over the first `count` rows."""
+@kernel(apart=True, forceinline=True, fastmath=FAST)
+def _combine(q, v, a, c, per_step, xs, ws, count, to_q, to_v, rest, right):
+    """Positions and velocities of a stage, and what those before it add to its right-hand sides.
+
+    to_q = q + sum a x, to_v = v + sum a w, rest = to_v + sum c x / h, right = sum c w / h.
+    """
     for i in range(0, count, 4):
-        w0, w1, w2, w3 = (
-            factor * weights[i],
-            factor * weights[i + 1],
-            factor * weights[i + 2],
-            factor * weights[i + 3],
-        )
-        r0, r1, r2, r3 = rows[i], rows[i + 1], rows[i + 2], rows[i + 3]
-        for j in range(1, out.size - SPARE):
-            out[j] += w0 * r0[j] + w1 * r1[j] + w2 * r2[j] + w3 * r3[j]
+        a0, a1, a2, a3 = a[i], a[i + 1], a[i + 2], a[i + 3]
+        c0, c1, c2, c3 = per_step * c[i], per_step * c[i + 1], per_step * c[i + 2], per_step * c[i + 3]
+        x0, x1, x2, x3 = xs[i], xs[i + 1], xs[i + 2], xs[i + 3]
+        w0, w1, w2, w3 = ws[i], ws[i + 1], ws[i + 2], ws[i + 3]
+        if i == 0:
+            for j in range(1, q.size - SPARE):
+                to_v[j] = v[j] + (a0 * w0[j] + a1 * w1[j] + a2 * w2[j] + a3 * w3[j])
+                to_q[j] = q[j] + (a0 * x0[j] + a1 * x1[j] + a2 * x2[j] + a3 * x3[j])
+                rest[j] = to_v[j] + (c0 * x0[j] + c1 * x1[j] + c2 * x2[j] + c3 * x3[j])
+                right[j] = c0 * w0[j] + c1 * w1[j] + c2 * w2[j] + c3 * w3[j]
+        else:
+            for j in range(1, q.size - SPARE):
+                more = a0 * w0[j] + a1 * w1[j] + a2 * w2[j] + a3 * w3[j]
+                to_v[j] += more
+                to_q[j] += a0 * x0[j] + a1 * x1[j] + a2 * x2[j] + a3 * x3[j]
+                rest[j] += more + (c0 * x0[j] + c1 * x1[j] + c2 * x2[j] + c3 * x3[j])
+                right[j] += c0 * w0[j] + c1 * w1[j] + c2 * w2[j] + c3 * w3[j]
 
 
 @kernel(fastmath=FAST)

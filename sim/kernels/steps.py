@@ -154,7 +154,7 @@ def step_after(flow, h, step, error, order, good, after_failure, left=0.5):
     return max(h, step * factor) if step < 0.999 * h else step * factor
 
 
-@kernel(forceinline=True)
+@kernel(apart=True, forceinline=True)
 def replace_state(flow, q, v, a):
     """Take over the state at the end of a step."""
     for j in range(1, q.size - SPARE):
@@ -168,3 +168,16 @@ def biggest(values):
     for j in range(1, values.size - SPARE):
         most = max(most, size_bits(values[j]))
     return from_bits(most)
+
+
+@kernel(apart=True, fastmath=FAST)
+def largest_sum(weights, rows, count, scratch):
+    """The largest size in a weighted sum of the first `count` rows; NaN if one is."""
+    for j in range(1, scratch.size - SPARE):
+        scratch[j] = 0.0
+    for i in range(0, count, 4):
+        w0, w1, w2, w3 = weights[i], weights[i + 1], weights[i + 2], weights[i + 3]
+        k0, k1, k2, k3 = rows[i], rows[i + 1], rows[i + 2], rows[i + 3]
+        for j in range(1, scratch.size - SPARE):
+            scratch[j] += w0 * k0[j] + w1 * k1[j] + w2 * k2[j] + w3 * k3[j]
+    return biggest(scratch)

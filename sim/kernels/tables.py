@@ -155,9 +155,10 @@ class Matrix(NamedTuple):
 
     blocks: Floats  # the factors; see `band` and `sparse`
     parts: Floats  # scratch of a chain; see `band`
-    ux: Floats  # (S padded) unit vectors of the springs, where the matrix was built
+    ux: Floats  # (S padded + 1) unit vectors of the springs where the matrix was built, each at place s + 1
     uy: Floats
-    inverse: Floats  # 1 / length there
+    inverse: Floats  # 1 / length there, likewise
+    damping: Floats  # of the springs, likewise
     # A spanning forest: an order of the masses in which the one that a mass hangs on comes before it.
     walk: Indices  # (n,) places
     parent: Indices  # (places) the place that a mass hangs on; 0 for one that is held, or first in its part
@@ -289,7 +290,7 @@ class Rosenbrock(NamedTuple):
     c: Floats  # (stages + 1,) times of the stages; the last is the end of the step
     slope: Floats  # (stages,) weights of the derivative by time
     a: Rows  # (stages + 1, padded); the last row gives the end of the step
-    coupling: Rows  # (stages, padded)
+    coupling: Rows  # (stages + 1, padded); the last row, which is no stage's, is zero
     error: Floats  # (padded) weights of the error estimate
 
 

@@ -65,22 +65,14 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
         tries += 1
         step = fitting_step(t, end, h)
         half = 0.5 * step
-        for j in range(1, q.size - SPARE):
-            to_q[j] = q[j] + step * (v[j] + half * a[j])
-            to_v[j] = v[j] + step * a[j]
+        _predict(q, v, a, step, to_q, to_v)
         if drive.moving:
             drive_to(body, live, drive, t + step, to_q, to_v)
             for k in range(drive.mass.size):
                 m = drive.mass[k]
                 driven[m], driven[places + m] = to_v[m], to_v[places + m]
         accelerations(body, live, work, to_q, to_v, to_a)
-        change, far, fast = 0, 0, 0
-        for j in range(1, q.size - SPARE):
-            new = v[j] + half * (a[j] + to_a[j])
-            to_v[j] = new
-            change = max(change, size_bits(to_a[j] - a[j]))
-            far = max(far, size_bits(to_q[j]))
-            fast = max(fast, size_bits(new))
+        change, far, fast = _correct(v, a, to_a, half, to_q, to_v)
         moved = step * from_bits(fast)
         for k in range(drive.mass.size):
             m = drive.mass[k]
@@ -132,3 +124,25 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
     count[COUNT_REJECTED] += tries - steps
     clock[CLOCK_TIME], clock[CLOCK_STEP], clock[CLOCK_CAP] = t, h, cap
     clock[CLOCK_HELD] = held / max(tries, 1)
+
+
+@kernel(apart=True, forceinline=True, fastmath=FAST)
+def _predict(q, v, a, step, to_q, to_v):
+    """Positions at the end of a step, and velocities that go on as they are."""
+    half = 0.5 * step
+    for j in range(1, q.size - SPARE):
+        to_q[j] = q[j] + step * (v[j] + half * a[j])
+        to_v[j] = v[j] + step * a[j]
+
+
+@kernel(apart=True, forceinline=True, fastmath=FAST)
+def _correct(v, a, to_a, half, to_q, to_v):
+    """Correct velocities; (the largest change of an acceleration, coordinate and speed, as bits)."""
+    change, far, fast = 0, 0, 0
+    for j in range(1, v.size - SPARE):
+        new = v[j] + half * (a[j] + to_a[j])
+        to_v[j] = new
+        change = max(change, size_bits(to_a[j] - a[j]))
+        far = max(far, size_bits(to_q[j]))
+        fast = max(fast, size_bits(new))
+    return change, far, fast

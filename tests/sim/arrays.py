@@ -108,5 +108,5 @@ class Arrays:
         flat, out = np.zeros((2, self.q.size))
         flat[self.here], out[self.here] = z, start
         remember_directions(self.body, self.matrix, self.q)
-        add_resistance(self.body, self.live, self.work, self.matrix, self.v, flat, factor, out)
+        add_resistance(self.body, self.live, self.matrix, self.v, flat, factor, out)
         return out[self.here]
