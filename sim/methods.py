@@ -92,7 +92,7 @@ _ALL = (
     MethodInfo(
         "rodas5p", "RODAS 5P", "rosenbrock", 5, True, True,
         "Error-controlled Rosenbrock method of order 5: for stiff bodies and small errors.",
-        tableaux.RODAS5P, 4.0,
+        tableaux.RODAS5P, 3.2,
     ),
 )  # fmt: skip
 

@@ -274,20 +274,20 @@ class Solver:
         """See `Bound.costs`; measured in ns on chains, elsewhere in proportion to operations."""
         body, matrix = self.system.body, self.matrix
         n = body.masses
-        force, factors = 3.6 * n, 30.0 * n
+        force, factors = 3.3 * n, 500.0 + 25.0 * n
         blocks = 2.7 * n
         if not body.chain:
             force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
             later = matrix.row_start[1:] - matrix.diagonal - 1
-            factors = 20.0 * body.springs + 60.0 * body.joints + 7.0 * float((later * (later + 1)).sum())
+            factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * float((later * (later + 1)).sum())
             blocks = float(matrix.column.size)
         stages = 6 if low else 8
         costs = np.zeros(ARMS)
-        costs[ARM_VERLET] = 66.0 + force
-        costs[ARM_ADAMS] = 90.0 + 2.0 * force + 4.0 * n
-        costs[ARM_ROSENBROCK] = 1200.0 + factors + stages * (force + 2.0 * blocks + 6.0 * n)
+        costs[ARM_VERLET] = 60.0 + force
+        costs[ARM_ADAMS] = 80.0 + 2.0 * force + 4.0 * n
+        costs[ARM_ROSENBROCK] = factors + stages * (force + 2.0 * blocks + 4.0 * n)
         if low and n >= LONG:
-            costs[ARM_ALPHA] = 600.0 + 1.2 * (factors + force + 2.0 * blocks) + 10.0 * n
+            costs[ARM_ALPHA] = 1.2 * (factors + force + 2.0 * blocks) + 16.0 * n
         return costs / costs[ARM_VERLET]
 
     def rescue(self, until: float, drive: Drive) -> None:

@@ -58,7 +58,7 @@ _LONG_STEP = 0.02
 much for the same computing, the others are asked late."""
 
 
-_HELD, _SOME = 0.3, 48.0
+_HELD, _SOME = 0.2, 48.0
 """The share of Verlet's steps at a limit that says that it is one of stability; and the computing, in its
 steps, after which that is known."""
 
@@ -171,7 +171,7 @@ def _whose_turn(mind, costs, held):
     pace = mind[AUTO_PACE + best]
     # Where stability limits Verlet's steps, or long bodies ask for an implicit method, it limits those of
     # Adams' methods all the more.
-    worth = best != ARM_ALPHA and not (best == ARM_VERLET and held)
+    worth = best != ARM_ALPHA and not held
     for arm in range(1, ARMS):
         unknown = costs[arm] > 0.0 and mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < _LONG_STEP
         if unknown and (arm != ARM_ADAMS or (worth and mind[AUTO_WORK] >= _SOME)):
