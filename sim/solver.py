@@ -279,7 +279,8 @@ class Solver:
         if not body.chain:
             force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
             later = matrix.row_start[1:] - matrix.diagonal - 1
-            factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * float((later * (later + 1)).sum())
+            products = float((later * (later + 1)).sum())
+            factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * products
             blocks = float(matrix.column.size)
         stages = 6 if low else 8
         costs = np.zeros(ARMS)

@@ -115,7 +115,7 @@ def test_explicit_methods_fulfil_their_conditions(
 def test_rosenbrock_methods_fulfil_their_conditions(table: Rosenbrock, order: int, embedded: int) -> None:
     s = table.stages
     # Back from the form in which each stage is one solve to the coefficients that the conditions are for.
-    gamma = np.linalg.inv(np.eye(s) / table.gamma - table.coupling[:, :s])
+    gamma = np.linalg.inv(np.eye(s) / table.gamma - table.coupling[:s, :s])
     alpha = table.a[:s, :s] @ gamma
     beta = alpha + gamma
     b, error = table.a[s, :s] @ gamma, table.error[:s] @ gamma
@@ -131,6 +131,7 @@ def test_rosenbrock_methods_fulfil_their_conditions(table: Rosenbrock, order: in
     assert np.abs(table.a[s] - table.a[s - 1] - np.eye(1, table.a.shape[1], s - 1)[0]).max() == 0.0
     assert not table.a[:, s:].any()
     assert not table.coupling[:, s:].any()
+    assert not table.coupling[s].any()
 
 
 def test_methods_say_the_order_that_their_tables_have() -> None:
