@@ -65,6 +65,7 @@ from .system import System, slab
 from .tableaux import RK4
 
 _ROWS, _HISTORY = 24, 4
+_NEW = np.array(AUTO_NEW)
 
 LOW_TOLERANCE = 3e-3
 """Tolerance, px, below which `auto` chooses from methods of high order, too."""
@@ -136,7 +137,7 @@ class Solver:
             limits=np.array([MAX_COORDINATE, MAX_SPEED]),
             counts=np.zeros(COUNTS, np.int64),
             rows=rows[3 : 3 + _ROWS],
-            mind=np.array(AUTO_NEW),
+            mind=_NEW.copy(),
             history=rows[history:past],
             past=rows[past:],
         )
@@ -169,7 +170,7 @@ class Solver:
         flow, live, p = self.flow, self.live, self.places
         flow.q[:p], flow.q[p:], flow.v[:p], flow.v[p:] = live.x, live.y, live.vx, live.vy
         flow.clock[:] = 0.0
-        flow.mind[:] = AUTO_NEW
+        flow.mind[:] = _NEW
         flow.clock[CLOCK_TIME] = time
         flow.counts[:] = 0
 
@@ -303,7 +304,7 @@ class Solver:
         )  # fmt: skip
         flow, live, p = self.flow, self.live, self.places
         live.x[:], live.y[:], live.vx[:], live.vy[:] = flow.q[:p], flow.q[p:], flow.v[:p], flow.v[p:]
-        flow.mind[:] = AUTO_NEW
+        flow.mind[:] = _NEW
         flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_BEGUN, CLOCK_CONTRACTION]] = 0.0
 
     def open_ledger(self) -> None:

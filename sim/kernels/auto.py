@@ -190,6 +190,8 @@ def _whose_turn(mind, costs, held):
         mind[AUTO_ASKED] += 1.0
     if best != ARM_ALPHA and int(mind[AUTO_LAST]) == ARM_ALPHA:
         return best, _few(best)  # what is known of it is old
+    if best == ARM_VERLET and held:
+        return best, 256  # its pace hardly changes
     return best, 64 if best in (ARM_VERLET, ARM_ADAMS) else 12
 
 
