@@ -23,8 +23,9 @@ from .steps import (
     WORTH_SHORTENING,
     first_step,
     freshen,
-    is_surely_gentle,
     replace_state,
+    shortest_of,
+    stays_gentle,
 )
 from .tables import (
     CLOCK_DEGREE,
@@ -106,12 +107,10 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
             error = HOPELESS
         good = error <= 1.0 and sound(body, flow, to_q, to_v, step < WORTH_SHORTENING)
         if good:
-            corrected = by_q * from_bits(change)  # since forces were asked for
-            good, shortest = is_surely_gentle(
-                body, live, work, q, to_q, step, from_bits(moved) + corrected, shortest
-            )
+            good = stays_gentle(body, live, q, to_q, step, from_bits(moved), shortest)
         if good:
             accelerations(body, live, work, to_q, to_v, to_a)
+            shortest = shortest_of(body, work)
             count[COUNT_FORCES] += 1
             if ledger.active:
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)

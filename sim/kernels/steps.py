@@ -26,9 +26,9 @@ round in no time, the error of a step, per second of it, is small only in steps 
 _SHORTEST_TURN = 1e-7
 """A step (s) that is kept however far springs turn in it."""
 
-_SURE = 0.6
-"""What part of a spring's length its ends may move, both together, so that it has surely not turned far: the
-sine of the angle, less what softening adds to the length."""
+_SURE, _BOTH_ENDS = 0.6, 2.83
+"""What part of a spring's length its ends may move, both together, so that it has not turned far: the sine
+of the angle, less what softening adds; and how far they do, at most, beside a coordinate of one."""
 
 HOPELESS = 1e30
 """An error estimate (in tolerances) that stands for infinities and NaN."""
@@ -104,30 +104,22 @@ def _has_turned(x, y, to_x, to_y, softening):
 
 
 @kernel(forceinline=True)
-def is_surely_gentle(body, live, work, q, to_q, step, moved, shortest):
-    """`is_gentle`, asked only where it may be in doubt.
+def stays_gentle(body, live, q, to_q, step, moved, shortest):
+    """`is_gentle`, which is looked into only where it may be in doubt.
 
     Args:
-        moved: the farthest that a mass has moved in the step, px, at least.
-        shortest: as this returned it for the step before; 0 in the beginning.
-
-    Returns:
-        whether no spring has turned far; and the length of every spring at the end, px, at most.
+        moved: the largest change of a coordinate in the step, px.
+        shortest: the length of every spring at the start, px, at most.
     """
-    gentle = True
-    if not 2.0 * moved < _SURE * shortest:
-        shortest = _shortest(body, work) - 2.0 * moved
-        if not 2.0 * moved < _SURE * shortest:
-            gentle = is_gentle(body, live, q, to_q, step)
-    return gentle, shortest - 2.0 * moved
+    return _BOTH_ENDS * moved < _SURE * shortest or is_gentle(body, live, q, to_q, step)
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _shortest(body, work):
+def shortest_of(body, work):
     """The length of the shortest spring at the positions that forces were last asked for, px."""
     short = 0
-    for s in range(body.springs):
-        short = max(short, size_bits(work.inverse[s]))
+    for s in range(body.stiffness.size):  # padded
+        short = max(short, size_bits(work.inverse[s]) if s < body.springs else 0)
     return 1.0 / max(from_bits(short), 1e-300)
 
 

@@ -15,8 +15,9 @@ from .steps import (
     first_step,
     fitting_step,
     freshen,
-    is_surely_gentle,
     replace_state,
+    shortest_of,
+    stays_gentle,
     step_after,
 )
 from .tables import (
@@ -72,14 +73,12 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
                 m = drive.mass[k]
                 driven[m], driven[places + m] = to_v[m], to_v[places + m]
         accelerations(body, live, work, to_q, to_v, to_a)
-        change, far, fast = _correct(v, a, to_a, half, to_q, to_v)
-        moved = step * from_bits(fast)
+        change, far, fast, moved = _correct(q, v, a, to_a, half, to_q, to_v)
         for k in range(drive.mass.size):
             m = drive.mass[k]
             for j in (m, places + m):
                 to_v[j] = driven[j]
                 fast = max(fast, size_bits(driven[j]))
-                moved = max(moved, abs(to_q[j] - q[j]))  # a hand's speed may count as none
         error = 0.0
         if fixed == 0.0:
             error = from_bits(change) * step * step / (12.0 * max(step, SHORTEST_SPAN) * tolerance)
@@ -87,7 +86,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
                 error = HOPELESS
         good = error <= 1.0
         if good and fixed == 0.0:
-            good, shortest = is_surely_gentle(body, live, work, q, to_q, step, moved, shortest)
+            good = stays_gentle(body, live, q, to_q, step, from_bits(moved), shortest)
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if not good:
@@ -106,6 +105,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
         t = end if step == end - t else t + step
         steps += 1
         if fixed == 0.0:
+            shortest = shortest_of(body, work)
             cap *= _RAISE
             if not failed and error * cap * cap < _ROOMY * step * step and cap < 2.0 * step:
                 # The limit decides, whatever the error exactly is: so the next step need not wait for it.
@@ -136,13 +136,14 @@ def _predict(q, v, a, step, to_q, to_v):
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
-def _correct(v, a, to_a, half, to_q, to_v):
-    """Correct velocities; (the largest change of an acceleration, coordinate and speed, as bits)."""
-    change, far, fast = 0, 0, 0
+def _correct(q, v, a, to_a, half, to_q, to_v):
+    """Correct velocities; (the largest change of an acceleration, coordinate, speed and move, as bits)."""
+    change, far, fast, moved = 0, 0, 0, 0
     for j in range(1, v.size - SPARE):
         new = v[j] + half * (a[j] + to_a[j])
         to_v[j] = new
         change = max(change, size_bits(to_a[j] - a[j]))
         far = max(far, size_bits(to_q[j]))
         fast = max(fast, size_bits(new))
-    return change, far, fast
+        moved = max(moved, size_bits(to_q[j] - q[j]))
+    return change, far, fast, moved

@@ -1,0 +1,72 @@
+"""Whether springs turn far in a step: on chains, on any topology, and where it need not be asked."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Anchor
+from sim.kernels.steps import is_gentle, shortest_of, stays_gentle
+from tests.sim.arrays import Arrays
+
+STEP = 1e-3
+
+
+def rope(masses: int, held: tuple[int, ...] = ()) -> sim.Scene:
+    anchors = tuple(Anchor(mass=m) for m in held)
+    return msgspec.structs.replace(sim.rope(masses), rope=None, anchors=anchors)
+
+
+def turned(arrays: Arrays, spring: int, degrees: float) -> np.ndarray:
+    """The positions with one spring turned about its first end, and all behind it shifted along."""
+    at = arrays.pairs(arrays.q)
+    angle = math.radians(degrees)
+    vector = at[spring + 1] - at[spring]
+    cos, sin = math.cos(angle), math.sin(angle)
+    to = np.array([cos * vector[0] - sin * vector[1], sin * vector[0] + cos * vector[1]])
+    at[spring + 1 :] += to - vector
+    return arrays.flat(at)
+
+
+@pytest.mark.parametrize("general", [False, True], ids=["chain", "general"])
+@pytest.mark.parametrize("masses", [2, 8, 9, 16, 17, 33])
+def test_one_spring_that_turns_by_more_than_60_degrees_is_seen(masses: int, general: bool) -> None:
+    arrays = Arrays(rope(masses), general=general)
+    ask = (arrays.body, arrays.live, arrays.q)
+    for spring in range(masses - 1):
+        for degrees in (59.0, -59.0):
+            assert is_gentle(*ask, turned(arrays, spring, degrees), STEP)
+        for degrees in (61.0, -61.0, 120.0, 180.0):
+            assert not is_gentle(*ask, turned(arrays, spring, degrees), STEP)
+
+
+@pytest.mark.parametrize("general", [False, True], ids=["chain", "general"])
+def test_a_spring_between_two_held_masses_may_turn(general: bool) -> None:
+    arrays = Arrays(rope(9, held=(3, 4)), general=general)
+    assert is_gentle(arrays.body, arrays.live, arrays.q, turned(arrays, 3, 90.0), STEP)
+    assert not is_gentle(arrays.body, arrays.live, arrays.q, turned(arrays, 4, 90.0), STEP)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_what_need_not_be_asked_is_gentle(seed: int) -> None:
+    # Small moves and large ones, one after the other, of a rope with springs of very different lengths.
+    rng = np.random.default_rng(seed)
+    arrays = Arrays(rope(11))
+    at = np.cumsum(rng.normal(size=(11, 2)) * 10.0 ** rng.uniform(-2, 2, (11, 1)), 0)
+    q, asked = arrays.flat(at), 0
+    for _ in range(60):
+        arrays.accelerations(q, arrays.v)
+        shortest = shortest_of(arrays.body, arrays.work)
+        lengths = np.hypot(*np.diff(arrays.pairs(q), axis=0).T)
+        assert shortest == pytest.approx(math.hypot(lengths.min(), math.sqrt(arrays.body.softening)))
+        to_q = q + arrays.flat(rng.normal(size=(11, 2)) * 10.0 ** rng.uniform(-5, 1))
+        gentle = is_gentle(arrays.body, arrays.live, q, to_q, STEP)
+        for moved in (float(np.abs(to_q - q).max()), 1e9):
+            assert stays_gentle(arrays.body, arrays.live, q, to_q, STEP, moved, shortest) == gentle
+        asked += not gentle
+        q = to_q
+    assert 0 < asked < 60
