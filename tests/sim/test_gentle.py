@@ -45,6 +45,17 @@ def test_one_spring_that_turns_by_more_than_60_degrees_is_seen(masses: int, gene
 
 
 @pytest.mark.parametrize("general", [False, True], ids=["chain", "general"])
+@pytest.mark.parametrize("masses", [2, 7, 8, 9, 16])
+def test_behind_the_last_mass_there_is_no_spring(masses: int, general: bool) -> None:
+    # What is behind it in memory stands at the origin, which the whole rope is shifted across.
+    arrays = Arrays(rope(masses), general=general)
+    at = arrays.pairs(arrays.q)
+    at += (5.0, 0.0) - at[-1]
+    q, to_q = arrays.flat(at), arrays.flat(at - (10.0, 0.0))
+    assert is_gentle(arrays.body, arrays.live, q, to_q, STEP)
+
+
+@pytest.mark.parametrize("general", [False, True], ids=["chain", "general"])
 def test_a_spring_between_two_held_masses_may_turn(general: bool) -> None:
     arrays = Arrays(rope(9, held=(3, 4)), general=general)
     assert is_gentle(arrays.body, arrays.live, arrays.q, turned(arrays, 3, 90.0), STEP)
