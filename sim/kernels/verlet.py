@@ -95,6 +95,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
                 h = min(step_after(flow, h, step, max(error, 2.0), 2, False, failed), cap)
                 failed = True
             continue
+        shortest = shortest_of(body, work)  # before the books, which ask for forces elsewhere
         if ledger.active:
             tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
             replace_state(flow, to_q, to_v, to_a)
@@ -105,7 +106,6 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, att
         t = end if step == end - t else t + step
         steps += 1
         if fixed == 0.0:
-            shortest = shortest_of(body, work)
             cap *= _RAISE
             if not failed and error * cap * cap < _ROOMY * step * step and cap < 2.0 * step:
                 # The limit decides, whatever the error exactly is: so the next step need not wait for it.
