@@ -14,7 +14,8 @@ from playwright.sync_api import Browser, Playwright, sync_playwright
 
 import sim
 from app.serve import serving
-from tests.browser.driver import ARTIFACTS, Desk, Served
+from app.tab import Tab
+from tests.browser.driver import ARTIFACTS, FRAME_LOCK, Desk, Served
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 FLAGS = (
@@ -69,6 +70,20 @@ def data_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("XDG_DATA_HOME", str(folder))
         yield folder
+
+
+@pytest.fixture(scope="session", autouse=True)
+def frames_are_whole() -> Iterator[None]:
+    """The solver is the ticker's alone: a test, which is another thread, sees it only between two frames."""
+    frame = Tab.frame
+
+    def alone(tab: Tab, budget: float) -> None:
+        with FRAME_LOCK:
+            frame(tab, budget)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Tab, "frame", alone)
+        yield
 
 
 @pytest.fixture(scope="module")

@@ -6,6 +6,7 @@ Whatever takes time is waited for by a condition. A fixed pause stands only wher
 from __future__ import annotations
 
 import io
+import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -34,6 +35,10 @@ LIMIT = 20.0
 
 VISERS = ("Software WebGL", "Uploading ", "Received ")
 """Beginnings of the titles of viser's own notices."""
+
+FRAME_LOCK = threading.RLock()
+"""Held by the ticker while it makes a frame (see the fixture `frames_are_whole`), and here while a solver is
+looked at: in the middle of a frame a body may have its new number of masses, and the old one's places."""
 
 _PROJECT = """points => {
   const { camera, canvas, nodeRefFromName } = window.__viserMutable;
@@ -81,6 +86,25 @@ class Served:
 
     url: str
     ticker: Ticker
+
+
+class BetweenFrames:
+    """A solver as it is between two frames: whatever is read or called of it waits for the frame's end."""
+
+    def __init__(self, simulation: sim.Simulation) -> None:
+        self._simulation = simulation
+
+    def __getattr__(self, name: str) -> Any:
+        with FRAME_LOCK:
+            found = getattr(self._simulation, name)
+        if not callable(found):
+            return found
+
+        def call(*arguments: Any) -> Any:
+            with FRAME_LOCK:
+                return found(*arguments)
+
+        return call
 
 
 @dataclass(frozen=True)
@@ -187,21 +211,24 @@ class Desk:
 
     @property
     def session(self) -> Session:
-        """The session of this page."""
-        session = self.tab._session
+        """The session of this page; a frame that is being made is waited for."""
+        with FRAME_LOCK:
+            session = self.tab._session
         assert session is not None
         return session
 
     @property
-    def simulation(self) -> sim.Simulation:
+    def simulation(self) -> BetweenFrames:
         """The solver of this page; the ticker goes on stepping it, so what is read is a snapshot."""
-        return self.session.simulation
+        return BetweenFrames(self.session.simulation)
 
     def tell(self, *commands: Command) -> None:
         """Hand commands to the session, past the page, and wait until they are applied."""
         for command in commands:
             self.session.post(command)
         self.until(lambda: not self.session._queue, "the session takes its commands")
+        with FRAME_LOCK:
+            pass  # the frame in which it took them is over
         self.rest(1)
 
     # --------------------------------------------------------------------- waiting

@@ -123,7 +123,7 @@ def test_a_download_is_the_scene_and_can_be_opened_again(open_page: OpenPage, tm
 def test_a_bad_file_gets_one_notice_and_changes_nothing(open_page: OpenPage, tmp_path: Path) -> None:
     desk = open_page()
     desk.show("Files")
-    simulation, scene = desk.simulation, desk.session.scene
+    simulation, scene = desk.session.simulation, desk.session.scene
     good: dict[str, Any] = json.loads(files.encode_scene(sim.load_scene("ring")))
     masses = [{**good["masses"][0], "mass": -3.0}, *good["masses"][1:]]
     for name, content, said in (
@@ -141,7 +141,7 @@ def test_a_bad_file_gets_one_notice_and_changes_nothing(open_page: OpenPage, tmp
         if name == "large.json":
             # It never left the page, so nothing may call its upload a success.
             assert desk.page.get_by_text("Uploading large.json").count() == 0
-        assert desk.simulation is simulation
+        assert desk.session.simulation is simulation
         assert desk.session.scene is scene
         steps = simulation.step_count
         desk.until(lambda steps=steps: simulation.step_count > steps, "it runs on")
