@@ -3,7 +3,7 @@
 With L_s the vector of spring s and perp(L) = (L.y, -L.x), the force on the b end of spring s is
 T_s = (k rest/|L| - k - c L.dv/|L|²) L_s + (G_{s-1} - G_s)/|L|² perp(L_s), and joint j between springs j
 and j + 1 has the couple G_j = K cos r (L_j x L_{j+1}) - K sin r (L_j . L_{j+1}): the tutorial's forces
-without unit vectors, one square root and one division a spring.
+without unit vectors and with one inverse of a square root a spring.
 
 Each spring computes both of its couples anew from the positions. That is less work than it looks: values
 that one loop stores and the next one loads at a place beside, cost a short chain more than the arithmetic.
@@ -11,11 +11,10 @@ that one loop stores and the next one loads at a place beside, cost a short chai
 
 from __future__ import annotations
 
-import math
-
 from .controls import lead_and_press, place_led
 from .guard import DONE, GOOD, STRIDE, WHAT, judge, keep
 from .jit import kernel
+from .roots import inverse_root
 from .tables import SHORTEST_SQUARED
 
 
@@ -37,7 +36,7 @@ def run_chain(body, live, work, motion, kept, progress, dt, steps, has_air, fart
                 lead_and_press(body, live, motion, step, steps)
             for s in range(springs):
                 bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-                inverse[s] = 1.0 / math.sqrt(bx * bx + by * by + SHORTEST_SQUARED)
+                inverse[s] = inverse_root(bx * bx + by * by + SHORTEST_SQUARED)
             # The force of spring s goes to the place of the mass at its b end, s + 2. Place 1 stays zero:
             # no spring ends at the first mass.
             if body.joints and body.damped:
@@ -79,26 +78,29 @@ def run_chain(body, live, work, motion, kept, progress, dt, steps, has_air, fart
                     along = pull[s] * inverse[s] - stiffness[s]
                     tx[s + 2] = along * (x[s + 2] - x[s + 1])
                     ty[s + 2] = along * (y[s + 2] - y[s + 1])
-            chain_axis(x, vx, tx, live.dt_mass, live.dt_air, live.dt_gx, dt, springs, has_air)
-            chain_axis(y, vy, ty, live.dt_mass, live.dt_air, live.dt_gy, dt, springs, has_air)
+            _move(live, tx, ty, dt, springs, has_air)
             if motion.active:
                 place_led(live, motion, step, steps)  # those that have a speed were moved on by it
         judge(body, live, kept, progress, count, farthest, fastest)
 
 
-@kernel(inline="always")
-def chain_axis(position, velocity, tension, dt_mass, dt_air, dt_gravity, dt, masses, has_air):
-    """v += dt F/m, then x += dt v, along one axis; `masses` is their padded number."""
+@kernel(apart=True, forceinline=True)
+def _move(live, tx, ty, dt, masses, has_air):
+    """v += dt F/m, then x += dt v; `masses` is their padded number."""
+    x, y, vx, vy = live.x, live.y, live.vx, live.vy
+    w, air, gx, gy = live.dt_mass, live.dt_air, live.dt_gx, live.dt_gy
     if has_air:
         for i in range(1, masses + 1):
-            v = velocity[i]
-            force = (tension[i] - tension[i + 1]) * dt_mass[i]
-            v = v + (force - dt_air[i] * (v * abs(v)) + dt_gravity[i])
-            velocity[i] = v
-            position[i] += v * dt
+            u, v = vx[i], vy[i]
+            u = u + ((tx[i] - tx[i + 1]) * w[i] - air[i] * (u * abs(u)) + gx[i])
+            v = v + ((ty[i] - ty[i + 1]) * w[i] - air[i] * (v * abs(v)) + gy[i])
+            vx[i], vy[i] = u, v
+            x[i] += u * dt
+            y[i] += v * dt
     else:
         for i in range(1, masses + 1):
-            force = (tension[i] - tension[i + 1]) * dt_mass[i]
-            v = velocity[i] + (force + dt_gravity[i])
-            velocity[i] = v
-            position[i] += v * dt
+            u = vx[i] + ((tx[i] - tx[i + 1]) * w[i] + gx[i])
+            v = vy[i] + ((ty[i] - ty[i + 1]) * w[i] + gy[i])
+            vx[i], vy[i] = u, v
+            x[i] += u * dt
+            y[i] += v * dt

@@ -29,6 +29,7 @@ import numpy as np
 
 from .blocks import deflection
 from .jit import FAST, kernel
+from .roots import inverse_root
 from .tables import ANGLE, CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
 
 
@@ -53,7 +54,7 @@ def internal_forces(body, live, work, x, y, vx, vy):
             dvx[s] = vx[b] - vx[a]
             dvy[s] = vy[b] - vy[a]
     for s in range(springs):
-        inverse[s] = 1.0 / math.sqrt(lx[s] * lx[s] + ly[s] * ly[s] + soft)
+        inverse[s] = inverse_root(lx[s] * lx[s] + ly[s] * ly[s] + soft)
     if body.joints:
         joint_couples(body, live, work)
         for s in range(body.springs):
@@ -131,13 +132,13 @@ def internal_forces(body, live, work, x, y, vx, vy):
         fy[m] += sign * ty[s]
 
 
-@kernel(fastmath=FAST)
+@kernel(forceinline=True, fastmath=FAST)
 def spring_forces(body, live, work, x, y, vx, vy):
     """`internal_forces`, for callers that are better off with a call than with another copy of it."""
     internal_forces(body, live, work, x, y, vx, vy)
 
 
-@kernel()
+@kernel(forceinline=True)
 def joint_couples(body, live, work):
     """The couple and, where the law has one, the energy of every joint, from the vectors in `work`."""
     lx, ly, inverse, couple, energy = work.lx, work.ly, work.inverse, work.couple, work.energy
@@ -201,7 +202,7 @@ def accelerations(body, live, work, q, v, a):
         any_accelerations(body, live, work, x, y, vx, vy, a)
 
 
-@kernel(inner=True, fastmath=FAST)
+@kernel(inner=True, forceinline=True, fastmath=FAST)
 def any_accelerations(body, live, work, x, y, vx, vy, a):
     """`accelerations` of any body, under any law."""
     places = x.size

@@ -15,7 +15,8 @@ from playwright.sync_api import Browser, Playwright, sync_playwright
 import sim
 from app.serve import serving
 from app.tab import Tab
-from tests.browser.driver import ARTIFACTS, FRAME_LOCK, Desk, Served
+from tests.browser.between_frames import FRAME_LOCK
+from tests.browser.driver import ARTIFACTS, Desk, Served
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 FLAGS = (

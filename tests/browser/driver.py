@@ -6,7 +6,6 @@ Whatever takes time is waited for by a condition. A fixed pause stands only wher
 from __future__ import annotations
 
 import io
-import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,11 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page
 
-import sim
 from app.commands import Command
 from app.session import Session
 from app.tab import Tab
 from app.ticker import Ticker
+from tests.browser.between_frames import FRAME_LOCK, BetweenFrames
 
 T = TypeVar("T")
 Point = tuple[float, float]
@@ -35,10 +34,6 @@ LIMIT = 20.0
 
 VISERS = ("Software WebGL", "Uploading ", "Received ")
 """Beginnings of the titles of viser's own notices."""
-
-FRAME_LOCK = threading.RLock()
-"""Held by the ticker while it makes a frame (see the fixture `frames_are_whole`), and here while a solver is
-looked at: in the middle of a frame a body may have its new number of masses, and the old one's places."""
 
 _PROJECT = """points => {
   const { camera, canvas, nodeRefFromName } = window.__viserMutable;
@@ -86,25 +81,6 @@ class Served:
 
     url: str
     ticker: Ticker
-
-
-class BetweenFrames:
-    """A solver as it is between two frames: whatever is read or called of it waits for the frame's end."""
-
-    def __init__(self, simulation: sim.Simulation) -> None:
-        self._simulation = simulation
-
-    def __getattr__(self, name: str) -> Any:
-        with FRAME_LOCK:
-            found = getattr(self._simulation, name)
-        if not callable(found):
-            return found
-
-        def call(*arguments: Any) -> Any:
-            with FRAME_LOCK:
-                return found(*arguments)
-
-        return call
 
 
 @dataclass(frozen=True)

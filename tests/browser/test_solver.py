@@ -7,8 +7,8 @@ import numpy as np
 from app import commands
 from app.ghost import REFERENCE
 from app.solver_panel import REFERENCE_LABEL
+from tests.browser.between_frames import BetweenFrames
 from tests.browser.conftest import OpenPage
-from tests.browser.driver import BetweenFrames
 from tests.browser.looks import assert_shown
 
 
