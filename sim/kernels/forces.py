@@ -17,6 +17,9 @@ So a length is sqrt(L² + softening), in the energies, too, with a softening far
 methods with a fixed step. A . R(-r) B is without it, and in the angle's law |L| becomes
 L² / sqrt(L² + softening), since V means nothing at a point.
 
+All of it is inlined into the loop that asks for it. A call hands over a hundred arrays, which takes longer
+than a short body's forces, and whether LLVM inlines by itself depends on what was compiled before.
+
 Loops that gather through indices are kept apart from loops over the springs in order, so that the latter,
 which hold the square root, the division and most of the arithmetic, are vectorised.
 """
