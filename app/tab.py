@@ -132,7 +132,7 @@ class Tab:
         if not ready and self._waiting is None:
             self._waiting = self.client.add_notification(
                 "Compiling the solver",
-                "This happens once. The tutorial's method is ready in seconds, the others in two minutes.",
+                "This happens once. The tutorial's method is ready in seconds, the others in some minutes.",
                 loading=True,
                 with_close_button=False,
             )

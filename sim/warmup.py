@@ -60,7 +60,7 @@ class Kernels:
     def compile(self, report: Callable[[int, int, str], None] = lambda done, of, what: None) -> None:
         """Compile everything. `report` hears how many parts of how many are done, and what comes next.
 
-        The tutorial's own kernels come first, and take seconds. The other methods take two minutes, in a
+        The tutorial's own kernels come first, and take seconds. The other methods take some minutes, in a
         process of their own: numba would leave this one little time to serve a page.
         """
         parts = 5
