@@ -85,12 +85,13 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
             past[0, j] = flow.a[j]
         first = first_step(flow, drive, 0.01 * tolerance)
         h = min(h, first) if h > 0.0 else first
-    failures, shortest = 0, 0.0
-    for _ in range(attempts):
-        if not (t < end and count[COUNT_WHAT] == GOOD):
-            break
-        pieces = max(math.ceil((end - t) / h - 1e-6), 1)
-        step = (end - t) / pieces if pieces <= _EVENLY else h
+    farthest, fastest = flow.limits[0], flow.limits[1]
+    failures, tries, steps, swaps, shortest = 0, 0, 0, 0, 0.0
+    while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
+        tries += 1
+        step, rest = h, end - t
+        if rest < (_EVENLY + 1e-6) * h:
+            step = rest / max(math.ceil(rest / h - 1e-6), 1)
         if degree > 0 and abs(step - spacing) > 1e-9 * spacing:
             _space(past, head, method, degree, step / spacing, rows)
         spacing = step
@@ -98,28 +99,29 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
         if drive.moving:
             drive_to(body, live, drive, t + step, to_q, to_v)
         accelerations(body, live, work, to_q, to_v, to_a)
-        count[COUNT_FORCES] += 1
         by_q, by_v = step * step * method.to_position[degree], step * method.to_velocity[degree]
-        change, moved = _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
+        change, far, fast, moved = _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
         error = method.error[degree] * step * step * from_bits(change)
         error /= max(step, min(_SPAN, _SHORT * step)) * tolerance
         if not error < HOPELESS:
             error = HOPELESS
-        good = error <= 1.0 and sound(body, flow, to_q, to_v, step < WORTH_SHORTENING)
-        if good:
-            good = stays_gentle(body, live, q, to_q, step, from_bits(moved), shortest)
-        if good:
-            accelerations(body, live, work, to_q, to_v, to_a)
-            shortest = shortest_of(body, work)
-            count[COUNT_FORCES] += 1
-            if ledger.active:
-                tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
-            t = end if pieces == 1 else t + step
+        good = error <= 1.0
+        if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
+            good = good and sound(body, flow, to_q, to_v, step < WORTH_SHORTENING)
+        if good and stays_gentle(body, live, q, to_q, step, from_bits(moved), shortest):
+            # The oldest of the past is not asked again.
             head = (head - 1) & (PAST - 1)
-            for j in range(1, q.size - SPARE):
-                past[head, j] = to_a[j]
-            replace_state(flow, to_q, to_v, to_a)
-            count[COUNT_STEPS] += 1
+            accelerations(body, live, work, to_q, to_v, past[head])
+            shortest = shortest_of(body, work)
+            steps += 1
+            if ledger.active:
+                tally(body, live, work, ledger, drive, flow, t, to_q, to_v, past[head], step)
+                replace_state(flow, to_q, to_v, past[head])
+            else:
+                # Change places instead of copying.
+                q, to_q, v, to_v = to_q, q, to_v, v
+                swaps += 1
+            t = end if step == rest else t + step
             since, failures = since + 1, 0
             rising = degree < method.degree
             factor = 1.0
@@ -134,7 +136,6 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
                 # A step that was cut short says little about longer ones.
                 h = max(h, step * factor) if step < 0.999 * h else step * factor
         else:
-            count[COUNT_REJECTED] += 1
             if drive.pressed:
                 drive_to(body, live, drive, t, q, v)
             since, failures = 0, failures + 1
@@ -143,6 +144,14 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
                 degree = 0  # the past tells nothing of what is to come
             if h < SHORTEST_STEP:
                 count[COUNT_WHAT] = STUCK
+    if swaps % 2:
+        replace_state(flow, q, v, past[head])
+    else:
+        for j in range(1, q.size - SPARE):
+            flow.a[j] = past[head, j]
+    count[COUNT_FORCES] += tries + steps
+    count[COUNT_STEPS] += steps
+    count[COUNT_REJECTED] += tries - steps
     clock[CLOCK_TIME], clock[CLOCK_STEP] = t, h
     clock[CLOCK_PAST], clock[CLOCK_SPACING] = t, spacing
     clock[CLOCK_DEGREE], clock[CLOCK_HEAD], clock[CLOCK_SINCE] = degree, head, since
@@ -171,15 +180,18 @@ def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
 def _correct(q, by_q, by_v, to_a, ahead, to_q, to_v):
-    """Correct a prediction; (the largest amount by which the acceleration was off, and move, as bits)."""
-    change, moved = 0, 0
+    """Correct a prediction; (by how much the acceleration was off, coordinate, speed and move, the largest,
+    as bits)."""
+    change, far, fast, moved = 0, 0, 0, 0
     for j in range(1, q.size - SPARE):
         off = to_a[j] - ahead[j]
-        to_q[j] += by_q * off
-        to_v[j] += by_v * off
+        place, speed = to_q[j] + by_q * off, to_v[j] + by_v * off
+        to_q[j], to_v[j] = place, speed
         change = max(change, size_bits(off))
-        moved = max(moved, size_bits(to_q[j] - q[j]))
-    return change, moved
+        far = max(far, size_bits(place))
+        fast = max(fast, size_bits(speed))
+        moved = max(moved, size_bits(place - q[j]))
+    return change, far, fast, moved
 
 
 @kernel(forceinline=True)

@@ -53,14 +53,20 @@ _RESTART = 8.0
 _NEWS = 0.3
 """How much a turn of generalized-alpha that went badly counts against the ones before it."""
 
-_LONG_STEP = 0.02
-"""Seconds that hardly any implicit step is longer than while a body moves. Where the explicit method does as
-much for the same computing, the others are asked late."""
+_LONG_STEP = 0.03
+"""Seconds that hardly any implicit step is longer than while a body moves, under a tolerance of 1 px; it goes
+with the fifth root of that. Where the best method does as much for the same computing, others are asked late."""
 
+_BEGINNING, _MORE = 16, 32
+"""Verlet's first steps, in which they become as long as they can; and those that tell what limits them."""
+
+_TURN, _IMPLICIT_TURN, _LONG_TURN = 64, 12, 256
+"""Steps of a turn: of explicit methods; of implicit ones; and of Verlet's where stability limits its steps,
+which hardly change then."""
 
 _HELD, _SOME = 0.2, 48.0
 """The share of Verlet's steps at a limit that says that it is one of stability; and the computing, in its
-steps, after which that is known."""
+steps, after which that is known, at the latest."""
 
 
 @kernel()
@@ -103,15 +109,16 @@ def run(buffer, driven, end, attempts):
     return count[COUNT_STEPS] + count[COUNT_REJECTED] - before
 
 
-@kernel(forceinline=True)
+@kernel(inline="always")
 def _run_best(b, drive, end, whole_tolerance, attempts):
     """Go on to `end` by turns."""
     body, live, work, matrix, flow, ledger = b.body, b.live, b.work, b.matrix, b.flow, b.ledger
     costs = b.costs
     clock, count, mind = flow.clock, flow.counts, flow.mind
     left = attempts
+    long_step = _LONG_STEP * whole_tolerance**0.2
     while clock[CLOCK_TIME] < end and left > 0 and count[COUNT_WHAT] == GOOD:
-        arm, limit = _whose_turn(mind, costs, clock[CLOCK_HELD] > _HELD)
+        arm, limit = _whose_turn(mind, costs, long_step, clock[CLOCK_HELD] > _HELD)
         fresh = mind[AUTO_PACE + arm] < 0.0
         limit = min(limit, left)
         began, tried = clock[CLOCK_TIME], count[COUNT_STEPS] + count[COUNT_REJECTED]
@@ -160,10 +167,10 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _whose_turn(mind, costs, held):
+def _whose_turn(mind, costs, long_step, held):
     """(the method, how many steps it may try); `held`: whether stability limits Verlet's steps."""
     if mind[AUTO_PACE + ARM_VERLET] < 0.0:
-        return ARM_VERLET, 16
+        return ARM_VERLET, _BEGINNING
     best = ARM_VERLET
     for arm in range(1, ARMS):
         if mind[AUTO_PACE + arm] > mind[AUTO_PACE + best]:
@@ -172,8 +179,14 @@ def _whose_turn(mind, costs, held):
     # Where stability limits Verlet's steps, or long bodies ask for an implicit method, it limits those of
     # Adams' methods all the more.
     worth = best != ARM_ALPHA and not held
+    if worth and mind[AUTO_PACE + ARM_ADAMS] < 0.0 and costs[ARM_ALPHA] == 0.0:
+        # Where these are good, implicit methods hardly ever are: they are asked only if there is need.
+        if mind[AUTO_WORK] < _SOME:
+            return best, _MORE
+        mind[AUTO_WORK] = 0.0
+        return ARM_ADAMS, _few(ARM_ADAMS)
     for arm in range(1, ARMS):
-        unknown = costs[arm] > 0.0 and mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < _LONG_STEP
+        unknown = costs[arm] > 0.0 and mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < long_step
         if unknown and (arm != ARM_ADAMS or (worth and mind[AUTO_WORK] >= _SOME)):
             mind[AUTO_WORK] = 0.0
             return arm, _few(arm)
@@ -191,8 +204,8 @@ def _whose_turn(mind, costs, held):
     if best != ARM_ALPHA and int(mind[AUTO_LAST]) == ARM_ALPHA:
         return best, _few(best)  # what is known of it is old
     if best == ARM_VERLET and held:
-        return best, 256  # its pace hardly changes
-    return best, 64 if best in (ARM_VERLET, ARM_ADAMS) else 12
+        return best, _LONG_TURN
+    return best, _TURN if best in (ARM_VERLET, ARM_ADAMS) else _IMPLICIT_TURN
 
 
 @kernel(forceinline=True)

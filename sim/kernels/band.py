@@ -42,7 +42,7 @@ _ORDERED = {"contract", "nsz"}
 """For sums that wait for what their last terms hold: those are added last, as written."""
 
 
-@kernel(inner=True, forceinline=True, fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def factorise_chain(body, live, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
     n, parts = body.masses, matrix.parts

@@ -205,7 +205,7 @@ def accelerations(body, live, work, q, v, a):
         any_accelerations(body, live, work, x, y, vx, vy, a)
 
 
-@kernel(inner=True, forceinline=True, fastmath=FAST)
+@kernel(inner=True, fastmath=FAST)
 def any_accelerations(body, live, work, x, y, vx, vy, a):
     """`accelerations` of any body, under any law."""
     places = x.size
