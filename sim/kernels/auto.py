@@ -40,9 +40,9 @@ from .verlet import run_verlet
 KIND_EXPLICIT, KIND_VERLET, KIND_ROSENBROCK, KIND_ALPHA, KIND_ADAMS, KIND_AUTO = 0, 1, 2, 3, 4, 5
 """What `run` runs."""
 
-_SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.3
+_SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.5
 """The share of the computing that goes into asking another method; that for one whose pace was not within a
-part of the best; and that part."""
+part of the best, and for all while generalized-alpha is the best, which goes by the past; and that part."""
 
 _TAKING_OVER = 0.3
 """How long the first step of generalized-alpha is beside its last one, since it is of first order."""
@@ -54,11 +54,12 @@ _NEWS = 0.3
 """How much a turn of generalized-alpha that went badly counts against the ones before it."""
 
 _LONG_STEP = 0.03
-"""Seconds that hardly any implicit step is longer than while a body moves, under a tolerance of 1 px; it goes
-with the fifth root of that. Where the best method does as much for the same computing, others are asked late."""
+"""Seconds that hardly any implicit step is longer than while a body moves, under a tolerance of 1 px; they go
+with its fifth root. Where the best method does as much for the same computing, the others are asked late."""
 
-_BEGINNING, _MORE = 16, 32
-"""Verlet's first steps, in which they become as long as they can; and those that tell what limits them."""
+_BEGINNING, _BEGINNING_OF_LONG = 16, 4
+"""Verlet's first steps, in which they become as long as they can, and the next ones, which tell what limits
+them; and its first steps on long bodies. Stability soon cuts these, and others go on from what they leave."""
 
 _TURN, _IMPLICIT_TURN, _LONG_TURN = 64, 12, 256
 """Steps of a turn: of explicit methods; of implicit ones; and of Verlet's where stability limits its steps,
@@ -159,7 +160,11 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
         elif arm == ARM_ALPHA or fresh or begins:
             # It has hardly begun to lengthen its steps; and one bad turn is no reason to change at once.
             pace = max(pace, clock[CLOCK_STEP] / costs[arm])
-            mind[AUTO_PACE + arm] = max(pace, (1.0 - _NEWS) * mind[AUTO_PACE + arm] + _NEWS * pace)
+            before = mind[AUTO_PACE + arm]
+            mind[AUTO_PACE + arm] = max(pace, (1.0 - _NEWS) * before + _NEWS * pace)
+            if arm == ARM_ALPHA and mind[AUTO_PACE + arm] < before:
+                # What is too much for its steps is no less for those of the other implicit method.
+                mind[AUTO_PACE + ARM_ROSENBROCK] *= mind[AUTO_PACE + arm] / before
         elif clock[CLOCK_TIME] < end:
             # The last steps of a call are cut short, which says nothing about the method.
             mind[AUTO_PACE + arm] = pace
@@ -170,7 +175,7 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
 def _whose_turn(mind, costs, long_step, held):
     """(the method, how many steps it may try); `held`: whether stability limits Verlet's steps."""
     if mind[AUTO_PACE + ARM_VERLET] < 0.0:
-        return ARM_VERLET, _BEGINNING
+        return ARM_VERLET, _BEGINNING if costs[ARM_ALPHA] == 0.0 else _BEGINNING_OF_LONG
     best = ARM_VERLET
     for arm in range(1, ARMS):
         if mind[AUTO_PACE + arm] > mind[AUTO_PACE + best]:
@@ -179,10 +184,11 @@ def _whose_turn(mind, costs, long_step, held):
     # Where stability limits Verlet's steps, or long bodies ask for an implicit method, it limits those of
     # Adams' methods all the more.
     worth = best != ARM_ALPHA and not held
-    if worth and mind[AUTO_PACE + ARM_ADAMS] < 0.0 and costs[ARM_ALPHA] == 0.0:
+    adams_unknown = mind[AUTO_PACE + ARM_ADAMS] < 0.0 and pace * costs[ARM_ADAMS] < long_step
+    if worth and adams_unknown and costs[ARM_ALPHA] == 0.0:
         # Where these are good, implicit methods hardly ever are: they are asked only if there is need.
-        if mind[AUTO_WORK] < _SOME:
-            return best, _MORE
+        if mind[AUTO_WORK] < 2.0 * _BEGINNING:
+            return best, _BEGINNING
         mind[AUTO_WORK] = 0.0
         return ARM_ADAMS, _few(ARM_ADAMS)
     for arm in range(1, ARMS):
@@ -194,7 +200,8 @@ def _whose_turn(mind, costs, long_step, held):
     if costs[other] > 0.0 and (worth or other != ARM_ADAMS):
         tries = _few(other)
         price = tries * costs[other] + (_RESTART * costs[best] if best in (ARM_ALPHA, ARM_ADAMS) else 0.0)
-        share = _SHARE if mind[AUTO_PACE + other] > _CLOSE * pace else _SHARE_OF_HOPELESS
+        close = best != ARM_ALPHA and mind[AUTO_PACE + other] > _CLOSE * pace
+        share = _SHARE if close else _SHARE_OF_HOPELESS
         if mind[AUTO_WORK] * share > price:
             mind[AUTO_WORK] = 0.0
             mind[AUTO_ASKED] += 1.0

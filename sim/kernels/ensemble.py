@@ -16,7 +16,7 @@ import numpy as np
 
 from .jit import FAST, kernel
 from .roots import inverse_root
-from .tables import CONSERVATIVE, SHORTEST_SQUARED
+from .tables import CONSERVATIVE
 
 _U = np.uint64
 """Of all constants of the layout: numba tests signed indices for being negative, which no vector survives."""
@@ -109,7 +109,7 @@ def _springs(data, masses, conservative):
             rate = lx * (data[n + VX * LANES] - data[i + VX * LANES]) + ly * (
                 data[n + VY * LANES] - data[i + VY * LANES]
             )
-            square = max(lx * lx + ly * ly, SHORTEST_SQUARED)
+            square = lx * lx + ly * ly
             inverse = inverse_root(square)
             data[i + LX * LANES], data[i + LY * LANES] = lx, ly
             data[i + ALONG * LANES] = (

@@ -17,8 +17,9 @@ So a length is sqrt(L² + softening), in the energies, too, with a softening far
 methods with a fixed step. A . R(-r) B is without it, and in the angle's law |L| becomes
 L² / sqrt(L² + softening), since V means nothing at a point.
 
-All of it is inlined into the loop that asks for it. A call hands over a hundred arrays, which takes longer
-than a short body's forces, and whether LLVM inlines by itself depends on what was compiled before.
+All of it is inlined into the tutorial's loop, and for the other methods into `any_accelerations`, so that
+there is one call at most. Each hands over a hundred arrays, which takes longer than some of what is called,
+and whether LLVM inlines by itself depends on what was compiled before.
 
 Loops that gather through indices are kept apart from loops over the springs in order, so that the latter,
 which hold the square root, the division and most of the arithmetic, are vectorised.
@@ -137,7 +138,7 @@ def internal_forces(body, live, work, x, y, vx, vy):
 
 @kernel(forceinline=True, fastmath=FAST)
 def spring_forces(body, live, work, x, y, vx, vy):
-    """`internal_forces`, for callers that are better off with a call than with another copy of it."""
+    """`internal_forces`, with sums in any order."""
     internal_forces(body, live, work, x, y, vx, vy)
 
 

@@ -12,15 +12,18 @@ _LEAST = 1e-37
 """Next to the least number that single precision has in full."""
 
 
-@kernel(forceinline=True)
+@kernel(inline="always")
 def inverse_root(square):
     """1 / sqrt(square) to 3e-16 of it, from 1e-37 to 1e38; below that finite, at most 6e18.
 
     A processor has one unit for roots and divisions, slow in double precision and twice as quick in single.
-    One step of third order (Householder's) takes the 23 good bits of that to all 53, but for the last one.
-    Every operation is IEEE's, so that it is the same on every machine. It takes longer from beginning to
-    end, though, and so pays only where many are on their way at once: not in the short loops of a chain's
-    accelerations.
+    One step of third order (Householder's) takes the 23 good bits of that to all 53, but for the last one. It
+    takes longer from beginning to end, though, and so pays only where many are on their way at once: not in
+    the short loops of a chain's accelerations.
+
+    It goes by the rules of the kernel that it is inlined into. By those of IEEE, it is the same on every
+    machine. Under `FAST` the processor may approximate the single-precision part in its own way, and the last
+    digits are those of its kind.
     """
     seed = np.float64(_ONE / np.sqrt(np.float32(max(square, _LEAST))))
     off = 1.0 - square * seed * seed
