@@ -40,7 +40,7 @@ from .verlet import run_verlet
 KIND_EXPLICIT, KIND_VERLET, KIND_ROSENBROCK, KIND_ALPHA, KIND_ADAMS, KIND_AUTO = 0, 1, 2, 3, 4, 5
 """What `run` runs."""
 
-_SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.5
+_SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.3
 """The share of the computing that goes into asking another method; that for one whose pace was not within a
 part of the best, and for all while generalized-alpha is the best, which goes by the past; and that part."""
 
@@ -58,8 +58,9 @@ _LONG_STEP = 0.03
 with its fifth root. Where the best method does as much for the same computing, the others are asked late."""
 
 _BEGINNING, _BEGINNING_OF_LONG = 16, 4
-"""Verlet's first steps, in which they become as long as they can, and the next ones, which tell what limits
-them; and its first steps on long bodies. Stability soon cuts these, and others go on from what they leave."""
+"""Verlet's first steps, in which they become as long as they can, and where stability limited any, the next
+ones, which tell whether it limits most; and its first steps on long bodies. Stability soon cuts these, and
+others go on from what they leave."""
 
 _TURN, _IMPLICIT_TURN, _LONG_TURN = 64, 12, 256
 """Steps of a turn: of explicit methods; of implicit ones; and of Verlet's where stability limits its steps,
@@ -119,7 +120,7 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
     left = attempts
     long_step = _LONG_STEP * whole_tolerance**0.2
     while clock[CLOCK_TIME] < end and left > 0 and count[COUNT_WHAT] == GOOD:
-        arm, limit = _whose_turn(mind, costs, long_step, clock[CLOCK_HELD] > _HELD)
+        arm, limit = _whose_turn(mind, costs, long_step, clock[CLOCK_HELD])
         fresh = mind[AUTO_PACE + arm] < 0.0
         limit = min(limit, left)
         began, tried = clock[CLOCK_TIME], count[COUNT_STEPS] + count[COUNT_REJECTED]
@@ -173,7 +174,7 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _whose_turn(mind, costs, long_step, held):
-    """(the method, how many steps it may try); `held`: whether stability limits Verlet's steps."""
+    """(the method, how many steps it may try); `held`: the share of Verlet's steps that stability limited."""
     if mind[AUTO_PACE + ARM_VERLET] < 0.0:
         return ARM_VERLET, _BEGINNING if costs[ARM_ALPHA] == 0.0 else _BEGINNING_OF_LONG
     best = ARM_VERLET
@@ -183,11 +184,11 @@ def _whose_turn(mind, costs, long_step, held):
     pace = mind[AUTO_PACE + best]
     # Where stability limits Verlet's steps, or long bodies ask for an implicit method, it limits those of
     # Adams' methods all the more.
-    worth = best != ARM_ALPHA and not held
+    worth = best != ARM_ALPHA and held <= _HELD
     adams_unknown = mind[AUTO_PACE + ARM_ADAMS] < 0.0 and pace * costs[ARM_ADAMS] < long_step
     if worth and adams_unknown and costs[ARM_ALPHA] == 0.0:
         # Where these are good, implicit methods hardly ever are: they are asked only if there is need.
-        if mind[AUTO_WORK] < 2.0 * _BEGINNING:
+        if held > 0.0 and mind[AUTO_WORK] < 2.0 * _BEGINNING:
             return best, _BEGINNING
         mind[AUTO_WORK] = 0.0
         return ARM_ADAMS, _few(ARM_ADAMS)
@@ -210,7 +211,7 @@ def _whose_turn(mind, costs, long_step, held):
         mind[AUTO_ASKED] += 1.0
     if best != ARM_ALPHA and int(mind[AUTO_LAST]) == ARM_ALPHA:
         return best, _few(best)  # what is known of it is old
-    if best == ARM_VERLET and held:
+    if best == ARM_VERLET and held > _HELD:
         return best, _LONG_TURN
     return best, _TURN if best in (ARM_VERLET, ARM_ADAMS) else _IMPLICIT_TURN
 

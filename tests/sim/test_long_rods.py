@@ -63,3 +63,23 @@ def test_a_very_long_rod_is_not_upset_by_how_it_begins() -> None:
     effort = simulation.effort()
     assert effort.steps < 700
     assert effort.rejected < 50
+
+
+@pytest.mark.parametrize("masses", [1000, 3000])
+def test_a_long_rod_soon_makes_the_steps_that_it_goes_on_with(masses: int) -> None:
+    # Explicit steps, which stability cuts short, would leave the others to begin with tiny ones.
+    simulation = Simulation(led_rod(masses, "auto", TOLERANCE))
+    simulation.step()
+    effort = simulation.effort()
+    assert effort.steps + effort.rejected <= 24
+
+
+def test_a_wave_that_slows_one_implicit_method_is_not_thought_to_spare_the_other() -> None:
+    # It was last asked when all was smooth. Changing over then costs frames several times as long.
+    simulation = Simulation(led_rod(1000, "auto", TOLERANCE))
+    most = 0
+    for _ in range(14):
+        simulation.step()
+        effort = simulation.effort()
+        most = max(most, effort.steps + effort.rejected)
+    assert most <= 32

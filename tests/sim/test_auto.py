@@ -1,0 +1,38 @@
+"""Which methods `auto` turns to, by what they leave behind: only implicit ones make matrices."""
+
+from __future__ import annotations
+
+import msgspec
+import pytest
+
+import sim
+from sim import Integrator, Simulation
+from sim.simulation import Effort
+
+
+def effort_of(name: str, tolerance: float) -> Effort:
+    """What a second of a scene takes, in one call."""
+    integrator = Integrator(tolerance=tolerance, dt=1.0)
+    simulation = Simulation(msgspec.structs.replace(sim.load_scene(name), integrator=integrator))
+    assert simulation.step() == 1
+    return simulation.effort()
+
+
+@pytest.mark.parametrize("tolerance", [0.1, 1e-6])
+@pytest.mark.parametrize("name", ["study-w1", "study-ring", "study-tree"])
+def test_where_explicit_methods_are_good_no_matrix_is_made(name: str, tolerance: float) -> None:
+    assert effort_of(name, tolerance).matrices == 0
+
+
+def test_stiff_bodies_are_moved_by_implicit_methods() -> None:
+    effort = effort_of("study-w4", 0.1)
+    # Explicit ones need tens of thousands of steps.
+    assert effort.matrices > 50
+    assert effort.steps + effort.rejected < 200
+
+
+def test_where_accuracy_limits_steps_methods_of_high_order_are_turned_to() -> None:
+    # Verlet's alone would be some twenty thousand.
+    effort = effort_of("study-w2", 1e-3)
+    assert effort.steps < 2000
+    assert effort.matrices < 50
