@@ -26,13 +26,13 @@ def test_where_explicit_methods_are_good_no_matrix_is_made(name: str, tolerance:
 
 def test_stiff_bodies_are_moved_by_implicit_methods() -> None:
     effort = effort_of("study-w4", 0.1)
-    # Explicit ones need tens of thousands of steps.
+    # Explicit ones have to take far shorter steps.
     assert effort.matrices > 50
     assert effort.steps + effort.rejected < 200
 
 
 def test_where_accuracy_limits_steps_methods_of_high_order_are_turned_to() -> None:
-    # Verlet's alone would be some twenty thousand.
+    # Steps of second order would have to be far shorter.
     effort = effort_of("study-w2", 1e-3)
     assert effort.steps < 2000
     assert effort.matrices < 50
