@@ -61,6 +61,7 @@ from .kernels.tables import (
 from .methods import METHODS
 from .pattern import NO_MATRIX, new_matrix
 from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
+from .stability import quick_limit
 from .system import System, slab
 from .tableaux import RK4
 
@@ -72,6 +73,9 @@ LOW_TOLERANCE = 3e-3
 
 LONG = 200
 """Masses from which on `auto` tries generalized-alpha, too: what it is good at is long rods."""
+
+_NEAR_LIMIT = 0.6
+"""The part of the stability limit from which on a step counts as near it."""
 
 RESCUE_STEP = 1e-3
 """Length of a step of last resort, s."""
@@ -268,6 +272,7 @@ class Solver:
             adams=adams,
             costs=self._costs(low) if info.kind == "auto" else np.zeros(ARMS),
             strictness=np.array([arm.strictness for arm in arms]),
+            near_limit=_NEAR_LIMIT * quick_limit(self.system) if info.kind == "auto" else 0.0,
         )
         bind(self._buffer, self._bound)
 

@@ -170,6 +170,24 @@ class StabilityMeter:
         return max(parts, key=lambda cause: parts[cause])
 
 
+def quick_limit(system: System) -> float:
+    """A step (s) that symplectic Euler and Verlet nearly bear, at the cost of one look at each spring.
+
+    It is 2 / omega with a bound of omega² by the rows of M^-1 K (Gershgorin), of a body without damping that
+    is as long as its springs at rest and straight. Infinite where nothing pulls.
+    """
+    body = system.body
+    pulls = np.zeros(body.masses + 1)
+    stiffness = body.stiffness[: body.springs]
+    for ends in (body.spring_a, body.spring_b):
+        pulls += np.bincount(ends, 2.0 * stiffness, pulls.size)
+        # A joint of two springs in line bends by x1 - 2 x2 + x3.
+        for spring in (body.joint_a, body.joint_b):
+            pulls += np.bincount(ends[spring], 4.0 * body.joint_stiffness, pulls.size)
+    fastest = float((pulls[1:] * np.where(system.held, 0.0, system.inverse_mass)).max())
+    return 2.0 / np.sqrt(fastest) if fastest > 0.0 else np.inf
+
+
 def _flip(weight: float) -> Callable[[Floats, Floats, object], tuple[float, Floats]]:
     """For methods whose limit is an eigenvalue -1, where (dt² k + weight dt c) y = 4 y."""
 

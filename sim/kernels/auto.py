@@ -7,6 +7,8 @@ on. Every step counts, none is a trial: all hold the same tolerance.
 
 from __future__ import annotations
 
+import numpy as np
+
 from .adams import run_adams
 from .alpha import run_alpha
 from .bound import take_bound, take_drive
@@ -31,6 +33,7 @@ from .tables import (
     CLOCK_LAST_BUT_ONE,
     CLOCK_STEP,
     CLOCK_TIME,
+    CONTROL_SCALE,
     COUNT_REJECTED,
     COUNT_STEPS,
     COUNT_WHAT,
@@ -56,6 +59,11 @@ _NEWS = 0.3
 _LONG_STEP = 0.03
 """Seconds that hardly any implicit step is longer than while a body moves, under a tolerance of 1 px; they go
 with its fifth root. Where the best method does as much for the same computing, the others are asked late."""
+
+_WITH_CARE, _SHORT = 0.1, 0.25
+"""What all tolerances are multiplied by while small errors become large ones soon: where a joint is bent by
+more than 90 degrees from rest, beyond which its couple falls off; and where a spring is shorter than that
+part of its rest length, so that it turns round in no time."""
 
 _BEGINNING, _BEGINNING_OF_LONG = 16, 4
 """Verlet's first steps, in which they become as long as they can, and where stability limited any, the next
@@ -91,7 +99,9 @@ def run(buffer, driven, end, attempts):
             b.body, b.live, b.work, drive, b.flow, b.ledger, b.explicit, end, fixed, tolerance, attempts
         )
     elif kind == KIND_VERLET:
-        run_verlet(b.body, b.live, b.work, drive, b.flow, b.ledger, end, fixed, tolerance, attempts)
+        run_verlet(
+            b.body, b.live, b.work, drive, b.flow, b.ledger, end, fixed, tolerance, b.near_limit, attempts
+        )
     elif kind == KIND_ROSENBROCK:
         run_rosenbrock(
             b.body, b.live, b.work, b.matrix, drive, b.flow, b.ledger, b.implicit, end, fixed, tolerance,
@@ -124,7 +134,10 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
         fresh = mind[AUTO_PACE + arm] < 0.0
         limit = min(limit, left)
         began, tried = clock[CLOCK_TIME], count[COUNT_STEPS] + count[COUNT_REJECTED]
-        step, tolerance = mind[AUTO_STEP + arm], max(b.strictness[arm] * whole_tolerance, 1e-13)
+        step, tolerance = mind[AUTO_STEP + arm], b.strictness[arm] * whole_tolerance
+        if _is_delicate(body, live, flow.q):
+            tolerance *= _WITH_CARE
+        tolerance = max(tolerance, 1e-13)
         begins = arm == ARM_ADAMS and arm != int(mind[AUTO_LAST])
         if fresh and step <= 0.0 and arm != ARM_VERLET:
             step = min(4.0 * mind[AUTO_STEP + ARM_VERLET], 0.5 * (end - began))
@@ -133,7 +146,7 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
             step *= _TAKING_OVER
         clock[CLOCK_STEP] = step
         if arm == ARM_VERLET:
-            run_verlet(body, live, work, drive, flow, ledger, end, 0.0, tolerance, limit)
+            run_verlet(body, live, work, drive, flow, ledger, end, 0.0, tolerance, b.near_limit, limit)
         elif arm == ARM_ROSENBROCK:
             run_rosenbrock(
                 body, live, work, matrix, drive, flow, ledger, b.implicit, end, 0.0, tolerance, limit
@@ -214,6 +227,32 @@ def _whose_turn(mind, costs, long_step, held):
     if best == ARM_VERLET and held > _HELD:
         return best, _LONG_TURN
     return best, _TURN if best in (ARM_VERLET, ARM_ADAMS) else _IMPLICIT_TURN
+
+
+@kernel(fastmath=FAST)
+def _is_delicate(body, live, q):
+    """Whether any spring has nearly vanished, or any joint is folded: where A . R(-r) B < 0."""
+    short = _SHORT * live.controls[CONTROL_SCALE]
+    for s in range(body.springs):
+        x, y = _vector(body, q, s)
+        least = short * body.rest_length[s]
+        if x * x + y * y < least * least:
+            return True
+    for j in range(body.joints):
+        ax, ay = _vector(body, q, body.joint_a[j])
+        bx, by = _vector(body, q, body.joint_b[j])
+        cosine, sine = live.couple_cos[j + 1], live.couple_sin[j + 1]
+        if cosine * (ax * bx + ay * by) + sine * (ax * by - ay * bx) < 0.0:
+            return True
+    return False
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _vector(body, q, spring):
+    """From the mass that a spring begins at to the one that it ends at."""
+    y = np.uint64(q.size // 2)
+    begin, end = np.uint64(body.spring_a[spring]), np.uint64(body.spring_b[spring])
+    return q[end] - q[begin], q[y + end] - q[y + begin]
 
 
 @kernel(forceinline=True)

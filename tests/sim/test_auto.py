@@ -3,11 +3,24 @@
 from __future__ import annotations
 
 import msgspec
+import numpy as np
 import pytest
 
 import sim
 from sim import Integrator, Simulation
 from sim.simulation import Effort
+
+
+def test_far_from_its_limit_verlet_leaves_most_of_the_tolerance_to_what_may_come() -> None:
+    """All steps of a rope that swings calmly are limited by their errors, which must not add up to it."""
+    ends = []
+    for method, tolerance in (("auto", 0.1), ("dop853", 1e-6)):
+        integrator = Integrator(method=method, tolerance=tolerance, dt=1.0)
+        scene = msgspec.structs.replace(sim.load_scene("study-w1"), integrator=integrator)
+        simulation = Simulation(scene)
+        assert simulation.step() == 1
+        ends.append(simulation.positions)
+    assert np.hypot(*(ends[0] - ends[1]).T).max() < 0.01
 
 
 def effort_of(name: str, tolerance: float) -> Effort:

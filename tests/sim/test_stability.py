@@ -12,6 +12,8 @@ import pytest
 import sim
 from sim import Scene, Simulation
 from sim.scene import ForceLaw
+from sim.stability import quick_limit
+from sim.system import build_system
 from tests.sim.amplification import dynamics, exact_limit, spectral_radius
 from tests.sim.bodies import LAWS, body
 from tests.sim.builders import chain, euler, row, tangle, tutorial_preset
@@ -99,6 +101,40 @@ def test_air_friction_limits_the_step_of_a_fast_mass() -> None:
     estimate = Simulation(scene).stability()
     assert estimate.limit == pytest.approx(2.0 * 2.0 / (2.0 * 0.5 * 300.0), rel=1e-6)
     assert estimate.cause == "air friction"
+
+
+# ------------------------------------------------------------------------- at a glance
+def quick(scene: Scene) -> float:
+    return quick_limit(build_system(scene))
+
+
+@pytest.mark.parametrize("angular", [0.0, 800.0])
+@pytest.mark.parametrize("count", [3, 5, 10, 30])
+def test_quick_limit_of_a_straight_body_is_on_the_safe_side(count: int, angular: float) -> None:
+    scene = chain(row(count), stiffness=3000.0, angular_stiffness=angular, mass=0.5, held=(0,))
+    exact = Simulation(scene).stability().limit
+    assert 0.5 * exact < quick(scene) < 1.001 * exact
+
+
+def test_quick_limit_by_hand() -> None:
+    # The mass in the middle of a long row: two springs, and three joints bend there by 1, -2 and 1.
+    scene = chain(row(9), stiffness=3000.0, angular_stiffness=800.0, mass=0.5)
+    assert quick(scene) == pytest.approx(2.0 / math.sqrt((4.0 * 3000.0 + 16.0 * 800.0) / 0.5))
+    assert quick(chain(row(2), stiffness=3000.0, mass=0.5)) == pytest.approx(
+        2.0 / math.sqrt(2.0 * 3000.0 / 0.5)
+    )
+
+
+@pytest.mark.parametrize("preset", ["ring", "box", "hair-tuft", "flag-pole", "study-cloth", "study-tree"])
+def test_quick_limit_of_presets(preset: str) -> None:
+    scene = REPLACE(sim.load_scene(preset), integrator=euler())
+    exact = Simulation(scene).stability().limit
+    assert 0.4 * exact < quick(scene) < 1.2 * exact
+
+
+def test_quick_limit_where_nothing_pulls_or_moves() -> None:
+    assert quick(chain(row(3))) == math.inf
+    assert quick(chain(row(3), stiffness=1.0, held=(0, 1, 2))) == math.inf
 
 
 # ------------------------------------------------------------------------- against dense matrices
