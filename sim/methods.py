@@ -83,7 +83,7 @@ _ALL = (
         "adams", "Adams", "adams", 9, True, False,
         "Error-controlled, by a polynomial through past accelerations: two evaluations a step; for small "
         "errors of what moves smoothly.",
-        multistep.adams(PAST - 1), 0.9,
+        multistep.adams(PAST - 1), 0.85,
     ),
     MethodInfo(
         "rodas4", "RODAS 4", "rosenbrock", 4, True, True,

@@ -2,7 +2,9 @@
 
 Positions and velocities are integrals of the polynomial; it is continued to predict them, and corrected with
 the accelerations there (predict, evaluate, correct, evaluate: Shampine & Gordon, 1975). Past accelerations
-are kept as they are, at equal distances in time, and interpolated anew where the step changes.
+are kept as they are, at equal distances in time, and interpolated anew where the step changes. High degrees
+are the best for what is smooth, and worse than low ones for what is rough, as where friction of air has a
+kink: so where a step fails, and now and then, the degrees beside the present one are weighed.
 """
 
 from __future__ import annotations
@@ -30,6 +32,8 @@ from .steps import (
 from .tables import (
     CLOCK_DEGREE,
     CLOCK_HEAD,
+    CLOCK_KNOWN,
+    CLOCK_MOST,
     CLOCK_PAST,
     CLOCK_SINCE,
     CLOCK_SPACING,
@@ -64,6 +68,10 @@ _PATIENCE = 4
 _LITTLE, _MUCH = 0.06, 0.6
 """Errors, in tolerances, above and below which the step is about right."""
 
+_LEAST, _WEIGHED = 3, 16
+"""The least degree that is gone on with; and the steps since a change after which the degrees beside the
+present one are weighed."""
+
 _BESIDE = 1.0 + 1e-12
 """A factor that moves a point off those that are known, where the formula divides by nothing."""
 
@@ -76,10 +84,10 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
     q, v, past, rows = flow.q, flow.v, flow.past, flow.rows
     to_q, to_v, to_a, ahead = rows[0], rows[1], rows[2], rows[3]
     t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
-    degree, head, since, spacing = 0, 0, 0, 0.0
+    degree, most, known, head, since, spacing = 0, method.degree, 1, 0, 0, 0.0
     if clock[CLOCK_PAST] == t:
         degree, head, since = int(clock[CLOCK_DEGREE]), int(clock[CLOCK_HEAD]), int(clock[CLOCK_SINCE])
-        spacing = clock[CLOCK_SPACING]
+        most, known, spacing = int(clock[CLOCK_MOST]), int(clock[CLOCK_KNOWN]), clock[CLOCK_SPACING]
     else:
         for j in range(1, q.size - SPARE):
             past[0, j] = flow.a[j]
@@ -94,6 +102,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
             step = rest / max(math.ceil(rest / h - 1e-6), 1)
         if degree > 0 and abs(step - spacing) > 1e-9 * spacing:
             _space(past, head, method, degree, step / spacing, rows)
+            known = degree + 1
         spacing = step
         _predict(q, v, past, head, method, degree, step, to_q, to_v, ahead)
         if drive.moving:
@@ -101,16 +110,19 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
         accelerations(body, live, work, to_q, to_v, to_a)
         by_q, by_v = step * step * method.to_position[degree], step * method.to_velocity[degree]
         change, far, fast, moved = _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
-        error = method.error[degree] * step * step * from_bits(change)
-        error /= max(step, min(_SPAN, _SHORT * step)) * tolerance
+        scale = step * step / (max(step, min(_SPAN, _SHORT * step)) * tolerance)
+        error = scale * method.error[degree] * from_bits(change)
         if not error < HOPELESS:
             error = HOPELESS
         good = error <= 1.0
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, flow, to_q, to_v, step < WORTH_SHORTENING)
         if good and stays_gentle(body, live, q, to_q, step, from_bits(moved), shortest):
+            if degree == most and since % _WEIGHED == _WEIGHED - 1:
+                most, error = _best_degree(past, head, known, method, degree, scale, error, to_a)
             # The oldest of the past is not asked again.
             head = (head - 1) & (PAST - 1)
+            known = min(known + 1, PAST)
             accelerations(body, live, work, to_q, to_v, past[head])
             shortest = shortest_of(body, work)
             steps += 1
@@ -123,7 +135,8 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
                 swaps += 1
             t = end if step == rest else t + step
             since, failures = since + 1, 0
-            rising = degree < method.degree
+            degree = min(degree, most)
+            rising = degree < most
             factor = 1.0
             if rising or error > _MUCH or (error < _LITTLE and since > _PATIENCE):  # powers take time
                 factor = min(
@@ -139,6 +152,9 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
             if drive.pressed:
                 drive_to(body, live, drive, t, q, v)
             since, failures = 0, failures + 1
+            if degree == most and error > 1.0:
+                most, error = _best_degree(past, head, 0, method, degree, scale, error, to_a)
+                degree = most
             h = step * min(0.5, max(0.2, 0.9 * max(error, 2.0) ** (-1.0 / (degree + 2.0))))
             if failures > 2:
                 degree = 0  # the past tells nothing of what is to come
@@ -155,6 +171,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
     clock[CLOCK_TIME], clock[CLOCK_STEP] = t, h
     clock[CLOCK_PAST], clock[CLOCK_SPACING] = t, spacing
     clock[CLOCK_DEGREE], clock[CLOCK_HEAD], clock[CLOCK_SINCE] = degree, head, since
+    clock[CLOCK_MOST], clock[CLOCK_KNOWN] = most, known
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
@@ -192,6 +209,48 @@ def _correct(q, by_q, by_v, to_a, ahead, to_q, to_v):
         fast = max(fast, size_bits(speed))
         moved = max(moved, size_bits(place - q[j]))
     return change, far, fast, moved
+
+
+@kernel(fastmath=FAST)
+def _best_degree(past, head, known, method, degree, scale, error, to_a):
+    """(degree, error): of the present one and those beside it, the one whose steps could be the longest.
+
+    Args:
+        known: rows of the past that a higher degree could go by.
+        scale: what turns a difference of accelerations into an error.
+        error: of this step, with the present degree.
+        to_a: the accelerations that were expected.
+    """
+    best, least, stride = degree, error, _stride(error, degree)
+    if degree > _LEAST:
+        lower = scale * method.error[degree - 1] * _off(past, head, method, degree - 1, to_a)
+        if _stride(lower, degree - 1) > stride:
+            best, least, stride = degree - 1, lower, _stride(lower, degree - 1)
+    if degree < method.degree and known > degree + 1:
+        higher = scale * method.error[degree + 1] * _off(past, head, method, degree + 1, to_a)
+        if _stride(higher, degree + 1) > stride:
+            best, least = degree + 1, higher
+    return best, least
+
+
+@kernel(forceinline=True)
+def _stride(error, degree):
+    """How many times its length a step would have the error of the tolerance."""
+    return max(error, 1e-12) ** (-1.0 / (degree + 2.0))
+
+
+@kernel(apart=True, fastmath=FAST)
+def _off(past, head, method, degree, to_a):
+    """By how much an acceleration is off at most that a degree expects."""
+    w, largest = method.ahead[degree], 0
+    w0, w1, w2, w3, w4, w5, w6, w7 = w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]
+    a0, a1, a2, a3 = past[head], past[_row(head, 1)], past[_row(head, 2)], past[_row(head, 3)]
+    a4, a5, a6, a7 = past[_row(head, 4)], past[_row(head, 5)], past[_row(head, 6)], past[_row(head, 7)]
+    for j in range(1, to_a.size - SPARE):
+        low = w0 * a0[j] + w1 * a1[j] + w2 * a2[j] + w3 * a3[j]
+        off = to_a[j] - low - (w4 * a4[j] + w5 * a5[j] + w6 * a6[j] + w7 * a7[j])
+        largest = max(largest, size_bits(off))
+    return from_bits(largest)
 
 
 @kernel(forceinline=True)

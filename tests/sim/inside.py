@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 from sim.kernels.forces import internal_forces
-from sim.stepping import stepper_for
+from sim.kernels.tables import CLOCK_DEGREE
+from sim.stepping import FlowStepper, stepper_for
 from sim.system import System
 
 Points = NDArray[np.float64]
@@ -17,6 +18,13 @@ Points = NDArray[np.float64]
 
 def system_of(simulation: Simulation) -> System:
     return simulation._system
+
+
+def adams_degree(simulation: Simulation) -> int:
+    """The degree that Adams' methods went on with in the last step."""
+    stepper = simulation._stepper
+    assert isinstance(stepper, FlowStepper)
+    return int(stepper.solver.flow.clock[CLOCK_DEGREE])
 
 
 def is_chain(simulation: Simulation) -> bool:

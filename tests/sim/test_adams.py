@@ -1,0 +1,48 @@
+"""Adams' methods choose their degree by what moves."""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Integrator, Simulation
+from tests.sim.inside import adams_degree
+
+REPLACE = msgspec.structs.replace
+PARTS = 100
+
+
+def moved(name: str, tolerance: float, **changes: float) -> tuple[Simulation, list[int]]:
+    """A scene after a second of `adams`, and the degrees on the way."""
+    integrator = Integrator(method="adams", tolerance=tolerance, dt=1.0 / PARTS)
+    simulation = Simulation(REPLACE(sim.load_scene(name), integrator=integrator, **changes))
+    degrees = []
+    for _ in range(PARTS):
+        assert simulation.step() == 1
+        degrees.append(adams_degree(simulation))
+    return simulation, degrees
+
+
+def test_what_is_smooth_is_followed_by_high_degrees() -> None:
+    _, degrees = moved("study-w1", 1e-6, air_friction=0.0)
+    assert np.mean(degrees) > 6.0
+
+
+def test_what_is_rough_is_followed_by_low_degrees() -> None:
+    # Air friction that has a kink wherever a velocity changes its sign, and joints that fold.
+    _, degrees = moved("study-w5", 1e-6)
+    assert np.mean(degrees) < 6.0
+    assert min(degrees) >= 3
+
+
+@pytest.mark.parametrize("name", ["study-w1", "study-w2"])
+def test_errors_keep_to_the_tolerance_whatever_the_degrees(name: str) -> None:
+    exact = Simulation(
+        REPLACE(sim.load_scene(name), integrator=Integrator(method="dop853", tolerance=1e-10, dt=1.0))
+    )
+    assert exact.step() == 1
+    for tolerance in (1e-2, 1e-4, 1e-6):
+        simulation, _ = moved(name, tolerance)
+        assert np.hypot(*(simulation.positions - exact.positions).T).max() < tolerance
