@@ -233,6 +233,8 @@ def _whose_turn(mind, costs, long_step, held):
 def _is_delicate(body, live, q):
     """Whether any spring has nearly vanished, or any joint is folded: where A . R(-r) B < 0."""
     short = _SHORT * live.controls[CONTROL_SCALE]
+    if body.chain:
+        return _chain_is_delicate(body, live, q, short)
     for s in range(body.springs):
         x, y = _vector(body, q, s)
         least = short * body.rest_length[s]
@@ -245,6 +247,20 @@ def _is_delicate(body, live, q):
         if cosine * (ax * bx + ay * by) + sine * (ax * by - ay * bx) < 0.0:
             return True
     return False
+
+
+@kernel(apart=True, fastmath=FAST)
+def _chain_is_delicate(body, live, q, short):
+    """All springs and joints at once: padding ones have no length and no couple."""
+    places = q.size // 2
+    x, y, cosine, sine = q[:places], q[places:], live.couple_cos, live.couple_sin
+    delicate = 0
+    for s in range(body.stiffness.size):
+        ax, ay, bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1], x[s + 3] - x[s + 2], y[s + 3] - y[s + 2]
+        least = short * body.rest_length[s]
+        folded = cosine[s + 1] * (ax * bx + ay * by) + sine[s + 1] * (ax * by - ay * bx) < 0.0
+        delicate += (ax * ax + ay * ay < least * least) or folded
+    return delicate > 0
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -237,12 +237,12 @@ CLOCK_HELD = 12
 CLOCK_CONTRACTION = 13
 """Place in `Flow.clock`: how large a second move of Newton's method is for the square of the first, 1/px; 0
 where unknown."""
-CLOCK_MOST, CLOCK_KNOWN = 15, 16
-"""Places in `Flow.clock`, of Adams' methods: the degree to rise to; and how many rows of `Flow.past`, from
-the latest on, are at the present spacing."""
 CLOCK_CUBE = 14
 """Place in `Flow.clock`: a product of three spans of time, s³, that the error of generalized-alpha's last
 prediction goes with; 0 where it is not known."""
+CLOCK_MOST, CLOCK_KNOWN = 15, 16
+"""Places in `Flow.clock`, of Adams' methods: the degree to rise to; and how many rows of `Flow.past`, from
+the latest on, are at the present spacing."""
 CLOCKS = 17
 
 ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_ADAMS = 0, 1, 2, 3
