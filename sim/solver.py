@@ -282,8 +282,9 @@ class Solver:
         n = body.masses
         force, factors = 3.3 * n, 500.0 + 25.0 * n
         blocks = 2.7 * n
-        if not body.chain:
+        if not (body.chain or body.ring):
             force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
+        if not body.chain:
             later = matrix.row_start[1:] - matrix.diagonal - 1
             products = float((later * (later + 1)).sum())
             factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * products

@@ -57,16 +57,17 @@ def build_system(scene: Scene) -> System:
     """Build the tables of a valid scene.
 
     A chain is a body whose springs run head to tail through all masses, and whose angular springs each
-    hold a spring and the next one; its masses and springs may be listed in any order.
+    hold a spring and the next one; its masses and springs may be listed in any order. A ring is one that
+    comes back to where it began.
     """
-    chain = _chain_order(scene)
+    order = _order_along(scene)
     n = len(scene.masses)
-    mass_order, spring_order = chain or (list(range(n)), list(range(len(scene.linear_springs))))
+    mass_order, spring_order = order or (list(range(n)), list(range(len(scene.linear_springs))))
     mass_place = np.empty(n, np.int64)
     mass_place[mass_order] = np.arange(1, n + 1)
     spring_place = np.empty(len(spring_order), np.int64)
     spring_place[spring_order] = np.arange(len(spring_order))
-    body, joint_order = _body(scene, mass_place, spring_order, spring_place, chain is not None)
+    body, joint_order = _body(scene, mass_place, spring_order, spring_place, order is not None)
     held = np.zeros(n, np.bool_)
     for anchor in scene.anchors:
         held[mass_place[anchor.mass] - 1] = True
@@ -151,34 +152,38 @@ def new_work(system: System) -> Work:
     return Work(*slab([(room, first.get(field, 0)) for field in Work._fields], page_offset=2560))
 
 
-def _chain_order(scene: Scene) -> tuple[list[int], list[int]] | None:
-    """(masses, springs) in the order of the chain, or None where the body is not one chain."""
+def _order_along(scene: Scene) -> tuple[list[int], list[int]] | None:
+    """(masses, springs) as they follow each other, or None where the body is neither a chain nor a ring."""
     n, springs = len(scene.masses), scene.linear_springs
-    if len(springs) != n - 1 or n < 2:
+    closed = len(springs) == n
+    if n < (3 if closed else 2) or not (closed or len(springs) == n - 1):
         return None
     leaving = {spring.a: s for s, spring in enumerate(springs)}
     entered = {spring.b for spring in springs}
-    if len(leaving) != n - 1 or len(entered) != n - 1:
+    if len(leaving) != len(springs) or len(entered) != len(springs):
         return None
-    (mass,) = set(range(n)) - entered
+    mass = 0 if closed else (set(range(n)) - entered).pop()
     mass_order, spring_order = [mass], []
-    while mass in leaving and len(spring_order) < n:
+    while mass in leaving and len(mass_order) < n:
         s = leaving[mass]
         mass = springs[s].b
         spring_order.append(s)
         mass_order.append(mass)
-    if len(mass_order) != n:
-        return None  # a ring beside a chain
+    if len(set(mass_order)) != n:
+        return None  # a ring beside something else
+    if closed:
+        spring_order.append(leaving[mass])
     place = {s: i for i, s in enumerate(spring_order)}
-    if any(place[joint.b] != place[joint.a] + 1 for joint in scene.angular_springs):
+    if any(place[joint.b] != (place[joint.a] + 1) % n for joint in scene.angular_springs):
         return None
     return mass_order, spring_order
 
 
 def _body(
-    scene: Scene, mass_place: Indices, spring_order: list[int], spring_place: Indices, is_chain: bool
+    scene: Scene, mass_place: Indices, spring_order: list[int], spring_place: Indices, in_order: bool
 ) -> tuple[Body, Indices]:
     n, springs = len(scene.masses), [scene.linear_springs[s] for s in spring_order]
+    ring = in_order and len(springs) == n
     # As many springs as masses at least: the chain's loops over masses have the same length.
     room = padded(max(len(springs), n))
     stiffness, damping, rest = slab([(room, 0)] * 3, page_offset=1536)
@@ -192,13 +197,13 @@ def _body(
     rest_angle = np.array([joint.rest_angle for joint in scene.angular_springs], float)
     resistance = np.array([joint.damping for joint in scene.angular_springs], float)
     joint_order = np.arange(joint_a.size)
-    if is_chain and joint_a.size:
+    if in_order and joint_a.size:
         joint_order = joint_a
-        joints = max(0, len(springs) - 1)
+        joints = n if ring else n - 2
         by_place = np.zeros((3, joints))
         by_place[:, joint_a] = strength, rest_angle, resistance
         strength, rest_angle, resistance = by_place.copy()
-        joint_a, joint_b = np.arange(joints), np.arange(joints) + 1
+        joint_a, joint_b = np.arange(joints), (np.arange(joints) + 1) % len(springs)
     joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
         joint_b, joint_a, len(springs), first=1, nothing=0
     )
@@ -207,13 +212,16 @@ def _body(
     )
     couple_size, couple_damping = np.zeros((2, max(joint_a.size, room) + 1))
     couple_size[1 : joint_a.size + 1], couple_damping[1 : joint_a.size + 1] = strength, resistance
+    if ring and joint_a.size:
+        couple_size[0] = strength[-1]
     body = Body(
         masses=n,
         springs=len(springs),
         joints=joint_a.size,
         damped=bool(damping.any()),
         twisted=bool(resistance.any()),
-        chain=is_chain,
+        chain=in_order and not ring,
+        ring=ring,
         law=_LAWS[scene.force_law] if joint_a.size else NO_JOINTS,
         softening=_softening(scene),
         spring_a=spring_a,

@@ -39,6 +39,7 @@ def weakened(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> B
         limit = _joint_limit(body, free)
         joint_stiffness = np.minimum(joint_stiffness, limit / dt**2)
         size[1 : body.joints + 1] = joint_stiffness
+        size[0] = joint_stiffness[-1] if body.ring else 0.0
         resistance[1 : body.joints + 1] = np.minimum(resistance[1 : body.joints + 1], limit / dt)
     for table in (stiffness, damping, joint_stiffness, size, resistance):
         table.setflags(write=False)  # like the others: a kernel is compiled once

@@ -30,6 +30,9 @@ def refresh(body, live):
         live.couple_cos[j + 1] = body.joint_stiffness[j] * math.cos(rest)
         live.couple_sin[j + 1] = body.joint_stiffness[j] * math.sin(rest)
         live.couple_rest[j + 1] = rest
+    if body.ring:
+        live.couple_cos[0] = live.couple_cos[body.joints]
+        live.couple_sin[0] = live.couple_sin[body.joints]
 
 
 @kernel(inner=True)

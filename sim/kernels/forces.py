@@ -192,7 +192,10 @@ def accelerations(body, live, work, q, v, a):
     places = q.size // 2
     x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
     # What most bodies need is compiled into each integrator, since a call costs more than a short chain.
-    if body.chain and body.law != ANGLE and not body.twisted:
+    if (body.chain or body.ring) and body.law != ANGLE and not body.twisted:
+        if body.ring:
+            _close_ring(body.masses, q)
+            _close_ring(body.masses, v)
         chain_tensions(body, live, work, x, y, vx, vy)
         springs = body.stiffness.size
         tx, ty = work.tx, work.ty
@@ -202,8 +205,27 @@ def accelerations(body, live, work, q, v, a):
             ax[i] = (tx[i] - tx[i + 1]) * w[i] - air[i] * (vx[i] * abs(vx[i])) + gx[i]
         for i in range(1, springs + 1):
             ay[i] = (ty[i] - ty[i + 1]) * w[i] - air[i] * (vy[i] * abs(vy[i])) + gy[i]
+        if body.ring:
+            _open_ring(body.masses, q)
+            _open_ring(body.masses, v)
     else:
         any_accelerations(body, live, work, x, y, vx, vy, a)
+
+
+@kernel(forceinline=True)
+def _close_ring(masses, flat):
+    """Let the last mass of a ring stand before the first, and the first two behind the last."""
+    for x in (0, flat.size // 2):
+        behind = x + masses + 1
+        flat[x], flat[behind], flat[behind + 1] = flat[behind - 1], flat[x + 1], flat[x + 2]
+
+
+@kernel(forceinline=True)
+def _open_ring(masses, flat):
+    """Make those padding again: what is solved for, and how far off it is, is asked of all places alike."""
+    for x in (0, flat.size // 2):
+        behind = x + masses + 1
+        flat[x] = flat[behind] = flat[behind + 1] = 0.0
 
 
 @kernel(inner=True, fastmath=FAST)
@@ -220,7 +242,10 @@ def any_accelerations(body, live, work, x, y, vx, vy, a):
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
 def chain_tensions(body, live, work, x, y, vx, vy):
-    """The force on the b end of every spring of a chain, at the place of the mass there: s + 2."""
+    """The force on the b end of every spring of a chain, at the place of the mass there: s + 2.
+
+    In a ring, the last of them is at place 1, too.
+    """
     springs, soft = body.stiffness.size, body.softening  # padded
     inverse, tx, ty = work.inverse, work.tx, work.ty
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
@@ -234,6 +259,8 @@ def chain_tensions(body, live, work, x, y, vx, vy):
             inv = 1.0 / math.sqrt(square)
             inverse[s] = inv
             length[s + 1] = square * inv
+        if body.ring:
+            length[0], length[body.springs + 1] = length[body.springs], length[1]
         for s in range(springs):
             bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
             inv = inverse[s]
@@ -270,3 +297,5 @@ def chain_tensions(body, live, work, x, y, vx, vy):
             along = pull[s] * inv - stiffness[s] - damping[s] * rate * (inv * inv)
             tx[s + 2] = along * bx
             ty[s + 2] = along * by
+    if body.ring:
+        tx[1], ty[1] = tx[body.springs + 1], ty[body.springs + 1]

@@ -23,7 +23,8 @@ Indices = NDArray[np.int64]
 class Body(NamedTuple):
     """Read-only: how masses are joined, and the springs' constants. S springs, J joints, n masses.
 
-    In a chain, spring s joins the masses at places s + 1 and s + 2, and joint j holds springs j and j + 1.
+    In a chain, spring s joins the masses at places s + 1 and s + 2, and joint j holds springs j and j + 1. So
+    it does in a ring, where the mass at place n + 1 is the first one again, and the spring n the first one.
     """
 
     masses: int
@@ -32,6 +33,7 @@ class Body(NamedTuple):
     damped: bool  # any linear spring has damping
     twisted: bool  # any angular spring has damping
     chain: bool  # the springs run head to tail through all masses, in order
+    ring: bool  # so they do, and back to the first
     law: int  # NO_JOINTS, TUTORIAL, CONSERVATIVE or ANGLE
     softening: float  # px²; the length of a spring with vector L is sqrt(L² + softening)
     spring_a: Indices  # (S,) mass at the start of each spring
@@ -43,7 +45,7 @@ class Body(NamedTuple):
     joint_b: Indices
     joint_stiffness: Floats  # (J,) kg/s²
     joint_rest: Floats  # (J,) degrees, before the shift
-    couple_size: Floats  # stiffness of joint j at place j + 1, kg/s²; zero where there is none
+    couple_size: Floats  # stiffness of joint j at place j + 1, kg/s²; at place 0 a ring's last, or zero
     couple_damping: Floats  # damping of joint j at place j + 1, kg/s
     # The couple of a joint acts on its spring a with one sign and on its spring b with the other. Each spring
     # names the place of one joint of which it is b and one of which it is a (0 where there is none: a
@@ -70,7 +72,7 @@ class Live(NamedTuple):
     vy: Floats
     controls: Floats  # rest_length_scale, rest_angle_shift (degrees)
     pull: Floats  # (S padded) stiffness * rest length now
-    couple_cos: Floats  # stiffness * cos(rest angle now), that of joint j at place j + 1
+    couple_cos: Floats  # stiffness * cos(rest angle now), that of joint j at place j + 1; place 0 as above
     couple_sin: Floats
     couple_rest: Floats  # rest angle now, radians, that of joint j at place j + 1
     # What acts on each mass beside the springs; all zero for a mass that is held.

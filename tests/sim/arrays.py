@@ -37,7 +37,9 @@ class Arrays:
         simulation = Simulation(scene)
         self.system = simulation._system
         if general:
-            self.system = dataclasses.replace(self.system, body=self.system.body._replace(chain=False))
+            self.system = dataclasses.replace(
+                self.system, body=self.system.body._replace(chain=False, ring=False)
+            )
         self.body, self.live, self.work = self.system.body, simulation._live, simulation._work
         self.solver = Solver(scene, self.system, self.live, self.work)
         self.solver.load(0.0)

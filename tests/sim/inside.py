@@ -32,9 +32,14 @@ def is_chain(simulation: Simulation) -> bool:
     return simulation._body.chain
 
 
+def is_ring(simulation: Simulation) -> bool:
+    """Whether the simulation takes the fast path for rings."""
+    return simulation._body.ring
+
+
 def general(simulation: Simulation) -> Simulation:
     """The same simulation, made to take the path for any topology."""
-    body = simulation._body._replace(chain=False)
+    body = simulation._body._replace(chain=False, ring=False)
     simulation._body = body
     simulation._system = dataclasses.replace(simulation._system, body=body)
     simulation._stepper = stepper_for(

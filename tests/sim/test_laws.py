@@ -77,14 +77,15 @@ def test_accelerations_are_those_of_the_equations(shape: str, law: ForceLaw, dam
 @pytest.mark.parametrize("damping", DAMPINGS)
 @pytest.mark.parametrize("joints", [True, False])
 @pytest.mark.parametrize("law", LAWS)
-def test_a_chain_is_accelerated_alike_on_both_paths(
-    law: ForceLaw, joints: bool, damping: dict[str, Any]
+@pytest.mark.parametrize("shape", ["chain", "ring"])
+def test_a_chain_or_ring_is_accelerated_alike_on_both_paths(
+    shape: str, law: ForceLaw, joints: bool, damping: dict[str, Any]
 ) -> None:
     for seed in range(3):
-        scene = body("chain", law, seed, held=(0,), joints=joints, **damping)
+        scene = body(shape, law, seed, held=(0,), joints=joints, **damping)
         fast, slow = Arrays(scene), Arrays(scene, general=True)
-        assert fast.body.chain
-        assert not slow.body.chain
+        assert (fast.body.chain, fast.body.ring) == (shape == "chain", shape == "ring")
+        assert not (slow.body.chain or slow.body.ring)
         one, other = (arrays.accelerations(arrays.q, arrays.v) for arrays in (fast, slow))
         assert np.abs(one - other).max() <= 1e-13 * np.abs(one).max()
 

@@ -1,16 +1,20 @@
-"""Which bodies take the fast path for chains, in whatever order they are listed."""
+"""Which bodies take the fast paths for chains and rings, in whatever order they are listed."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import msgspec
 import numpy as np
 import pytest
 
 import sim
-from sim import Anchor, Integrator, Scene, Simulation
-from sim.scene import Method
+from sim import Anchor, AngularSpring, ArrowKeys, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.kernels.forces import accelerations
+from sim.scene import ForceLaw, Method
+from tests.sim.arrays import Arrays
 from tests.sim.builders import chain, row
-from tests.sim.inside import general, is_chain
+from tests.sim.inside import general, is_chain, is_ring
 
 REPLACE = msgspec.structs.replace
 
@@ -83,9 +87,10 @@ def test_what_is_not_one_chain_takes_the_general_path() -> None:
     branch = REPLACE(others[3], angular_springs=joints[:-1])
     assert not is_chain(Simulation(branch))
     # A ring and a single mass have as many springs as a chain has.
-    ring = chain([*row(3), (50.0, 50.0)], stiffness=1.0)
-    ring = REPLACE(ring, linear_springs=(*ring.linear_springs[:2], REPLACE(ring.linear_springs[2], a=2, b=0)))
-    assert not is_chain(Simulation(ring))
+    single = chain([*row(3), (50.0, 50.0)], stiffness=1.0)
+    springs = single.linear_springs
+    single = REPLACE(single, linear_springs=(*springs[:2], REPLACE(springs[2], a=2, b=0)))
+    assert not is_chain(Simulation(single))
 
 
 @pytest.mark.parametrize("held", [(0,), (9,), (4,), (0, 6), ()])
@@ -116,3 +121,116 @@ def test_a_chain_moves_like_any_other_body(method: Method, held: tuple[int, ...]
     if method == "generalized_alpha":
         # Where they are must not depend on the way, but how soon Newton's method is there does.
         assert one.effort() == other.effort()
+
+
+def ring(n: int, **settings: Any) -> Scene:
+    """A ring of n masses and as many joints, no two alike, in the middle of a motion."""
+    rng = np.random.default_rng(n)
+    turns = 2.0 * np.pi * np.arange(n) / n
+    places = np.column_stack((np.cos(turns), np.sin(turns))) * 8.0 * n + rng.uniform(-4.0, 4.0, (n, 2))
+    speeds = rng.normal(0.0, 50.0, (n, 2))
+    return Scene(
+        name="ring",
+        masses=tuple(
+            Mass(position=(x, y), velocity=(u, v), mass=float(rng.uniform(0.5, 2.0)))
+            for (x, y), (u, v) in zip(places.tolist(), speeds.tolist(), strict=True)
+        ),
+        linear_springs=tuple(
+            LinearSpring(
+                a=i, b=(i + 1) % n, stiffness=float(rng.uniform(2e3, 4e3)), damping=5.0, rest_length=50.0
+            )
+            for i in range(n)
+        ),
+        angular_springs=tuple(
+            AngularSpring(
+                a=i, b=(i + 1) % n, stiffness=float(rng.uniform(500.0, 900.0)), rest_angle=360.0 / n
+            )
+            for i in range(n)
+        ),
+        anchors=(Anchor(mass=1),),
+        gravity=(0.0, 300.0),
+        air_friction=0.01,
+        arrow_keys=ArrowKeys(rest_angle_step=3.0),
+        **settings,
+    )
+
+
+@pytest.mark.parametrize("count", [3, 4, 7, 8, 9, 24])
+@pytest.mark.parametrize("law", ["conservative", "tutorial", None])
+def test_a_ring_is_accelerated_like_any_other_body(law: ForceLaw | None, count: int) -> None:
+    scene = ring(count, force_law=law or "conservative")
+    if law is None:
+        scene = REPLACE(scene, angular_springs=())
+    one, other = Arrays(scene), Arrays(scene, general=True)
+    assert one.body.ring
+    q, v = one.q.copy(), one.v.copy()
+    places = np.setdiff1d(np.arange(q.size), one.here)
+    a = np.zeros_like(q)
+    accelerations(one.body, one.live, one.work, q, v, a)
+    expected = other.accelerations(other.q, other.v)
+    assert a[one.here] == pytest.approx(expected, rel=1e-12, abs=1e-12 * float(np.abs(expected).max()))
+    # Padding must not pass for masses.
+    assert not np.array((q, v, a))[:, places].any()
+    assert np.array_equal(q, other.q)
+    assert np.array_equal(v, other.v)
+
+
+@pytest.mark.parametrize("count", [3, 8, 13])
+@pytest.mark.parametrize(
+    "method", ["velocity_verlet", "dopri5", "rodas4", "adams", "generalized_alpha", "auto"]
+)
+def test_a_ring_moves_like_any_other_body(method: Method, count: int) -> None:
+    scene = ring(count, integrator=Integrator(method=method, dt=0.001, tolerance=1e-7))
+    one, other = Simulation(scene), general(Simulation(scene))
+    assert is_ring(one)
+    assert not is_ring(other)
+    for simulation in (one, other):
+        simulation.step(5)
+        # All rest angles change, also that of the joint between the last spring and the first one.
+        simulation.keys = {"right"}
+        simulation.step(5)
+        simulation.keys = ()
+        simulation.step(20)
+    start = np.array([mass.position for mass in scene.masses])
+    assert np.abs(one.positions - start).max() > 3.0
+    assert one.positions == pytest.approx(other.positions, abs=2e-6)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_ring_is_a_ring_in_whatever_order_it_is_listed(seed: int) -> None:
+    scene = ring(11, integrator=Integrator(method="adams", tolerance=1e-7))
+    changed, place = shuffled(scene, seed)
+    one, other = Simulation(scene), Simulation(changed)
+    assert is_ring(other)
+    one.step(20)
+    other.step(20)
+    # Where it begins decides in which order numbers are added.
+    assert one.positions == pytest.approx(other.positions[place], abs=1e-6)
+    assert sorted(one.angles) == pytest.approx(sorted(other.angles), abs=1e-6)
+
+
+def test_what_is_not_one_ring_takes_the_general_path() -> None:
+    scene = ring(6)
+    springs, joints = scene.linear_springs, scene.angular_springs
+    assert is_ring(Simulation(REPLACE(scene, angular_springs=joints[:3] + joints[4:])))
+    back = [1, 2, 0, 4, 5, 3]
+    others = {
+        "two rings": REPLACE(
+            scene,
+            linear_springs=tuple(REPLACE(s, b=b) for s, b in zip(springs, back, strict=True)),
+            angular_springs=(joints[0], joints[1], joints[3], joints[4]),
+        ),
+        "a spring against the others": REPLACE(
+            scene, linear_springs=(*springs[:-1], REPLACE(springs[-1], a=0, b=5))
+        ),
+        "a joint turned round": REPLACE(scene, angular_springs=(REPLACE(joints[0], a=1, b=0), *joints[1:])),
+        "a ring with a tail": REPLACE(
+            scene, linear_springs=(*springs[:-1], REPLACE(springs[-1], b=2)), angular_springs=joints[:-1]
+        ),
+        "a spring across": REPLACE(
+            scene, linear_springs=(*springs, LinearSpring(a=0, b=3, stiffness=1.0, rest_length=50.0))
+        ),
+    }
+    for name, other in others.items():
+        assert not is_ring(Simulation(other)), name
+        assert not is_chain(Simulation(other)), name
