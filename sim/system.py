@@ -130,7 +130,8 @@ def new_live(system: System) -> Live:
     body = system.body
     # The chain's loops look one place back and, from the last spring, three ahead; and loops over flat
     # vectors should have no scalar rest.
-    places = padded(body.stiffness.size + 3)
+    last = body.stiffness.size if body.chain or body.ring else padded(body.masses)
+    places = padded(last + 3)
     joints = max(body.joints, body.stiffness.size) + 1
     sizes = {
         "controls": (2, 0),

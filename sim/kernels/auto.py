@@ -7,10 +7,9 @@ on. Every step counts, none is a trial: all hold the same tolerance.
 
 from __future__ import annotations
 
-import numpy as np
-
 from .adams import run_adams
 from .alpha import run_alpha
+from .blocks import from_to
 from .bound import take_bound, take_drive
 from .explicit import run_explicit
 from .guard import GOOD, STUCK
@@ -236,13 +235,14 @@ def _is_delicate(body, live, q):
     if body.chain:
         return _chain_is_delicate(body, live, q, short)
     for s in range(body.springs):
-        x, y = _vector(body, q, s)
+        x, y = from_to(q, body.spring_a[s], body.spring_b[s])
         least = short * body.rest_length[s]
         if x * x + y * y < least * least:
             return True
     for j in range(body.joints):
-        ax, ay = _vector(body, q, body.joint_a[j])
-        bx, by = _vector(body, q, body.joint_b[j])
+        a, b = body.joint_a[j], body.joint_b[j]
+        ax, ay = from_to(q, body.spring_a[a], body.spring_b[a])
+        bx, by = from_to(q, body.spring_a[b], body.spring_b[b])
         cosine, sine = live.couple_cos[j + 1], live.couple_sin[j + 1]
         if cosine * (ax * bx + ay * by) + sine * (ax * by - ay * bx) < 0.0:
             return True
@@ -261,14 +261,6 @@ def _chain_is_delicate(body, live, q, short):
         folded = cosine[s + 1] * (ax * bx + ay * by) + sine[s + 1] * (ax * by - ay * bx) < 0.0
         delicate += (ax * ax + ay * ay < least * least) or folded
     return delicate > 0
-
-
-@kernel(forceinline=True, fastmath=FAST)
-def _vector(body, q, spring):
-    """From the mass that a spring begins at to the one that it ends at."""
-    y = np.uint64(q.size // 2)
-    begin, end = np.uint64(body.spring_a[spring]), np.uint64(body.spring_b[spring])
-    return q[end] - q[begin], q[y + end] - q[y + begin]
 
 
 @kernel(forceinline=True)

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .blocks import joint_blocks, length_of, minus, plus, scaled, spring_block, times
+from .blocks import from_to, joint_blocks, length_of, minus, plus, scaled, spring_block, times
 from .jit import FAST, kernel
 from .tables import ANGLE, CONSERVATIVE, TUTORIAL
 
@@ -91,8 +91,9 @@ def _hand_on(parts, kind, last_but_one, last):
 @kernel(forceinline=True, fastmath=FAST)
 def _derive_springs(body, live, q, v, g, definite, first, springs, parts):
     for k in range(springs):
-        s = np.uint64(first + k)  # unsigned indices need no test for counting from the end
-        vector, rate = _between(q, s), _between(v, s)
+        s = np.uint64(first + k)
+        one, other = first + k + 1, first + k + 2
+        vector, rate = from_to(q, one, other), from_to(v, one, other)
         length = length_of(vector[0], vector[1], body.softening)
         block = spring_block(
             body.stiffness[s], body.damping[s], live.pull[s], length, vector, rate, g, definite
@@ -105,11 +106,12 @@ def _derive_joints(body, live, q, v, g, law, twisted, definite, first, springs, 
     """The law, whether joints have damping, and `definite`, are constants where it is called: a loop each."""
     soft = body.softening
     for k in range(springs):
-        s, place = np.uint64(first + k), np.uint64(first + k + 1)
-        vector, after = _between(q, s), _between(q, place)
+        place, other, third = np.uint64(first + k + 1), first + k + 2, first + k + 3
+        vector, after = from_to(q, place, other), from_to(q, other, third)
         rate, rate_after, damping, rest = (0.0, 0.0), (0.0, 0.0), 0.0, 0.0
         if twisted:
-            rate, rate_after, damping = _between(v, s), _between(v, place), body.couple_damping[place]
+            rate, rate_after = from_to(v, place, other), from_to(v, other, third)
+            damping = body.couple_damping[place]
         if law == ANGLE:
             rest = live.couple_rest[place]
         aa, ab, ba, bb = joint_blocks(
@@ -133,16 +135,6 @@ def _derive_joints(body, live, q, v, g, law, twisted, definite, first, springs, 
         _put(parts, _AB, k, ab)
         _put(parts, _BA, k, ba)
         _put(parts, _BB, k, bb)
-
-
-@kernel(forceinline=True, fastmath=FAST)
-def _between(values, s):
-    """The difference of flat values between the ends of spring s."""
-    y = np.uint64(values.size // 2) + s
-    return (
-        values[s + np.uint64(2)] - values[s + np.uint64(1)],
-        values[y + np.uint64(2)] - values[y + np.uint64(1)],
-    )
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from .jit import FAST, kernel
 from .tables import CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
 
@@ -54,6 +56,14 @@ def outer(factor, a, b):
 def scaled(factor, block):
     """A block times a number."""
     return factor * block[0], factor * block[1], factor * block[2], factor * block[3]
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def from_to(flat, a, b):
+    """The difference of flat values between two places: of positions, the vector from one to the other."""
+    # Unsigned indices need no test for counting from the end.
+    y, a, b = np.uint64(flat.size // 2), np.uint64(a), np.uint64(b)
+    return flat[b] - flat[a], flat[y + b] - flat[y + a]
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from .blocks import deflection, length_of
+from .blocks import deflection, from_to, length_of
 from .jit import FAST, kernel
 from .tables import ANGLE
 
@@ -27,15 +27,16 @@ def energies(body, live, mass, gravity_x, gravity_y, q, v, out):
             height -= mass[i] * (gravity_x * q[i] + gravity_y * q[places + i])
     for s in range(body.springs):
         a, b = body.spring_a[s], body.spring_b[s]
-        length = length_of(q[b] - q[a], q[places + b] - q[places + a], soft)
+        x, y = from_to(q, a, b)
+        length = length_of(x, y, soft)
         if body.stiffness[s] > 0.0:
             off = length - live.pull[s] / body.stiffness[s]
             linear += 0.5 * body.stiffness[s] * off * off
     for j in range(body.joints):
         s, r = body.joint_a[j], body.joint_b[j]
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
-        ax, ay = q[a1] - q[a0], q[places + a1] - q[places + a0]
-        bx, by = q[b1] - q[b0], q[places + b1] - q[places + b0]
+        ax, ay = from_to(q, a0, a1)
+        bx, by = from_to(q, b0, b1)
         angular += body.couple_size[j + 1] * angular_energy(
             body.law, ax, ay, bx, by, live.couple_rest[j + 1], soft
         )

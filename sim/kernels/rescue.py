@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+from .blocks import from_to
 from .drive import drive_to
 from .energy import energies
 from .forces import accelerations
@@ -57,7 +58,7 @@ def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity
         if live.inverse_mass[k] == 0.0:
             i, k = k, i
         if live.inverse_mass[k] > 0.0:
-            x, y = q[k] - q[i], q[places + k] - q[places + i]
+            x, y = from_to(q, i, k)
             if math.sqrt(x * x + y * y) < shortest:
                 # Some direction of its own for each spring, so that no two fall on one another.
                 far = flow.limits[0]

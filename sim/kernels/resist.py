@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from .blocks import length_of
+from .blocks import from_to, length_of
 from .jit import FAST, kernel
 
 
@@ -21,8 +21,7 @@ def remember_directions(body, matrix, q):
             ux[s + 1], uy[s + 1], inverse[s + 1] = x * inv, y * inv, inv
     else:
         for s in range(body.springs):
-            a, b = body.spring_a[s], body.spring_b[s]
-            x, y = q[b] - q[a], q[places + b] - q[places + a]
+            x, y = from_to(q, body.spring_a[s], body.spring_b[s])
             inv = 1.0 / length_of(x, y, body.softening)
             ux[s + 1], uy[s + 1], inverse[s + 1] = x * inv, y * inv, inv
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .blocks import inverted, joint_blocks, length_of, spring_block
+from .blocks import from_to, inverted, joint_blocks, length_of, spring_block
 from .jit import FAST, kernel
 
 
@@ -24,14 +24,12 @@ def _add(blocks, target, sign, block):
 @kernel(fastmath=FAST)
 def assemble(body, live, matrix, q, v, g, definite):
     """Sum the derivatives of the forces (not the accelerations), Jx + g Jv without air, into the pattern."""
-    places = q.size // 2
     blocks, soft = matrix.blocks, body.softening
     for i in range(blocks.size):
         blocks[i] = 0.0
     for s in range(body.springs):
         a, b = body.spring_a[s], body.spring_b[s]
-        vector = (q[b] - q[a], q[places + b] - q[places + a])
-        rate = (v[b] - v[a], v[places + b] - v[places + a])
+        vector, rate = from_to(q, a, b), from_to(v, a, b)
         length = length_of(vector[0], vector[1], soft)
         block = spring_block(
             body.stiffness[s], body.damping[s], live.pull[s], length, vector, rate, g, definite
@@ -45,10 +43,8 @@ def assemble(body, live, matrix, q, v, g, definite):
     for j in range(body.joints):
         s, r = body.joint_a[j], body.joint_b[j]
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
-        vector_a = (q[a1] - q[a0], q[places + a1] - q[places + a0])
-        vector_b = (q[b1] - q[b0], q[places + b1] - q[places + b0])
-        rate_a = (v[a1] - v[a0], v[places + a1] - v[places + a0])
-        rate_b = (v[b1] - v[b0], v[places + b1] - v[places + b0])
+        vector_a, vector_b = from_to(q, a0, a1), from_to(q, b0, b1)
+        rate_a, rate_b = from_to(v, a0, a1), from_to(v, b0, b1)
         aa, ab, ba, bb = joint_blocks(
             body.law,
             body.couple_size[j + 1],

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from .bits import from_bits, size_bits
+from .blocks import from_to
 from .drive import drive_to
 from .forces import accelerations
 from .guard import STUCK
@@ -79,15 +80,10 @@ def _chain_is_gentle(body, inverse_mass, q, to_q):
 
 @kernel(fastmath=FAST)
 def _any_is_gentle(body, inverse_mass, q, to_q):
-    places = q.size // 2
     for s in range(body.springs):
         a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
-        x, y, to_x, to_y = (
-            q[b] - q[a],
-            q[places + b] - q[places + a],
-            to_q[b] - to_q[a],
-            to_q[places + b] - to_q[places + a],
-        )
+        x, y = from_to(q, a, b)
+        to_x, to_y = from_to(to_q, a, b)
         free = inverse_mass[a] + inverse_mass[b] > 0.0
         # No sum as for chains: gathering the ends of eight springs at a time is slower than one by one.
         if free and _has_turned(x, y, to_x, to_y, body.softening):
