@@ -143,7 +143,7 @@ def ring(n: int, **settings: Any) -> Scene:
         ),
         angular_springs=tuple(
             AngularSpring(
-                a=i, b=(i + 1) % n, stiffness=float(rng.uniform(500.0, 900.0)), rest_angle=360.0 / n
+                a=i, b=(i + 1) % n, stiffness=float(rng.uniform(500.0, 900.0)), rest_angle=360.0 / n + i
             )
             for i in range(n)
         ),
@@ -206,7 +206,16 @@ def test_a_ring_is_a_ring_in_whatever_order_it_is_listed(seed: int) -> None:
     other.step(20)
     # Where it begins decides in which order numbers are added.
     assert one.positions == pytest.approx(other.positions[place], abs=1e-6)
-    assert sorted(one.angles) == pytest.approx(sorted(other.angles), abs=1e-6)
+    found = dict(zip(joint_masses(changed), other.angles, strict=True))
+    expected = dict(zip((place[m] for m in joint_masses(scene)), one.angles, strict=True))
+    assert found == pytest.approx(expected, abs=1e-6)
+    rest_angles = [joint.rest_angle for joint in changed.angular_springs]
+    assert other.rest_angles == pytest.approx(rest_angles, abs=1e-12)
+
+
+def joint_masses(scene: Scene) -> list[int]:
+    """The mass at which each joint holds its springs, in the scene's order of joints."""
+    return [scene.linear_springs[joint.a].b for joint in scene.angular_springs]
 
 
 def test_what_is_not_one_ring_takes_the_general_path() -> None:
