@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from . import multistep, tableaux
-from .kernels.adams import PAST
-from .kernels.tables import Adams, Rosenbrock, Tableau
+from .kernels.tables import PAST, Adams, Rosenbrock, Tableau
 from .scene import Method
 
 Kind = Literal["euler", "verlet", "explicit", "rosenbrock", "alpha", "adams", "auto"]

@@ -7,8 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from .kernels.adams import PAST
-from .kernels.tables import Adams
+from .kernels.tables import PAST, Adams
 
 _Polynomial = list[Fraction]
 """Coefficients, the constant one first."""
@@ -23,6 +22,7 @@ def adams(degree: int) -> Adams:
     """
     shape = (PAST, PAST)
     position, velocity, ahead, barycentric = (np.zeros(shape) for _ in range(4))
+    back = np.zeros((PAST * PAST, PAST))
     to_position, to_velocity, error = np.zeros(PAST), np.zeros(PAST), np.zeros(PAST)
     for k in range(degree + 1):
         nodes = [Fraction(-i) for i in range(k + 1)]
@@ -30,6 +30,8 @@ def adams(degree: int) -> Adams:
             basis = _lagrange(nodes, i)
             position[k, i], velocity[k, i] = _twice_integrated(basis), _integrated(basis)
             ahead[k, i] = float(sum(basis))
+            for steps in range(1, k + 1):
+                back[k * PAST + steps, i] = -_integrated(basis, -steps)
             barycentric[k, i] = 1.0 / math.prod(i - other for other in range(k + 1) if other != i)
         longer, shorter = (_lagrange([Fraction(1), *nodes[:count]], 0) for count in (k + 1, k))
         to_position[k], to_velocity[k] = _twice_integrated(longer), _integrated(longer)
@@ -37,7 +39,7 @@ def adams(degree: int) -> Adams:
         error[k] = max(
             abs(to_position[k] - _twice_integrated(shorter)), abs(to_velocity[k] - _integrated(shorter))
         )
-    return Adams(degree, position, velocity, ahead, barycentric, to_position, to_velocity, error)
+    return Adams(degree, position, velocity, ahead, barycentric, to_position, to_velocity, error, back)
 
 
 def _lagrange(nodes: list[Fraction], i: int) -> _Polynomial:
@@ -51,9 +53,9 @@ def _lagrange(nodes: list[Fraction], i: int) -> _Polynomial:
     return out
 
 
-def _integrated(p: _Polynomial) -> float:
-    """From 0 to 1."""
-    return float(sum(c / (i + 1) for i, c in enumerate(p)))
+def _integrated(p: _Polynomial, to: int = 1) -> float:
+    """From 0 to `to`."""
+    return float(sum(c * to ** (i + 1) / (i + 1) for i, c in enumerate(p)))
 
 
 def _twice_integrated(p: _Polynomial) -> float:

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from .kernels import guard
-from .kernels.adams import PAST
 from .kernels.auto import (
     KIND_ADAMS,
     KIND_ALPHA,
@@ -46,6 +45,7 @@ from .kernels.tables import (
     COUNT_STEPS,
     COUNT_WHAT,
     COUNTS,
+    PAST,
     WORKS,
     Adams,
     Drive,

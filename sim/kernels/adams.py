@@ -3,21 +3,21 @@
 Positions and velocities are integrals of the polynomial; it is continued to predict them, and corrected with
 the accelerations there (predict, evaluate, correct, evaluate: Shampine & Gordon, 1975). Past accelerations
 are kept as they are, at equal distances in time, and interpolated anew where the step changes. High degrees
-are the best for what is smooth, and worse than low ones for what is rough, as where friction of air has a
-kink: so where a step fails, and now and then, the degrees beside the present one are weighed.
+are the best for what is smooth, and worse than low ones for what is rough, as where joints fold: so where a
+step fails, and now and then, the degrees beside the present one are weighed. Kinks of air friction are kept
+out of the past where they matter, see `kinks`.
 """
 
 from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from .bits import from_bits, size_bits
 from .drive import drive_to
 from .forces import accelerations
 from .guard import GOOD, STUCK, sound
 from .jit import FAST, kernel
+from .kinks import ago, any_turns, kinks_matter, turn_past, with_kinks, without_kinks
 from .ledger import tally
 from .steps import (
     HOPELESS,
@@ -43,18 +43,16 @@ from .tables import (
     COUNT_REJECTED,
     COUNT_STEPS,
     COUNT_WHAT,
+    PAST,
     SPARE,
 )
-
-PAST = 8
-"""Past accelerations that are kept: one more than the highest degree. A power of two."""
 
 _EVENLY = 4
 """Steps before the end of a call that are made equally long."""
 
 _SPAN = 1e-3
-"""Seconds whose share of the tolerance any step may use up. Where a velocity changes its sign, friction of
-air has a kink, which no short step makes smooth: it is an error once, and not one per second."""
+"""Seconds whose share of the tolerance a step may use up after one that failed. What no short step makes
+smooth, as a jump of the forces, is an error once, and not one per second."""
 
 _SHORT = 8.0
 """How many times a step that span is at most. With more, velocities could be off by anything."""
@@ -93,6 +91,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
             past[0, j] = flow.a[j]
         first = first_step(flow, drive, 0.01 * tolerance)
         h = min(h, first) if h > 0.0 else first
+    kinks = kinks_matter(live.air, past[head], h, method.error[degree], tolerance)
     farthest, fastest = flow.limits[0], flow.limits[1]
     failures, tries, steps, swaps, shortest = 0, 0, 0, 0, 0.0
     while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
@@ -103,14 +102,21 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
         if degree > 0 and abs(step - spacing) > 1e-9 * spacing:
             _space(past, head, method, degree, step / spacing, rows)
             known = degree + 1
+            kinks = kinks_matter(live.air, past[head], step, method.error[degree], tolerance)
         spacing = step
         _predict(q, v, past, head, method, degree, step, to_q, to_v, ahead)
         if drive.moving:
             drive_to(body, live, drive, t + step, to_q, to_v)
         accelerations(body, live, work, to_q, to_v, to_a)
+        if kinks and any_turns(v, to_v):
+            without_kinks(live.air, v, to_v, to_a)
         by_q, by_v = step * step * method.to_position[degree], step * method.to_velocity[degree]
         change, far, fast, moved = _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
-        scale = step * step / (max(step, min(_SPAN, _SHORT * step)) * tolerance)
+        turns = kinks and any_turns(v, to_v)
+        if turns:
+            with_kinks(live.air, v, past[head], to_a, step, to_q, to_v)
+        span = max(step, min(_SPAN, _SHORT * step)) if failures > 0 else step
+        scale = step * step / (span * tolerance)
         error = scale * method.error[degree] * from_bits(change)
         if not error < HOPELESS:
             error = HOPELESS
@@ -124,6 +130,8 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
             head = (head - 1) & (PAST - 1)
             known = min(known + 1, PAST)
             accelerations(body, live, work, to_q, to_v, past[head])
+            if turns:
+                turn_past(live.air, v, to_v, past, head, known, method.back, step)
             shortest = shortest_of(body, work)
             steps += 1
             if ledger.active:
@@ -157,7 +165,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
                 degree = most
             h = step * min(0.5, max(0.2, 0.9 * max(error, 2.0) ** (-1.0 / (degree + 2.0))))
             if failures > 2:
-                degree = 0  # the past tells nothing of what is to come
+                degree, known = 0, 1  # the past tells nothing of what is to come
             if h < SHORTEST_STEP:
                 count[COUNT_WHAT] = STUCK
     if swaps % 2:
@@ -183,8 +191,8 @@ def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
     x0, x1, x2, x3, x4, x5, x6, x7 = x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]
     u0, u1, u2, u3, u4, u5, u6, u7 = u[0], u[1], u[2], u[3], u[4], u[5], u[6], u[7]
     w0, w1, w2, w3, w4, w5, w6, w7 = w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]
-    a0, a1, a2, a3 = past[head], past[_row(head, 1)], past[_row(head, 2)], past[_row(head, 3)]
-    a4, a5, a6, a7 = past[_row(head, 4)], past[_row(head, 5)], past[_row(head, 6)], past[_row(head, 7)]
+    a0, a1, a2, a3 = past[head], past[ago(head, 1)], past[ago(head, 2)], past[ago(head, 3)]
+    a4, a5, a6, a7 = past[ago(head, 4)], past[ago(head, 5)], past[ago(head, 6)], past[ago(head, 7)]
     for j in range(1, q.size - SPARE):
         r0, r1, r2, r3, r4, r5, r6, r7 = a0[j], a1[j], a2[j], a3[j], a4[j], a5[j], a6[j], a7[j]
         by_x = x0 * r0 + x1 * r1 + x2 * r2 + x3 * r3 + (x4 * r4 + x5 * r5 + x6 * r6 + x7 * r7)
@@ -244,19 +252,13 @@ def _off(past, head, method, degree, to_a):
     """By how much an acceleration is off at most that a degree expects."""
     w, largest = method.ahead[degree], 0
     w0, w1, w2, w3, w4, w5, w6, w7 = w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]
-    a0, a1, a2, a3 = past[head], past[_row(head, 1)], past[_row(head, 2)], past[_row(head, 3)]
-    a4, a5, a6, a7 = past[_row(head, 4)], past[_row(head, 5)], past[_row(head, 6)], past[_row(head, 7)]
+    a0, a1, a2, a3 = past[head], past[ago(head, 1)], past[ago(head, 2)], past[ago(head, 3)]
+    a4, a5, a6, a7 = past[ago(head, 4)], past[ago(head, 5)], past[ago(head, 6)], past[ago(head, 7)]
     for j in range(1, to_a.size - SPARE):
         low = w0 * a0[j] + w1 * a1[j] + w2 * a2[j] + w3 * a3[j]
         off = to_a[j] - low - (w4 * a4[j] + w5 * a5[j] + w6 * a6[j] + w7 * a7[j])
         largest = max(largest, size_bits(off))
     return from_bits(largest)
-
-
-@kernel(forceinline=True)
-def _row(head, i):
-    """The row of the acceleration i steps before the latest."""
-    return np.uint64(head + i) & np.uint64(PAST - 1)
 
 
 @kernel(apart=True, fastmath=FAST)
@@ -266,8 +268,8 @@ def _space(past, head, method, degree, ratio, rows):
     By Lagrange's formula in its barycentric form (Berrut & Trefethen, 2004).
     """
     parts, size = method.barycentric[degree], past.shape[1]
-    a0, a1, a2, a3 = past[head], past[_row(head, 1)], past[_row(head, 2)], past[_row(head, 3)]
-    a4, a5, a6, a7 = past[_row(head, 4)], past[_row(head, 5)], past[_row(head, 6)], past[_row(head, 7)]
+    a0, a1, a2, a3 = past[head], past[ago(head, 1)], past[ago(head, 2)], past[ago(head, 3)]
+    a4, a5, a6, a7 = past[ago(head, 4)], past[ago(head, 5)], past[ago(head, 6)], past[ago(head, 7)]
     for m in range(1, degree + 1):
         at, out = ratio * m * _BESIDE, rows[3 + m]
         whole = 1.0
@@ -280,6 +282,6 @@ def _space(past, head, method, degree, ratio, rows):
             low = w0 * a0[j] + w1 * a1[j] + w2 * a2[j] + w3 * a3[j]
             out[j] = whole * (low + (w4 * a4[j] + w5 * a5[j] + w6 * a6[j] + w7 * a7[j]))
     for m in range(1, degree + 1):
-        row, out = past[_row(head, m)], rows[3 + m]
+        row, out = past[ago(head, m)], rows[3 + m]
         for j in range(1, size - SPARE):
             row[j] = out[j]

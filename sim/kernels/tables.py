@@ -299,6 +299,10 @@ class Rosenbrock(NamedTuple):
     error: Floats  # (padded) weights of the error estimate
 
 
+PAST = 8
+"""Past accelerations that are kept for Adams' methods: one more than the highest degree. A power of two."""
+
+
 class Adams(NamedTuple):
     """Adams' methods for q'' = f(t, q, q'), by the degree k of the polynomial through past accelerations.
 
@@ -313,6 +317,7 @@ class Adams(NamedTuple):
     to_position: Floats  # (PAST,) of what the acceleration is off, in a corrected position
     to_velocity: Floats  # in a corrected velocity
     error: Floats  # in the error estimate
+    back: Rows  # (PAST², PAST) in the velocity gained in the last r steps, in row k PAST + r
 
 
 class Ledger(NamedTuple):

@@ -15,8 +15,7 @@ import numpy as np
 import pytest
 
 from sim import tableaux
-from sim.kernels.adams import PAST
-from sim.kernels.tables import Adams, Rosenbrock, Tableau
+from sim.kernels.tables import PAST, Adams, Rosenbrock, Tableau
 from sim.methods import METHODS
 from sim.multistep import adams
 
@@ -161,6 +160,10 @@ def test_adams_methods_are_exact_for_polynomials(k: int) -> None:
     weights = table.barycentric[k, : k + 1] / distance * np.prod(distance) * (-1.0) ** k
     for power in range(k + 1):
         assert float(weights @ np.arange(k + 1.0) ** power) == pytest.approx((-0.3) ** power, abs=1e-9)
+        # What a velocity has gained in the last steps.
+        for steps in range(1, k + 1):
+            gained = float(table.back[k * PAST + steps] @ back**power)
+            assert gained == pytest.approx(-((-steps) ** (power + 1.0)) / (power + 1.0), rel=1e-9)
     for padded in (table.position, table.velocity, table.ahead, table.barycentric):
         assert not padded[k, k + 1 :].any()
 

@@ -1,0 +1,148 @@
+"""Friction of air whose sign changes is kept out of what Adams' methods go by."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+from numpy.polynomial import Polynomial
+
+import sim
+from sim import Integrator, Mass, Scene, Simulation
+from sim.kernels import kinks
+from sim.kernels.tables import PAST, SPARE
+from sim.multistep import adams
+
+PLACES = 32
+MASSES = range(1, PLACES - SPARE)
+AIR, STEP = 0.3, 0.1
+TABLE = adams(PAST - 1)
+
+
+def flat(values: dict[int, float]) -> np.ndarray:
+    """A flat vector that is zero but at some places."""
+    out = np.zeros(2 * PLACES)
+    for place, value in values.items():
+        out[place] = value
+    return out
+
+
+def air(places: range = MASSES) -> np.ndarray:
+    out = np.zeros(PLACES)
+    out[places] = AIR
+    return out
+
+
+@pytest.mark.parametrize("known", range(2, PAST + 1))
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_the_past_becomes_that_of_the_new_sign(known: int, sign: float) -> None:
+    """As the velocity would have been without the turn: the integral of a polynomial that fits all rows."""
+    rng = np.random.default_rng(known)
+    wavy = Polynomial([100.0, *rng.normal(0.0, 100.0, known - 1)])  # px/s², under the old sign
+    speed = sign * (wavy.integ() + 4.0)  # px/s, at the latest step
+    turning, steady = 3, PLACES + 5
+    v, to_v = flat({turning: -sign, steady: sign}), flat({turning: speed(0.0), steady: sign})
+    head = 5
+    past, told = np.zeros((PAST, 2 * PLACES)), sign * wavy
+    for r in range(PAST):
+        past[(head + r) % PAST, [turning, steady]] = told(-r * STEP) if r < known else 1e9
+    past[head, turning] -= 2.0 * AIR * speed(0.0) * abs(speed(0.0))  # there, the sign is the new one
+    before = past.copy()
+    kinks.turn_past(air(), v, to_v, past, head, known, TABLE.back, STEP)
+    for r in range(1, known):
+        expected = told(-r * STEP) - sign * 2.0 * AIR * speed(-r * STEP) ** 2
+        assert past[(head + r) % PAST, turning] == pytest.approx(expected, rel=1e-9, abs=1e-6)
+    past[:, turning] = before[:, turning]
+    np.testing.assert_array_equal(past, before)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize(("bend", "exactly"), [(0.0, 1e-9), (0.1, 5e-3), (-0.1, 5e-3)])
+def test_what_friction_did_since_the_turn_is_added(sign: float, bend: float, exactly: float) -> None:
+    """A velocity that turns 0.03 s after the start, with an acceleration that changes by the bend since then:
+    integrals of -2 air v |v| from there on."""
+    turn, rise = 0.03, sign * 50.0
+    since = STEP - turn
+    slope = Polynomial([rise * (1.0 - bend), rise * bend / since])  # px/s², from the turn on
+    speed = slope.integ()
+    x, y, steady = 1, PLACES + MASSES[-1], 4
+    v = flat({x: speed(-turn), y: -speed(-turn), steady: 1.0})
+    to_v = flat({x: speed(since), y: -speed(since), steady: 2.0})
+    a = flat({x: slope(-turn), y: -slope(-turn), steady: 10.0})
+    to_a, to_q = flat({x: rise, y: -rise, steady: 10.0}), flat({x: 0.0, y: 0.0, steady: 7.0})
+    gained = (-2.0 * AIR * sign * speed**2).integ()
+    kinks.with_kinks(air(), v, a, to_a, STEP, to_q, to_v)
+    assert to_v[x] - speed(since) == pytest.approx(gained(since), rel=exactly)
+    assert to_v[y] + speed(since) == pytest.approx(-gained(since), rel=exactly)
+    assert to_q[x] == pytest.approx(gained.integ()(since), rel=2.0 * exactly)
+    assert to_q[y] == pytest.approx(-gained.integ()(since), rel=2.0 * exactly)
+    assert (to_v[steady], to_q[steady]) == (2.0, 7.0)
+    assert not np.delete(to_v, [x, y, steady]).any()
+
+
+def test_accelerations_are_told_with_the_sign_before_the_turn() -> None:
+    v = flat({1: -1.0, 2: 1.0, PLACES + 1: 3.0, PLACES + 2: 0.0})
+    to_v = flat({1: 2.0, 2: 2.0, PLACES + 1: -4.0, PLACES + 2: 5.0})
+    a = np.zeros(2 * PLACES)
+    kinks.without_kinks(air(range(1, 3)), v, to_v, a)
+    np.testing.assert_allclose(a, flat({1: 2.0 * AIR * 4.0, PLACES + 1: -2.0 * AIR * 16.0}), rtol=1e-14)
+    assert kinks.any_turns(v, to_v)
+    assert not kinks.any_turns(v, v)
+    assert not kinks.any_turns(np.zeros(2 * PLACES), to_v)
+
+
+def test_kinks_are_looked_at_where_they_matter() -> None:
+    a, weight = flat({PLACES + MASSES[-1]: -1000.0}), 0.02
+    error = 2.0 * AIR * 100.0**2 * weight * STEP  # px per second
+    assert kinks.kinks_matter(air(), a, STEP, weight, 10.0 * error)
+    assert not kinks.kinks_matter(air(), a, STEP, weight, 100.0 * error)
+    assert not kinks.kinks_matter(np.zeros(PLACES), a, STEP, weight, 1e-9)
+
+
+def thrown(tolerance: float, friction: float) -> Simulation:
+    """Masses that rise and fall, thrown at different speeds, without springs."""
+    masses = tuple(Mass(position=(30.0 * i, 0.0), velocity=(0.0, -100.0 - 40.0 * i)) for i in range(8))
+    integrator = Integrator(method="adams", tolerance=tolerance, dt=1.0)
+    return Simulation(
+        Scene(
+            name="thrown", masses=masses, gravity=(0.0, 1000.0), air_friction=friction, integrator=integrator
+        )
+    )
+
+
+def exact(speed: float, friction: float, time: float) -> float:
+    """How far a mass of 1 kg falls that was thrown up: by the tangent, and then by the hyperbolic one."""
+    limit = math.sqrt(1000.0 / friction)
+    top = limit / 1000.0 * math.atan(speed / limit)
+    rise = limit**2 / 2000.0 * math.log1p((speed / limit) ** 2)
+    return limit**2 / 1000.0 * math.log(math.cosh(1000.0 * (time - top) / limit)) - rise
+
+
+@pytest.mark.parametrize(("tolerance", "most"), [(1e-3, 45), (1e-6, 115), (1e-9, 220)])
+def test_what_is_thrown_up_turns_without_short_steps(tolerance: float, most: int) -> None:
+    """Eight masses turn at eight moments, between the steps; their closed form has two branches.
+
+    Where kinks are seen, it takes 55, 208 and 358 steps.
+    """
+    friction = 0.002
+    simulation = thrown(tolerance, friction)
+    assert simulation.step() == 1
+    expected = [exact(100.0 + 40.0 * i, friction, 1.0) for i in range(8)]
+    assert np.abs(simulation.positions[:, 1] - expected).max() < max(tolerance, 2e-9)
+    assert simulation.effort().steps < most
+
+
+@pytest.mark.parametrize("name", ["study-w2", "study-w5"])
+def test_kinks_ask_for_hardly_more_steps(name: str) -> None:
+    """A rope on a circle, and one that rolls up, under a tolerance for which each kink counts."""
+    scene = msgspec.structs.replace(
+        sim.load_scene(name), integrator=Integrator(method="adams", tolerance=1e-6, dt=1.0)
+    )
+    steps = []
+    for friction in (0.002, 0.0):
+        simulation = Simulation(msgspec.structs.replace(scene, air_friction=friction))
+        assert simulation.step() == 1
+        steps.append(simulation.effort().steps)
+    assert steps[0] < 1.35 * steps[1]
