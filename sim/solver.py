@@ -77,6 +77,14 @@ LONG = 200
 _NEAR_LIMIT = 0.6
 """The part of the stability limit from which on a step counts as near it."""
 
+_COARSEST, _FINER = 1e-3, 0.03
+"""The part of a body's size up to which `auto` takes Rosenbrock methods by their word, since they see too
+little of the error of a stiff body's long steps; and the least part of the tolerance that it asks of them."""
+
+_ADAMS_LOW, _ADAMS_HIGH = 0.5, 1.6
+"""What it multiplies the tolerance of Adams' methods by, down to `LOW_TOLERANCE` and below. Found by trying
+on random bodies: the longer its steps, the more of what shakes a body does such a method miss."""
+
 RESCUE_STEP = 1e-3
 """Length of a step of last resort, s."""
 
@@ -271,10 +279,21 @@ class Solver:
             implicit=implicit,
             adams=adams,
             costs=self._costs(low) if info.kind == "auto" else np.zeros(ARMS),
-            strictness=np.array([arm.strictness for arm in arms]),
+            strictness=np.array([arm.strictness for arm in arms]) * self._cautions(low),
             near_limit=_NEAR_LIMIT * quick_limit(self.system) if info.kind == "auto" else 0.0,
         )
         bind(self._buffer, self._bound)
+
+    def _cautions(self, low: bool) -> Floats:
+        """What `auto` multiplies the tolerance of each method by, beside its strictness."""
+        cautions = np.ones(ARMS)
+        cautions[ARM_ADAMS] = _ADAMS_LOW if low else _ADAMS_HIGH
+        size = max(
+            *np.ptp([mass.position for mass in self.scene.masses], axis=0),
+            *(spring.rest_length for spring in self.scene.linear_springs),
+        )
+        cautions[ARM_ROSENBROCK] = min(max(_COARSEST * size / self.scene.integrator.tolerance, _FINER), 1.0)
+        return cautions
 
     def _costs(self, low: bool) -> Floats:
         """See `Bound.costs`; measured in ns on chains, elsewhere in proportion to operations."""

@@ -17,6 +17,9 @@ from .random_bodies import random_body
 TOLERANCE = 0.1
 """px, given to `auto`."""
 
+OTHER_TOLERANCES = (1.0, 1e-2, 1e-3, 1e-4)
+"""px, given to it, too, in one call each."""
+
 TIGHT = 1e-9
 """Tolerance of the references, px."""
 
@@ -29,6 +32,9 @@ it would turn errors of a thousandth of the tolerance into ones beyond it, whate
 
 UNSURE = 1e-3
 """A body is left out, too, if two references are farther apart than this, px."""
+
+UNSURE_PART = 0.03
+"""And it does not count for a tolerance of which that is more than this part."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +50,7 @@ class BodyResult:
         left_out: why it does not count, or empty; what `auto` does has no part in that.
         error, framed_error: at the end, px, in one call and in a call per frame; infinite where it failed.
         seconds, framed_seconds: of computing, once.
+        other_errors: at the end in one call, px, under each of `OTHER_TOLERANCES`.
     """
 
     seed: int
@@ -57,6 +64,7 @@ class BodyResult:
     framed_error: float
     seconds: float
     framed_seconds: float
+    other_errors: tuple[float, ...]
 
 
 def measure_body(seed: int) -> BodyResult:
@@ -74,14 +82,15 @@ def measure_body(seed: int) -> BodyResult:
     right = path if path is not None else other
     auto = Ours(scene, "auto", TOLERANCE)
     whole, framed = auto.in_one_call(), auto.frame_by_frame()
-    error, framed_error = (
+    others = [Ours(scene, "auto", tolerance).in_one_call() for tolerance in OTHER_TOLERANCES]
+    error, framed_error, *other_errors = (
         math.inf if run.path is None or right is None else distance(run.path[-1], right[-1])
-        for run in (whole, framed)
+        for run in (whole, framed, *others)
     )
     shape = scene.name.partition("-")[0]
     return BodyResult(
         seed, shape, scene.force_law, len(scene.masses), growth, doubt, left_out, error, framed_error,
-        whole.seconds, framed.seconds,
+        whole.seconds, framed.seconds, tuple(other_errors),
     )  # fmt: skip
 
 
@@ -109,12 +118,14 @@ class Shares:
     """What the bodies that count come to.
 
     Attributes:
+        tolerance: px.
         counted: how many they are.
         within, within_three: the share that ends within the tolerance, and within three times that.
         largest: the largest error, in tolerances.
         beyond: seeds of those that end beyond ten times the tolerance, the worst first.
     """
 
+    tolerance: float
     counted: int
     within: float
     within_three: float
@@ -124,13 +135,28 @@ class Shares:
 
 def shares(bodies: Sequence[BodyResult], framed: bool = False) -> Shares:
     """Sum up the bodies that are not left out, in one call or in a call per frame."""
-    found = sorted(
-        ((b.framed_error if framed else b.error) / TOLERANCE, b.seed) for b in bodies if not b.left_out
+    return _sum_up(
+        {b.seed: b.framed_error if framed else b.error for b in bodies if not b.left_out}, TOLERANCE
     )
+
+
+def shares_by_tolerance(bodies: Sequence[BodyResult]) -> list[Shares]:
+    """The same in one call, for all tolerances from the largest on."""
+    found = [shares(bodies)]
+    for i, tolerance in enumerate(OTHER_TOLERANCES):
+        sure = (b for b in bodies if not b.left_out and b.doubt <= UNSURE_PART * tolerance)
+        found.append(_sum_up({b.seed: b.other_errors[i] for b in sure}, tolerance))
+    return sorted(found, key=lambda shares: -shares.tolerance)
+
+
+def _sum_up(error: dict[int, float], tolerance: float) -> Shares:
+    """Of errors, px, by seed."""
+    found = sorted((px / tolerance, seed) for seed, px in error.items())
     errors = np.array([error for error, _ in found])
     if not found:
-        return Shares(0, math.nan, math.nan, math.nan, ())
+        return Shares(tolerance, 0, math.nan, math.nan, math.nan, ())
     return Shares(
+        tolerance=tolerance,
         counted=len(found),
         within=float((errors <= 1.0).mean()),
         within_three=float((errors <= 3.0).mean()),

@@ -6,7 +6,7 @@ import csv
 import dataclasses
 import io
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from rich.table import Table
@@ -15,7 +15,7 @@ from sim.methods import METHODS
 
 from . import others, random_study
 from .measure import FOLLOWED, Point, SceneResults, label
-from .random_study import BodyResult, shares
+from .random_study import OTHER_TOLERANCES, BodyResult, Shares, shares, shares_by_tolerance
 from .report import provenance
 
 EULER = "symplectic_euler"
@@ -286,18 +286,17 @@ def _bodies(bodies: Sequence[BodyResult]) -> list[str]:
         + ".",
         "",
     ]
-    rows = []
-    for what, framed in (("one call", False), ("60 calls", True)):
-        found = shares(bodies, framed)
-        if found.counted:
-            rows.append(
-                (
-                    what, str(found.counted), f"{found.within:.1%}", f"{found.within_three:.1%}",
-                    f"{found.largest:.3g}", ", ".join(map(str, found.beyond)) or "none",
-                )
-            )  # fmt: skip
-    headings = ("auto", "bodies", "within", "within 3×", "largest, tolerances", "seeds beyond 10×")
-    lines += _grid(headings, rows)
+    headings = ("bodies", "within", "within 3×", "largest, tolerances", "seeds beyond 10×")
+    lines += _share_grid(
+        ("auto", *headings), {"one call": shares(bodies), "60 calls": shares(bodies, framed=True)}
+    )
+    by_tolerance = {f"{found.tolerance:g} px": found for found in shares_by_tolerance(bodies)}
+    lines += [
+        "Other tolerances, in one call, of bodies whose references are no farther apart than "
+        f"{random_study.UNSURE_PART:.0%} of the tolerance:",
+        "",
+        *_share_grid(("tolerance", *headings), by_tolerance),
+    ]
     worst = sorted((b for b in bodies if not b.left_out), key=lambda b: -b.error)[:10]
     headings = ("worst seeds", "body", "law", "masses", "growth of a nudge", "error, px", "in 60 calls, px")
     cells = [
@@ -310,23 +309,39 @@ def _bodies(bodies: Sequence[BodyResult]) -> list[str]:
     return [*lines, *_grid(headings, cells, left=3)]
 
 
+def _share_grid(headings: Sequence[str], rows: dict[str, Shares]) -> list[str]:
+    """A line for each that has any bodies."""
+    cells = [
+        (
+            what, str(found.counted), f"{found.within:.1%}", f"{found.within_three:.1%}",
+            f"{found.largest:.3g}", ", ".join(map(str, found.beyond)) or "none",
+        )
+        for what, found in rows.items()
+        if found.counted
+    ]  # fmt: skip
+    return _grid(headings, cells)
+
+
 # ------------------------------------------------------------------------- CSV
 def points_csv(study: Study) -> str:
     """One line for each setting, numbers with all their digits."""
     points = [point for results in study.scenes for point in results.points]
-    return _csv([field.name for field in dataclasses.fields(Point)], points)
+    names = [field.name for field in dataclasses.fields(Point)]
+    return _csv(names, ([getattr(point, name) for name in names] for point in points))
 
 
 def bodies_csv(study: Study) -> str:
     """One line for each random body."""
-    return _csv([field.name for field in dataclasses.fields(BodyResult)], study.bodies)
+    *names, others = (field.name for field in dataclasses.fields(BodyResult))
+    headings = [*names, *(f"error_at_{tolerance:g}" for tolerance in OTHER_TOLERANCES)]
+    values = ((*(getattr(body, name) for name in names), *getattr(body, others)) for body in study.bodies)
+    return _csv(headings, values)
 
 
-def _csv(names: Sequence[str], rows: Sequence[object]) -> str:
+def _csv(headings: Sequence[str], rows: Iterable[Iterable[object]]) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(names)
+    writer.writerow(headings)
     for row in rows:
-        values = (getattr(row, name) for name in names)
-        writer.writerow(f"{v:.17g}" if isinstance(v, float) else v for v in values)
+        writer.writerow(f"{v:.17g}" if isinstance(v, float) else v for v in row)
     return text.getvalue()

@@ -15,19 +15,19 @@ from rich.console import Console
 
 import sim
 from app.bench.growth import rod
-from app.studies import measure, others, random_study, study_report
+from app.studies import measure, others, study_report
 from app.studies.contenders import Ours, Run, Theirs, distance, reference
 from app.studies.equations import Equations
 from app.studies.measure import Point, SceneResults, explore, known, repeats
 from app.studies.output import make_folder
 from app.studies.random_bodies import random_body
-from app.studies.random_study import BodyResult, measure_body, shares
 from app.studies.study import parse_errors, parse_integrators, study, study_scenes
 from app.studies.study_figures import figures, front
 from app.studies.study_report import Study, markdown, points_csv, targets
 from sim.errors import InputError
 from sim.scene import Circle
 from sim.system import build_system
+from tests.app.test_random_study import some_body
 
 ROPE = sim.rope(masses=4, length=90.0, direction=(1.0, 0.0), circle=Circle(radius=20.0, frequency=2.0))
 BODIES = [
@@ -172,38 +172,6 @@ def test_what_is_short_is_repeated_more_often() -> None:
     counts = [repeats(seconds) for seconds in (1e-4, 0.05, 0.3, 2.0)]
     assert counts == sorted(counts, reverse=True)
     assert counts[-1] == 1
-
-
-# ------------------------------------------------------------------------- random bodies
-def test_random_bodies_are_the_same_every_time_and_of_all_kinds() -> None:
-    assert random_body(3) == random_body(3)
-    bodies = [random_body(seed) for seed in range(60)]
-    assert {body.name.partition("-")[0] for body in bodies} == {"chain", "ring", "tree", "grid", "tangle"}
-    assert {body.force_law for body in bodies} == {"tutorial", "conservative"}
-    assert any(anchor.circle for body in bodies for anchor in body.anchors)
-    assert {build_system(body).body.chain for body in bodies} == {True, False}
-
-
-def test_a_body_is_measured_and_chaos_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
-    body = measure_body(13)
-    assert (body.shape, body.masses, body.left_out) == ("chain", 5, "")
-    assert body.doubt < 1e-5
-    assert 0.1 < body.growth < 100.0
-    assert body.error < 0.3
-    monkeypatch.setattr(random_study, "CHAOTIC", 0.5 * body.growth)
-    assert measure_body(13).left_out == "chaotic"
-
-
-def some_body(seed: int, error: float, left_out: str = "") -> BodyResult:
-    return BodyResult(seed, "chain", "tutorial", 5, 2.0, 1e-8, left_out, error, 0.01, 1e-3, 2e-3)
-
-
-def test_shares_count_what_is_not_left_out() -> None:
-    bodies = [some_body(0, 0.1), some_body(1, 0.2), some_body(2, 1.5), some_body(3, math.inf)]
-    found = shares([*bodies, some_body(4, 7.0, "chaotic")])
-    assert (found.counted, found.within, found.within_three) == (4, 0.25, 0.5)
-    assert found.beyond == (3, 2)
-    assert shares(bodies, framed=True).within == 1.0
 
 
 # ------------------------------------------------------------------------- the report

@@ -48,3 +48,17 @@ def test_where_accuracy_limits_steps_methods_of_high_order_are_turned_to() -> No
     effort = effort_of("study-w2", 1e-3)
     assert effort.steps < 2000
     assert effort.matrices < 50
+
+
+@pytest.mark.parametrize("tolerance", [0.5, 0.9, 1.0, 1.1, 2.0])
+def test_long_steps_of_stiff_bodies_keep_to_large_tolerances(tolerance: float) -> None:
+    """Of steps of a thirtieth of a second, Rosenbrock methods see too little of the error."""
+    ends = []
+    for integrator in (
+        Integrator(dt=1.0, tolerance=tolerance),
+        Integrator(method="adams", dt=1.0, tolerance=1e-6),
+    ):
+        simulation = Simulation(msgspec.structs.replace(sim.load_scene("study-w3"), integrator=integrator))
+        assert simulation.step() == 1
+        ends.append(simulation.positions)
+    assert np.hypot(*(ends[0] - ends[1]).T).max() < 0.5 * tolerance
