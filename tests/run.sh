@@ -44,8 +44,13 @@ SOFTROD_BROWSER=$(find_browser) || {
 export SOFTROD_BROWSER
 echo "browser: $SOFTROD_BROWSER"
 
+# The methods' machine code is made once, while the linters run, and not again by each process of the tests.
+uv run python -m sim.warmup &
+compiling=$!
+trap 'kill "$compiling" 2>/dev/null || true' EXIT
 uv run ruff check .
 uv run ruff format --check .
 uv run pyright
+wait "$compiling"
 uv run pytest --numprocesses=2 --dist=loadfile tests/sim tests/app "$@"
 uv run pytest tests/browser "$@"
