@@ -1,4 +1,4 @@
-"""Two thousand wild scenes with wild inputs under `auto`: no bad number, no energy from nowhere, and no frame
+"""Four thousand wild scenes with wild inputs under `auto`: no bad number, no energy from nowhere, and no frame
 that tries more than it may."""
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ import pytest
 
 from tests.sim.fuzzing import run_case
 
-CASES, BATCH = 2000, 50
+CASES, BATCH = 4000, 50
 FRAMES, BUDGET = 10, 400
 MADE = 0.1
 """Energy that may come from nowhere, as a part of all that was turned over. What is damped away at once does
@@ -30,4 +30,5 @@ def test_nothing_explodes(first: int) -> None:
             assert simulation.scene.force_law == "tutorial", told
             assert "has no energy" in str(simulation.divergence)
             book = simulation.energy()
-            assert book.law > 0.5 * (book.kinetic + book.linear + book.angular), told
+            given = book.law + abs(book.changes)  # a slider flung may stretch what is stiff by any energy
+            assert given > 0.5 * (book.kinetic + book.linear + book.angular), told
