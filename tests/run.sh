@@ -45,7 +45,8 @@ export SOFTROD_BROWSER
 echo "browser: $SOFTROD_BROWSER"
 
 # The methods' machine code is made once, while the linters run, and not again by each process of the tests.
-uv run python -m sim.warmup &
+python=$(uv run python -c 'import sys; print(sys.executable)')
+"$python" -m sim.warmup &
 compiling=$!
 trap 'kill "$compiling" 2>/dev/null || true' EXIT
 uv run ruff check .

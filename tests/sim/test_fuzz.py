@@ -1,5 +1,5 @@
-"""Four thousand wild scenes with wild inputs under `auto`: no bad number, no energy from nowhere, and no frame
-that tries more than it may."""
+"""Four thousand wild scenes with wild inputs under `auto`: no bad number, no energy from nowhere, and no
+frame that tries more than it may."""
 
 from __future__ import annotations
 
