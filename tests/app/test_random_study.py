@@ -61,4 +61,4 @@ def test_auto_keeps_to_large_tolerances_and_small_ones() -> None:
     bodies = [measure_body(seed) for seed in range(36)]
     for found in shares_by_tolerance(bodies):
         assert found.counted > 30
-        assert found.within > 0.94
+        assert found.within > 0.95  # one of them may be unlucky
