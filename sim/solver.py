@@ -58,7 +58,7 @@ from .kernels.tables import (
     Tableau,
     Work,
 )
-from .methods import METHODS
+from .methods import METHODS, MethodInfo
 from .pattern import NO_MATRIX, new_matrix
 from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
 from .stability import quick_limit
@@ -279,21 +279,23 @@ class Solver:
             implicit=implicit,
             adams=adams,
             costs=self._costs(low) if info.kind == "auto" else np.zeros(ARMS),
-            strictness=np.array([arm.strictness for arm in arms]) * self._cautions(low),
+            strictness=self._strictness(arms, low) if info.kind == "auto" else np.ones(ARMS),
             near_limit=_NEAR_LIMIT * quick_limit(self.system) if info.kind == "auto" else 0.0,
         )
         bind(self._buffer, self._bound)
 
-    def _cautions(self, low: bool) -> Floats:
-        """What `auto` multiplies the tolerance of each method by, beside its strictness."""
-        cautions = np.ones(ARMS)
-        cautions[ARM_ADAMS] = _ADAMS_LOW if low else _ADAMS_HIGH
+    def _strictness(self, arms: list[MethodInfo], low: bool) -> Floats:
+        """See `Bound.strictness`."""
+        strictness = np.array([arm.strictness for arm in arms])
+        strictness[ARM_ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
         size = max(
             *np.ptp([mass.position for mass in self.scene.masses], axis=0),
             *(spring.rest_length for spring in self.scene.linear_springs),
         )
-        cautions[ARM_ROSENBROCK] = min(max(_COARSEST * size / self.scene.integrator.tolerance, _FINER), 1.0)
-        return cautions
+        strictness[ARM_ROSENBROCK] *= min(
+            max(_COARSEST * size / self.scene.integrator.tolerance, _FINER), 1.0
+        )
+        return strictness
 
     def _costs(self, low: bool) -> Floats:
         """See `Bound.costs`; measured in ns on chains, elsewhere in proportion to operations."""

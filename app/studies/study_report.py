@@ -292,8 +292,8 @@ def _bodies(bodies: Sequence[BodyResult]) -> list[str]:
     )
     by_tolerance = {f"{found.tolerance:g} px": found for found in shares_by_tolerance(bodies)}
     lines += [
-        "Other tolerances, in one call, of bodies whose references are no farther apart than "
-        f"{random_study.UNSURE_PART:.0%} of the tolerance:",
+        f"By tolerance, in one call; at others than {random_study.TOLERANCE:g} px, only bodies whose "
+        f"references are no farther apart than {random_study.UNSURE_PART:.0%} of it:",
         "",
         *_share_grid(("tolerance", *headings), by_tolerance),
     ]

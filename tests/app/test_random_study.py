@@ -8,8 +8,9 @@ import pytest
 
 from app.studies import random_study
 from app.studies.random_bodies import random_body
-from app.studies.random_study import BodyResult, measure_body, shares, shares_by_tolerance
+from app.studies.random_study import measure_body, shares, shares_by_tolerance
 from sim.system import build_system
+from tests.app.results import some_body
 
 
 def test_random_bodies_are_the_same_every_time_and_of_all_kinds() -> None:
@@ -29,11 +30,6 @@ def test_a_body_is_measured_and_chaos_left_out(monkeypatch: pytest.MonkeyPatch) 
     assert body.error < 0.3
     monkeypatch.setattr(random_study, "CHAOTIC", 0.5 * body.growth)
     assert measure_body(13).left_out == "chaotic"
-
-
-def some_body(seed: int, error: float, left_out: str = "", doubt: float = 1e-8) -> BodyResult:
-    others = (2.0 * error, 0.01, 2e-3, 1e-5)
-    return BodyResult(seed, "chain", "tutorial", 5, 2.0, doubt, left_out, error, 0.01, 1e-3, 2e-3, others)
 
 
 def test_shares_count_what_is_not_left_out() -> None:

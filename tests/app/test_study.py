@@ -27,7 +27,7 @@ from app.studies.study_report import Study, markdown, points_csv, targets
 from sim.errors import InputError
 from sim.scene import Circle
 from sim.system import build_system
-from tests.app.test_random_study import some_body
+from tests.app.results import some_body
 
 ROPE = sim.rope(masses=4, length=90.0, direction=(1.0, 0.0), circle=Circle(radius=20.0, frequency=2.0))
 BODIES = [
