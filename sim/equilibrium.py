@@ -8,11 +8,11 @@ import msgspec
 import numpy as np
 
 from .errors import InputError
-from .kernels.band import LOWER
 from .kernels.controls import refresh
 from .kernels.forces import accelerations
 from .kernels.implicit import factorise, solve
 from .kernels.tables import Floats
+from .kernels.twisted import inverse_pivots
 from .pattern import new_matrix
 from .scene import MAX_COORDINATE, Integrator, Pose, Scene
 from .system import build_system, new_live, new_work
@@ -198,7 +198,7 @@ class _Resting:
         matrix, n = self.matrix, self.tables.masses
         regular = factorise(self.tables, self.live, matrix, q, self.still, shift, 0.0, definite)
         if self.tables.chain:
-            inverse = matrix.blocks[: LOWER * (n + 1)].reshape(-1, LOWER)[1:, 8:12]
+            inverse = inverse_pivots(matrix.blocks, n)
         else:
             inverse = matrix.blocks.reshape(-1, 4)[matrix.diagonal]
         xx, xy, yx, yy = inverse[self.live.inverse_mass[self._rows] > 0.0].T

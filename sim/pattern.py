@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .kernels.band import LOWER, PARTS, UPPER
 from .kernels.tables import Body, Floats, Indices, Matrix
+from .kernels.twisted import room_for
 from .system import slab
 
 NO_MATRIX = Matrix._make([np.zeros(0)] * 6 + [np.zeros(0, np.int64)] * (len(Matrix._fields) - 7) + [False])
@@ -24,7 +24,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     springs[3][1:] = body.damping
     trees = forest(body, held)
     if body.chain:
-        factors = slab([((LOWER + UPPER) * (room + 3), 0), (PARTS, 0)], page_offset=0)
+        factors = slab([(count, 0) for count in room_for(body.masses)], page_offset=0)
         nothing = np.zeros(0, np.int64)
         rest = [nothing for _ in Matrix._fields[8:-1]]
         walk, parent = trees

@@ -301,8 +301,8 @@ class Solver:
         """See `Bound.costs`; measured in ns on chains, elsewhere in proportion to operations."""
         body, matrix = self.system.body, self.matrix
         n = body.masses
-        force, factors = 3.3 * n, 500.0 + 25.0 * n
-        blocks = 2.7 * n
+        force, factors = 3.3 * n, 400.0 + 16.0 * n
+        blocks = 1.8 * n
         if not (body.chain or body.ring):
             force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
         if not body.chain:

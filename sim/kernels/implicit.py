@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from .band import factorise_chain, solve_chain
 from .jit import FAST, kernel
 from .sparse import factorise_sparse, solve_sparse
+from .twisted import factorise_chain, solve_chain
 
 
 @kernel(forceinline=True, fastmath=FAST)

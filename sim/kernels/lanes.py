@@ -1,0 +1,74 @@
+"""Arithmetic of two numbers at a time, in loops that LLVM does not vectorise on its own.
+
+Two numbers are a tuple. LLVM makes one vector of the two as long as they go from one of these functions to
+the next, or are neighbours in an array.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from llvmlite import ir
+from numba.extending import intrinsic
+
+_VECTOR = ir.VectorType(ir.DoubleType(), 2)
+_LANES = [ir.Constant(ir.IntType(32), lane) for lane in range(2)]
+
+_FLAGS = ("contract",)
+"""A product and the sum that it is part of may be one instruction."""
+
+
+def _on_vectors(operation: Callable[..., ir.Value]) -> Callable[..., ir.Value]:
+    """Code that does an operation on tuples, given how it is done on vectors."""
+
+    def generate(_context: Any, builder: ir.IRBuilder, _signature: Any, arguments: Any) -> ir.Value:
+        vectors = []
+        for argument in arguments:
+            vector = ir.Constant(_VECTOR, ir.Undefined)
+            for k, lane in enumerate(_LANES):
+                vector = builder.insert_element(vector, builder.extract_value(argument, k), lane)
+            vectors.append(vector)
+        vector = operation(builder, *vectors)
+        result = ir.Constant(arguments[0].type, ir.Undefined)
+        for k, lane in enumerate(_LANES):
+            result = builder.insert_value(result, builder.extract_element(vector, lane), k)
+        return result
+
+    return generate
+
+
+def _of_two(operation: Callable[..., ir.Value]) -> Any:
+    @intrinsic
+    def pairs(_context: Any, a: Any, b: Any) -> Any:
+        return a(a, b), _on_vectors(operation)
+
+    return pairs
+
+
+def _of_three(operation: Callable[..., ir.Value]) -> Any:
+    @intrinsic
+    def pairs(_context: Any, a: Any, b: Any, c: Any) -> Any:
+        return a(a, b, c), _on_vectors(operation)
+
+    return pairs
+
+
+product = _of_two(lambda builder, a, b: builder.fmul(a, b, flags=_FLAGS))
+"""product(a, b) = a b."""
+
+quotient = _of_two(lambda builder, a, b: builder.fdiv(a, b, flags=_FLAGS))
+"""quotient(a, b) = a / b."""
+
+sum_of = _of_two(lambda builder, a, b: builder.fadd(a, b, flags=_FLAGS))
+"""sum_of(a, b) = a + b."""
+
+plus_product = _of_three(
+    lambda builder, a, b, c: builder.fadd(a, builder.fmul(b, c, flags=_FLAGS), flags=_FLAGS)
+)
+"""plus_product(a, b, c) = a + b c."""
+
+less_product = _of_three(
+    lambda builder, a, b, c: builder.fsub(a, builder.fmul(b, c, flags=_FLAGS), flags=_FLAGS)
+)
+"""less_product(a, b, c) = a - b c."""
