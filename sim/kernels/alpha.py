@@ -90,7 +90,7 @@ def run_alpha(
     freshen(body, live, work, drive, flow)
     clock, count = flow.clock, flow.counts
     q, v, rows = flow.q, flow.v, flow.rows
-    start, to_q, to_v, to_a, move, guess, force = (
+    start, to_q, to_v, speed, move, guess, force, pull = (
         rows[0],
         rows[1],
         rows[2],
@@ -98,9 +98,9 @@ def run_alpha(
         rows[4],
         rows[5],
         rows[6],
+        rows[8],
     )
-    missed = flow.history[3]
-    late, inner = flow.history[0], rows[8]  # the method's own acceleration, and for the step to try
+    late, missed = flow.history[0], flow.history[3]  # late: the method's own acceleration
     if clock[CLOCK_BEGUN] == 0.0:
         clock[CLOCK_CUBE] = 0.0
         for j in range(1, q.size - SPARE):
@@ -122,14 +122,17 @@ def run_alpha(
         am, af, gamma, beta, kept = _EULER if calming else _ALPHA
         weight = 1.0 / (1.0 - af)
         inverse = 1.0 / (beta * step * step)
+        # At positions q the velocity is speed + g1 (q - start), and the force to be g2 (q - start) - pull.
         g2 = weight * (1.0 - am) * inverse
         g1 = gamma / (beta * step)
         # It is that of a moment a part of the step off, which goes with the step (Jay & Negrut, 2007).
         ratio = min(step / clock[CLOCK_LAST], 2.0) if clock[CLOCK_LAST] > 0.0 else 1.0
         for j in range(1, q.size - SPARE):
-            inner[j] = flow.a[j] + ratio * (late[j] - flow.a[j])
-            start[j] = q[j] + step * v[j] + step * step * kept * inner[j]
-            to_q[j] = q[j] + step * v[j] + 0.5 * step * step * inner[j]
+            own = flow.a[j] + ratio * (late[j] - flow.a[j])
+            start[j] = q[j] + step * v[j] + step * step * kept * own
+            to_q[j] = q[j] + step * v[j] + 0.5 * step * step * own
+            speed[j] = v[j] + step * (1.0 - gamma) * own
+            pull[j] = weight * (af * flow.a[j] - am * own)
         if drive.moving:
             drive_to(body, live, drive, t + step, to_q, to_v)
         predict(matrix, live.inverse_mass, flow, step, to_q, rows[7])
@@ -147,13 +150,12 @@ def run_alpha(
         last = 1e300
         for iteration in range(_ITERATIONS):
             for j in range(1, q.size - SPARE):
-                to_a[j] = (to_q[j] - start[j]) * inverse
-                to_v[j] = v[j] + step * ((1.0 - gamma) * inner[j] + gamma * to_a[j])
+                to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
             if drive.moving:
                 drive_to(body, live, drive, t + step, to_q, to_v)
             accelerations(body, live, work, to_q, to_v, force)
             for j in range(1, q.size - SPARE):
-                move[j] = force[j] + weight * (af * flow.a[j] - (1.0 - am) * to_a[j] - am * inner[j])
+                move[j] = force[j] - (g2 * (to_q[j] - start[j]) - pull[j])
             for k in range(drive.mass.size):
                 m = drive.mass[k]
                 move[m], move[q.size // 2 + m] = 0.0, 0.0
@@ -164,7 +166,7 @@ def run_alpha(
             solve(body, matrix, move)
             count[COUNT_FORCES] += 1
             size = biggest(move)
-            if not size < 1e8 or (iteration >= 2 and size > 0.5 * last):
+            if not size < 1e8 or (iteration >= 3 and size > 0.5 * last):
                 break
             turn_and_stretch(matrix, live.inverse_mass, to_q, move, rows[7])
             if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
@@ -179,14 +181,12 @@ def run_alpha(
         error = HOPELESS
         if converged:
             for j in range(1, q.size - SPARE):
-                to_a[j] = (to_q[j] - start[j]) * inverse
-                to_v[j] = v[j] + step * ((1.0 - gamma) * inner[j] + gamma * to_a[j])
-                force[j] = weight * ((1.0 - am) * to_a[j] + am * inner[j] - af * flow.a[j])
+                to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
+                force[j] = g2 * (to_q[j] - start[j]) - pull[j]
                 guess[j] -= to_q[j]
             for k in range(drive.mass.size):
                 m = drive.mass[k]
-                for j in (m, q.size // 2 + m):
-                    to_a[j], force[j] = 0.0, 0.0
+                force[m], force[q.size // 2 + m] = 0.0, 0.0
             if drive.moving:
                 drive_to(body, live, drive, t + step, to_q, to_v)
             error = 0.0
@@ -202,8 +202,11 @@ def run_alpha(
             t = end if step == end - t else t + step
             remember(matrix, flow, step, 0.0)
             for j in range(1, q.size - SPARE):
-                q[j], v[j], flow.a[j], late[j] = to_q[j], to_v[j], force[j], to_a[j]
-                missed[j] = -guess[j]
+                late[j] = (to_q[j] - start[j]) * inverse
+                q[j], v[j], flow.a[j], missed[j] = to_q[j], to_v[j], force[j], -guess[j]
+            for k in range(drive.mass.size):
+                m = drive.mass[k]
+                late[m], late[q.size // 2 + m] = 0.0, 0.0
             clock[CLOCK_CUBE] = 0.0 if calming else cube
             clock[CLOCK_BEGUN] += 1.0
             count[COUNT_STEPS] += 1
