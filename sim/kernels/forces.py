@@ -61,25 +61,30 @@ def internal_forces(body, live, work, x, y, vx, vy):
         inverse[s] = inverse_root(lx[s] * lx[s] + ly[s] * ly[s] + soft)
     if body.joints:
         joint_couples(body, live, work)
-        for s in range(body.springs):
-            turn[s] = couple[np.uint64(body.joint_in[s])] - couple[np.uint64(body.joint_out[s])]
-        for i in range(body.more_joint.size):
-            turn[body.more_joint_spring[i]] += body.more_joint_sign[i] * couple[body.more_joint[i]]
-    if body.law == CONSERVATIVE or body.law == ANGLE:
-        for s in range(body.springs):
-            draw[s] = energy[np.uint64(body.joint_in[s])] + energy[np.uint64(body.joint_out[s])]
-        for i in range(body.more_joint.size):
-            draw[body.more_joint_spring[i]] += energy[body.more_joint[i]]
         if body.law == CONSERVATIVE:
             for s in range(body.springs):
-                hold[s] = dot[np.uint64(body.joint_in[s])] + dot[np.uint64(body.joint_out[s])]
+                a, b = np.uint64(body.joint_in[s]), np.uint64(body.joint_out[s])
+                turn[s], draw[s], hold[s] = couple[a] - couple[b], energy[a] + energy[b], dot[a] + dot[b]
             for i in range(body.more_joint.size):
-                hold[body.more_joint_spring[i]] += dot[body.more_joint[i]]
+                j, s = body.more_joint[i], body.more_joint_spring[i]
+                turn[s] += body.more_joint_sign[i] * couple[j]
+                draw[s] += energy[j]
+                hold[s] += dot[j]
         else:
+            for s in range(body.springs):
+                turn[s] = couple[np.uint64(body.joint_in[s])] - couple[np.uint64(body.joint_out[s])]
+            for i in range(body.more_joint.size):
+                turn[body.more_joint_spring[i]] += body.more_joint_sign[i] * couple[body.more_joint[i]]
+        if body.law == ANGLE:
+            for s in range(body.springs):
+                draw[s] = energy[np.uint64(body.joint_in[s])] + energy[np.uint64(body.joint_out[s])]
+            for i in range(body.more_joint.size):
+                draw[body.more_joint_spring[i]] += energy[body.more_joint[i]]
             for s in range(springs):
                 square = lx[s] * lx[s] + ly[s] * ly[s]
                 hold[s] = -draw[s] * (square + 2.0 * soft) * inverse[s] * inverse[s]
                 draw[s] = 0.0
+    if body.law == CONSERVATIVE or body.law == ANGLE:
         for s in range(springs):
             inv = inverse[s]
             inv2 = inv * inv
@@ -136,7 +141,7 @@ def internal_forces(body, live, work, x, y, vx, vy):
         fy[m] += sign * ty[s]
 
 
-@kernel(forceinline=True, fastmath=FAST)
+@kernel(apart=True, forceinline=True, fastmath=FAST)
 def spring_forces(body, live, work, x, y, vx, vy):
     """`internal_forces`, with sums in any order."""
     internal_forces(body, live, work, x, y, vx, vy)
