@@ -150,6 +150,7 @@ def _derive_joints(body, live, q, v, g, law, twisted, definite, first, start, st
 
 @kernel(forceinline=True, fastmath=FAST)
 def put(parts, kind, k, block):
+    """Make a block what the four numbers of a kind are, of the chunk's spring or row k."""
     parts[_at(kind, k)] = block[0]
     parts[_at(kind + 1, k)] = block[1]
     parts[_at(kind + 2, k)] = block[2]
@@ -158,6 +159,7 @@ def put(parts, kind, k, block):
 
 @kernel(forceinline=True, fastmath=FAST)
 def part(parts, kind, k):
+    """The block that `put` puts."""
     return parts[_at(kind, k)], parts[_at(kind + 1, k)], parts[_at(kind + 2, k)], parts[_at(kind + 3, k)]
 
 

@@ -155,7 +155,7 @@ SPARE = 7
 class Matrix(NamedTuple):
     """What an implicit step needs: the factors of its matrix and, where the body is no chain, the pattern."""
 
-    blocks: Floats  # the factors; see `band` and `sparse`
+    blocks: Floats  # the factors; see `twisted` and `sparse`
     parts: Floats  # scratch of a chain; see `band`
     ux: Floats  # (S padded + 1) unit vectors of the springs where the matrix was built, each at place s + 1
     uy: Floats
