@@ -21,6 +21,7 @@ from .steps import (
     SHORTEST_STEP,
     WORTH_SHORTENING,
     biggest,
+    biggest_difference,
     first_step,
     freshen,
     is_gentle,
@@ -156,9 +157,7 @@ def run_alpha(
             accelerations(body, live, work, to_q, to_v, force)
             for j in range(1, q.size - SPARE):
                 move[j] = force[j] - (g2 * (to_q[j] - start[j]) - pull[j])
-            for k in range(drive.mass.size):
-                m = drive.mass[k]
-                move[m], move[q.size // 2 + m] = 0.0, 0.0
+            _rest(drive, move)
             # The second iteration is close enough to the first to do with its matrix.
             if iteration != 1 or last > 10.0 * _SPAN * tolerance:
                 factorise(body, live, matrix, to_q, to_v, g2, g1, False)
@@ -182,31 +181,29 @@ def run_alpha(
         if converged:
             for j in range(1, q.size - SPARE):
                 to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
-                force[j] = g2 * (to_q[j] - start[j]) - pull[j]
-                guess[j] -= to_q[j]
-            for k in range(drive.mass.size):
-                m = drive.mass[k]
-                force[m], force[q.size // 2 + m] = 0.0, 0.0
             if drive.moving:
                 drive_to(body, live, drive, t + step, to_q, to_v)
             error = 0.0
             if fixed == 0.0:
                 part = _ERROR if clock[CLOCK_LAST_BUT_ONE] > 0.0 else 0.3 * _ERROR
-                error = (1.0 if calming else part) * biggest(guess) / (_SPAN * tolerance)
+                error = (1.0 if calming else part) * biggest_difference(to_q, guess) / (_SPAN * tolerance)
         good = error <= 1.5 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good and fixed == 0.0:
             good = is_gentle(body, live, q, to_q, step)
         if good:
             if ledger.active:
+                for j in range(1, q.size - SPARE):
+                    force[j] = g2 * (to_q[j] - start[j]) - pull[j]
+                _rest(drive, force)
                 tally(body, live, work, ledger, drive, flow, t, to_q, to_v, force, step)
             t = end if step == end - t else t + step
             remember(matrix, flow, step, 0.0)
             for j in range(1, q.size - SPARE):
                 late[j] = (to_q[j] - start[j]) * inverse
-                q[j], v[j], flow.a[j], missed[j] = to_q[j], to_v[j], force[j], -guess[j]
-            for k in range(drive.mass.size):
-                m = drive.mass[k]
-                late[m], late[q.size // 2 + m] = 0.0, 0.0
+                flow.a[j] = g2 * (to_q[j] - start[j]) - pull[j]
+                q[j], v[j], missed[j] = to_q[j], to_v[j], to_q[j] - guess[j]
+            _rest(drive, late)
+            _rest(drive, flow.a)
             clock[CLOCK_CUBE] = 0.0 if calming else cube
             clock[CLOCK_BEGUN] += 1.0
             count[COUNT_STEPS] += 1
@@ -234,3 +231,11 @@ def run_alpha(
                 late[j] = flow.a[j]
     clock[CLOCK_TIME] = t
     clock[CLOCK_STEP] = h
+
+
+@kernel(forceinline=True)
+def _rest(drive, a):
+    """Nothing accelerates a mass that is in a hand."""
+    for k in range(drive.mass.size):
+        m = drive.mass[k]
+        a[m], a[a.size // 2 + m] = 0.0, 0.0

@@ -193,6 +193,15 @@ def biggest(values):
     return from_bits(most)
 
 
+@kernel(fastmath=FAST)
+def biggest_difference(one, other):
+    """The largest size of the differences of two; NaN if one is."""
+    most = 0
+    for j in range(1, one.size - SPARE):
+        most = max(most, size_bits(one[j] - other[j]))
+    return from_bits(most)
+
+
 @kernel(apart=True, fastmath=FAST)
 def largest_sum(weights, rows, count, scratch):
     """The largest size in a weighted sum of the first `count` rows; NaN if one is."""
