@@ -15,6 +15,7 @@ from __future__ import annotations
 import numpy as np
 
 from .jit import FAST, kernel
+from .lanes import eight_at_a_time
 from .roots import inverse_root
 from .tables import CONSERVATIVE
 
@@ -72,6 +73,7 @@ def run_ensemble(data, todo, masses, law, method, fresh):
         method: EULER, VERLET or RUNGE_KUTTA_4.
         fresh: whether the bodies have just been put where they are: velocity Verlet then carries nothing yet.
     """
+    eight_at_a_time()
     conservative = law == CONSERVATIVE
     if method == VERLET and fresh:
         if conservative:

@@ -33,6 +33,7 @@ import numpy as np
 
 from .blocks import deflection
 from .jit import FAST, kernel
+from .lanes import eight_at_a_time, four_at_a_time, whole_fours
 from .roots import inverse_root
 from .tables import ANGLE, CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
 
@@ -144,6 +145,7 @@ def internal_forces(body, live, work, x, y, vx, vy):
 @kernel(apart=True, forceinline=True, fastmath=FAST)
 def spring_forces(body, live, work, x, y, vx, vy):
     """`internal_forces`, with sums in any order."""
+    eight_at_a_time()
     internal_forces(body, live, work, x, y, vx, vy)
 
 
@@ -194,6 +196,7 @@ def accelerations(body, live, work, q, v, a):
 
     q, v and a are flat: x of every place, then y of every place.
     """
+    four_at_a_time()
     places = q.size // 2
     x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
     # What most bodies need is compiled into each integrator, since a call costs more than a short chain.
@@ -202,13 +205,13 @@ def accelerations(body, live, work, q, v, a):
             _close_ring(body.masses, q)
             _close_ring(body.masses, v)
         chain_tensions(body, live, work, x, y, vx, vy)
-        springs = body.stiffness.size
+        masses = whole_fours(body.masses)
         tx, ty = work.tx, work.ty
         ax, ay = a[:places], a[places:]
         w, air, gx, gy = live.inverse_mass, live.air, live.gx, live.gy
-        for i in range(1, springs + 1):
+        for i in range(1, masses + 1):
             ax[i] = (tx[i] - tx[i + 1]) * w[i] - air[i] * (vx[i] * abs(vx[i])) + gx[i]
-        for i in range(1, springs + 1):
+        for i in range(1, masses + 1):
             ay[i] = (ty[i] - ty[i + 1]) * w[i] - air[i] * (vy[i] * abs(vy[i])) + gy[i]
         if body.ring:
             _open_ring(body.masses, q)
@@ -236,6 +239,7 @@ def _open_ring(masses, flat):
 @kernel(inner=True, fastmath=FAST)
 def any_accelerations(body, live, work, x, y, vx, vy, a):
     """`accelerations` of any body, under any law."""
+    eight_at_a_time()
     places = x.size
     spring_forces(body, live, work, x, y, vx, vy)
     fx, fy = work.fx, work.fy
@@ -251,7 +255,8 @@ def chain_tensions(body, live, work, x, y, vx, vy):
 
     In a ring, the last of them is at place 1, too.
     """
-    springs, soft = body.stiffness.size, body.softening  # padded
+    four_at_a_time()
+    springs, soft = whole_fours(body.masses), body.softening  # padded: a place for each mass
     inverse, tx, ty = work.inverse, work.tx, work.ty
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
     cos, sin, size = live.couple_cos, live.couple_sin, body.couple_size

@@ -72,8 +72,12 @@ def is_cached() -> bool:
 # compiled. LLVM has this for a whole process only.
 llvmlite.binding.set_option("softrod", "-force-vector-interleave=1")
 
+FUSED = {"contract"}
+"""For the tutorial's step: a product and the sum that it is part of may be one instruction, which rounds once
+instead of twice."""
+
 FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
-"""For kernels that need not do the tutorial's arithmetic to the last bit: sums may be fused and reordered.
+"""For kernels that need not do the arithmetic as it is written: sums may be fused and reordered, too.
 NaN and infinities keep their meaning, since guards and error estimates go by them."""
 
 
@@ -90,9 +94,9 @@ def kernel(
 ) -> Callable[[Callable[..., Any]], Any]:
     """Compile a kernel: no Python objects, GIL released, machine code kept on disk.
 
-    IEEE double arithmetic, in the order written, unless `fastmath=FAST`: a run is the same bit for bit
-    every time on one machine, and the tutorial's on every machine. Only other kernels can call one that is
-    `inner`, or whose name starts with an underscore.
+    IEEE double arithmetic, in the order written, unless `fastmath` is `FUSED` or `FAST`: a run is the same
+    bit for bit every time on one machine. Only other kernels can call one that is `inner`, or whose name
+    starts with an underscore.
 
     Of one that is `apart`, nothing that is written through one array may be read or written through
     another. Its loops then need not look whether they may be vectorised, which for a dozen short arrays takes

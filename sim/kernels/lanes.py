@@ -1,7 +1,12 @@
-"""Arithmetic of two numbers at a time, in loops that LLVM does not vectorise on its own.
+"""Vectors of numbers: how wide LLVM may make them, and those that it does not make on its own.
 
-Two numbers are a tuple. LLVM makes one vector of the two as long as they go from one of these functions to
-the next, or are neighbours in an array.
+What loops do at a time is LLVM's choice. For processors that have registers for eight numbers it often
+chooses four, since some of them do the rest of a program slower then; a kernel that does little else is
+better off with eight. Others have loops so short that of eight at a time half would be padding.
+
+Arithmetic of two numbers at a time is for loops whose rounds wait for each other. Two numbers are a tuple.
+LLVM makes one vector of the two as long as they go from one of these functions to the next, or are neighbours
+in an array.
 """
 
 from __future__ import annotations
@@ -10,13 +15,42 @@ from collections.abc import Callable
 from typing import Any
 
 from llvmlite import ir
+from numba import types
 from numba.extending import intrinsic
+
+from .jit import kernel
 
 _VECTOR = ir.VectorType(ir.DoubleType(), 2)
 _LANES = [ir.Constant(ir.IntType(32), lane) for lane in range(2)]
 
 _FLAGS = ("contract",)
 """A product and the sum that it is part of may be one instruction."""
+
+
+def _at_a_time(numbers: int) -> Any:
+    @intrinsic
+    def prefer(_context: Any) -> Any:
+        return types.void(), generate
+
+    def generate(context: Any, builder: ir.IRBuilder, _signature: Any, _arguments: Any) -> ir.Value:
+        # One of LLVM's attributes that have a value, which llvmlite's own `add` does not know.
+        set.add(builder.function.attributes, f'"prefer-vector-width"="{64 * numbers}"')
+        return context.get_dummy_value()
+
+    return prefer
+
+
+four_at_a_time = _at_a_time(4)
+"""Let loops of the function that calls this do four numbers at a time, where the processor can."""
+
+eight_at_a_time = _at_a_time(8)
+"""Let loops of the function that calls this do eight numbers at a time, or as many as the processor can."""
+
+
+@kernel(forceinline=True)
+def whole_fours(count):
+    """The count, rounded up to a multiple of four."""
+    return (count + 3) // 4 * 4
 
 
 def _on_vectors(operation: Callable[..., ir.Value]) -> Callable[..., ir.Value]:

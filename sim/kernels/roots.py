@@ -21,9 +21,8 @@ def inverse_root(square):
     takes longer from beginning to end, though, and so pays only where many are on their way at once: not in
     the short loops of a chain's accelerations.
 
-    It goes by the rules of the kernel that it is inlined into. By those of IEEE, it is the same on every
-    machine. Under `FAST` the processor may approximate the single-precision part in its own way, and the last
-    digits are those of its kind.
+    It goes by the rules of the kernel that it is inlined into. Under `FAST` the processor may approximate
+    the single-precision part in its own way.
     """
     seed = np.float64(_ONE / np.sqrt(np.float32(max(square, _LEAST))))
     off = 1.0 - square * seed * seed

@@ -12,6 +12,7 @@ from .drive import drive_to
 from .forces import accelerations
 from .guard import STUCK
 from .jit import FAST, kernel
+from .lanes import four_at_a_time, whole_fours
 from .tables import CLOCK_PAST, CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT, SPARE
 
 SHORTEST_STEP = 1e-12
@@ -113,8 +114,9 @@ def stays_gentle(body, live, q, to_q, step, moved, shortest):
 @kernel(forceinline=True, fastmath=FAST)
 def shortest_of(body, work):
     """The length of the shortest spring at the positions that forces were last asked for, px."""
+    four_at_a_time()
     short = 0
-    for s in range(body.stiffness.size):  # padded
+    for s in range(whole_fours(body.springs)):
         short = max(short, size_bits(work.inverse[s]) if s < body.springs else 0)
     return 1.0 / max(from_bits(short), 1e-300)
 
