@@ -242,11 +242,12 @@ def any_accelerations(body, live, work, x, y, vx, vy, a):
     eight_at_a_time()
     places = x.size
     spring_forces(body, live, work, x, y, vx, vy)
-    fx, fy = work.fx, work.fy
+    fx, fy, ax, ay = work.fx, work.fy, a[:places], a[places:]
+    w, air, gx, gy = live.inverse_mass, live.air, live.gx, live.gy
     for i in range(1, body.masses + 1):
-        w, air = live.inverse_mass[i], live.air[i]
-        a[i] = fx[i] * w - air * (vx[i] * abs(vx[i])) + live.gx[i]
-        a[places + i] = fy[i] * w - air * (vy[i] * abs(vy[i])) + live.gy[i]
+        ax[i] = fx[i] * w[i] - air[i] * (vx[i] * abs(vx[i])) + gx[i]
+    for i in range(1, body.masses + 1):
+        ay[i] = fy[i] * w[i] - air[i] * (vy[i] * abs(vy[i])) + gy[i]
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
