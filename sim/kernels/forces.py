@@ -46,8 +46,8 @@ def internal_forces(body, live, work, x, y, vx, vy):
     couple, energy, dot, friction = work.couple, work.energy, work.dot, work.friction
     hold, brake = work.hold, work.brake
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
-    springs, soft = stiffness.size, body.softening  # padded
-    tx[springs], ty[springs] = 0.0, 0.0  # stands for no spring; the chain's loops have other numbers there
+    springs, soft = (body.springs + 7) // 8 * 8, body.softening  # padded
+    tx[stiffness.size], ty[stiffness.size] = 0.0, 0.0  # stands for no spring; the chain's loops have other numbers there
     # Unsigned indices: numba otherwise tests each one for being negative.
     for s in range(body.springs):
         a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
