@@ -36,12 +36,6 @@ _ONE = (1.0, 0.0, 0.0, 1.0)
 
 
 @kernel(forceinline=True)
-def whole_vectors(count):
-    """So many that are no part of a vector is left over."""
-    return (count + _VECTOR - 1) // _VECTOR * _VECTOR
-
-
-@kernel(forceinline=True)
 def begin(parts, k):
     """Before the first chunk: there are no springs k and k + 1, on one side of it."""
     for kind in range(_KINDS):

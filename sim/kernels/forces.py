@@ -33,9 +33,12 @@ import numpy as np
 
 from .blocks import deflection
 from .jit import FAST, kernel
-from .lanes import eight_at_a_time, four_at_a_time, whole_fours
+from .lanes import eight_at_a_time, four_at_a_time, whole_eights, whole_fours
 from .roots import inverse_root
 from .tables import ANGLE, CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
+
+_MANY = 48
+"""Springs of a chain from which `inverse_root` takes less time than a root and a division."""
 
 
 @kernel(inline="always")
@@ -46,8 +49,9 @@ def internal_forces(body, live, work, x, y, vx, vy):
     couple, energy, dot, friction = work.couple, work.energy, work.dot, work.friction
     hold, brake = work.hold, work.brake
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
-    springs, soft = (body.springs + 7) // 8 * 8, body.softening  # padded
-    tx[stiffness.size], ty[stiffness.size] = 0.0, 0.0  # stands for no spring; the chain's loops have other numbers there
+    springs, soft = whole_eights(body.springs), body.softening  # padded
+    none = stiffness.size  # stands for no spring; the chain's loops have other numbers there
+    tx[none], ty[none] = 0.0, 0.0
     # Unsigned indices: numba otherwise tests each one for being negative.
     for s in range(body.springs):
         a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
@@ -264,12 +268,7 @@ def chain_tensions(body, live, work, x, y, vx, vy):
     tx[1], ty[1] = 0.0, 0.0  # no spring ends at the first mass; the general path has other numbers there
     if body.law == CONSERVATIVE:
         length = work.length
-        for s in range(springs):
-            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            square = bx * bx + by * by + soft
-            inv = 1.0 / math.sqrt(square)
-            inverse[s] = inv
-            length[s + 1] = square * inv
+        _measure_chain(x, y, soft, springs, inverse, length)
         if body.ring:
             length[0], length[body.springs + 1] = length[body.springs], length[1]
         for s in range(springs):
@@ -284,9 +283,7 @@ def chain_tensions(body, live, work, x, y, vx, vy):
             tx[s + 2] = along * bx + cos[s] * ax - sin[s] * ay + cos[s + 1] * cx + sin[s + 1] * cy
             ty[s + 2] = along * by + sin[s] * ax + cos[s] * ay - sin[s + 1] * cx + cos[s + 1] * cy
     elif body.law == TUTORIAL:
-        for s in range(springs):
-            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            inverse[s] = 1.0 / math.sqrt(bx * bx + by * by + soft)
+        _measure_chain(x, y, soft, springs, inverse, work.length)
         for s in range(springs):
             bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
             inv = inverse[s]
@@ -310,3 +307,23 @@ def chain_tensions(body, live, work, x, y, vx, vy):
             ty[s + 2] = along * by
     if body.ring:
         tx[1], ty[1] = tx[body.springs + 1], ty[body.springs + 1]
+
+
+@kernel(apart=True, forceinline=True, fastmath=FAST)
+def _measure_chain(x, y, soft, springs, inverse, length):
+    """The lengths of a chain's springs, and what they are the inverse of."""
+    four_at_a_time()
+    if springs < _MANY:
+        for s in range(springs):
+            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
+            square = bx * bx + by * by + soft
+            inv = 1.0 / math.sqrt(square)
+            inverse[s] = inv
+            length[s + 1] = square * inv
+    else:
+        for s in range(springs):
+            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
+            square = bx * bx + by * by + soft
+            inv = inverse_root(square)
+            inverse[s] = inv
+            length[s + 1] = square * inv

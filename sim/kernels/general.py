@@ -6,12 +6,13 @@ from .controls import lead_and_press, place_led
 from .forces import internal_forces
 from .guard import DONE, GOOD, STRIDE, WHAT, judge, keep
 from .jit import FUSED, kernel
+from .lanes import whole_eights
 
 
 @kernel(fastmath=FUSED)
 def run_general(body, live, work, motion, kept, progress, dt, steps, has_air, farthest, fastest):
     """Do `steps` steps, or as many as go well; arguments as those of `run_chain`."""
-    masses = (body.masses + 7) // 8 * 8  # padded
+    masses = whole_eights(body.masses)
     while progress[DONE] < steps and progress[WHAT] == GOOD:
         done = progress[DONE]
         count = min(progress[STRIDE], steps - done)

@@ -53,6 +53,12 @@ def whole_fours(count):
     return (count + 3) // 4 * 4
 
 
+@kernel(forceinline=True)
+def whole_eights(count):
+    """The count, rounded up to a multiple of eight."""
+    return (count + 7) // 8 * 8
+
+
 def _on_vectors(operation: Callable[..., ir.Value]) -> Callable[..., ir.Value]:
     """Code that does an operation on tuples, given how it is done on vectors."""
 

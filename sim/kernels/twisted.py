@@ -14,25 +14,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .band import (
-    CHUNK,
-    L1,
-    L2,
-    PARTS,
-    U1,
-    U2,
-    D,
-    begin,
-    hand_on,
-    part,
-    put,
-    put_empty_row,
-    put_rows,
-    whole_vectors,
-)
+from .band import CHUNK, L1, L2, PARTS, U1, U2, D, begin, hand_on, part, put, put_empty_row, put_rows
 from .blocks import minus, times
 from .jit import kernel
-from .lanes import less_product, plus_product, product, quotient, sum_of
+from .lanes import less_product, plus_product, product, quotient, sum_of, whole_eights
 
 _LOWER2, _LOWER1, _INVERSE, _TO1, _TO2 = 0, 8, 16, 24, 32
 """Of each row: D^-1 L2, D^-1 L1 and D^-1, with D its pivot, which is what solving forwards reads; and D^-1 U1
@@ -84,10 +69,10 @@ def factorise_chain(body, live, matrix, q, v, a, g, definite):
     check = 0.0, 0.0
     for first in range(0, meet + 2, CHUNK):
         count, pairs = min(CHUNK, meet + 2 - first), min(CHUNK, max(paired - first, 0))
-        put_rows(body, live, q, v, a, g, definite, first, 0, whole_vectors(count), 0, near)
+        put_rows(body, live, q, v, a, g, definite, first, 0, whole_eights(count), 0, near)
         if pairs > 0:
             # From this end, rows are two behind the springs that they are derived with.
-            start = CHUNK - whole_vectors(pairs)
+            start = CHUNK - whole_eights(pairs)
             put_rows(body, live, q, v, a, g, definite, n - first - CHUNK, start, CHUNK, 2, far)
         if first == 0:
             put_empty_row(far, CHUNK)
