@@ -33,7 +33,7 @@ import numpy as np
 
 from .blocks import deflection
 from .jit import FAST, kernel
-from .lanes import eight_at_a_time, four_at_a_time, whole_eights, whole_fours
+from .lanes import eight_at_a_time, four_at_a_time, not_inlined, whole_eights, whole_fours
 from .roots import inverse_root
 from .tables import ANGLE, CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
 
@@ -266,9 +266,12 @@ def chain_tensions(body, live, work, x, y, vx, vy):
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
     cos, sin, size = live.couple_cos, live.couple_sin, body.couple_size
     tx[1], ty[1] = 0.0, 0.0  # no spring ends at the first mass; the general path has other numbers there
+    if springs < _MANY:
+        _measure_few(x, y, soft, springs, inverse, work.length)
+    else:
+        _measure_many(x, y, soft, springs, inverse, work.length)
     if body.law == CONSERVATIVE:
         length = work.length
-        _measure_chain(x, y, soft, springs, inverse, length)
         if body.ring:
             length[0], length[body.springs + 1] = length[body.springs], length[1]
         for s in range(springs):
@@ -283,7 +286,6 @@ def chain_tensions(body, live, work, x, y, vx, vy):
             tx[s + 2] = along * bx + cos[s] * ax - sin[s] * ay + cos[s + 1] * cx + sin[s + 1] * cy
             ty[s + 2] = along * by + sin[s] * ax + cos[s] * ay - sin[s + 1] * cx + cos[s + 1] * cy
     elif body.law == TUTORIAL:
-        _measure_chain(x, y, soft, springs, inverse, work.length)
         for s in range(springs):
             bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
             inv = inverse[s]
@@ -300,7 +302,7 @@ def chain_tensions(body, live, work, x, y, vx, vy):
     else:
         for s in range(springs):
             bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            inv = 1.0 / math.sqrt(bx * bx + by * by + soft)
+            inv = inverse[s]
             rate = bx * (vx[s + 2] - vx[s + 1]) + by * (vy[s + 2] - vy[s + 1])
             along = pull[s] * inv - stiffness[s] - damping[s] * rate * (inv * inv)
             tx[s + 2] = along * bx
@@ -310,20 +312,25 @@ def chain_tensions(body, live, work, x, y, vx, vy):
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
-def _measure_chain(x, y, soft, springs, inverse, length):
-    """The lengths of a chain's springs, and what they are the inverse of."""
+def _measure_few(x, y, soft, springs, inverse, length):
+    """The length of spring s of a chain, at place s + 1, and its inverse at place s."""
     four_at_a_time()
-    if springs < _MANY:
-        for s in range(springs):
-            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            square = bx * bx + by * by + soft
-            inv = 1.0 / math.sqrt(square)
-            inverse[s] = inv
-            length[s + 1] = square * inv
-    else:
-        for s in range(springs):
-            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            square = bx * bx + by * by + soft
-            inv = inverse_root(square)
-            inverse[s] = inv
-            length[s + 1] = square * inv
+    for s in range(springs):
+        bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
+        square = bx * bx + by * by + soft
+        inv = 1.0 / math.sqrt(square)
+        inverse[s] = inv
+        length[s + 1] = square * inv
+
+
+@kernel(apart=True, forceinline=False, fastmath=FAST)
+def _measure_many(x, y, soft, springs, inverse, length):
+    """`_measure_few` for so many that the unit for roots and divisions would be what takes the time."""
+    four_at_a_time()
+    not_inlined()  # inside a short chain's step, unused, it would slow that down
+    for s in range(springs):
+        bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
+        square = bx * bx + by * by + soft
+        inv = inverse_root(square)
+        inverse[s] = inv
+        length[s + 1] = square * inv

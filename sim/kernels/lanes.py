@@ -27,24 +27,27 @@ _FLAGS = ("contract",)
 """A product and the sum that it is part of may be one instruction."""
 
 
-def _at_a_time(numbers: int) -> Any:
+def _attribute(name: str) -> Any:
     @intrinsic
-    def prefer(_context: Any) -> Any:
+    def give(_context: Any) -> Any:
         return types.void(), generate
 
     def generate(context: Any, builder: ir.IRBuilder, _signature: Any, _arguments: Any) -> ir.Value:
-        # One of LLVM's attributes that have a value, which llvmlite's own `add` does not know.
-        set.add(builder.function.attributes, f'"prefer-vector-width"="{64 * numbers}"')
+        # llvmlite's own `add` does not know those of LLVM's attributes that have a value.
+        set.add(builder.function.attributes, name)
         return context.get_dummy_value()
 
-    return prefer
+    return give
 
 
-four_at_a_time = _at_a_time(4)
+four_at_a_time = _attribute('"prefer-vector-width"="256"')
 """Let loops of the function that calls this do four numbers at a time, where the processor can."""
 
-eight_at_a_time = _at_a_time(8)
+eight_at_a_time = _attribute('"prefer-vector-width"="512"')
 """Let loops of the function that calls this do eight numbers at a time, or as many as the processor can."""
+
+not_inlined = _attribute("noinline")
+"""Keep the function that calls this, a kernel with `forceinline=False`, out of those that call it."""
 
 
 @kernel(forceinline=True)

@@ -62,11 +62,43 @@ def test_a_spring_between_two_held_masses_may_turn(general: bool) -> None:
     assert not is_gentle(arrays.body, arrays.live, arrays.q, turned(arrays, 4, 90.0), STEP)
 
 
+def of_kind(masses: int, kind: str) -> sim.Scene:
+    """A rope under one of the laws, or without joints, or with damped ones."""
+    law = kind if kind in ("tutorial", "conservative", "angle") else "conservative"
+    return sim.rope(
+        masses,
+        joints=kind != "no joints",
+        angular_damping=1.0 if kind == "damped joints" else 0.0,
+        force_law=law,  # type: ignore[arg-type]
+        integrator=sim.Integrator(method="auto"),
+    )
+
+
+KINDS = ["tutorial", "conservative", "angle", "no joints", "damped joints"]
+
+
+@pytest.mark.parametrize("general", [False, True], ids=["chain", "general"])
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("masses", [2, 3, 11, 12, 13, 44, 45, 60])
+def test_the_shortest_spring_is_known_from_the_forces(masses: int, kind: str, general: bool) -> None:
+    rng = np.random.default_rng(masses)
+    arrays = Arrays(of_kind(masses, kind), general=general)
+    soft = math.sqrt(arrays.body.softening)
+    for short in range(masses - 1):
+        spans = rng.normal(size=(masses, 2))
+        spans[short + 1] *= 0.01
+        at = np.cumsum(spans, 0)
+        arrays.accelerations(arrays.flat(at), arrays.v)
+        least = np.hypot(*np.diff(at, axis=0).T).min()
+        assert shortest_of(arrays.body, arrays.work) == pytest.approx(math.hypot(least, soft))
+
+
+@pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("seed", range(20))
-def test_what_need_not_be_asked_is_gentle(seed: int) -> None:
+def test_what_need_not_be_asked_is_gentle(seed: int, kind: str) -> None:
     # Small moves and large ones, one after the other, of a rope with springs of very different lengths.
     rng = np.random.default_rng(seed)
-    arrays = Arrays(rope(11))
+    arrays = Arrays(of_kind(11, kind))
     at = np.cumsum(rng.normal(size=(11, 2)) * 10.0 ** rng.uniform(-2, 2, (11, 1)), 0)
     q, asked = arrays.flat(at), 0
     for _ in range(60):
