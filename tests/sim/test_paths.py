@@ -243,3 +243,20 @@ def test_what_is_not_one_ring_takes_the_general_path() -> None:
     for name, other in others.items():
         assert not is_ring(Simulation(other)), name
         assert not is_chain(Simulation(other)), name
+
+
+@pytest.mark.parametrize("kind", ["tutorial", "conservative", "no joints"])
+def test_a_chain_of_any_length_is_accelerated_as_on_the_general_path(kind: str) -> None:
+    # Its loops do four masses at a time, and another one measures the springs of a long chain.
+    law: ForceLaw = "tutorial" if kind == "tutorial" else "conservative"
+    rng = np.random.default_rng(1)
+    for masses in [*range(2, 42), *range(43, 54)]:
+        scene = sim.rope(
+            masses, held=(), joints=kind != "no joints", force_law=law, integrator=Integrator(method="auto")
+        )
+        one, other = Arrays(scene), Arrays(scene, general=True)
+        assert one.body.chain and not other.body.chain
+        at = one.pairs(one.q) + rng.normal(size=(masses, 2))
+        speeds = rng.normal(size=(masses, 2)) * 100.0
+        found, expected = (a.accelerations(a.flat(at), a.flat(speeds)) for a in (one, other))
+        assert np.abs(found - expected).max() <= 1e-12 * np.abs(expected).max()
