@@ -212,3 +212,15 @@ def test_energy_of_an_undamped_spring_stays_bounded() -> None:
     # Symplectic: it wavers with the step, but 500 seconds later by no more than at first.
     assert max(swings) <= 1.02 * swings[0]
     assert 1e-4 < max(swings) < 0.1
+
+
+# ------------------------------------------------------------------------- the picture
+@pytest.mark.parametrize("name", [info.name for info in sim.list_scenes() if info.built_in])
+def test_what_a_preset_shows_stays_in_its_frame(name: str) -> None:
+    simulation = Simulation(sim.load_scene(name))
+    xmin, ymin, xmax, ymax = simulation.scene.view.frame
+    for _ in range(5 * 60):
+        simulation.advance(1.0 / 60.0)
+        x, y = simulation.positions.T
+        assert xmin < x.min() and x.max() < xmax
+        assert ymin < y.min() and y.max() < ymax
