@@ -28,6 +28,7 @@ def test_method_and_law_are_chosen_and_bring_their_own_dial(open_page: OpenPage)
     desk.until(lambda: desk.simulation.time > time + 0.2, "the clock went on")
     desk.type_in("Tolerance", "0.002")
     desk.until(lambda: desk.session.scene.integrator.tolerance == 0.002, "so does the tolerance")
+    desk.tell(commands.Play(False))
     assert_shown(desk)
 
 
