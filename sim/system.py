@@ -135,9 +135,9 @@ def new_live(system: System) -> Live:
     joints = max(body.joints, body.stiffness.size) + 1
     sizes = {
         "controls": (2, 0),
-        "pull": (body.stiffness.size, 0),
-        "couple_cos": (joints, 0),
-        "couple_sin": (joints, 0),
+        "pull": (body.stiffness.size, 1),
+        "couple_cos": (joints, 1),
+        "couple_sin": (joints, 1),
         "couple_rest": (joints, 0),
     }
     live = Live(*slab([sizes.get(field, (places, 1)) for field in Live._fields], page_offset=0))
@@ -185,9 +185,11 @@ def _body(
 ) -> tuple[Body, Indices]:
     n, springs = len(scene.masses), [scene.linear_springs[s] for s in spring_order]
     ring = in_order and len(springs) == n
-    # As many springs as masses at least: the chain's loops over masses have the same length.
-    room = padded(max(len(springs), n))
-    stiffness, damping, rest = slab([(room, 0)] * 3, page_offset=1536)
+    # As many springs as masses at least, since the chain's loops over masses look at as many, and one ahead.
+    room = padded(max(len(springs), n)) + 1
+    stiffness, damping, rest, couple_size = slab(
+        [(room, 1)] * 3 + [(max(room, len(scene.angular_springs)) + 1, 1)], page_offset=1536
+    )
     for s, spring in enumerate(springs):
         stiffness[s], damping[s], rest[s] = spring.stiffness, spring.damping, spring.rest_length
     spring_a = mass_place[np.array([spring.a for spring in springs], np.int64)]
@@ -211,7 +213,7 @@ def _body(
     spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = _slots(
         spring_b, spring_a, n + 1, first=0, nothing=room
     )
-    couple_size, couple_damping = np.zeros((2, max(joint_a.size, room) + 1))
+    couple_damping = np.zeros(max(joint_a.size, room) + 1)
     couple_size[1 : joint_a.size + 1], couple_damping[1 : joint_a.size + 1] = strength, resistance
     if ring and joint_a.size:
         couple_size[0] = strength[-1]

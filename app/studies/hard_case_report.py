@@ -27,9 +27,10 @@ FRAMES = 40
 """Frames of a sixtieth of a second; where the time step is longer, three steps."""
 ATTEMPTS = 4000
 """Steps that a method may try in a sixtieth of a second before the clock lags."""
-REFERENCES = (("dop853", 1e-2), ("rodas5p", 1e-4))
+REFERENCES = (("adams", 1e-2), ("rodas5p", 1e-4))
 """Methods, and their tolerances in those of the case, whose agreement makes a reference: the first one's end.
-Where a rope unfolds, Rosenbrock's error is a third of the case's tolerance at a hundredth of it."""
+Where a rope unfolds, Rosenbrock's error is a third of the case's tolerance at a hundredth of it; and DOP853,
+whose steps stability alone limits where all is very stiff, now and then ends several tolerances off."""
 LONG_REFERENCES = (("auto", 1e-2), ("auto", 1e-1))
 """The same for long rods, which no other method gets through in time."""
 AGREED = 0.2

@@ -18,7 +18,7 @@ from .forces import accelerations
 from .guard import GOOD, STUCK, sound
 from .jit import FAST, kernel
 from .kinks import ago, any_turns, kinks_matter, turn_past, with_kinks, without_kinks
-from .lanes import eight_at_a_time, four_at_a_time
+from .lanes import eight_at_a_time
 from .ledger import tally
 from .steps import (
     HOPELESS,
@@ -94,8 +94,6 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
         h = min(h, first) if h > 0.0 else first
     kinks = kinks_matter(live.air, past[head], h, method.error[degree], tolerance)
     farthest, fastest = flow.limits[0], flow.limits[1]
-    # As the forces are: what is stored in fours cannot be loaded in eights without waiting.
-    by_fours = body.chain or body.ring
     failures, tries, steps, swaps, shortest = 0, 0, 0, 0, 0.0
     while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
         tries += 1
@@ -107,20 +105,14 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
             known = degree + 1
             kinks = kinks_matter(live.air, past[head], step, method.error[degree], tolerance)
         spacing = step
-        if by_fours:
-            _predict_by_fours(q, v, past, head, method, degree, step, to_q, to_v, ahead)
-        else:
-            _predict_by_eights(q, v, past, head, method, degree, step, to_q, to_v, ahead)
+        _predict(q, v, past, head, method, degree, step, to_q, to_v, ahead)
         if drive.moving:
             drive_to(body, live, drive, t + step, to_q, to_v)
         accelerations(body, live, work, to_q, to_v, to_a)
         if kinks and any_turns(v, to_v):
             without_kinks(live.air, v, to_v, to_a)
         by_q, by_v = step * step * method.to_position[degree], step * method.to_velocity[degree]
-        if by_fours:
-            change, far, fast, moved = _correct_by_fours(q, by_q, by_v, to_a, ahead, to_q, to_v)
-        else:
-            change, far, fast, moved = _correct_by_eights(q, by_q, by_v, to_a, ahead, to_q, to_v)
+        change, far, fast, moved = _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
         turns = kinks and any_turns(v, to_v)
         if turns:
             with_kinks(live.air, v, past[head], to_a, step, to_q, to_v)
@@ -192,20 +184,9 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, att
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
-def _predict_by_fours(q, v, past, head, method, degree, h, to_q, to_v, ahead):
-    four_at_a_time()
-    _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead)
-
-
-@kernel(apart=True, forceinline=True, fastmath=FAST)
-def _predict_by_eights(q, v, past, head, method, degree, h, to_q, to_v, ahead):
-    eight_at_a_time()
-    _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead)
-
-
-@kernel(inline="always")
 def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
     """Positions, velocities and accelerations a step ahead, by the polynomial."""
+    eight_at_a_time()
     hh = h * h
     # All eight at once: in one pass, everything stays in registers.
     x, u, w = method.position[degree], method.velocity[degree], method.ahead[degree]
@@ -225,21 +206,10 @@ def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
-def _correct_by_fours(q, by_q, by_v, to_a, ahead, to_q, to_v):
-    four_at_a_time()
-    return _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
-
-
-@kernel(apart=True, forceinline=True, fastmath=FAST)
-def _correct_by_eights(q, by_q, by_v, to_a, ahead, to_q, to_v):
-    eight_at_a_time()
-    return _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
-
-
-@kernel(inline="always")
 def _correct(q, by_q, by_v, to_a, ahead, to_q, to_v):
     """Correct a prediction; (by how much the acceleration was off, coordinate, speed and move, the largest,
     as bits)."""
+    eight_at_a_time()
     change, far, fast, moved = 0, 0, 0, 0
     for j in range(1, q.size - SPARE):
         off = to_a[j] - ahead[j]

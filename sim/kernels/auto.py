@@ -14,6 +14,7 @@ from .bound import take_bound, take_drive
 from .explicit import run_explicit
 from .guard import GOOD, STUCK
 from .jit import FAST, kernel
+from .lanes import whole_eights
 from .rosenbrock import run_rosenbrock
 from .tables import (
     ARM_ADAMS,
@@ -255,7 +256,7 @@ def _chain_is_delicate(body, live, q, short):
     places = q.size // 2
     x, y, cosine, sine = q[:places], q[places:], live.couple_cos, live.couple_sin
     delicate = 0
-    for s in range(body.stiffness.size):
+    for s in range(whole_eights(body.springs)):
         ax, ay, bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1], x[s + 3] - x[s + 2], y[s + 3] - y[s + 2]
         least = short * body.rest_length[s]
         folded = cosine[s + 1] * (ax * bx + ay * by) + sine[s + 1] * (ax * by - ay * bx) < 0.0

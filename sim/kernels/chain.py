@@ -15,7 +15,7 @@ from __future__ import annotations
 from .controls import lead_and_press, place_led
 from .guard import DONE, GOOD, STRIDE, WHAT, judge, keep
 from .jit import FUSED, kernel
-from .lanes import eight_at_a_time
+from .lanes import eight_at_a_time, whole_eights
 from .roots import inverse_root
 
 
@@ -23,7 +23,7 @@ from .roots import inverse_root
 def run_chain(body, live, work, motion, kept, progress, dt, steps, has_air, farthest, fastest):
     """Do `steps` steps, or as many as go well; `progress` tells. `live` ends at the last good state."""
     eight_at_a_time()
-    springs = body.stiffness.size  # padded
+    springs, masses = whole_eights(body.springs), whole_eights(body.masses)
     x, y, vx, vy = live.x, live.y, live.vx, live.vy
     tx, ty = work.tx, work.ty
     stiffness, damping, pull = body.stiffness, body.damping, live.pull
@@ -78,7 +78,7 @@ def run_chain(body, live, work, motion, kept, progress, dt, steps, has_air, fart
                     along = pull[s] * inverse_root(bx * bx + by * by) - stiffness[s]
                     tx[s + 2] = along * bx
                     ty[s + 2] = along * by
-            _move(live, tx, ty, dt, springs, has_air)
+            _move(live, tx, ty, dt, masses, has_air)
             if motion.active:
                 place_led(live, motion, step, steps)  # those that have a speed were moved on by it
         judge(body, live, kept, progress, count, farthest, fastest)

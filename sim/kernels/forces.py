@@ -27,18 +27,14 @@ which hold the square root, the division and most of the arithmetic, are vectori
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from .blocks import deflection
 from .jit import FAST, kernel
-from .lanes import eight_at_a_time, four_at_a_time, not_inlined, whole_eights, whole_fours
+from .lanes import eight_at_a_time, whole_eights
+from .links import is_linked, linked_accelerations
 from .roots import inverse_root
 from .tables import ANGLE, CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
-
-_MANY = 48
-"""Springs of a chain from which `inverse_root` takes less time than a root and a division."""
 
 
 @kernel(inline="always")
@@ -200,23 +196,15 @@ def accelerations(body, live, work, q, v, a):
 
     q, v and a are flat: x of every place, then y of every place.
     """
-    four_at_a_time()
+    eight_at_a_time()
     places = q.size // 2
     x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
     # What most bodies need is compiled into each integrator, since a call costs more than a short chain.
-    if (body.chain or body.ring) and body.law != ANGLE and not body.twisted:
+    if is_linked(body):
         if body.ring:
             _close_ring(body.masses, q)
             _close_ring(body.masses, v)
-        chain_tensions(body, live, work, x, y, vx, vy)
-        masses = whole_fours(body.masses)
-        tx, ty = work.tx, work.ty
-        ax, ay = a[:places], a[places:]
-        w, air, gx, gy = live.inverse_mass, live.air, live.gx, live.gy
-        for i in range(1, masses + 1):
-            ax[i] = (tx[i] - tx[i + 1]) * w[i] - air[i] * (vx[i] * abs(vx[i])) + gx[i]
-        for i in range(1, masses + 1):
-            ay[i] = (ty[i] - ty[i + 1]) * w[i] - air[i] * (vy[i] * abs(vy[i])) + gy[i]
+        linked_accelerations(body, live, work, x, y, vx, vy, a[:places], a[places:])
         if body.ring:
             _open_ring(body.masses, q)
             _open_ring(body.masses, v)
@@ -252,85 +240,3 @@ def any_accelerations(body, live, work, x, y, vx, vy, a):
         ax[i] = fx[i] * w[i] - air[i] * (vx[i] * abs(vx[i])) + gx[i]
     for i in range(1, body.masses + 1):
         ay[i] = fy[i] * w[i] - air[i] * (vy[i] * abs(vy[i])) + gy[i]
-
-
-@kernel(apart=True, forceinline=True, fastmath=FAST)
-def chain_tensions(body, live, work, x, y, vx, vy):
-    """The force on the b end of every spring of a chain, at the place of the mass there: s + 2.
-
-    In a ring, the last of them is at place 1, too.
-    """
-    four_at_a_time()
-    springs, soft = whole_fours(body.masses), body.softening  # padded: a place for each mass
-    inverse, tx, ty = work.inverse, work.tx, work.ty
-    stiffness, damping, pull = body.stiffness, body.damping, live.pull
-    cos, sin, size = live.couple_cos, live.couple_sin, body.couple_size
-    tx[1], ty[1] = 0.0, 0.0  # no spring ends at the first mass; the general path has other numbers there
-    if springs < _MANY:
-        _measure_few(x, y, soft, springs, inverse, work.length)
-    else:
-        _measure_many(x, y, soft, springs, inverse, work.length)
-    if body.law == CONSERVATIVE:
-        length = work.length
-        if body.ring:
-            length[0], length[body.springs + 1] = length[body.springs], length[1]
-        for s in range(springs):
-            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            inv = inverse[s]
-            rate = bx * (vx[s + 2] - vx[s + 1]) + by * (vy[s + 2] - vy[s + 1])
-            ax, ay = x[s + 1] - x[s], y[s + 1] - y[s]
-            cx, cy = x[s + 3] - x[s + 2], y[s + 3] - y[s + 2]
-            # K (R(r) A + R(-r) C) - K (|A| + |C|) u: the gradient of both energies, without their difference.
-            push = size[s] * length[s] + size[s + 1] * length[s + 2]
-            along = (pull[s] - push) * inv - stiffness[s] - damping[s] * rate * (inv * inv)
-            tx[s + 2] = along * bx + cos[s] * ax - sin[s] * ay + cos[s + 1] * cx + sin[s + 1] * cy
-            ty[s + 2] = along * by + sin[s] * ax + cos[s] * ay - sin[s + 1] * cx + cos[s + 1] * cy
-    elif body.law == TUTORIAL:
-        for s in range(springs):
-            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            inv = inverse[s]
-            inv2 = inv * inv
-            rate = bx * (vx[s + 2] - vx[s + 1]) + by * (vy[s + 2] - vy[s + 1])
-            along = pull[s] * inv - stiffness[s] - damping[s] * rate * inv2
-            ax, ay = x[s + 1] - x[s], y[s + 1] - y[s]
-            cx, cy = x[s + 3] - x[s + 2], y[s + 3] - y[s + 2]
-            before = cos[s] * (ax * by - ay * bx) - sin[s] * (ax * bx + ay * by)
-            behind = cos[s + 1] * (bx * cy - by * cx) - sin[s + 1] * (bx * cx + by * cy)
-            across = (before - behind) * inv2
-            tx[s + 2] = along * bx + across * by
-            ty[s + 2] = along * by - across * bx
-    else:
-        for s in range(springs):
-            bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-            inv = inverse[s]
-            rate = bx * (vx[s + 2] - vx[s + 1]) + by * (vy[s + 2] - vy[s + 1])
-            along = pull[s] * inv - stiffness[s] - damping[s] * rate * (inv * inv)
-            tx[s + 2] = along * bx
-            ty[s + 2] = along * by
-    if body.ring:
-        tx[1], ty[1] = tx[body.springs + 1], ty[body.springs + 1]
-
-
-@kernel(apart=True, forceinline=True, fastmath=FAST)
-def _measure_few(x, y, soft, springs, inverse, length):
-    """The length of spring s of a chain, at place s + 1, and its inverse at place s."""
-    four_at_a_time()
-    for s in range(springs):
-        bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-        square = bx * bx + by * by + soft
-        inv = 1.0 / math.sqrt(square)
-        inverse[s] = inv
-        length[s + 1] = square * inv
-
-
-@kernel(apart=True, forceinline=False, fastmath=FAST)
-def _measure_many(x, y, soft, springs, inverse, length):
-    """`_measure_few` for so many that the unit for roots and divisions would be what takes the time."""
-    four_at_a_time()
-    not_inlined()  # inside a short chain's step, unused, it would slow that down
-    for s in range(springs):
-        bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1]
-        square = bx * bx + by * by + soft
-        inv = inverse_root(square)
-        inverse[s] = inv
-        length[s + 1] = square * inv

@@ -2,7 +2,8 @@
 
 What loops do at a time is LLVM's choice. For processors that have registers for eight numbers it often
 chooses four, since some of them do the rest of a program slower then; a kernel that does little else is
-better off with eight. Others have loops so short that of eight at a time half would be padding.
+better off with eight. So are all that hand over vectors to such a one: what is stored in fours cannot be
+loaded in eights without waiting.
 
 Arithmetic of two numbers at a time is for loops whose rounds wait for each other. Two numbers are a tuple.
 LLVM makes one vector of the two as long as they go from one of these functions to the next, or are neighbours
@@ -40,20 +41,8 @@ def _attribute(name: str) -> Any:
     return give
 
 
-four_at_a_time = _attribute('"prefer-vector-width"="256"')
-"""Let loops of the function that calls this do four numbers at a time, where the processor can."""
-
 eight_at_a_time = _attribute('"prefer-vector-width"="512"')
 """Let loops of the function that calls this do eight numbers at a time, or as many as the processor can."""
-
-not_inlined = _attribute("noinline")
-"""Keep the function that calls this, a kernel with `forceinline=False`, out of those that call it."""
-
-
-@kernel(forceinline=True)
-def whole_fours(count):
-    """The count, rounded up to a multiple of four."""
-    return (count + 3) // 4 * 4
 
 
 @kernel(forceinline=True)

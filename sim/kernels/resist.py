@@ -6,16 +6,18 @@ import math
 
 from .blocks import from_to, length_of
 from .jit import FAST, kernel
+from .lanes import eight_at_a_time, whole_eights
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
 def remember_directions(body, matrix, q):
     """Keep the springs' directions at positions q, for `add_resistance`."""
+    eight_at_a_time()
     places = q.size // 2
     ux, uy, inverse = matrix.ux, matrix.uy, matrix.inverse
     if body.chain:
         x_of, y_of = q[:places], q[places:]
-        for s in range(body.stiffness.size):
+        for s in range(whole_eights(body.springs)):
             x, y = x_of[s + 2] - x_of[s + 1], y_of[s + 2] - y_of[s + 1]
             inv = 1.0 / math.sqrt(x * x + y * y + body.softening)
             ux[s + 1], uy[s + 1], inverse[s + 1] = x * inv, y * inv, inv
@@ -29,6 +31,7 @@ def remember_directions(body, matrix, q):
 @kernel(apart=True, forceinline=True, fastmath=FAST)
 def add_resistance(body, live, matrix, v, z, factor, out):
     """out += factor Jv z, with Jv at velocities v and the positions last given to `remember_directions`."""
+    eight_at_a_time()
     places = z.size // 2
     if not body.chain or body.twisted:
         _add_any_resistance(body, live, matrix, v, z, factor, out)
@@ -37,7 +40,7 @@ def add_resistance(body, live, matrix, v, z, factor, out):
     ox, oy = out[:places], out[places:]
     w, air, ux, uy, damping = live.inverse_mass, live.air, matrix.ux, matrix.uy, matrix.damping
     # Each mass asks both of its springs anew: to wait for what another loop stores takes longer.
-    for i in range(1, body.stiffness.size + 1):
+    for i in range(1, whole_eights(body.masses) + 1):
         before = damping[i - 1] * (ux[i - 1] * (zx[i] - zx[i - 1]) + uy[i - 1] * (zy[i] - zy[i - 1]))
         behind = damping[i] * (ux[i] * (zx[i + 1] - zx[i]) + uy[i] * (zy[i + 1] - zy[i]))
         ox[i] += factor * (w[i] * (behind * ux[i] - before * ux[i - 1]) - 2.0 * air[i] * abs(vx[i]) * zx[i])

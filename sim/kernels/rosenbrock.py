@@ -11,6 +11,7 @@ from .forces import accelerations
 from .guard import GOOD, sound
 from .implicit import factorise, solve
 from .jit import FAST, kernel
+from .lanes import eight_at_a_time
 from .ledger import tally
 from .resist import add_resistance, remember_directions
 from .steps import (
@@ -50,6 +51,7 @@ def run_rosenbrock(
     body, live, work, matrix, drive, flow, ledger, method, end, fixed, tolerance, attempts
 ):  # fmt: skip
     """Go on to `end` with a Rosenbrock method; arguments as those of `run_explicit`."""
+    eight_at_a_time()
     freshen(body, live, work, drive, flow)
     clock, count = flow.clock, flow.counts
     q, v, rows = flow.q, flow.v, flow.rows
@@ -140,6 +142,7 @@ def _combine(q, v, a, c, per_step, xs, ws, count, to_q, to_v, rest, right):
 
     to_q = q + sum a x, to_v = v + sum a w, rest = to_v + sum c x / h, right = sum c w / h.
     """
+    eight_at_a_time()
     for i in range(0, count, 4):
         a0, a1, a2, a3 = a[i], a[i + 1], a[i + 2], a[i + 3]
         c0, c1, c2, c3 = per_step * c[i], per_step * c[i + 1], per_step * c[i + 2], per_step * c[i + 3]

@@ -12,7 +12,8 @@ from .drive import drive_to
 from .forces import accelerations
 from .guard import STUCK
 from .jit import FAST, kernel
-from .lanes import four_at_a_time, whole_fours
+from .lanes import eight_at_a_time, whole_eights
+from .links import is_linked
 from .tables import CLOCK_PAST, CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT, SPARE
 
 SHORTEST_STEP = 1e-12
@@ -67,7 +68,7 @@ def _chain_is_gentle(body, inverse_mass, q, to_q):
     places = q.size // 2
     qx, qy, to_qx, to_qy = q[:places], q[places:], to_q[:places], to_q[places:]
     turned = 0
-    for s in range(body.stiffness.size):
+    for s in range(whole_eights(body.springs)):
         x, y, to_x, to_y = (
             qx[s + 2] - qx[s + 1],
             qy[s + 2] - qy[s + 1],
@@ -114,9 +115,11 @@ def stays_gentle(body, live, q, to_q, step, moved, shortest):
 @kernel(forceinline=True, fastmath=FAST)
 def shortest_of(body, work):
     """The length of the shortest spring at the positions that forces were last asked for, px."""
-    four_at_a_time()
+    eight_at_a_time()
+    if is_linked(body):
+        return 1.0 / max(work.inverse[0], 1e-300)
     short = 0
-    for s in range(whole_fours(body.springs)):
+    for s in range(whole_eights(body.springs)):
         short = max(short, size_bits(work.inverse[s]) if s < body.springs else 0)
     return 1.0 / max(from_bits(short), 1e-300)
 
@@ -182,6 +185,7 @@ def _root(number, order):
 @kernel(apart=True, forceinline=True)
 def replace_state(flow, q, v, a):
     """Take over the state at the end of a step."""
+    eight_at_a_time()
     for j in range(1, q.size - SPARE):
         flow.q[j], flow.v[j], flow.a[j] = q[j], v[j], a[j]
 
@@ -207,6 +211,7 @@ def biggest_difference(one, other):
 @kernel(apart=True, fastmath=FAST)
 def largest_sum(weights, rows, count, scratch):
     """The largest size in a weighted sum of the first `count` rows; NaN if one is."""
+    eight_at_a_time()
     for j in range(1, scratch.size - SPARE):
         scratch[j] = 0.0
     for i in range(0, count, 4):

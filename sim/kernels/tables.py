@@ -38,9 +38,9 @@ class Body(NamedTuple):
     softening: float  # px²; the length of a spring with vector L is sqrt(L² + softening)
     spring_a: Indices  # (S,) mass at the start of each spring
     spring_b: Indices
-    stiffness: Floats  # (S padded) kg/s²
-    damping: Floats  # (S padded) kg/s
-    rest_length: Floats  # (S padded) px, before the scale
+    stiffness: Floats  # (S padded + 1) kg/s²
+    damping: Floats  # (S padded + 1) kg/s
+    rest_length: Floats  # (S padded + 1) px, before the scale
     joint_a: Indices  # (J,) first spring of each joint
     joint_b: Indices
     joint_stiffness: Floats  # (J,) kg/s²
@@ -71,7 +71,7 @@ class Live(NamedTuple):
     vx: Floats  # (places) px/s
     vy: Floats
     controls: Floats  # rest_length_scale, rest_angle_shift (degrees)
-    pull: Floats  # (S padded) stiffness * rest length now
+    pull: Floats  # (S padded + 1) stiffness * rest length now
     couple_cos: Floats  # stiffness * cos(rest angle now), that of joint j at place j + 1; place 0 as above
     couple_sin: Floats
     couple_rest: Floats  # rest angle now, radians, that of joint j at place j + 1
@@ -94,8 +94,7 @@ class Work(NamedTuple):
     ly: Floats
     dvx: Floats
     dvy: Floats
-    inverse: Floats  # 1 / length
-    length: Floats  # of spring s at place s + 1; zero at place 0
+    inverse: Floats  # 1 / length; `linked_accelerations` only tells that of the shortest spring, at place 0
     turning: Floats  # rate at which a spring turns, 1/s, that of spring s at place s + 1
     turn: Floats  # what the couples of its joints add up to at each spring
     draw: Floats  # what the energies of its joints add up to at each spring

@@ -7,6 +7,7 @@ from .drive import drive_to
 from .forces import accelerations
 from .guard import GOOD, sound
 from .jit import FAST, kernel
+from .lanes import eight_at_a_time
 from .ledger import tally
 from .steps import (
     HOPELESS,
@@ -138,6 +139,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
 @kernel(apart=True, forceinline=True, fastmath=FAST)
 def _predict(q, v, a, step, to_q, to_v):
     """Positions at the end of a step, and velocities that go on as they are."""
+    eight_at_a_time()
     half = 0.5 * step
     for j in range(1, q.size - SPARE):
         to_q[j] = q[j] + step * (v[j] + half * a[j])
@@ -147,6 +149,7 @@ def _predict(q, v, a, step, to_q, to_v):
 @kernel(apart=True, forceinline=True, fastmath=FAST)
 def _correct(q, v, a, to_a, half, to_q, to_v):
     """Correct velocities; (the largest change of an acceleration, coordinate, speed and move, as bits)."""
+    eight_at_a_time()
     change, far, fast, moved = 0, 0, 0, 0
     for j in range(1, v.size - SPARE):
         new = v[j] + half * (a[j] + to_a[j])
