@@ -71,9 +71,6 @@ _LEAST, _WEIGHED = 3, 16
 """The least degree that is gone on with; and the steps since a change after which the degrees beside the
 present one are weighed."""
 
-_BESIDE = 1.0 + 1e-12
-"""A factor that moves a point off those that are known, where the formula divides by nothing."""
-
 
 @kernel(inner=True, fastmath=FAST)
 def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, attempts):
@@ -253,6 +250,7 @@ def _stride(error, degree):
 @kernel(apart=True, fastmath=FAST)
 def _off(past, head, method, degree, to_a):
     """By how much an acceleration is off at most that a degree expects."""
+    eight_at_a_time()
     w, largest = method.ahead[degree], 0
     w0, w1, w2, w3, w4, w5, w6, w7 = w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]
     a0, a1, a2, a3 = past[head], past[ago(head, 1)], past[ago(head, 2)], past[ago(head, 3)]
@@ -268,22 +266,39 @@ def _off(past, head, method, degree, to_a):
 def _space(past, head, method, degree, ratio, rows):
     """Interpolate the past accelerations, for another step: `ratio` is that of the new one to the old one.
 
-    By Lagrange's formula in its barycentric form (Berrut & Trefethen, 2004).
+    By Lagrange's formula. Its products of all distances but one are those of the distances before that one,
+    times those behind it: so nothing is divided by.
     """
+    eight_at_a_time()
     parts, size = method.barycentric[degree], past.shape[1]
     a0, a1, a2, a3 = past[head], past[ago(head, 1)], past[ago(head, 2)], past[ago(head, 3)]
     a4, a5, a6, a7 = past[ago(head, 4)], past[ago(head, 5)], past[ago(head, 6)], past[ago(head, 7)]
     for m in range(1, degree + 1):
-        at, out = ratio * m * _BESIDE, rows[3 + m]
-        whole = 1.0
-        for i in range(degree + 1):
-            whole *= at - i
-        w0, w1, w2, w3 = parts[0] / at, parts[1] / (at - 1.0), parts[2] / (at - 2.0), parts[3] / (at - 3.0)
-        w4, w5, w6 = parts[4] / (at - 4.0), parts[5] / (at - 5.0), parts[6] / (at - 6.0)
-        w7 = parts[7] / (at - 7.0)
+        at, out = ratio * m, rows[3 + m]
+        d1, d2 = at - 1.0, at - 2.0 if degree > 1 else 1.0
+        d3, d4 = at - 3.0 if degree > 2 else 1.0, at - 4.0 if degree > 3 else 1.0
+        d5, d6 = at - 5.0 if degree > 4 else 1.0, at - 6.0 if degree > 5 else 1.0
+        d7 = at - 7.0 if degree > 6 else 1.0
+        before2 = at * d1
+        before3, behind4 = before2 * d2, d5 * d6 * d7
+        before4, behind3 = before3 * d3, d4 * behind4
+        before5, behind2 = before4 * d4, d3 * behind3
+        before6, behind1 = before5 * d5, d2 * behind2
+        w0, w1, w2, w3 = (
+            parts[0] * d1 * behind1,
+            parts[1] * at * behind1,
+            parts[2] * before2 * behind2,
+            parts[3] * before3 * behind3,
+        )
+        w4, w5, w6, w7 = (
+            parts[4] * before4 * behind4,
+            parts[5] * before5 * (d6 * d7),
+            parts[6] * before6 * d7,
+            parts[7] * before6 * d6,
+        )
         for j in range(1, size - SPARE):
             low = w0 * a0[j] + w1 * a1[j] + w2 * a2[j] + w3 * a3[j]
-            out[j] = whole * (low + (w4 * a4[j] + w5 * a5[j] + w6 * a6[j] + w7 * a7[j]))
+            out[j] = low + (w4 * a4[j] + w5 * a5[j] + w6 * a6[j] + w7 * a7[j])
     for m in range(1, degree + 1):
         row, out = past[ago(head, m)], rows[3 + m]
         for j in range(1, size - SPARE):

@@ -14,6 +14,7 @@ import math
 import numpy as np
 
 from .jit import FAST, kernel
+from .lanes import eight_at_a_time
 from .steps import biggest
 from .tables import PAST, SPARE
 
@@ -21,7 +22,8 @@ _MATTER = 0.03
 """Error of a step, in tolerances, that a kink may make without being looked at."""
 
 _BEND = 0.5
-"""The most that a velocity is taken to become steeper or flatter between its turn and the end of a step."""
+"""The most by which a velocity's slope at its turn is taken to be off its mean slope from there on, as a part
+of that."""
 
 
 @kernel(forceinline=True)
@@ -53,6 +55,7 @@ def kinks_matter(air, a, step, weight, tolerance):
 @kernel(apart=True, forceinline=True, fastmath=FAST)
 def any_turns(v, to_v):
     """Whether any velocity changes its sign."""
+    eight_at_a_time()
     turned = 0
     for j in range(1, v.size - SPARE):
         turned += v[j] * to_v[j] < 0.0
@@ -69,6 +72,7 @@ def without_kinks(air, v, to_v, to_a):
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
 def _keep_sign(air, v, to_v, to_a):
+    eight_at_a_time()
     for i in range(1, air.size - SPARE):
         to = to_v[i]
         twice = 2.0 * air[i] * (to * abs(to))
@@ -92,18 +96,28 @@ def with_kinks(air, v, a, to_a, step, to_q, to_v):
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
 def _add(air, v, a, to_a, step, to_q, to_v):
+    eight_at_a_time()
+    per_step = 1.0 / step
     for i in range(1, air.size - SPARE):
-        to, rise = to_v[i], to_a[i]
-        speed = abs(to)
-        since = step * speed / (max(step * abs(rise), speed) + 1e-300)
-        # How much steeper the velocity has become since the turn, as a part of its slope.
-        bend = (rise - a[i]) * since / (step * rise + math.copysign(1e-300, rise))
-        bend = max(-_BEND, min(_BEND, bend))
-        since *= 1.0 + bend / 2.0
-        # The integral of -2 air v |v|, and once more for the position, to first order in the bend.
-        gained = -2.0 * air[i] * (to * speed) * since if v[i] * to < 0.0 else 0.0
-        to_v[i] = to + gained * (1.0 / 3.0 - bend / 12.0)
-        to_q[i] += gained * since * (1.0 / 12.0 - bend / 30.0)
+        was, to = v[i], to_v[i]
+        side, speed = math.copysign(1.0, to), abs(to)
+        # Without friction, which is what makes an acceleration bend most: along `to`, at both ends.
+        begin, rise = side * a[i] - air[i] * (was * was), side * to_a[i] - air[i] * (to * to)
+        # The velocity but for that is speed (r x + (1 - r) x²) at the part x of the time since the turn; the
+        # root is its slope there.
+        root = math.sqrt(max(rise * rise - 2.0 * per_step * (rise - begin) * speed, 0.0))
+        inverse = 2.0 / max(rise + root, speed * per_step + 1e-300)
+        since = min(step, speed * inverse)
+        r = max(1.0 - _BEND, min(1.0 + _BEND, root * inverse))
+        rest = 1.0 - r
+        square = r * r / 3.0 + r * rest / 2.0 + rest * rest / 5.0
+        # With the old sign, friction adds as much to the velocity as it takes with the new one, to second
+        # order. So the sum of both squares, which is what is lost, is twice that of the velocity without.
+        added = min(air[i] * speed * since * square, 0.5)
+        mean, since = speed * (1.0 - added), since * (1.0 - added * (1.0 + rest))
+        lost = 2.0 * air[i] * side * (mean * mean) * since if was * to < 0.0 else 0.0
+        to_v[i] = to - lost * square
+        to_q[i] -= lost * since * (r * r / 12.0 + r * rest / 10.0 + rest * rest / 30.0)
 
 
 @kernel(fastmath=FAST)

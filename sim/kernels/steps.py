@@ -193,6 +193,7 @@ def replace_state(flow, q, v, a):
 @kernel(fastmath=FAST)
 def biggest(values):
     """The largest size of the values; NaN if one is."""
+    eight_at_a_time()
     most = 0
     for j in range(1, values.size - SPARE):
         most = max(most, size_bits(values[j]))
@@ -202,6 +203,7 @@ def biggest(values):
 @kernel(fastmath=FAST)
 def biggest_difference(one, other):
     """The largest size of the differences of two; NaN if one is."""
+    eight_at_a_time()
     most = 0
     for j in range(1, one.size - SPARE):
         most = max(most, size_bits(one[j] - other[j]))
