@@ -33,8 +33,8 @@ def test_what_is_smooth_is_followed_by_high_degrees(air_friction: float) -> None
 
 
 def test_what_is_rough_is_followed_by_low_degrees() -> None:
-    # Joints that fold, under the law that jumps where they do.
-    _, degrees = moved("study-w5", 1e-6, force_law="angle")
+    # Joints that fold, under the law that jumps where they do, and a tolerance for which no kink counts.
+    _, degrees = moved("study-w5", 1e-2, force_law="angle")
     assert np.mean(degrees) < 6.0
     assert min(degrees) >= 3
 
