@@ -75,7 +75,7 @@ _LEFT, _WORTH = 0.75, 1.25
 """What is left of a step whose error was too large, at most: to halve it would be too much, since the error
 grows smoothly. And how much longer the next step has to be for it to be worth the change."""
 
-_SOLVED, _RAISE, _RAISE_FIXED = 0.6, 1.06, 1.3
+_SOLVED, _RAISE, _RAISE_FIXED = 0.7, 1.06, 1.3
 """How long a step is beside one for which Newton's method failed; and how much longer than the last one each
 may be from then on: to fail takes longer than to succeed. What is to be a fixed step is so again soon."""
 
