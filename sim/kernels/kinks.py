@@ -81,7 +81,9 @@ def _keep_sign(air, v, to_v, to_a):
 
 @kernel(fastmath=FAST)
 def with_kinks(air, v, a, to_a, step, to_q, to_v):
-    """Add what the change of sign did since then. Accelerations are taken to change evenly, and not by much.
+    """Add what the change of sign did since then.
+
+    But for friction, accelerations are taken to change evenly, and not by much.
 
     Args:
         air, v, a: (places) friction / mass, 1/px; flat velocities and accelerations at the start of the step.

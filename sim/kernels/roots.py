@@ -18,8 +18,7 @@ def inverse_root(square):
 
     A processor has one unit for roots and divisions, slow in double precision and twice as quick in single.
     One step of third order (Householder's) takes the 23 good bits of that to all 53, but for the last one. It
-    takes longer from beginning to end, though, and so pays only where many are on their way at once: not in
-    the short loops of a chain's accelerations.
+    takes longer from beginning to end, though, and so pays only where many are on their way at once.
 
     It goes by the rules of the kernel that it is inlined into. Under `FAST` the processor may approximate
     the single-precision part in its own way.

@@ -312,7 +312,7 @@ class Adams(NamedTuple):
     position: Rows  # (PAST, PAST) in a predicted position, by row k
     velocity: Rows  # in a predicted velocity
     ahead: Rows  # in the acceleration that is expected
-    barycentric: Rows  # in an interpolated acceleration, before division by the distances in time
+    barycentric: Rows  # in an interpolated acceleration, but for the distances in time from all others
     to_position: Floats  # (PAST,) of what the acceleration is off, in a corrected position
     to_velocity: Floats  # in a corrected velocity
     error: Floats  # in the error estimate
