@@ -71,6 +71,7 @@ class Session:
         ghost: the second body, if one is wanted.
         books: whether the energy is followed.
         rescues: steps of last resort since the scene was opened or reset.
+        compiled: whether the solver is; the page cannot wait for it in the middle of a step.
     """
 
     def __init__(self, scene: sim.Scene, clock: Callable[[], float] = time.monotonic) -> None:
@@ -97,6 +98,7 @@ class Session:
         self.ghost: Ghost | None = None
         self.books = False
         self.rescues = 0
+        self.compiled = True
 
     def now(self) -> float:
         """Wall time, s, by the clock that everything here goes by."""
@@ -218,6 +220,8 @@ class Session:
                 self.play(not self.playing if on is None else on)
             case commands.DoSteps(steps):
                 self.play(False)
+                if not self.compiled:
+                    raise InputError("a step can be done as soon as the solver is compiled")
                 self._steer(glide=True)
                 self._follow_ghost(self.simulation.step(max(0, min(steps, 1000)), attempts=MOST_ATTEMPTS))
                 self._after_steps()

@@ -93,16 +93,19 @@ class Tab:
         session.drain()
         if session.generation != self._generation:
             self._rebuild(session)
-        if self._ready(session):
+        session.compiled = self._ready(session)
+        if session.compiled:
             session.tick(budget, estimate=self._kernels.general.is_set())
         self._show(session)
         self._tell(session)
 
     def _begin(self) -> Session | None:
-        """The session, once its kernels are compiled; until then the page shows that it waits."""
-        if not self._wait_unless(self._kernels.ready_for(self._first)):
+        """The session, once the tutorial's kernels are compiled; until then the page shows that it waits."""
+        # Those are the controls' own, too. A scene that needs others stands still until they are there.
+        if not self._wait_unless(self._kernels.ready_for(self._first) or self._kernels.general.is_set()):
             return None
         session = Session(self._first)
+        session.compiled = self._kernels.ready_for(self._first)
         self._panel = Panel(self.client, session, self._scene_names(self._first.name), self.request)
         with self._panel.files_tab:
             self._files = FilesPanel(self.client, session, self.notify, lambda: self.request("scenes", None))
@@ -165,7 +168,7 @@ class Tab:
             force=changed or not running,
         ):
             self._moved_at = now
-        at_rest = now - self._moved_at > RESTING_AFTER
+        at_rest = session.compiled and now - self._moved_at > RESTING_AFTER
         self._panel.set_state(f"{self._generation}.{self._fits}")
         if changed or (now >= self._readouts_due and not (at_rest and self._was_at_rest)):
             self._readouts_due = now + READOUTS_EVERY

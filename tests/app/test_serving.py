@@ -11,6 +11,7 @@ import pytest
 import viser
 
 import sim
+from app import commands
 from app.bench.client import Page
 from app.commands import DragStart, Open
 from app.serve import serving
@@ -256,3 +257,24 @@ def test_before_the_kernels_are_compiled_the_rope_is_drawn_and_waits() -> None:
             assert tab._session is None
             kernels.compile()
             eventually(lambda: tab._session is not None and tab._session.simulation.step_count > 0)
+
+
+def test_while_the_other_methods_are_compiled_a_scene_stands_still_with_its_controls() -> None:
+    with serving(sim.load_scene("study-w5"), "127.0.0.1", 0) as (server, ticker, kernels):
+        kernels.general.set()
+        with Page(server.get_port()) as page:
+            page.wait_for(lambda m: m.get("type") == "GuiTabGroupMessage")
+            notice = page.wait_for(lambda m: "Notification" in str(m.get("type")))
+            assert "Compiling" in str(notice)
+            (tab,) = ticker.tabs.values()
+            session = session_of(tab)
+            session.post(commands.SetValue("linear_stiffness", 12345.0))
+            session.post(commands.DoSteps(1))
+            refusal = page.wait_for(lambda m: "as soon as the solver is compiled" in str(m))
+            assert "That cannot be done" in str(refusal)
+            assert session.simulation.step_count == 0
+            assert session.scene.rope is not None
+            assert session.scene.rope.stiffness == 12345.0
+            session.post(commands.Play(True))
+            kernels.every.set()
+            eventually(lambda: session.simulation.step_count > 0)
