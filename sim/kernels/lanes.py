@@ -28,20 +28,17 @@ _FLAGS = ("contract",)
 """A product and the sum that it is part of may be one instruction."""
 
 
-def _attribute(name: str) -> Any:
-    @intrinsic
-    def give(_context: Any) -> Any:
-        return types.void(), generate
+def _eight_at_a_time(_context: Any) -> Any:
 
     def generate(context: Any, builder: ir.IRBuilder, _signature: Any, _arguments: Any) -> ir.Value:
-        # llvmlite's own `add` does not know those of LLVM's attributes that have a value.
-        set.add(builder.function.attributes, name)
+        # One of LLVM's attributes that have a value, which llvmlite's own `add` does not know.
+        set.add(builder.function.attributes, '"prefer-vector-width"="512"')
         return context.get_dummy_value()
 
-    return give
+    return types.void(), generate
 
 
-eight_at_a_time = _attribute('"prefer-vector-width"="512"')
+eight_at_a_time: Any = intrinsic(_eight_at_a_time)
 """Let loops of the function that calls this do eight numbers at a time, or as many as the processor can."""
 
 
