@@ -280,7 +280,7 @@ class Solver:
             adams=adams,
             costs=self._costs(low) if info.kind == "auto" else np.zeros(ARMS),
             strictness=self._strictness(arms, low) if info.kind == "auto" else np.ones(ARMS),
-            near_limit=_NEAR_LIMIT * quick_limit(self.system) if info.kind == "auto" else 0.0,
+            near_limit=_NEAR_LIMIT * quick_limit(self.system) if info.kind in ("auto", "adams") else 0.0,
         )
         bind(self._buffer, self._bound)
 

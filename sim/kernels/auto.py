@@ -110,7 +110,9 @@ def run(buffer, driven, end, attempts):
     elif kind == KIND_ALPHA:
         run_alpha(b.body, b.live, b.work, b.matrix, drive, b.flow, b.ledger, end, fixed, tolerance, attempts)
     elif kind == KIND_ADAMS:
-        run_adams(b.body, b.live, b.work, drive, b.flow, b.ledger, b.adams, end, tolerance, attempts)
+        run_adams(
+            b.body, b.live, b.work, drive, b.flow, b.ledger, b.adams, end, tolerance, b.near_limit, attempts
+        )
     else:
         _run_best(b, drive, end, tolerance, attempts)
     # From outside, this would take longer than all of a short body's frame.
@@ -154,7 +156,7 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
         elif arm == ARM_ALPHA:
             run_alpha(body, live, work, matrix, drive, flow, ledger, end, 0.0, tolerance, limit)
         else:
-            run_adams(body, live, work, drive, flow, ledger, b.adams, end, tolerance, limit)
+            run_adams(body, live, work, drive, flow, ledger, b.adams, end, tolerance, b.near_limit, limit)
         if arm in (ARM_VERLET, ARM_ADAMS):  # they keep no history
             if clock[CLOCK_LAST] > 0.0 and clock[CLOCK_TIME] - began < 0.5 * mind[AUTO_STEP + ARM_ALPHA]:
                 clock[CLOCK_LAST] += clock[CLOCK_TIME] - began

@@ -34,7 +34,7 @@ class Bound(NamedTuple):
     adams: Adams
     costs: Floats  # (ARMS,) of a step of each method for `auto`, in those of Verlet's; 0: not used
     strictness: Floats  # (ARMS,) of each of them
-    near_limit: float  # steps of Verlet's from here on are near its stability limit, s
+    near_limit: float  # s; steps from here on are near Verlet's stability limit
 
 
 _SCALARS = {"int": types.int64, "bool": types.boolean, "float": types.float64}
