@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from .drive import drive_to
 from .forces import accelerations
 from .guard import GOOD, sound
 from .jit import FAST, kernel
+from .lanes import eight_at_a_time
 from .ledger import tally
 from .steps import (
     HOPELESS,
@@ -22,6 +24,18 @@ from .steps import (
     step_after,
 )
 from .tables import CLOCK_STEP, CLOCK_TIME, COUNT_FORCES, COUNT_REJECTED, COUNT_STEPS, COUNT_WHAT, SPARE
+
+_BY_ERROR, _BY_BEFORE, _SAFE = 0.4, 0.2, 0.979
+"""Powers of an error and of the one before that the next step goes by; and the part of it that is taken, so
+that errors settle at half the tolerance. With the one before, steps come to rest close to a stability limit,
+instead of running beyond it again and again, each time leaving vibrations behind (a PI controller:
+Gustafsson, 1991; Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2)."""
+
+_LEAST, _LEAST_BEFORE = 1e-8, 1e-4
+"""The least errors, in tolerances, that these are taken to be."""
+
+_LEFT = 0.8
+"""What part of a step that was not kept is left, at most."""
 
 
 @kernel(fastmath=FAST)
@@ -44,7 +58,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
         h = fixed
     elif h <= 0.0:
         h = first_step(flow, drive, 0.01 * tolerance)
-    failed = False
+    failed, before = False, 1.0
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
             break
@@ -52,7 +66,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
         for j in range(1, q.size - SPARE):
             rates[0, j] = flow.a[j]
         for i in range(1, stages + 1):
-            combine(q, v, step, tableau.c[i], tableau.a[i], tableau.abar[i], rates, i, to_q, to_v)
+            _combine(q, v, step, tableau.c[i], tableau.a[i], tableau.abar[i], rates, i, to_q, to_v)
             if drive.moving:
                 drive_to(body, live, drive, t + tableau.c[i] * step, to_q, to_v)
             accelerations(body, live, work, to_q, to_v, rates[i])
@@ -77,28 +91,60 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
             for i in range(stages + 1):  # sums run over stages with weight zero, too
                 for j in range(1, q.size - SPARE):
                     rates[i, j] = 0.0
-        if fixed == 0.0:
-            h = step_after(flow, h, step, error, tableau.order - 1, good, failed)
-            failed = not good
+        if fixed == 0.0 and good:
+            h = _step_after_good(h, step, error, before, tableau.order - 1, failed)
+            before, failed = max(error, _LEAST_BEFORE), False
+        elif fixed == 0.0:
+            h = step_after(flow, h, step, error, tableau.order - 1, False, failed, _LEFT)
+            failed = True
     clock[CLOCK_TIME] = t
     clock[CLOCK_STEP] = h
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
-def combine(q, v, h, c, a, abar, rates, count, to_q, to_v):
-    """to_q = q + c h v + h² sum abar_l k_l and to_v = v + h sum a_l k_l, over the first `count` rates k."""
-    ch, hh = c * h, h * h
-    for j in range(1, q.size - SPARE):
-        to_q[j] = q[j] + ch * v[j]
-        to_v[j] = v[j]
-    for i in range(0, count, 4):
-        a0, a1, a2, a3 = h * a[i], h * a[i + 1], h * a[i + 2], h * a[i + 3]
-        b0, b1, b2, b3 = hh * abar[i], hh * abar[i + 1], hh * abar[i + 2], hh * abar[i + 3]
-        k0, k1, k2, k3 = rates[i], rates[i + 1], rates[i + 2], rates[i + 3]
+@kernel(forceinline=True)
+def _step_after_good(h, step, error, before, order, after_failure):
+    """The step to try after one that was kept, s; arguments as those of `step_after`.
+
+    Args:
+        before: the error estimate of the step that was kept before it, in tolerances.
+    """
+    power = -_BY_ERROR * math.log(max(error, _LEAST)) + _BY_BEFORE * math.log(before)
+    factor = min(_SAFE * math.exp(power / order), 1.0 if after_failure else 5.0)
+    # A step that was cut short says little about longer ones.
+    return max(h, step * factor) if step < 0.999 * h else step * factor
+
+
+def _combine_of(count: int) -> Any:
+    """`_combine` over so many rates, which are known when it is compiled: so its sums stay in registers."""
+
+    @kernel(apart=True, forceinline=True, fastmath=FAST)
+    def combine(q, v, h, c, a, abar, rates, to_q, to_v):
+        eight_at_a_time()
+        ch, hh = c * h, h * h
         for j in range(1, q.size - SPARE):
-            r0, r1, r2, r3 = k0[j], k1[j], k2[j], k3[j]
-            to_q[j] += b0 * r0 + b1 * r1 + b2 * r2 + b3 * r3
-            to_v[j] += a0 * r0 + a1 * r1 + a2 * r2 + a3 * r3
+            by_q, by_v = 0.0, 0.0
+            for i in range(count):
+                by_q += abar[i] * rates[i, j]
+                by_v += a[i] * rates[i, j]
+            to_q[j] = q[j] + ch * v[j] + hh * by_q
+            to_v[j] = v[j] + h * by_v
+
+    return combine
+
+
+_combine_4, _combine_8, _combine_12 = _combine_of(4), _combine_of(8), _combine_of(12)
+
+
+@kernel(forceinline=True)
+def _combine(q, v, h, c, a, abar, rates, count, to_q, to_v):
+    """to_q = q + c h v + h² sum abar_l k_l and to_v = v + h sum a_l k_l, over at least `count` rates k, and
+    12 at most; behind those, a and abar are zero."""
+    if count <= 4:
+        _combine_4(q, v, h, c, a, abar, rates, to_q, to_v)
+    elif count <= 8:
+        _combine_8(q, v, h, c, a, abar, rates, to_q, to_v)
+    else:
+        _combine_12(q, v, h, c, a, abar, rates, to_q, to_v)
 
 
 @kernel(fastmath=FAST)

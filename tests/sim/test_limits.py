@@ -128,6 +128,16 @@ def test_no_step_is_too_long(method: Method, damping: float) -> None:
         assert not grows(off, method, factor * largest_step(scene, "symplectic_euler"), 400)
 
 
+@pytest.mark.parametrize(("method", "share"), [("dopri5", 0.005), ("dop853", 0.15)])
+def test_error_control_comes_to_rest_at_a_limit(method: Method, share: float) -> None:
+    """Instead of going beyond it again and again: then .015 and .36 of the steps are rejected here."""
+    integrator = Integrator(method=method, tolerance=1.0, dt=0.2)
+    simulation = Simulation(REPLACE(sim.load_scene("study-w4"), integrator=integrator))
+    assert simulation.step() == 1
+    effort = simulation.effort()
+    assert effort.rejected < share * effort.steps
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_only_explicit_methods_with_a_fixed_step_have_a_limit(method: Method) -> None:
     limit = Simulation(by(sim.load_scene("tutorial-3.3"), method)).stability().limit
