@@ -53,7 +53,8 @@ _ALL = (
     ),
     MethodInfo(
         "velocity_verlet", "Velocity Verlet", "verlet", 2, False, False,
-        "As cheap as Euler's and of second order; the same limit.", strictness=1.5,
+        "As cheap as Euler's and of second order; the same limit where nothing damps, a lower one under "
+        "damping.", strictness=1.5,
     ),
     MethodInfo(
         "rk4", "Runge-Kutta 4", "explicit", 4, False, False,
