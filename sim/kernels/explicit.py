@@ -22,6 +22,7 @@ from .steps import (
     largest_sum,
     replace_state,
     step_after,
+    step_after_good,
 )
 from .tables import CLOCK_STEP, CLOCK_TIME, COUNT_FORCES, COUNT_REJECTED, COUNT_STEPS, COUNT_WHAT, SPARE
 
@@ -92,7 +93,7 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
                 for j in range(1, q.size - SPARE):
                     rates[i, j] = 0.0
         if fixed == 0.0 and good:
-            h = _step_after_good(h, step, error, before, tableau.order - 1, failed)
+            h = step_after_good(h, step, _factor(error, before, tableau.order - 1), failed)
             before, failed = max(error, _LEAST_BEFORE), False
         elif fixed == 0.0:
             h = step_after(flow, h, step, error, tableau.order - 1, False, failed, _LEFT)
@@ -102,16 +103,15 @@ def run_explicit(body, live, work, drive, flow, ledger, tableau, end, fixed, tol
 
 
 @kernel(forceinline=True)
-def _step_after_good(h, step, error, before, order, after_failure):
-    """The step to try after one that was kept, s; arguments as those of `step_after`.
+def _factor(error, before, order):
+    """How many times as long as the last step the next one should be.
 
     Args:
-        before: the error estimate of the step that was kept before it, in tolerances.
+        error, before: error estimates of that step and of the one that was kept before it, in tolerances.
+        order: power of the step that they go with.
     """
     power = -_BY_ERROR * math.log(max(error, _LEAST)) + _BY_BEFORE * math.log(before)
-    factor = min(_SAFE * math.exp(power / order), 1.0 if after_failure else 5.0)
-    # A step that was cut short says little about longer ones.
-    return max(h, step * factor) if step < 0.999 * h else step * factor
+    return min(_SAFE * math.exp(power / order), 5.0)
 
 
 def _combine_of(count: int) -> Any:

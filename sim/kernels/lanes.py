@@ -29,7 +29,6 @@ _FLAGS = ("contract",)
 
 
 def _eight_at_a_time(_context: Any) -> Any:
-
     def generate(context: Any, builder: ir.IRBuilder, _signature: Any, _arguments: Any) -> ir.Value:
         # One of LLVM's attributes that have a value, which llvmlite's own `add` does not know.
         set.add(builder.function.attributes, '"prefer-vector-width"="512"')

@@ -166,6 +166,12 @@ def step_after(flow, h, step, error, order, good, after_failure, left=0.5):
         if h < SHORTEST_STEP:
             flow.counts[COUNT_WHAT] = STUCK
         return h
+    return step_after_good(h, step, factor, after_failure)
+
+
+@kernel(forceinline=True)
+def step_after_good(h, step, factor, after_failure):
+    """The step to try after one that was kept, s; `factor`: the ratio of both, by errors alone."""
     if after_failure:
         factor = min(factor, 1.0)
     # A step that was cut short says little about longer ones.
