@@ -71,7 +71,7 @@ _LEAST, _WEIGHED = 3, 16
 """The least degree that is gone on with; and the steps since a change after which the degrees beside the
 present one are weighed."""
 
-_UNSTEADY, _STEADY = 0.65, 6
+_UNSTEADY, _STEADY = 0.61, 6
 """The part of `near_limit` from which on the highest degree is left out; and the highest one then. Vibrations
 that nothing damps grow under degree 7 in steps that are .25 to .47 of Verlet's limit, by 5e-4 a step at most,
 and error control keeps them small by keeping steps there. Under degree 6 they fade in steps of .34 to .62."""

@@ -7,6 +7,8 @@ on. Every step counts, none is a trial: all hold the same tolerance.
 
 from __future__ import annotations
 
+import math
+
 from .adams import run_adams
 from .alpha import run_alpha
 from .blocks import from_to
@@ -182,8 +184,11 @@ def _run_best(b, drive, end, whole_tolerance, attempts):
                 # What is too much for its steps is no less for those of the other implicit method.
                 mind[AUTO_PACE + ARM_ROSENBROCK] *= mind[AUTO_PACE + arm] / before
         elif clock[CLOCK_TIME] < end:
-            # The last steps of a call are cut short, which says nothing about the method.
             mind[AUTO_PACE + arm] = pace
+        else:
+            # The last step of a call is cut short: at best, it would have been for nothing.
+            most = pace * tries / (tries - 1) if tries > 1 else math.inf
+            mind[AUTO_PACE + arm] = max(pace, min(mind[AUTO_PACE + arm], most))
         mind[AUTO_WORK] += tries * costs[arm]
 
 

@@ -41,6 +41,9 @@ _STRICTLY = 0.27
 moments make errors as large as they may be; elsewhere all steps are as long as errors let them be, so that
 they add up."""
 
+_PAST = 0.25
+"""The part of the acceleration before in what predicts velocities near the stability limit."""
+
 _SINK, _RAISE = 0.93, 1.002
 """What a step that failed leaves of the limit, and how fast that rises again, per step."""
 
@@ -49,16 +52,19 @@ _SINK, _RAISE = 0.93, 1.002
 def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, near_limit, attempts):
     """Go on to `end` by x += h v + h²/2 a, v += h/2 (a + a'); arguments as those of `run_explicit`.
 
-    Under error control, steps shorter than `near_limit` hold a part of the tolerance.
+    Forces that depend on velocities take v + h a for the new ones, which keeps the second order, but under
+    damping has a lower limit than symplectic Euler, see `sim.stability`. Under error control, steps that
+    `near_limit` says are near it take v + h (3 a + b) / 4, with b the acceleration before a: also of second
+    order, with larger errors and Euler's limit. Steps shorter than that hold a part of the tolerance.
 
-    Forces that depend on velocities take v + h a for the new ones, which keeps the second order. The error of
-    a step is taken to be h² |a' - a| / 12. Near the stability limit that says nothing for a while and
-    then everything at once, so a step that failed is remembered as a limit, which is raised slowly.
+    The error of a step is taken to be h² |a' - a| / 12. Near the limit that says nothing for a while and then
+    everything at once, so a step that failed is remembered as a limit, which is raised slowly. That the next
+    one fails as well, half as long, tells of the vibration that is left, and not of the limit.
     """
     freshen(body, live, work, drive, flow)
     clock, count = flow.clock, flow.counts
     q, v, a, rows = flow.q, flow.v, flow.a, flow.rows
-    to_q, to_v, to_a, driven = rows[0], rows[1], rows[2], rows[3]
+    to_q, to_v, to_a, driven, slope, to_slope = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]
     places = q.size // 2
     farthest, fastest = flow.limits[0], flow.limits[1]
     t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
@@ -68,20 +74,24 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
         h = 0.5 * first_step(flow, drive, 0.01 * tolerance)
         clock[CLOCK_CAP] = 1e9
     cap = clock[CLOCK_CAP]
-    failed = False
+    for j in range(a.size):
+        slope[j] = a[j]
+    failures = 0  # one after another
     steps, tries, held, swaps, shortest = 0, 0, 0, 0, 0.0
     while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
         tries += 1
         step = fitting_step(t, end, h)
         half = 0.5 * step
-        _predict(q, v, a, step, to_q, to_v)
+        near = fixed == 0.0 and h >= near_limit
+        _predict(q, v, a, slope, step, to_q, to_v)
         if drive.moving:
             drive_to(body, live, drive, t + step, to_q, to_v)
             for k in range(drive.mass.size):
                 m = drive.mass[k]
                 driven[m], driven[places + m] = to_v[m], to_v[places + m]
         accelerations(body, live, work, to_q, to_v, to_a)
-        change, far, fast, moved = _correct(q, v, a, to_a, half, to_q, to_v)
+        past = _PAST if near else 0.0
+        change, far, fast, moved = _correct(q, v, a, to_a, half, past, to_q, to_v, to_slope)
         for k in range(drive.mass.size):
             m = drive.mass[k]
             for j in (m, places + m):
@@ -90,7 +100,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
         error = 0.0
         if fixed == 0.0:
             error = from_bits(change) * step * step / (12.0 * max(step, SHORTEST_SPAN) * tolerance)
-            if h < near_limit:
+            if not near:
                 error *= 1.0 / _STRICTLY
             if not error < HOPELESS:
                 error = HOPELESS
@@ -101,9 +111,10 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
             good = good and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if not good:
             if fixed == 0.0:
-                cap = _SINK * step
-                h = min(step_after(flow, h, step, max(error, 2.0), 2, False, failed), cap)
-                failed = True
+                if failures != 1:
+                    cap = _SINK * step
+                h = min(step_after(flow, h, step, max(error, 2.0), 2, False, failures > 0), cap)
+                failures += 1
             continue
         shortest = shortest_of(body, work)  # before the books, which ask for forces elsewhere
         if ledger.active:
@@ -113,20 +124,21 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
             # Change places instead of copying.
             q, to_q, v, to_v, a, to_a = to_q, q, to_v, v, to_a, a
             swaps += 1
+        slope, to_slope = to_slope, slope
         t = end if step == end - t else t + step
         steps += 1
         if fixed == 0.0:
             cap *= _RAISE
-            if not failed and error * cap * cap < _ROOMY * step * step and cap < 2.0 * step:
+            if failures == 0 and error * cap * cap < _ROOMY * step * step and cap < 2.0 * step:
                 # The limit decides, whatever the error exactly is: so the next step need not wait for it.
                 h = cap
                 held += 1
             else:
-                h = step_after(flow, h, step, error, 2, True, failed)
+                h = step_after(flow, h, step, error, 2, True, failures > 0)
                 if h > cap:
                     h = cap
                     held += 1
-            failed = False
+            failures = 0
     if swaps % 2:
         replace_state(flow, q, v, a)
     count[COUNT_FORCES] += tries
@@ -137,23 +149,28 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
-def _predict(q, v, a, step, to_q, to_v):
-    """Positions at the end of a step, and velocities that go on as they are."""
+def _predict(q, v, a, slope, step, to_q, to_v):
+    """Positions at the end of a step, and velocities for the forces there."""
     eight_at_a_time()
     half = 0.5 * step
     for j in range(1, q.size - SPARE):
         to_q[j] = q[j] + step * (v[j] + half * a[j])
-        to_v[j] = v[j] + step * a[j]
+        to_v[j] = v[j] + step * slope[j]
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
-def _correct(q, v, a, to_a, half, to_q, to_v):
-    """Correct velocities; (the largest change of an acceleration, coordinate, speed and move, as bits)."""
+def _correct(q, v, a, to_a, half, past, to_q, to_v, to_slope):
+    """Correct velocities, and find what predicts the next ones, with the part `past` of `a` in it.
+
+    Returns:
+        The largest change of an acceleration, coordinate, speed and move, as bits.
+    """
     eight_at_a_time()
     change, far, fast, moved = 0, 0, 0, 0
     for j in range(1, v.size - SPARE):
         new = v[j] + half * (a[j] + to_a[j])
         to_v[j] = new
+        to_slope[j] = to_a[j] + past * (a[j] - to_a[j])
         change = max(change, size_bits(to_a[j] - a[j]))
         far = max(far, size_bits(to_q[j]))
         fast = max(fast, size_bits(new))

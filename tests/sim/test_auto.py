@@ -9,6 +9,7 @@ import pytest
 import sim
 from sim import Integrator, Simulation
 from sim.simulation import Effort
+from tests.sim.amplification import dynamics, radius
 
 
 def test_far_from_its_limit_verlet_leaves_most_of_the_tolerance_to_what_may_come() -> None:
@@ -62,3 +63,31 @@ def test_long_steps_of_stiff_bodies_keep_to_large_tolerances(tolerance: float) -
         assert simulation.step() == 1
         ends.append(simulation.positions)
     assert np.hypot(*(ends[0] - ends[1]).T).max() < 0.5 * tolerance
+
+
+@pytest.mark.parametrize("tolerance", [0.1, 0.3, 1.0])
+def test_steps_of_damped_bodies_are_longer_than_textbook_verlet_bears(tolerance: float) -> None:
+    """Near the limit, forces go by velocities that are predicted so that it is symplectic Euler's."""
+    scene = sim.load_scene("study-cloth")
+    positions, velocities = (
+        np.array([getattr(mass, name) for mass in scene.masses]) for name in ("position", "velocity")
+    )
+    k, c = dynamics(scene, positions, velocities)
+    mean = 1.0 / effort_of("study-cloth", tolerance).steps
+    assert radius("velocity_verlet", k, c, 0.9 * mean) > 1.01
+    assert radius("symplectic_euler", k, c, mean) < 1.0 + 1e-6
+
+
+@pytest.mark.parametrize("tolerance", [1.1, 1.25, 1.3])
+def test_frame_by_frame_implicit_steps_are_judged_by_what_they_do_now(tolerance: float) -> None:
+    """Each frame cuts one short; going by the first frame, Verlet would be gone on with for ever."""
+    integrator = Integrator(dt=1.0 / 60.0, tolerance=tolerance)
+    simulation = Simulation(msgspec.structs.replace(sim.load_scene("study-w3"), integrator=integrator))
+    assert simulation.step(60) == 60
+    whole = simulation.effort()
+    simulation.reset()
+    for _ in range(60):
+        assert simulation.step() == 1
+    framed = simulation.effort()
+    assert framed.matrices > 40
+    assert framed.forces < 3 * whole.forces
