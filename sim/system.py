@@ -62,7 +62,7 @@ def build_system(scene: Scene) -> System:
     """
     order = _order_along(scene)
     n = len(scene.masses)
-    mass_order, spring_order = order or (list(range(n)), list(range(len(scene.linear_springs))))
+    mass_order, spring_order = order or (list(range(n)), _hinged_first(scene))
     mass_place = np.empty(n, np.int64)
     mass_place[mass_order] = np.arange(1, n + 1)
     spring_place = np.empty(len(spring_order), np.int64)
@@ -180,6 +180,12 @@ def _order_along(scene: Scene) -> tuple[list[int], list[int]] | None:
     return mass_order, spring_order
 
 
+def _hinged_first(scene: Scene) -> list[int]:
+    """The springs, those that angular springs hold before the others."""
+    hinged = {s for joint in scene.angular_springs for s in (joint.a, joint.b)}
+    return sorted(range(len(scene.linear_springs)), key=lambda s: s not in hinged)
+
+
 def _body(
     scene: Scene, mass_place: Indices, spring_order: list[int], spring_place: Indices, in_order: bool
 ) -> tuple[Body, Indices]:
@@ -200,6 +206,7 @@ def _body(
     rest_angle = np.array([joint.rest_angle for joint in scene.angular_springs], float)
     resistance = np.array([joint.damping for joint in scene.angular_springs], float)
     joint_order = np.arange(joint_a.size)
+    hinged = np.union1d(joint_a, joint_b).size
     if in_order and joint_a.size:
         joint_order = joint_a
         joints = n if ring else n - 2
@@ -207,11 +214,13 @@ def _body(
         by_place[:, joint_a] = strength, rest_angle, resistance
         strength, rest_angle, resistance = by_place.copy()
         joint_a, joint_b = np.arange(joints), (np.arange(joints) + 1) % len(springs)
+        hinged = len(springs)
     joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
         joint_b, joint_a, len(springs), first=1, nothing=0
     )
+    layers = _layers(spring_b, spring_a, n + 1)
     spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = _slots(
-        spring_b, spring_a, n + 1, first=0, nothing=room
+        spring_b, spring_a, n + 1, first=0, nothing=room, layers=layers
     )
     couple_damping = np.zeros(max(joint_a.size, room) + 1)
     couple_size[1 : joint_a.size + 1], couple_damping[1 : joint_a.size + 1] = strength, resistance
@@ -238,11 +247,13 @@ def _body(
         joint_rest=np.ascontiguousarray(rest_angle),
         couple_size=couple_size,
         couple_damping=couple_damping,
+        hinged=hinged,
         joint_in=joint_in,
         joint_out=joint_out,
         more_joint=more_joint,
         more_joint_spring=more_joint_spring,
         more_joint_sign=more_joint_sign,
+        layers=layers,
         spring_in=spring_in,
         spring_out=spring_out,
         more_spring=more_spring,
@@ -271,26 +282,40 @@ def _softening(scene: Scene) -> float:
 
 
 def _slots(
-    plus: Indices, minus: Indices, owners: int, first: int, nothing: int
+    plus: Indices, minus: Indices, owners: int, first: int, nothing: int, layers: int = 1
 ) -> tuple[Indices, Indices, Indices, Indices, Floats]:
-    """For each owner one thing that acts on it with plus and one with minus, and lists of the others.
+    """In each layer one thing that acts on each owner with plus and one with minus, and lists of the others.
 
     `plus[i]` and `minus[i]` are the owners that thing i acts on. Things are numbered from `first` on, and
     `nothing` fills the empty slots.
     """
-    slots = np.full((2, owners), nothing, np.int64)
+    slots = np.full((2, layers, owners), nothing, np.int64)
     more: list[tuple[int, int, float]] = []
     for slot, owner_of, sign in ((slots[0], plus, 1.0), (slots[1], minus, -1.0)):
+        taken = np.zeros(owners, np.int64)
         for thing, owner in enumerate(owner_of, start=first):
-            if slot[owner] == nothing:
-                slot[owner] = thing
+            if taken[owner] < layers:
+                slot[taken[owner], owner] = thing
+                taken[owner] += 1
             else:
                 more.append((thing, int(owner), sign))
     thing, owner, sign = (list(column) for column in zip(*more, strict=True)) if more else ([], [], [])
     return (
-        slots[0].copy(),
-        slots[1].copy(),
+        slots[0].ravel(),
+        slots[1].ravel(),
         np.array(thing, np.int64),
         np.array(owner, np.int64),
         np.array(sign, float),
     )
+
+
+def _layers(plus: Indices, minus: Indices, owners: int) -> int:
+    """How many layers of slots are worth it: each but the first has things for half of the owners at least.
+
+    A layer is gathered in vectors, empty slots and all; the lists are gone through one by one.
+    """
+    counts = np.stack((np.bincount(plus, minlength=owners), np.bincount(minus, minlength=owners)))
+    layers = 1
+    while 2 * int((counts > layers).sum()) >= owners:
+        layers += 1
+    return layers

@@ -34,13 +34,13 @@ from .jit import FAST, kernel
 from .lanes import eight_at_a_time, whole_eights
 from .links import is_linked, linked_accelerations
 from .roots import inverse_root
-from .tables import ANGLE, CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
+from .tables import ANGLE, CONSERVATIVE, TUTORIAL
 
 
 @kernel(inline="always")
 def internal_forces(body, live, work, x, y, vx, vy):
     """Forces of all springs on all masses, into `work.fx` and `work.fy`."""
-    lx, ly, dvx, dvy, inverse = work.lx, work.ly, work.dvx, work.dvy, work.inverse
+    lx, ly, dvx, dvy, inverse, length = work.lx, work.ly, work.dvx, work.dvy, work.inverse, work.length
     turn, draw, tx, ty, fx, fy = work.turn, work.draw, work.tx, work.ty, work.fx, work.fy
     couple, energy, dot, friction = work.couple, work.energy, work.dot, work.friction
     hold, brake = work.hold, work.brake
@@ -59,29 +59,32 @@ def internal_forces(body, live, work, x, y, vx, vy):
             dvx[s] = vx[b] - vx[a]
             dvy[s] = vy[b] - vy[a]
     for s in range(springs):
-        inverse[s] = inverse_root(lx[s] * lx[s] + ly[s] * ly[s] + soft)
+        square = lx[s] * lx[s] + ly[s] * ly[s] + soft
+        inverse[s] = inverse_root(square)
+        length[s] = square * inverse[s]
     if body.joints:
         joint_couples(body, live, work)
         if body.law == CONSERVATIVE:
-            for s in range(body.springs):
+            for s in range(body.hinged):
                 a, b = np.uint64(body.joint_in[s]), np.uint64(body.joint_out[s])
                 turn[s], draw[s], hold[s] = couple[a] - couple[b], energy[a] + energy[b], dot[a] + dot[b]
             for i in range(body.more_joint.size):
-                j, s = body.more_joint[i], body.more_joint_spring[i]
+                j, s = np.uint64(body.more_joint[i]), np.uint64(body.more_joint_spring[i])
                 turn[s] += body.more_joint_sign[i] * couple[j]
                 draw[s] += energy[j]
                 hold[s] += dot[j]
         else:
-            for s in range(body.springs):
+            for s in range(body.hinged):
                 turn[s] = couple[np.uint64(body.joint_in[s])] - couple[np.uint64(body.joint_out[s])]
             for i in range(body.more_joint.size):
-                turn[body.more_joint_spring[i]] += body.more_joint_sign[i] * couple[body.more_joint[i]]
+                j, s = np.uint64(body.more_joint[i]), np.uint64(body.more_joint_spring[i])
+                turn[s] += body.more_joint_sign[i] * couple[j]
         if body.law == ANGLE:
-            for s in range(body.springs):
+            for s in range(body.hinged):
                 draw[s] = energy[np.uint64(body.joint_in[s])] + energy[np.uint64(body.joint_out[s])]
             for i in range(body.more_joint.size):
-                draw[body.more_joint_spring[i]] += energy[body.more_joint[i]]
-            for s in range(springs):
+                draw[np.uint64(body.more_joint_spring[i])] += energy[np.uint64(body.more_joint[i])]
+            for s in range(whole_eights(body.hinged)):
                 square = lx[s] * lx[s] + ly[s] * ly[s]
                 hold[s] = -draw[s] * (square + 2.0 * soft) * inverse[s] * inverse[s]
                 draw[s] = 0.0
@@ -89,18 +92,20 @@ def internal_forces(body, live, work, x, y, vx, vy):
         for s in range(springs):
             inv = inverse[s]
             inv2 = inv * inv
-            true = 1.0 / max(lx[s] * lx[s] + ly[s] * ly[s], SHORTEST_SQUARED)
+            true = inverse_root(lx[s] * lx[s] + ly[s] * ly[s])  # without softening
+            true *= true
             rate = lx[s] * dvx[s] + ly[s] * dvy[s]
             along = pull[s] * inv - stiffness[s] - (damping[s] * rate + draw[s]) * inv2 + hold[s] * true
             across = turn[s] * true
             tx[s] = along * lx[s] + across * ly[s]
             ty[s] = along * ly[s] - across * lx[s]
         if body.twisted:
-            for s in range(body.springs):
+            for s in range(body.hinged):
                 brake[s] = friction[np.uint64(body.joint_in[s])] - friction[np.uint64(body.joint_out[s])]
             for i in range(body.more_joint.size):
-                brake[body.more_joint_spring[i]] += body.more_joint_sign[i] * friction[body.more_joint[i]]
-            for s in range(springs):
+                j, s = np.uint64(body.more_joint[i]), np.uint64(body.more_joint_spring[i])
+                brake[s] += body.more_joint_sign[i] * friction[j]
+            for s in range(whole_eights(body.hinged)):
                 across = brake[s] * inverse[s] * inverse[s]
                 tx[s] += across * ly[s]
                 ty[s] -= across * lx[s]
@@ -136,8 +141,16 @@ def internal_forces(body, live, work, x, y, vx, vy):
         a, b = np.uint64(body.spring_in[i]), np.uint64(body.spring_out[i])
         fx[i] = tx[a] - tx[b]
         fy[i] = ty[a] - ty[b]
+    for layer in range(1, body.layers):
+        below = layer * (body.masses + 1)
+        more_in, more_out = body.spring_in[below:], body.spring_out[below:]
+        for i in range(1, body.masses + 1):
+            a, b = np.uint64(more_in[i]), np.uint64(more_out[i])
+            fx[i] += tx[a] - tx[b]
+            fy[i] += ty[a] - ty[b]
     for i in range(body.more_spring.size):
-        m, s, sign = body.more_spring_mass[i], body.more_spring[i], body.more_spring_sign[i]
+        m, s = np.uint64(body.more_spring_mass[i]), np.uint64(body.more_spring[i])
+        sign = body.more_spring_sign[i]
         fx[m] += sign * tx[s]
         fy[m] += sign * ty[s]
 
@@ -152,7 +165,8 @@ def spring_forces(body, live, work, x, y, vx, vy):
 @kernel(forceinline=True)
 def joint_couples(body, live, work):
     """The couple and, where the law has one, the energy of every joint, from the vectors in `work`."""
-    lx, ly, inverse, couple, energy = work.lx, work.ly, work.inverse, work.couple, work.energy
+    lx, ly, inverse, length = work.lx, work.ly, work.inverse, work.length
+    couple, energy = work.couple, work.energy
     if body.law == TUTORIAL:
         for j in range(body.joints):
             a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
@@ -166,7 +180,7 @@ def joint_couples(body, live, work):
             dot = lx[a] * lx[b] + ly[a] * ly[b]
             cos, sin = live.couple_cos[j + 1], live.couple_sin[j + 1]
             couple[j + 1] = cos * cross - sin * dot
-            energy[j + 1] = body.couple_size[j + 1] / (inverse[a] * inverse[b])
+            energy[j + 1] = body.couple_size[j + 1] * (length[a] * length[b])
             work.dot[j + 1] = cos * dot + sin * cross
     else:
         for j in range(body.joints):
@@ -178,13 +192,13 @@ def joint_couples(body, live, work):
             energy[j + 1] = 0.5 * couple[j + 1] * off
     if body.twisted:
         turning, friction = work.turning, work.friction
-        for s in range(body.springs):
+        for s in range(body.hinged):
             inv = inverse[s]
-            turning[s + 1] = (lx[s] * work.dvy[s] - ly[s] * work.dvx[s]) * (inv * inv)
+            turning[s] = (lx[s] * work.dvy[s] - ly[s] * work.dvx[s]) * (inv * inv)
         for j in range(body.joints):
-            a, b = body.joint_a[j], body.joint_b[j]
-            rate = turning[b + 1] - turning[a + 1]
-            friction[j + 1] = body.couple_damping[j + 1] / (inverse[a] * inverse[b]) * rate
+            a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
+            rate = turning[b] - turning[a]
+            friction[j + 1] = body.couple_damping[j + 1] * (length[a] * length[b]) * rate
         if body.law == TUTORIAL:
             for j in range(body.joints):
                 couple[j + 1] += friction[j + 1]

@@ -50,14 +50,18 @@ class Body(NamedTuple):
     # The couple of a joint acts on its spring a with one sign and on its spring b with the other. Each spring
     # names the place of one joint of which it is b and one of which it is a (0 where there is none: a
     # couple of zero); the rare others are in the lists. So the common case is a gather without branches.
+    # Springs that joints hold come before all others.
+    hinged: int  # how many springs joints hold
     joint_in: Indices  # (S,)
     joint_out: Indices  # (S,)
     more_joint: Indices
     more_joint_spring: Indices
     more_joint_sign: Floats
     # The same for the springs of each place of a mass; there, the padding behind the springs stands for none.
-    spring_in: Indices  # (n + 1,)
-    spring_out: Indices  # (n + 1,)
+    # Where many masses have more springs, each names two more in the next layer, and so on.
+    layers: int
+    spring_in: Indices  # (layers (n + 1),)
+    spring_out: Indices  # (layers (n + 1),)
     more_spring: Indices
     more_spring_mass: Indices
     more_spring_sign: Floats
@@ -95,7 +99,8 @@ class Work(NamedTuple):
     dvx: Floats
     dvy: Floats
     inverse: Floats  # 1 / length; `linked_accelerations` only tells that of the shortest spring, at place 0
-    turning: Floats  # rate at which a spring turns, 1/s, that of spring s at place s + 1
+    length: Floats
+    turning: Floats  # rate at which a spring turns, 1/s
     turn: Floats  # what the couples of its joints add up to at each spring
     draw: Floats  # what the energies of its joints add up to at each spring
     hold: Floats  # what their conservative pulls along it add up to at each spring, times its length

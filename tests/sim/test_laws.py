@@ -15,7 +15,7 @@ from sim import AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
 from sim.scene import ForceLaw
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import LAWS, SHAPES, body
-from tests.sim.inside import forces_of, general, put, spring_forces
+from tests.sim.inside import forces_of, general, put, spring_forces, system_of
 from tests.sim.laws import Laws, complexes, points
 
 REPLACE = msgspec.structs.replace
@@ -55,6 +55,17 @@ def two_springs(
 
 
 # ------------------------------------------------------------------------- what each law is
+def test_shapes_take_every_way_through_the_tables() -> None:
+    """That of what follows nothing goes untested because of how bodies are tabulated."""
+    bodies = {shape: system_of(Simulation(body(shape))).body for shape in SHAPES}
+    assert bodies["girder"].hinged < bodies["girder"].springs
+    assert bodies["girder"].layers > 2 and not bodies["girder"].more_spring.size
+    assert (
+        bodies["tangle"].layers > 1 and bodies["tangle"].more_spring.size and bodies["tangle"].more_joint.size
+    )
+    assert bodies["hub"].layers == 1 and bodies["hub"].more_spring.size
+
+
 @pytest.mark.parametrize("damping", DAMPINGS)
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("shape", SHAPES)
