@@ -40,7 +40,7 @@ from .tables import ANGLE, CONSERVATIVE, TUTORIAL
 @kernel(inline="always")
 def internal_forces(body, live, work, x, y, vx, vy):
     """Forces of all springs on all masses, into `work.fx` and `work.fy`."""
-    lx, ly, dvx, dvy, inverse, length = work.lx, work.ly, work.dvx, work.dvy, work.inverse, work.length
+    lx, ly, dvx, dvy, inverse = work.lx, work.ly, work.dvx, work.dvy, work.inverse
     turn, draw, tx, ty, fx, fy = work.turn, work.draw, work.tx, work.ty, work.fx, work.fy
     couple, energy, dot, friction = work.couple, work.energy, work.dot, work.friction
     hold, brake = work.hold, work.brake
@@ -59,9 +59,7 @@ def internal_forces(body, live, work, x, y, vx, vy):
             dvx[s] = vx[b] - vx[a]
             dvy[s] = vy[b] - vy[a]
     for s in range(springs):
-        square = lx[s] * lx[s] + ly[s] * ly[s] + soft
-        inverse[s] = inverse_root(square)
-        length[s] = square * inverse[s]
+        inverse[s] = inverse_root(lx[s] * lx[s] + ly[s] * ly[s] + soft)
     if body.joints:
         joint_couples(body, live, work)
         if body.law == CONSERVATIVE:
@@ -167,6 +165,9 @@ def joint_couples(body, live, work):
     """The couple and, where the law has one, the energy of every joint, from the vectors in `work`."""
     lx, ly, inverse, length = work.lx, work.ly, work.inverse, work.length
     couple, energy = work.couple, work.energy
+    if body.law == CONSERVATIVE or body.twisted:
+        for s in range(whole_eights(body.hinged)):
+            length[s] = (lx[s] * lx[s] + ly[s] * ly[s] + body.softening) * inverse[s]
     if body.law == TUTORIAL:
         for j in range(body.joints):
             a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])

@@ -99,7 +99,6 @@ class Work(NamedTuple):
     dvx: Floats
     dvy: Floats
     inverse: Floats  # 1 / length; `linked_accelerations` only tells that of the shortest spring, at place 0
-    length: Floats
     turning: Floats  # rate at which a spring turns, 1/s
     turn: Floats  # what the couples of its joints add up to at each spring
     draw: Floats  # what the energies of its joints add up to at each spring
@@ -113,6 +112,7 @@ class Work(NamedTuple):
     ty: Floats
     fx: Floats  # (places)
     fy: Floats
+    length: Floats  # of the springs that joints hold, where their couples go by it
 
 
 class Motion(NamedTuple):
