@@ -38,8 +38,11 @@ from .tables import ANGLE, CONSERVATIVE, TUTORIAL
 
 
 @kernel(inline="always")
-def internal_forces(body, live, work, x, y, vx, vy):
-    """Forces of all springs on all masses, into `work.fx` and `work.fy`."""
+def internal_forces(softened, body, live, work, x, y, vx, vy):
+    """Forces of all springs on all masses, into `work.fx` and `work.fy`.
+
+    `softened` tells whether lengths are softened at all, for those who know when they are compiled.
+    """
     lx, ly, dvx, dvy, inverse = work.lx, work.ly, work.dvx, work.dvy, work.inverse
     turn, draw, tx, ty, fx, fy = work.turn, work.draw, work.tx, work.ty, work.fx, work.fy
     couple, energy, dot, friction = work.couple, work.energy, work.dot, work.friction
@@ -90,7 +93,7 @@ def internal_forces(body, live, work, x, y, vx, vy):
         for s in range(springs):
             inv = inverse[s]
             inv2 = inv * inv
-            true = inverse_root(lx[s] * lx[s] + ly[s] * ly[s])  # without softening
+            true = inverse_root(lx[s] * lx[s] + ly[s] * ly[s]) if softened else inv
             true *= true
             rate = lx[s] * dvx[s] + ly[s] * dvy[s]
             along = pull[s] * inv - stiffness[s] - (damping[s] * rate + draw[s]) * inv2 + hold[s] * true
@@ -157,17 +160,13 @@ def internal_forces(body, live, work, x, y, vx, vy):
 def spring_forces(body, live, work, x, y, vx, vy):
     """`internal_forces`, with sums in any order."""
     eight_at_a_time()
-    internal_forces(body, live, work, x, y, vx, vy)
+    internal_forces(True, body, live, work, x, y, vx, vy)
 
 
 @kernel(forceinline=True)
 def joint_couples(body, live, work):
     """The couple and, where the law has one, the energy of every joint, from the vectors in `work`."""
-    lx, ly, inverse, length = work.lx, work.ly, work.inverse, work.length
-    couple, energy = work.couple, work.energy
-    if body.law == CONSERVATIVE or body.twisted:
-        for s in range(whole_eights(body.hinged)):
-            length[s] = (lx[s] * lx[s] + ly[s] * ly[s] + body.softening) * inverse[s]
+    lx, ly, inverse, couple, energy = work.lx, work.ly, work.inverse, work.couple, work.energy
     if body.law == TUTORIAL:
         for j in range(body.joints):
             a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
@@ -181,7 +180,7 @@ def joint_couples(body, live, work):
             dot = lx[a] * lx[b] + ly[a] * ly[b]
             cos, sin = live.couple_cos[j + 1], live.couple_sin[j + 1]
             couple[j + 1] = cos * cross - sin * dot
-            energy[j + 1] = body.couple_size[j + 1] * (length[a] * length[b])
+            energy[j + 1] = body.couple_size[j + 1] / (inverse[a] * inverse[b])
             work.dot[j + 1] = cos * dot + sin * cross
     else:
         for j in range(body.joints):
@@ -199,7 +198,7 @@ def joint_couples(body, live, work):
         for j in range(body.joints):
             a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
             rate = turning[b] - turning[a]
-            friction[j + 1] = body.couple_damping[j + 1] * (length[a] * length[b]) * rate
+            friction[j + 1] = body.couple_damping[j + 1] / (inverse[a] * inverse[b]) * rate
         if body.law == TUTORIAL:
             for j in range(body.joints):
                 couple[j + 1] += friction[j + 1]

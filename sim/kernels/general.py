@@ -20,7 +20,7 @@ def run_general(body, live, work, motion, kept, progress, dt, steps, has_air, fa
         for step in range(done, done + count):
             if motion.active:
                 lead_and_press(body, live, motion, step, steps)
-            internal_forces(body, live, work, live.x, live.y, live.vx, live.vy)
+            internal_forces(False, body, live, work, live.x, live.y, live.vx, live.vy)
             general_axis(live.x, live.vx, work.fx, live.dt_mass, live.dt_air, live.dt_gx, dt, masses, has_air)
             general_axis(live.y, live.vy, work.fy, live.dt_mass, live.dt_air, live.dt_gy, dt, masses, has_air)
             if motion.active:

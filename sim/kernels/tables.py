@@ -112,7 +112,6 @@ class Work(NamedTuple):
     ty: Floats
     fx: Floats  # (places)
     fy: Floats
-    length: Floats  # of the springs that joints hold, where their couples go by it
 
 
 class Motion(NamedTuple):

@@ -62,7 +62,7 @@ def spring_forces(simulation: Simulation) -> Points:
     """(n, 2) what all springs and joints do to each mass at the present state, without air and gravity."""
     work = simulation._work
     live = simulation._live
-    internal_forces(simulation._body, live, work, live.x, live.y, live.vx, live.vy)
+    internal_forces(True, simulation._body, live, work, live.x, live.y, live.vx, live.vy)
     place = simulation._system.mass_place
     return np.column_stack((work.fx[place], work.fy[place]))
 
