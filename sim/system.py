@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .kernels.roots import LEAST
 from .kernels.tables import (
     ANGLE,
     CONSERVATIVE,
@@ -26,6 +27,9 @@ from .scene import Scene
 _SOFT_IN_TOLERANCES, _SOFT_AT_MOST = 0.02, 1e-4
 """The length below which a spring has no direction to speak of, in tolerances, since no method could follow
 anything smaller; and at most, as a part of a typical spring's."""
+
+_ENDLESS = 1e30
+"""What padding is softened by, px²: it is longer than any spring then; single precision still holds this."""
 
 _LAWS = {"tutorial": TUTORIAL, "conservative": CONSERVATIVE, "angle": ANGLE}
 
@@ -193,11 +197,15 @@ def _body(
     ring = in_order and len(springs) == n
     # As many springs as masses at least, since the chain's loops over masses look at as many, and one ahead.
     room = padded(max(len(springs), n)) + 1
-    stiffness, damping, rest, couple_size = slab(
-        [(room, 1)] * 3 + [(max(room, len(scene.angular_springs)) + 1, 1)], page_offset=1536
+    couples = max(room, len(scene.angular_springs)) + 1
+    stiffness, damping, rest, couple_size, softenings = slab(
+        [(room, 1)] * 3 + [(couples, 1), (room, 1)], page_offset=1536
     )
     for s, spring in enumerate(springs):
         stiffness[s], damping[s], rest[s] = spring.stiffness, spring.damping, spring.rest_length
+    softening = _softening(scene)
+    # The loop round a ring comes by its first spring again.
+    softenings[:], softenings[: len(springs) + ring] = _ENDLESS, max(softening, LEAST)
     spring_a = mass_place[np.array([spring.a for spring in springs], np.int64)]
     spring_b = mass_place[np.array([spring.b for spring in springs], np.int64)]
     joint_a = spring_place[np.array([joint.a for joint in scene.angular_springs], np.int64)]
@@ -235,7 +243,8 @@ def _body(
         chain=in_order and not ring,
         ring=ring,
         law=_LAWS[scene.force_law] if joint_a.size else NO_JOINTS,
-        softening=_softening(scene),
+        softening=softening,
+        softenings=softenings,
         spring_a=spring_a,
         spring_b=spring_b,
         stiffness=stiffness,

@@ -193,21 +193,29 @@ def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
     """Positions, velocities and accelerations a step ahead, by the polynomial."""
     eight_at_a_time()
     hh = h * h
-    # All eight at once: in one pass, everything stays in registers.
+    # All at once: in one pass, everything stays in registers. One row less is a tenth of the arithmetic.
     x, u, w = method.position[degree], method.velocity[degree], method.ahead[degree]
-    x0, x1, x2, x3, x4, x5, x6, x7 = x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]
-    u0, u1, u2, u3, u4, u5, u6, u7 = u[0], u[1], u[2], u[3], u[4], u[5], u[6], u[7]
+    x0, x1, x2, x3 = hh * x[0], hh * x[1], hh * x[2], hh * x[3]
+    x4, x5, x6, x7 = hh * x[4], hh * x[5], hh * x[6], hh * x[7]
+    u0, u1, u2, u3 = h * u[0], h * u[1], h * u[2], h * u[3]
+    u4, u5, u6, u7 = h * u[4], h * u[5], h * u[6], h * u[7]
     w0, w1, w2, w3, w4, w5, w6, w7 = w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]
     a0, a1, a2, a3 = past[head], past[ago(head, 1)], past[ago(head, 2)], past[ago(head, 3)]
     a4, a5, a6, a7 = past[ago(head, 4)], past[ago(head, 5)], past[ago(head, 6)], past[ago(head, 7)]
-    for j in range(1, q.size - SPARE):
-        r0, r1, r2, r3, r4, r5, r6, r7 = a0[j], a1[j], a2[j], a3[j], a4[j], a5[j], a6[j], a7[j]
-        by_x = x0 * r0 + x1 * r1 + x2 * r2 + x3 * r3 + (x4 * r4 + x5 * r5 + x6 * r6 + x7 * r7)
-        by_u = u0 * r0 + u1 * r1 + u2 * r2 + u3 * r3 + (u4 * r4 + u5 * r5 + u6 * r6 + u7 * r7)
-        by_w = w0 * r0 + w1 * r1 + w2 * r2 + w3 * r3 + (w4 * r4 + w5 * r5 + w6 * r6 + w7 * r7)
-        to_q[j] = q[j] + h * v[j] + hh * by_x
-        to_v[j] = v[j] + h * by_u
-        ahead[j] = by_w
+    if degree == PAST - 1:
+        for j in range(1, q.size - SPARE):
+            r0, r1, r2, r3, r4, r5, r6, r7 = a0[j], a1[j], a2[j], a3[j], a4[j], a5[j], a6[j], a7[j]
+            by_x = x0 * r0 + x1 * r1 + x2 * r2 + x3 * r3 + (x4 * r4 + x5 * r5 + x6 * r6 + x7 * r7)
+            by_u = u0 * r0 + u1 * r1 + u2 * r2 + u3 * r3 + (u4 * r4 + u5 * r5 + u6 * r6 + u7 * r7)
+            to_q[j], to_v[j] = q[j] + h * v[j] + by_x, v[j] + by_u
+            ahead[j] = w0 * r0 + w1 * r1 + w2 * r2 + w3 * r3 + (w4 * r4 + w5 * r5 + w6 * r6 + w7 * r7)
+    else:
+        for j in range(1, q.size - SPARE):
+            r0, r1, r2, r3, r4, r5, r6 = a0[j], a1[j], a2[j], a3[j], a4[j], a5[j], a6[j]
+            by_x = x0 * r0 + x1 * r1 + x2 * r2 + x3 * r3 + (x4 * r4 + x5 * r5 + x6 * r6)
+            by_u = u0 * r0 + u1 * r1 + u2 * r2 + u3 * r3 + (u4 * r4 + u5 * r5 + u6 * r6)
+            to_q[j], to_v[j] = q[j] + h * v[j] + by_x, v[j] + by_u
+            ahead[j] = w0 * r0 + w1 * r1 + w2 * r2 + w3 * r3 + (w4 * r4 + w5 * r5 + w6 * r6)
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)

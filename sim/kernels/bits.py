@@ -24,6 +24,14 @@ def _size_bits(_context: Any, number: Any) -> Any:
     return types.int64(number), generate
 
 
+def _bits(_context: Any, number: Any) -> Any:
+
+    def generate(_context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
+        return builder.bitcast(arguments[0], ir.IntType(64))
+
+    return types.int64(number), generate
+
+
 def _from_bits(_context: Any, bits: Any) -> Any:
 
     def generate(_context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
@@ -34,6 +42,9 @@ def _from_bits(_context: Any, bits: Any) -> Any:
 
 size_bits: Any = intrinsic(_size_bits)
 """size_bits(number): the bits of |number|, as an integer."""
+
+bits: Any = intrinsic(_bits)
+"""bits(number): the bits of a number that is not negative, as an integer."""
 
 from_bits: Any = intrinsic(_from_bits)
 """from_bits(bits): the float that has these bits."""

@@ -4,7 +4,8 @@ What a spring does to the mass at its b end, its tension, takes the vectors of b
 loop is two places ahead of the mass whose acceleration it finds, and carries from round to round what is not
 yet done with. Nothing is stored but accelerations: what one loop stores and the next one loads at a place
 beside, a short chain waits for longer than its arithmetic takes. LLVM does eight rounds at a time all the
-same, and shuffles what is carried into place.
+same, and shuffles what is carried into place. No round asks whether its spring is padding: that has no
+stiffness, and a length beside which all others are short.
 
 The forces are those of `forces`, under the tutorial's law, the conservative one, or without joints.
 """
@@ -13,10 +14,10 @@ from __future__ import annotations
 
 import math
 
-from .bits import from_bits, size_bits
+from .bits import bits, from_bits
 from .jit import FAST, kernel
 from .lanes import eight_at_a_time, whole_eights
-from .roots import inverse_root
+from .roots import inverse_root_from_least
 from .tables import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL
 
 
@@ -27,34 +28,33 @@ def is_linked(body):
 
 
 @kernel(inline="always")
-def _from_mass(x, y, vx, vy):
+def _nothing():
     """What is carried from a mass that no spring ends at."""
-    return x, y, vx, vy, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
 @kernel(inline="always")
-def _to_mass(law, alone, carried, x, y, vx, vy, cos, sin, size, pull, stiffness, damping, soft):
+def _along(law, alone, carried, bx, by, bu, bv, cos, sin, size, pull, stiffness, damping, soft):
     """Go on along a spring to the mass at its b end.
 
     Args:
         law: TUTORIAL, CONSERVATIVE or NO_JOINTS.
         alone: whether this is no round of a loop, in which eight are done at a time.
         carried: from the mass at its a end.
-        x, y, vx, vy: where the mass is, px, and how fast, px/s.
+        bx, by, bu, bv: the spring's vector, px, and how fast that changes, px/s.
         cos, sin, size: stiffness of the joint with the spring before, kg/s², times the cosine and the sine of
             its rest angle; and itself.
         pull, stiffness, damping: of the spring, as in `Live` and `Body`.
-        soft: `Body.softening`.
+        soft: of the spring, px², see `Body.softenings`.
 
     Returns:
         1 / length, the tension of the spring before, and what is carried on.
     """
-    from_x, from_y, from_vx, from_vy, ax, ay, along, part, known, in_x, in_y = carried
-    bx, by = x - from_x, y - from_y
+    ax, ay, along, part, known, in_x, in_y = carried
     square = bx * bx + by * by + soft
-    inv = 1.0 / math.sqrt(square) if alone else inverse_root(square)
+    inv = 1.0 / math.sqrt(square) if alone else inverse_root_from_least(square)
     inv2 = inv * inv
-    rate = bx * (vx - from_vx) + by * (vy - from_vy)
+    rate = bx * bu + by * bv
     to_along = pull * inv - stiffness - damping * rate * inv2
     to_part, to_known, to_x, to_y = 0.0, 0.0, 0.0, 0.0
     if law == CONSERVATIVE:
@@ -74,7 +74,7 @@ def _to_mass(law, alone, carried, x, y, vx, vy, cos, sin, size, pull, stiffness,
         to_part, to_known = inv2, couple
     else:
         tx, ty = along * ax, along * ay
-    return inv, tx, ty, (x, y, vx, vy, bx, by, to_along, to_part, to_known, to_x, to_y)
+    return inv, tx, ty, (bx, by, to_along, to_part, to_known, to_x, to_y)
 
 
 @kernel(apart=True, forceinline=True, fastmath=FAST)
@@ -95,31 +95,30 @@ def linked_accelerations(body, live, work, x, y, vx, vy, ax, ay):
 
 @kernel(inline="always")
 def _accelerate(law, body, live, work, x, y, vx, vy, ax, ay):
-    n, springs, soft = body.masses, body.springs, body.softening
+    n, soft = body.masses, body.softenings
     cos, sin, size = live.couple_cos, live.couple_sin, body.couple_size
     pull, stiffness, damping = live.pull, body.stiffness, body.damping
     w, air, gx, gy = live.inverse_mass, live.air, live.gx, live.gy
-    carried = _from_mass(x[1], y[1], vx[1], vy[1])
+    carried = _nothing()
     if body.ring:
-        carried = _from_mass(x[n - 1], y[n - 1], vx[n - 1], vy[n - 1])
         for s in (n - 2, n - 1):
-            m = s + 2 - n
-            _, _, _, carried = _to_mass(
-                law, True, carried, x[m], y[m], vx[m], vy[m],
-                cos[s], sin[s], size[s], pull[s], stiffness[s], damping[s], soft,
+            a, b = (n - 1, 0) if s < n - 1 else (0, 1)
+            _, _, _, carried = _along(
+                law, True, carried, x[b] - x[a], y[b] - y[a], vx[b] - vx[a], vy[b] - vy[a],
+                cos[s], sin[s], size[s], pull[s], stiffness[s], damping[s], soft[s],
             )  # fmt: skip
-    inv, before_x, before_y, carried = _to_mass(
-        law, True, carried, x[2], y[2], vx[2], vy[2],
-        cos[0], sin[0], size[0], pull[0], stiffness[0], damping[0], soft,
+    inv, before_x, before_y, carried = _along(
+        law, True, carried, x[2] - x[1], y[2] - y[1], vx[2] - vx[1], vy[2] - vy[1],
+        cos[0], sin[0], size[0], pull[0], stiffness[0], damping[0], soft[0],
     )  # fmt: skip
-    short = size_bits(inv)
+    short = bits(inv)
     for m in range(1, whole_eights(n) + 1):
-        k = m + 2
-        inv, tx, ty, carried = _to_mass(
-            law, False, carried, x[k], y[k], vx[k], vy[k],
-            cos[m], sin[m], size[m], pull[m], stiffness[m], damping[m], soft,
+        a, b = m + 1, m + 2
+        inv, tx, ty, carried = _along(
+            law, False, carried, x[b] - x[a], y[b] - y[a], vx[b] - vx[a], vy[b] - vy[a],
+            cos[m], sin[m], size[m], pull[m], stiffness[m], damping[m], soft[m],
         )  # fmt: skip
-        short = max(short, size_bits(inv) if m < springs else 0)
+        short = max(short, bits(inv))
         u, v = vx[m], vy[m]
         ax[m] = (before_x - tx) * w[m] - air[m] * (u * abs(u)) + gx[m]
         ay[m] = (before_y - ty) * w[m] - air[m] * (v * abs(v)) + gy[m]

@@ -8,7 +8,7 @@ from .jit import kernel
 
 _ONE = np.float32(1.0)
 
-_LEAST = 1e-37
+LEAST = 1e-37
 """Next to the least number that single precision has in full."""
 
 
@@ -23,6 +23,12 @@ def inverse_root(square):
     It goes by the rules of the kernel that it is inlined into. Under `FAST` the processor may approximate
     the single-precision part in its own way.
     """
-    seed = np.float64(_ONE / np.sqrt(np.float32(max(square, _LEAST))))
+    return inverse_root_from_least(max(square, LEAST))
+
+
+@kernel(inline="always")
+def inverse_root_from_least(square):
+    """`inverse_root` of what is `LEAST` at least."""
+    seed = np.float64(_ONE / np.sqrt(np.float32(square)))
     off = 1.0 - square * seed * seed
     return seed + seed * off * (0.5 + 0.375 * off)

@@ -36,6 +36,7 @@ class Body(NamedTuple):
     ring: bool  # so they do, and back to the first
     law: int  # NO_JOINTS, TUTORIAL, CONSERVATIVE or ANGLE
     softening: float  # px²; the length of a spring with vector L is sqrt(L² + softening)
+    softenings: Floats  # that of every spring, for `links`; of padding so much that it is never the shortest
     spring_a: Indices  # (S,) mass at the start of each spring
     spring_b: Indices
     stiffness: Floats  # (S padded + 1) kg/s²
