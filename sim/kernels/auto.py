@@ -55,6 +55,10 @@ _TAKING_OVER = 0.3
 _RESTART = 8.0
 """Steps that it takes a method that goes by the past to be as fast again after another one had a turn."""
 
+_CALMING = 4.0
+"""How many times as late Adams' methods are asked while Rosenbrock methods are the best: these calm vibrations
+that damping takes long for, and that hold up the steps of those as long as they last."""
+
 _NEWS = 0.3
 """How much a turn of generalized-alpha that went badly counts against the ones before it."""
 
@@ -221,6 +225,8 @@ def _whose_turn(mind, costs, long_step, held):
     if costs[other] > 0.0 and (worth or other != ARM_ADAMS):
         tries = _few(other)
         price = tries * costs[other] + (_RESTART * costs[best] if best in (ARM_ALPHA, ARM_ADAMS) else 0.0)
+        if best == ARM_ROSENBROCK and other == ARM_ADAMS:
+            price *= _CALMING
         close = best != ARM_ALPHA and mind[AUTO_PACE + other] > _CLOSE * pace
         share = _SHARE if close else _SHARE_OF_HOPELESS
         if mind[AUTO_WORK] * share > price:
