@@ -56,8 +56,8 @@ _RESTART = 8.0
 """Steps that it takes a method that goes by the past to be as fast again after another one had a turn."""
 
 _CALMING = 4.0
-"""How many times as late Adams' methods are asked while Rosenbrock methods are the best: these calm vibrations
-that damping takes long for, and that hold up the steps of those as long as they last."""
+"""How many times as late Adams' methods are asked while Rosenbrock methods are the best: these calm
+vibrations that damping takes long for, and that hold up the steps of those as long as they last."""
 
 _NEWS = 0.3
 """How much a turn of generalized-alpha that went badly counts against the ones before it."""
