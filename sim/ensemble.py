@@ -1,6 +1,6 @@
 """Many bodies at once, each with a fixed step of its own: what a map of a method's behaviour is made of.
 
-Bodies that are chains go through `kernels.ensemble`, sixteen in a vector; all others one by one, by the same
+Bodies that are chains go through `kernels.ensemble`, eight in a vector; all others one by one, by the same
 kernels that run a simulation. Either way the work is spread over threads, since kernels hold no lock.
 """
 
@@ -167,6 +167,11 @@ def _run_lanes(members: Sequence[Member], method: str) -> Iterator[Track]:
     flat = aligned(data.size)
     flat[:] = data.ravel()
     data = flat.reshape(data.shape)
+    data[:, int(lanes.STEP)] = steps
+    if _CODES[method] == lanes.EULER:
+        data[:, int(lanes.WEIGHT) : int(lanes.STEP)] *= steps
+    own = data[:, int(lanes.WEIGHT) : int(lanes.STEP) + 1].copy()
+    carry = aligned(lanes.CARRIED)
     looks = max(len(member.marks) for member in members)
     states = np.full((looks, 4, n, LANES), np.nan)
     done = np.zeros(LANES, np.int64)
@@ -174,8 +179,8 @@ def _run_lanes(members: Sequence[Member], method: str) -> Iterator[Track]:
         until = done.copy()
         for lane, member in enumerate(members):
             until[lane] = member.marks[min(k, len(member.marks) - 1)]
-        data[:, int(lanes.STEP)] = steps
-        lanes.run_ensemble(flat, until - done, n, law, _CODES[method], k == 0)
+        data[:, int(lanes.WEIGHT) : int(lanes.STEP) + 1] = own
+        lanes.run_ensemble(flat, carry, until - done, n, law, _CODES[method], k == 0)
         done = until
         states[k] = data[1 : n + 1, int(lanes.X) : int(lanes.VY) + 1].swapaxes(0, 1)
     return (

@@ -31,7 +31,7 @@ import numpy as np
 
 from .blocks import deflection
 from .jit import FAST, kernel
-from .lanes import eight_at_a_time, whole_eights
+from .lanes import eight_at_a_time, gather_as_it_pays, whole_eights
 from .links import is_linked, linked_accelerations
 from .roots import inverse_root
 from .tables import ANGLE, CONSERVATIVE, TUTORIAL
@@ -160,6 +160,7 @@ def internal_forces(softened, body, live, work, x, y, vx, vy):
 def spring_forces(body, live, work, x, y, vx, vy):
     """`internal_forces`, with sums in any order."""
     eight_at_a_time()
+    gather_as_it_pays()
     internal_forces(True, body, live, work, x, y, vx, vy)
 
 
