@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from .errors import InputError
 from .kernels import ensemble as lanes
 from .kernels.controls import refresh
-from .kernels.tables import ANGLE, Body, Floats
+from .kernels.tables import ANGLE, Body, Floats, Live
 from .methods import METHODS
 from .scene import MAX_COORDINATE, RUNAWAY_SPEED, Scene
 from .simulation import Simulation
@@ -160,8 +160,9 @@ def _run_lanes(members: Sequence[Member], method: str) -> Iterator[Track]:
     systems = [_tables(member.scene) for member in members]
     n, law = systems[0].body.masses, systems[0].body.law
     data = np.zeros((n + 2, _FIELDS, LANES))
+    live = new_live(systems[0])  # of the same size for all
     for lane, (member, system) in enumerate(zip(members, systems, strict=True)):
-        _fill(data[:, :, lane], member, system, method == "stable_spring")
+        _fill(data[:, :, lane], live, member, system, method == "stable_spring")
     steps = np.zeros(LANES)
     steps[: len(members)] = [member.dt for member in members]
     flat = aligned(data.size)
@@ -199,12 +200,11 @@ def _track(states: Floats, place: NDArray[np.int64]) -> Track:
     return Track(*(np.ascontiguousarray(half.swapaxes(1, 2)) for half in (states[:, :2], states[:, 2:])))
 
 
-def _fill(lane: Floats, member: Member, system: System, weak: bool) -> None:
-    """Write one body into its lane, (n + 2, FIELDS)."""
+def _fill(lane: Floats, live: Live, member: Member, system: System, weak: bool) -> None:
+    """Write one body into its lane, (n + 2, FIELDS); `live` is scratch."""
     scene, body = member.scene, system.body
     if weak:
         body = weakened(body, system.inverse_mass, system.held, member.dt)
-    live = new_live(system)
     live.controls[:] = scene.rest_length_scale, 0.0
     refresh(body, live)
     masses, springs = slice(1, body.masses + 1), slice(1, body.springs + 1)
