@@ -36,7 +36,8 @@ class EnergyBook:
         kinetic, linear, angular, gravity: of the free masses, the linear springs and the angular springs,
             and that of height, from height 0. Under the force law "tutorial" the angular energy is that of
             the conservative law.
-        anchors: work done on the body by held masses that are moved.
+        anchors: work done on the body by held masses that are moved. A hand that takes hold of a mass takes
+            its kinetic energy and that of its height, and gives that of its height then in letting go.
         damping, air: what the springs' damping and the air have added, so negative.
         law: work done by a force law that is the gradient of no energy.
         keys: work done by keys that change rest lengths and angles.
@@ -114,7 +115,7 @@ class Books:
         return float(self._four.sum())
 
     def moved(self, before: float) -> None:
-        """Held masses were put elsewhere at once, which changed the total from `before`."""
+        """Held masses were put elsewhere at once, taken hold of or let go: the total was `before`."""
         self._solver.ledger.work[WORK_ANCHORS] += self.total() - before
 
     def take_over(self, old: Books) -> None:

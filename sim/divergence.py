@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 from .kernels import guard
+from .kernels.tables import Live
 from .scene import MAX_COORDINATE, RUNAWAY_SPEED
-from .stability import StabilityEstimate
+from .stability import StabilityEstimate, StabilityMeter
+from .system import System
 
 # A body that leaves the range of a scene file has run away; so whatever the kernels let out can be saved.
 FARTHEST = MAX_COORDINATE
@@ -36,6 +38,7 @@ class Divergence:
         dt: the time step used, s.
         stability: the stability limit to blame: that of the body as it was at its start, or, if that
             was stable, in its last good shape.
+        adaptive: whether the method has a tolerance, and no time step to blame.
         driven: whether the force law has no energy and the method a tolerance, so that it is the law, and not
             the method, that drove the body ever faster.
     """
@@ -46,6 +49,7 @@ class Divergence:
     limit: float
     dt: float
     stability: StabilityEstimate
+    adaptive: bool = False
     driven: bool = False
 
     def __str__(self) -> str:
@@ -67,4 +71,24 @@ class Divergence:
             )
         if self.driven:
             return "the tutorial's force law has no energy and can drive a body ever faster; others cannot"
-        return "the body was moved or set up too violently for this time step"
+        violently = "the body was moved or set up too violently"
+        return violently if self.adaptive else f"{violently} for this time step"
+
+
+def limit_to_blame(
+    system: System, live: Live, method: str, dt: float, air_friction: float
+) -> StabilityEstimate:
+    """The stability limit to blame for a divergence.
+
+    The last good state is torn apart already, so the body is looked at as it was before it moved; if
+    that was stable, in its last shape. Speeds are left out: an exploding body is fast for that reason.
+    """
+    masses = slice(1, system.body.masses + 1)
+    rest = Live(*(field.copy() for field in live))
+    rest.vx[:] = rest.vy[:] = 0.0
+    rest.x[masses], rest.y[masses] = system.start[:2]
+    estimate = StabilityMeter(system, method).update(rest, air_friction)
+    if estimate.limit < dt:
+        return estimate
+    rest.x[masses], rest.y[masses] = live.x[masses], live.y[masses]
+    return StabilityMeter(system, method).update(rest, air_friction)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from typing import Literal
 
 import msgspec
@@ -11,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .books import Books, EnergyBook
-from .divergence import FARTHEST, LIMITS, Divergence
+from .divergence import FARTHEST, LIMITS, Divergence, limit_to_blame
 from .errors import InputError
 from .kernels import guard
 from .kernels.controls import refresh
@@ -177,11 +178,9 @@ class Simulation:
         """
         place, (x, y) = self._held_mass(mass), self._place(to)
         self._targets.pop(place, None)
-        before = self._books.total() if self._books else 0.0
-        self._live.x[place], self._live.y[place] = x, y
+        with self._by_hand():
+            self._live.x[place], self._live.y[place] = x, y
         self._moved = True
-        if self._books:
-            self._books.moved(before)
 
     def lead(self, mass: int, to: tuple[float, float]) -> None:
         """Lead a held mass somewhere: in a straight line, over all steps of the next call of `step`.
@@ -194,13 +193,19 @@ class Simulation:
     def grab(self, mass: int) -> None:
         """Hold a mass that is free, as a hand does, until `release`; a held mass may be grabbed too."""
         self._grabbed.add(self._existing_mass(mass))
-        self._weigh()
+        with self._by_hand():
+            self._weigh()
 
     def release(self, mass: int) -> None:
-        """Let go of a grabbed mass: it is free or held again, as the scene says."""
-        self._grabbed.discard(self._existing_mass(mass))
-        self._targets.pop(int(self._system.mass_place[mass]), None)
-        self._weigh()
+        """Let go of a grabbed mass: it is free, and at rest, or held again, as the scene says."""
+        place = int(self._system.mass_place[self._existing_mass(mass)])
+        if mass in self._grabbed:
+            # However fast it was led: a throw would go by the last few milliseconds of a shaky hand.
+            self._live.vx[place] = self._live.vy[place] = 0.0
+        self._grabbed.discard(mass)
+        self._targets.pop(place, None)
+        with self._by_hand():
+            self._weigh()
 
     def step(self, n: int = 1, attempts: int | None = None) -> int:
         """Go on by n time steps, and return how many were done.
@@ -246,8 +251,6 @@ class Simulation:
         self._time = self._owed = 0.0
         self._grabbed.clear()
         self._restart()
-        if self._books is not None:
-            self._books = self._new_books()
 
     def take_state(self, other: Simulation) -> None:
         """Take over positions, velocities, time and held masses of a simulation of the same topology."""
@@ -281,6 +284,14 @@ class Simulation:
             self._books.take_over(books)
 
     # --------------------------------------------------------------------- inside
+    @contextmanager
+    def _by_hand(self) -> Iterator[None]:
+        """Enter what a hand changes at once into the books, if there are any."""
+        before = self._books.total() if self._books else 0.0
+        yield
+        if self._books:
+            self._books.moved(before)
+
     def _new_books(self) -> Books:
         return Books(self._scene, self._system, self._live, self._work, self._stepper)
 
@@ -323,6 +334,8 @@ class Simulation:
         self._folded = (self._scene.rest_length_scale, 0.0), self._scene
         refresh(self._body, self._live)
         self._weigh()
+        if self._books is not None:
+            self._books = self._new_books()
 
     def _weigh(self) -> None:
         """Say what forces do to each mass: nothing where it is held."""
@@ -357,23 +370,8 @@ class Simulation:
         limit = MAX_SPEED if quantity == "speed" and adaptive else limit
         driven = adaptive and self._scene.force_law == "tutorial" and self._body.joints > 0
         mass = int(self._system.mass_order[outcome.place - 1]) if outcome.place > 0 else 0
-        return Divergence(mass, self._steps, quantity, limit, self.dt, self._diagnose(), driven)
-
-    def _diagnose(self) -> StabilityEstimate:
-        """The stability limit to blame for a divergence.
-
-        The last good state is torn apart already, so the body is looked at as it was before it moved; if
-        that was stable, in its last shape. Speeds are left out: an exploding body is fast for that reason.
-        """
-        rest = Live(*(field.copy() for field in self._live))
-        rest.vx[:] = rest.vy[:] = 0.0
-        torn = rest.x[self._masses].copy(), rest.y[self._masses].copy()
-        rest.x[self._masses], rest.y[self._masses] = self._system.start[:2]
-        estimate = StabilityMeter(self._system, self.method).update(rest, self._scene.air_friction)
-        if estimate.limit < self.dt:
-            return estimate
-        rest.x[self._masses], rest.y[self._masses] = torn
-        return StabilityMeter(self._system, self.method).update(rest, self._scene.air_friction)
+        blame = limit_to_blame(self._system, self._live, self.method, self.dt, self._scene.air_friction)
+        return Divergence(mass, self._steps, quantity, limit, self.dt, blame, adaptive, driven)
 
     def _existing_mass(self, mass: int) -> int:
         whole = isinstance(mass, (int, np.integer)) and not isinstance(mass, bool)

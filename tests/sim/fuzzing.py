@@ -161,7 +161,8 @@ class Ending:
 
 
 def run_case(seed: int, frames: int, budget: int) -> Ending:
-    """A wild scene with inputs: an anchor moved at once, led or torn, keys held, sliders flung."""
+    """A wild scene with inputs: an anchor moved at once, led or torn, keys held, sliders flung, masses
+    grabbed and dragged."""
     rng = np.random.default_rng(seed)
     simulation = None
     while simulation is None:
@@ -171,7 +172,7 @@ def run_case(seed: int, frames: int, budget: int) -> Ending:
             continue
     simulation.keep_books(True)
     simulation.energy()
-    does = rng.choice(["nothing", "move", "lead", "keys", "sliders", "tear"])
+    does = rng.choice(["nothing", "move", "lead", "keys", "sliders", "tear", "grab"])
     worst = 0
     for frame in range(frames):
         _disturb(simulation, does, frame, rng)
@@ -199,6 +200,14 @@ def _disturb(simulation: Simulation, does: str, frame: int, rng: Random) -> None
             simulation.lead(mass, (float(x + dx), float(y + dy)))
         elif does == "tear":
             simulation.lead(mass, (300.0 + (frame % 2) * 500.0, 300.0))
+    if does == "grab":
+        # A hand for each of some masses; what it has let go may be taken again.
+        mass = int(rng.integers(len(simulation.positions)))
+        if frame % 2:
+            simulation.grab(mass)
+            simulation.lead(mass, tuple(rng.normal(300.0, 100.0, 2).tolist()))
+        else:
+            simulation.release(mass)
     if does == "keys":
         simulation.keys = set(rng.choice(["up", "down", "left", "right"], 2).tolist())
     if does == "sliders" and frame % 3 == 0:

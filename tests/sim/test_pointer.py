@@ -180,6 +180,26 @@ def test_a_grabbed_mass_is_held_until_released(rope: Simulation) -> None:
         rope.move(5, (0.0, 0.0))
 
 
+@pytest.mark.parametrize("law", ["tutorial", "conservative"])
+@pytest.mark.parametrize("method", METHODS)
+def test_a_mass_let_go_on_its_way_is_at_rest_at_once(method: Method, law: ForceLaw) -> None:
+    scene = REPLACE(askew(), force_law=law, integrator=Integrator(method=method, dt=1e-5))
+    simulation, other = Simulation(scene), Simulation(scene)
+    for body in (simulation, other):
+        body.grab(5)
+        x, y = body.positions[5]
+        body.lead(5, (float(x) + 1.0, float(y)))
+        body.step(50)
+    simulation.release(5)
+    assert not simulation.velocities[5].any()
+    # As it would be if it had first been held for a while.
+    other.move(5, tuple(other.positions[5].tolist()))
+    other.release(5)
+    for body in (simulation, other):
+        body.step(50)
+    assert same_state(simulation, other)
+
+
 def test_releasing_forgets_the_target_and_leaves_anchors_held(rope: Simulation) -> None:
     rope.grab(5)
     rope.lead(5, (0.0, 0.0))
