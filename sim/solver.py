@@ -20,6 +20,7 @@ from .kernels.auto import (
 )
 from .kernels.bound import BOUND, DRIVE, Bound, bind, new_buffer
 from .kernels.controls import circle_at
+from .kernels.dissipation import DAMPER_ROWS
 from .kernels.rescue import run_rescue
 from .kernels.tables import (
     ARM_ADAMS,
@@ -155,7 +156,8 @@ class Solver:
         )
         if not self._info.adaptive:
             self.flow.limits[1] = RUNAWAY_SPEED
-        self.ledger = Ledger(False, np.zeros(WORKS), np.zeros(self.places), np.zeros((4, wide)))
+        no_rows = np.zeros((1, 0))
+        self.ledger = Ledger(False, np.zeros(WORKS), np.zeros(self.places), no_rows, no_rows)
         self.ledger.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
         self._buffer, self._driven = new_buffer(BOUND), new_buffer(DRIVE)
@@ -336,9 +338,11 @@ class Solver:
 
     def open_ledger(self) -> None:
         """Keep books from now on of what changes the energy."""
-        self.ledger = self.ledger._replace(active=True)
-        self._bound = None
+        body = self.system.body
+        rows, dampers = np.zeros((3, 2 * self.places)), np.zeros((DAMPER_ROWS, body.springs + body.joints))
+        self.ledger = self.ledger._replace(active=True, rows=rows, dampers=dampers)
         self.ledger.work[:] = 0.0
+        self._bound = None
 
     def close_ledger(self) -> None:
         """Keep books no more."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from .blocks import deflection, length_of
+from .dissipation import gather_dampers, taken_away
 from .drive import drive_to
 from .forces import spring_forces
 from .jit import FAST, kernel
@@ -73,6 +74,7 @@ def tally(body, live, work, ledger, drive, flow, t, q1, v1, a1, h):
     """Add the work of a step of length h from the state in `flow`, at time t, to q1, v1, a1."""
     q, v, still = ledger.rows[0], ledger.rows[1], ledger.rows[2]
     smooth = _is_smooth(h, flow.q, flow.v, flow.a, q1, v1, a1)
+    ledger.dampers[:] = 0.0
     for i in range(3):
         u = _NODES[i]
         if smooth:
@@ -82,6 +84,8 @@ def tally(body, live, work, ledger, drive, flow, t, q1, v1, a1, h):
         if drive.moving:
             drive_to(body, live, drive, t + u * h, q, v)
         _tally_powers(body, live, work, ledger, drive, _WEIGHTS[i] * h, q, v, still)
+        gather_dampers(body, q, v, _WEIGHTS[i], ledger.dampers)
+    ledger.work[WORK_DAMPING] -= taken_away(body, live.inverse_mass, flow.q, flow.v, h, ledger.dampers)
     if drive.pressed:
         drive_to(body, live, drive, t + h, q, v)
 
@@ -100,23 +104,18 @@ def _tally_powers(body, live, work, ledger, drive, h, q, v, still):
         # Its true velocity; `v` may have it standing still.
         tx, ty = vx[m] + (1.0 - drive.hand) * drive.vx[i], vy[m] + (1.0 - drive.hand) * drive.vy[i]
         sums[WORK_ANCHORS] -= h * (fx[m] * tx + fy[m] * ty)
-    power = 0.0
     for i in range(1, body.masses + 1):
-        power -= fx[i] * vx[i] + fy[i] * vy[i]
         if free[i] > 0.0:
             drag = live.air[i] * mass[i]
             sums[WORK_AIR] -= h * drag * (vx[i] * vx[i] * abs(vx[i]) + vy[i] * vy[i] * abs(vy[i]))
-    if body.damped or body.twisted:
+    if (body.damped or body.twisted) and drive.mass.size > 0:
         for i in range(drive.mass.size):
             m = drive.mass[i]
             sums[WORK_ANCHORS] += h * (fx[m] * vx[m] + fy[m] * vy[m])
         spring_forces(body, live, work, x, y, vx, vy)
-        for i in range(1, body.masses + 1):
-            power += fx[i] * vx[i] + fy[i] * vy[i]
         for i in range(drive.mass.size):
             m = drive.mass[i]
             sums[WORK_ANCHORS] -= h * (fx[m] * vx[m] + fy[m] * vy[m])
-        sums[WORK_DAMPING] += h * power
     if body.law == TUTORIAL:
         sums[WORK_LAW] += h * _power_of_law(body, live, x, y, vx, vy, drive)
     if drive.pressed:

@@ -330,7 +330,8 @@ class Ledger(NamedTuple):
     active: bool
     work: Floats  # (WORKS,) kg px²/s², see the WORK_ constants
     mass: Floats  # (places) kg
-    rows: Rows  # (4, 2 places) scratch
+    rows: Rows  # (3, 2 places) scratch
+    dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `dissipation`
 
 
 WORK_ANCHORS, WORK_DAMPING, WORK_AIR, WORK_LAW, WORK_KEYS, WORK_RESCUE = 0, 1, 2, 3, 4, 5

@@ -153,11 +153,13 @@ class Ending:
         simulation: as it was left.
         tries: steps tried in the worst frame.
         made: energy that came from nowhere, as a part of all that was turned over.
+        unexplained: the books' residual, as a part of all that was turned over or lost.
     """
 
     simulation: Simulation
     tries: int
     made: float
+    unexplained: float
 
 
 def run_case(seed: int, frames: int, budget: int) -> Ending:
@@ -185,7 +187,13 @@ def run_case(seed: int, frames: int, budget: int) -> Ending:
     turned_over = (
         book.kinetic + book.linear + book.angular + abs(book.anchors) + abs(book.keys) + abs(book.changes)
     ) + abs(book.law)
-    return Ending(simulation, worst, (book.residual + book.damping + book.air) / max(turned_over, 1e-9))
+    lost = -book.damping - book.air
+    return Ending(
+        simulation,
+        worst,
+        made=(book.residual - lost) / max(turned_over, 1e-9),
+        unexplained=abs(book.residual) / max(turned_over + lost, 1e-9),
+    )
 
 
 def _disturb(simulation: Simulation, does: str, frame: int, rng: Random) -> None:

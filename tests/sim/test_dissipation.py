@@ -1,0 +1,87 @@
+"""What dampers take away, however strong they are: closed forms, and books that balance."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import pytest
+
+import sim
+from sim import AngularSpring, LinearSpring, Mass, Scene, Simulation
+from sim.scene import Method
+
+REPLACE = msgspec.structs.replace
+STRENGTHS = [0.1, 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6]
+
+MASSES, SPEED = (1.0, 3.0), 100.0
+REDUCED = MASSES[0] * MASSES[1] / sum(MASSES)
+
+
+def pair(damping: float) -> Scene:
+    """Two masses that fly apart, and nothing but a damper between them."""
+    return Scene(
+        name="pair",
+        masses=(
+            Mass(position=(0.0, 0.0), mass=MASSES[0]),
+            Mass(position=(50.0, 0.0), mass=MASSES[1], velocity=(SPEED, 0.0)),
+        ),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=0.0, damping=damping, rest_length=50.0),),
+        gravity=(0.0, 0.0),
+        air_friction=0.0,
+    )
+
+
+def hinge(damping: float) -> Scene:
+    """Three masses in line, held together by damped springs; their joint has nothing but a damper."""
+    return Scene(
+        name="hinge",
+        masses=tuple(
+            Mass(position=(40.0 * i, 0.0), velocity=(0.0, speed))
+            for i, speed in enumerate((SPEED, -2.0 * SPEED, SPEED))
+        ),
+        linear_springs=tuple(
+            LinearSpring(a=i, b=i + 1, stiffness=1e5, damping=40.0, rest_length=40.0) for i in range(2)
+        ),
+        angular_springs=(AngularSpring(a=0, b=1, stiffness=0.0, rest_angle=0.0, damping=damping),),
+        gravity=(0.0, 0.0),
+        air_friction=0.0,
+    )
+
+
+@pytest.mark.parametrize("damping", STRENGTHS)
+@pytest.mark.parametrize("method", ["auto", "rodas4", "rodas5p"])
+def test_a_damper_takes_what_its_masses_had_of_each_other(method: Method, damping: float) -> None:
+    simulation = Simulation(pair(damping), integrator=method)
+    first = simulation.energy()
+    simulation.step(400)
+    calmed = 1.0 - math.exp(-2.0 * damping * simulation.time / REDUCED)
+    taken = 0.5 * REDUCED * SPEED**2 * calmed
+    book = simulation.energy()
+    assert first.total - book.total == pytest.approx(taken, rel=0.01)
+    assert -book.damping == pytest.approx(taken, rel=0.6 if damping == 1e6 else 0.05)
+
+
+@pytest.mark.parametrize("damping", STRENGTHS[:6])
+def test_a_damper_of_a_joint_takes_no_more_than_there_is(damping: float) -> None:
+    simulation = Simulation(hinge(damping), integrator="auto")
+    first = simulation.energy()
+    simulation.step(400)
+    book = simulation.energy()
+    assert -book.damping <= 1.05 * first.total
+    assert abs(book.residual) < 0.05 * first.total
+
+
+@pytest.mark.parametrize("key", ["linear_damping", "angular_damping"])
+@pytest.mark.parametrize("name", ["tutorial-3.3", "ring", "flag-pole", "study-cloth"])
+def test_books_balance_at_any_damping(name: str, key: str) -> None:
+    scene = sim.load_scene(name)
+    scene = REPLACE(scene, force_law="conservative", integrator=sim.Integrator())
+    for damping in (1e1, 1e2, 1e3, 1e4, 1e5):
+        simulation = Simulation(sim.set_value(scene, key, damping))
+        first = simulation.energy()
+        for _ in range(30):
+            simulation.step(7)
+        book = simulation.energy()
+        put_in = abs(first.gravity - book.gravity) + first.linear + first.angular
+        assert abs(book.residual) < 0.05 * (put_in + book.kinetic), damping
