@@ -250,6 +250,8 @@ class Solver:
             self.rescue(until, drive)
             left -= run(self._buffer, self._driven, until, left)
             what = int(counts[COUNT_WHAT])
+        if what == guard.STUCK and self._info.implicit:
+            what = guard.GOOD  # no more than late: the next call begins with a step of last resort
         return what
 
     def _bind(self) -> None:

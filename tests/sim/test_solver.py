@@ -141,6 +141,33 @@ def test_a_step_of_last_resort_keeps_within_bounds() -> None:
     assert np.abs(simulation.positions).max() <= 1e6
 
 
+@pytest.mark.parametrize("attempts", [1, 7, 30, 400])
+@pytest.mark.parametrize("method", ["auto", "rodas4", "rodas5p"])
+def test_attempts_that_end_in_a_dead_end_only_delay(method: Method, attempts: int) -> None:
+    # So stiff and light that no step is short enough; steps of last resort take its energy away.
+    scene = REPLACE(
+        collapsing(),
+        masses=(
+            Mass(position=(0.0, 0.0), mass=1e-6, velocity=(70.0, 300.0)),
+            Mass(position=(60.0, 0.0), velocity=(-20.0, -500.0)),
+        ),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=1e15, damping=1.0, rest_length=1e-9),),
+        integrator=Integrator(method=method, dt=1.0, tolerance=1e-3),
+    )
+    simulation = Simulation(scene)
+    energy = simulation.energy().total
+    rescues = 0
+    for _ in range(20 if attempts > 1 else 100):
+        simulation.step(attempts=attempts)
+        assert simulation.divergence is None
+        assert simulation.energy().total <= energy
+        energy = simulation.energy().total
+        rescues += simulation.effort().rescues
+    assert rescues > 0
+    assert simulation.energy().rescues < 0.0
+    assert simulation.time > 0.0
+
+
 def test_what_goes_round_starts_anew_from_where_it_is_put() -> None:
     scene = sim.rope(5)
     circle = Circle(radius=30.0, frequency=2.0, ramp=0.05)
