@@ -19,6 +19,9 @@ _NAMES = {
     "rest_angle": "rest angle",
 }
 
+_BEHIND = 5.0
+"""px from which on it is said how far the hand of a demanding body is behind the pointer."""
+
 
 def short(value: float) -> str:
     """A round number in as few letters as can be, for the ends of a slider."""
@@ -36,6 +39,12 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
         lines.append(
             f'<span class="softrod-lag">{rates.real_time_factor:.2g} × real time: the clock is '
             f"{rates.behind:.1f} s behind</span>"
+        )
+    behind = max(session.simulation.behind.values(), default=0.0)
+    if behind > _BEHIND:
+        lines.append(
+            f'<span class="softrod-lag">the body cannot follow so fast: the hand is {behind:.0f} '
+            f"{html.escape(session.scene.view.unit)} behind</span>"
         )
     if math.isfinite(session.stability.limit):  # methods that bear any step have none
         lines.append(_meter(session.simulation.dt / session.stability.limit, session.stability.limit))

@@ -156,12 +156,13 @@ class Session:
             own = METHODS[self.simulation.method].adaptive
             steps = self.pacer.grant(now, self.simulation.dt, math.inf if own else budget)
             self._steer(glide=True)
+            led = list(self.simulation.behind)
             began = time.perf_counter()
             done = self.simulation.step(steps, attempts=self.pacer.attempts(budget))
             seconds, effort = time.perf_counter() - began, self.simulation.effort()
             self.rescues += effort.rescues
             self.pacer.record(now, self.simulation.dt, done, seconds, effort, missed=steps - done)
-            self._follow_ghost(done)
+            self._follow_ghost(done, led)
             self._after_steps()
         # While the clock stands, only what its user changes can move the limit.
         if estimate and now >= self._stability_due and (running or self._estimated != self.revision):
@@ -223,7 +224,9 @@ class Session:
                 if not self.compiled:
                     raise InputError("a step can be done as soon as the solver is compiled")
                 self._steer(glide=True)
-                self._follow_ghost(self.simulation.step(max(0, min(steps, 1000)), attempts=MOST_ATTEMPTS))
+                led = list(self.simulation.behind)
+                done = self.simulation.step(max(0, min(steps, 1000)), attempts=MOST_ATTEMPTS)
+                self._follow_ghost(done, led)
                 self._after_steps()
             case commands.Reset():
                 self._let_go()
@@ -285,6 +288,12 @@ class Session:
         else:
             return
         x, y = _clamp(x), _clamp(y)
+        if self.simulation.demanding:
+            # As fast as it can follow while time passes, also after it was let go; the ghost as it does.
+            for simulation in self._bodies():
+                if simulation.demanding:
+                    simulation.follow(mass, (x, y))
+            return
         if not glide:
             for simulation in self._bodies():
                 simulation.move(mass, (x, y))
@@ -344,8 +353,12 @@ class Session:
         for simulation in self._bodies():
             simulation.keys = keys
 
-    def _follow_ghost(self, steps: int) -> None:
+    def _follow_ghost(self, steps: int, led: list[int]) -> None:
+        """Let the ghost do as many steps, in which the same masses are led to where they are now."""
         if self.ghost is not None:
+            if not self.ghost.simulation.demanding:
+                for mass in led:
+                    self.ghost.simulation.lead(mass, tuple(self.simulation.positions[mass]))
             self.ghost.step(steps)
             self.ghost.compare(self.simulation)
 

@@ -12,21 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .books import Books, EnergyBook
-from .divergence import FARTHEST, LIMITS, Divergence, limit_to_blame
+from .divergence import LIMITS, Divergence, limit_to_blame
 from .errors import InputError
+from .hand import Hands, within_bounds
 from .kernels import guard
 from .kernels.controls import refresh
-from .kernels.tables import (
-    CONTROL_SCALE,
-    CONTROL_SHIFT,
-    Live,
-)
+from .kernels.tables import CONTROL_SCALE, CONTROL_SHIFT, Live
 from .methods import METHODS
 from .scene import MAX_SPEED, Anchor, Pose, Scene
 from .settings import shift_rest_angles
 from .solver import UNLIMITED, Effort
 from .stability import StabilityEstimate, StabilityMeter
-from .stepping import FlowStepper, Outcome, Targets, presses_of, stepper_for
+from .stepping import FlowStepper, Outcome, presses_of, stepper_for
 from .system import build_system, new_live, new_work, same_topology
 from .validate import validate
 from .weaken import weakened
@@ -132,6 +129,16 @@ class Simulation:
             velocities=tuple((x, y) for x, y in self.velocities.tolist()),
         )
 
+    @property
+    def demanding(self) -> bool:
+        """Whether its masses are too many, and its springs too stiff, to follow any hand, see `follow`."""
+        return self._hands.demanding
+
+    @property
+    def behind(self) -> dict[int, float]:
+        """How far masses that `follow` leads, or that are being stopped, still have to go, px, by mass."""
+        return self._hands.behind
+
     def stability(self) -> StabilityEstimate:
         """The method's estimated stability limit at the present state; each call refines it a little."""
         if self._meter is None:
@@ -176,8 +183,8 @@ class Simulation:
         Raises:
             InputError: the mass does not exist or is not held, or the place is not within ±1e6 px.
         """
-        place, (x, y) = self._held_mass(mass), self._place(to)
-        self._targets.pop(place, None)
+        place, (x, y) = self._held_mass(mass), within_bounds(to)
+        self._hands.leave(place)
         with self._by_hand():
             self._live.x[place], self._live.y[place] = x, y
         self._moved = True
@@ -188,22 +195,36 @@ class Simulation:
         Raises:
             InputError: as `move`.
         """
-        self._targets[self._held_mass(mass)] = self._place(to)
+        self._hands.lead(self._held_mass(mass), within_bounds(to))
+
+    def follow(self, mass: int, to: tuple[float, float]) -> None:
+        """Lead a held mass somewhere as fast as the body can follow, in this and later calls of `step`.
+
+        Most bodies can in one call. In one that is `demanding` the hand stays `behind`.
+
+        Raises:
+            InputError: as `move`.
+        """
+        if self.demanding and not any(a.mass == mass and a.circle is not None for a in self.anchors):
+            self._hands.lead_gently(self._held_mass(mass), within_bounds(to))
+        else:
+            self.lead(mass, to)
 
     def grab(self, mass: int) -> None:
-        """Hold a mass that is free, as a hand does, until `release`; a held mass may be grabbed too."""
-        self._grabbed.add(self._existing_mass(mass))
+        """Hold a mass that is free, as a hand does, until `release`; a held mass may be grabbed too.
+
+        It is stopped at once, or in a `demanding` body as fast as that can follow.
+        """
+        self._hands.grab(self._existing_mass(mass))
         with self._by_hand():
             self._weigh()
 
     def release(self, mass: int) -> None:
-        """Let go of a grabbed mass: it is free, and at rest, or held again, as the scene says."""
-        place = int(self._system.mass_place[self._existing_mass(mass)])
-        if mass in self._grabbed:
-            # However fast it was led: a throw would go by the last few milliseconds of a shaky hand.
-            self._live.vx[place] = self._live.vy[place] = 0.0
-        self._grabbed.discard(mass)
-        self._targets.pop(place, None)
+        """Let go of a grabbed mass: it is free, and at rest, or held again, as the scene says.
+
+        One that is held again still comes to where it was to follow.
+        """
+        self._hands.release(self._existing_mass(mass))
         with self._by_hand():
             self._weigh()
 
@@ -223,7 +244,7 @@ class Simulation:
         outcome = self._go(n, attempts)
         self._time = self._stepper.time
         self._steps += outcome.steps
-        self._targets = {}
+        self._hands.settle()
         if outcome.what != guard.GOOD:
             self.divergence = self._explain(outcome)
         return outcome.steps
@@ -249,14 +270,15 @@ class Simulation:
             field[self._masses] = row
         self._steps = 0
         self._time = self._owed = 0.0
-        self._grabbed.clear()
+        self._hands.clear()
         self._restart()
 
     def take_state(self, other: Simulation) -> None:
         """Take over positions, velocities, time and held masses of a simulation of the same topology."""
         self._adopt(other.positions, other.velocities)
         self._time, self._steps, self._owed = other._time, other._steps, other._owed
-        self._grabbed, self._keys = set(other._grabbed), other._keys
+        self._hands.take_over(other._hands)
+        self._keys = other._keys
         self._restart()
 
     def replace(self, scene: Scene) -> None:
@@ -272,12 +294,12 @@ class Simulation:
             self.reset()
             return
         positions, velocities = self.positions, self.velocities
-        grabbed, books = self._grabbed, self._books
+        hands, books = self._hands, self._books
         if books is not None:
             books.close()
         self._install(scene)
         self._adopt(positions, velocities)
-        self._grabbed = grabbed
+        self._hands.take_over(hands)
         self._restart()
         if books is not None:
             self._books = self._new_books()
@@ -319,8 +341,7 @@ class Simulation:
         self._joint_ends = springs[joints[:, 0]], springs[joints[:, 1]]
         self._meter: StabilityMeter | None = None
         self._books: Books | None = None
-        self._targets: Targets = {}
-        self._grabbed: set[int] = set()
+        self._hands = Hands(system, self._live, METHODS[scene.integrator.method].adaptive)
 
     def _adopt(self, positions: NDArray[np.float64], velocities: NDArray[np.float64]) -> None:
         order = self._system.mass_order
@@ -329,7 +350,6 @@ class Simulation:
 
     def _restart(self) -> None:
         self.divergence = None
-        self._targets.clear()
         self._live.controls[:] = self._scene.rest_length_scale, 0.0
         self._folded = (self._scene.rest_length_scale, 0.0), self._scene
         refresh(self._body, self._live)
@@ -339,30 +359,18 @@ class Simulation:
 
     def _weigh(self) -> None:
         """Say what forces do to each mass: nothing where it is held."""
-        held = self._system.held.copy()
-        held[self._system.mass_place[list(self._grabbed)] - 1] = True
-        live, dt, free = self._live, self.dt, np.where(held, 0.0, 1.0)
-        live.vx[self._masses] *= free
-        live.vy[self._masses] *= free
-        live.inverse_mass[self._masses] = free * self._system.inverse_mass
-        live.air[self._masses] = live.inverse_mass[self._masses] * self._scene.air_friction
-        live.gx[self._masses] = free * self._scene.gravity[0]
-        live.gy[self._masses] = free * self._scene.gravity[1]
-        live.dt_mass[self._masses] = free * dt * self._system.inverse_mass
-        live.dt_air[self._masses] = live.dt_mass[self._masses] * self._scene.air_friction
-        live.dt_gx[self._masses] = free * dt * self._scene.gravity[0]
-        live.dt_gy[self._masses] = free * dt * self._scene.gravity[1]
-        self._all_held = bool(held.all())
+        self._all_held = self._hands.weigh(self._scene)
         self._moved = True
 
     def _go(self, n: int, attempts: int | None) -> Outcome:
         stepper, presses = self._stepper, presses_of(self._scene, self._keys)
         if isinstance(stepper, FlowStepper):
             limit = UNLIMITED if attempts is None else attempts
-            return stepper.step(n, self._targets, presses, self._all_held, limit)
+            return stepper.step(n, self._hands, presses, self._all_held, limit)
+        targets = self._hands.targets
         if self._books is None:
-            return stepper.step(n, self._targets, presses, self._all_held)
-        return self._books.euler_steps(stepper, n, self._targets, presses, self._all_held)
+            return stepper.step(n, targets, presses, self._all_held)
+        return self._books.euler_steps(stepper, n, targets, presses, self._all_held)
 
     def _explain(self, outcome: Outcome) -> Divergence:
         quantity, limit = LIMITS[outcome.what]
@@ -381,16 +389,9 @@ class Simulation:
 
     def _held_mass(self, mass: int) -> int:
         place = int(self._system.mass_place[self._existing_mass(mass)])
-        if not (self._system.held[place - 1] or mass in self._grabbed):
+        if not self._hands.hold(mass):
             raise InputError(f"mass {mass} is not held, so it cannot be moved")
         return place
-
-    @staticmethod
-    def _place(to: tuple[float, float]) -> tuple[float, float]:
-        x, y = (float(c) for c in to)
-        if not (abs(x) <= FARTHEST and abs(y) <= FARTHEST):
-            raise InputError(f"({x:g}, {y:g}) is not within ±{FARTHEST:g} px")
-        return x, y
 
     def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
         place = self._system.mass_place

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
+from .driving import new_drive
+from .hand import NO_GLIDES, Glides
 from .kernels import guard
 from .kernels.auto import (
     KIND_ADAMS,
@@ -19,7 +20,6 @@ from .kernels.auto import (
     run,
 )
 from .kernels.bound import BOUND, DRIVE, Bound, bind, new_buffer
-from .kernels.controls import circle_at
 from .kernels.dissipation import DAMPER_ROWS
 from .kernels.rescue import run_rescue
 from .kernels.tables import (
@@ -36,7 +36,6 @@ from .kernels.tables import (
     CLOCK_TIME,
     CLOCKS,
     CONTROL_SCALE,
-    CONTROL_SHIFT,
     COUNT_FORCES,
     COUNT_FRESH,
     COUNT_MASS,
@@ -61,7 +60,7 @@ from .kernels.tables import (
 )
 from .methods import METHODS, MethodInfo
 from .pattern import NO_MATRIX, new_matrix
-from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Circle, Scene
+from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Scene
 from .stability import quick_limit
 from .system import System, slab
 from .tableaux import RK4
@@ -90,9 +89,6 @@ RESCUE_STEP = 1e-3
 """Length of a step of last resort, s."""
 
 UNLIMITED = 2**62
-
-_SHY = 1.0 - 1e-15
-"""A hand that goes to the very edge of what a scene may have must not pass it by a rounding error."""
 
 _KINDS = {
     "explicit": KIND_EXPLICIT,
@@ -189,45 +185,23 @@ class Solver:
         flow.counts[:] = 0
 
     def drive(
-        self, until: float, targets: dict[int, tuple[float, float]], growth: float, turn: float
+        self,
+        until: float,
+        targets: dict[int, tuple[float, float]],
+        growth: float,
+        turn: float,
+        glides: Glides = NO_GLIDES,
     ) -> Drive:
-        """How masses move and keys act until a time: targets by place, and what keys do per second."""
-        t = self.time
-        duration = max(until - t, 1e-300)
-        places = sorted({*targets, *self._circle})
-        rows = []
-        for m in places:
-            circle = self._circle.get(m)
-            x, y = self.flow.q[m], self.flow.q[self.places + m]
-            ox, oy = offset(circle, t)
-            vx = vy = 0.0
-            if m in targets:
-                ex, ey = offset(circle, until)
-                vx = _SHY * bounded((targets[m][0] - ex - (x - ox)) / duration)
-                vy = _SHY * bounded((targets[m][1] - ey - (y - oy)) / duration)
-            radius, omega, ramp = (
-                (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
-            )
-            rows.append((x - ox, y - oy, vx, vy, radius, omega, ramp))
-        columns = np.array(rows, float).reshape(-1, 7).T.copy()
-        pressed = growth != 0.0 or turn != 0.0
-        return Drive(
-            moving=bool(places) or pressed,
-            pressed=pressed,
-            start=t,
-            mass=np.array(places, np.int64),
-            x=columns[0],
-            y=columns[1],
-            vx=columns[2],
-            vy=columns[3],
-            hand=self._hand,
-            radius=columns[4],
-            omega=columns[5],
-            ramp=columns[6],
-            scale=float(self.live.controls[CONTROL_SCALE]),
-            shift=float(self.live.controls[CONTROL_SHIFT]),
-            growth=float(growth),
-            turn=float(turn),
+        """How masses move and keys act until a time.
+
+        Args:
+            until: the time, s.
+            targets: where masses that are led straight are to be then, px, by place.
+            growth, turn: what keys do to rest lengths and angles per second, see `Drive`.
+            glides: how hands move, by place.
+        """
+        return new_drive(
+            self.flow.q, self.live, self._circle, self._hand, self.time, until, targets, growth, turn, glides
         )
 
     def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
@@ -361,6 +335,11 @@ class Solver:
             self.flow.v[place] = self.flow.v[self.places + place] = 0.0
 
     @property
+    def tries(self) -> int:
+        """Steps tried since the counters were last taken."""
+        return int(self.flow.counts[COUNT_STEPS] + self.flow.counts[COUNT_REJECTED])
+
+    @property
     def place(self) -> int:
         """The place of the mass that shows what is wrong."""
         return int(self.flow.counts[COUNT_MASS])
@@ -372,16 +351,3 @@ class Solver:
         effort = Effort(*(int(counts[i]) for i in places))
         counts[list(places)] = 0
         return effort
-
-
-def bounded(speed: float) -> float:
-    """A speed with which a mass may be led, px/s; what is led faster gets there by a jump."""
-    return min(max(speed, -MAX_SPEED), MAX_SPEED)
-
-
-def offset(circle: Circle | None, time: float) -> tuple[float, float]:
-    """How far an anchor is off its place at a time, px: on its circle, if it has one."""
-    if circle is None:
-        return 0.0, 0.0
-    x, y, _, _ = circle_at(time, circle.radius, math.tau * circle.frequency, circle.ramp)
-    return x, y

@@ -7,13 +7,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .driving import bounded, offset
+from .hand import LONGEST_GLIDE, NO_GLIDES, Glides, Hands
 from .kernels import guard
 from .kernels.chain import run_chain
 from .kernels.general import run_general, run_held
 from .kernels.tables import NO_JOINTS, SCALE_MAX, SCALE_MIN, TUTORIAL, Drive, Live, Motion, Work
 from .methods import METHODS
 from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Scene
-from .solver import UNLIMITED, Effort, Solver, bounded, offset
+from .solver import UNLIMITED, Effort, Solver
 from .system import System
 
 Targets = dict[int, tuple[float, float]]
@@ -185,40 +187,73 @@ class FlowStepper:
             self._undisturbed = None  # circles start from where the masses are now
 
     def step(
-        self, steps: int, targets: Targets, presses: Presses, all_held: bool, attempts: int = UNLIMITED
+        self, steps: int, hands: Hands, presses: Presses, all_held: bool, attempts: int = UNLIMITED
     ) -> Outcome:
         """Go on by some time steps; by fewer when the attempts run out or the body runs away."""
         # A short body's frame takes less than a microsecond: what is always the same is not asked anew.
-        solver, dt = self.solver, self._dt
+        solver, dt, targets = self.solver, self._dt, hands.targets
         until = self._goal + steps * dt
         if targets or self._led:
             solver.stop(self._led)
             solver.touch()
             self._undisturbed = None
             self._led = targets
-        if presses != NO_PRESSES:
+        if hands.gentle or presses != NO_PRESSES:
             self._undisturbed = None
         drive = self._undisturbed
         if drive is None:
-            drive = solver.drive(until, targets, math.log(presses.factor) / dt, presses.angle / dt)
-            if not targets and presses == NO_PRESSES:
+            drive = self._drive(until, targets, presses)
+            if not targets and not hands.gentle and presses == NO_PRESSES:
                 self._undisturbed = drive
-        if all_held and drive.moving and self._adaptive and solver.ledger.active:
-            # No error of theirs shortens the steps, which are too long then for the books.
-            halts = max(1, min(_HALTS * steps, attempts))
-            for i in range(1, halts):
-                solver.run(until - (halts - i) * steps * dt / halts, drive)
-            attempts -= halts - 1
-        what = solver.run(until, drive, attempts)
+        if hands.gentle:
+            what = self._glide(until, hands, presses, attempts)
+        elif all_held and drive.moving and self._adaptive and solver.ledger.active:
+            what = self._halt(until, drive, min(_HALTS * steps, attempts), attempts)
+        else:
+            what = solver.run(until, drive, attempts)
         time = solver.time
         if targets and time == until:
-            for place, (x, y) in targets.items():
-                # To the last digit, which the way there has rounded.
-                solver.flow.q[place], solver.flow.q[solver.places + place] = x, y
-                self._live.x[place], self._live.y[place] = x, y
+            self._put(targets)
         done = int((time - self._goal) / dt + 1e-6)
         self._goal += done * dt
         return Outcome(done) if what == guard.GOOD else Outcome(done, what, solver.place)
+
+    def _drive(self, until: float, targets: Targets, presses: Presses, glides: Glides = NO_GLIDES) -> Drive:
+        growth, turn = math.log(presses.factor) / self._dt, presses.angle / self._dt
+        return self.solver.drive(until, targets, growth, turn, glides)
+
+    def _halt(self, until: float, drive: Drive, halts: int, attempts: int) -> int:
+        """Go on with so many halts: no error of a free mass makes steps short enough for the books."""
+        solver, start = self.solver, self.solver.time
+        last = solver.tries + attempts
+        for i in range(1, halts):
+            solver.run(start + (until - start) * i / halts, drive, last - solver.tries)
+        return solver.run(until, drive, last - solver.tries)
+
+    def _glide(self, until: float, hands: Hands, presses: Presses, attempts: int) -> int:
+        """Go on in parts that are short enough for gentle hands."""
+        solver, start = self.solver, self.solver.time
+        last, what = solver.tries + attempts, guard.GOOD
+        parts = max(1, math.ceil((until - start) / LONGEST_GLIDE - 1e-6))
+        for i in range(1, parts + 1):
+            began, end = solver.time, until - (until - start) * (parts - i) / parts
+            glides = {place: hand.glide(end - began) for place, hand in hands.gentle.items()}
+            drive = self._drive(until, hands.targets, presses, glides)
+            what = solver.run(end, drive, last - solver.tries)
+            for place, hand in hands.gentle.items():
+                hand.go_on(glides[place], solver.time - began)
+            if what != guard.GOOD or solver.time < end:
+                break
+        there = {place: hand.goal for place, hand in hands.gentle.items() if hand.is_there}
+        self._put(there)
+        solver.stop(there)
+        return what
+
+    def _put(self, targets: Targets) -> None:
+        """Put masses where they were led, to the last digit, which the way there has rounded."""
+        for place, (x, y) in targets.items():
+            self.solver.flow.q[place], self.solver.flow.q[self.solver.places + place] = x, y
+            self._live.x[place], self._live.y[place] = x, y
 
     def effort(self) -> Effort:
         """What was done since the last call of this."""

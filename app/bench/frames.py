@@ -28,8 +28,8 @@ REFERENCE: tuple[Method, float] = ("rodas5p", 1e-3)
 """What errors are measured against: method, and tolerance in px."""
 
 
-def led_rod(masses: int, method: Method, tolerance: float) -> Scene:
-    """The tutorial's rope of twelve masses in so many, its first mass led in a circle twice a second."""
+def rod(masses: int, integrator: Integrator, circle: Circle | None = None) -> Scene:
+    """The tutorial's rope of twelve masses in so many, horizontal, held at its left end."""
     finer = (masses - 1) / 11.0
     return sim.rope(
         masses,
@@ -41,11 +41,17 @@ def led_rod(masses: int, method: Method, tolerance: float) -> Scene:
         damping=40.0 * finer,
         angular_stiffness=1e4 * finer**3,
         air_friction=0.002 * 12.0 / masses,
-        circle=Circle(radius=200.0, frequency=2.0, ramp=0.1),
+        circle=circle,
         driven=None,
         force_law="tutorial",
-        integrator=Integrator(method=method, dt=1.0 / FRAMES, tolerance=tolerance),
+        integrator=integrator,
     )
+
+
+def led_rod(masses: int, method: Method, tolerance: float) -> Scene:
+    """The rod, its first mass led in a circle twice a second."""
+    integrator = Integrator(method=method, dt=1.0 / FRAMES, tolerance=tolerance)
+    return rod(masses, integrator, Circle(radius=200.0, frequency=2.0, ramp=0.1))
 
 
 @dataclass(frozen=True)

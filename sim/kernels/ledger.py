@@ -6,7 +6,7 @@ import math
 
 from .blocks import deflection, length_of
 from .dissipation import gather_dampers, taken_away
-from .drive import drive_to
+from .drive import drive_to, hand_speed
 from .forces import spring_forces
 from .jit import FAST, kernel
 from .tables import (
@@ -83,7 +83,7 @@ def tally(body, live, work, ledger, drive, flow, t, q1, v1, a1, h):
             _roughly_between(h, u, flow.q, flow.v, q1, v1, q, v)
         if drive.moving:
             drive_to(body, live, drive, t + u * h, q, v)
-        _tally_powers(body, live, work, ledger, drive, _WEIGHTS[i] * h, q, v, still)
+        _tally_powers(body, live, work, ledger, drive, t + u * h, _WEIGHTS[i] * h, q, v, still)
         gather_dampers(body, q, v, _WEIGHTS[i], ledger.dampers)
     ledger.work[WORK_DAMPING] -= taken_away(body, live.inverse_mass, flow.q, flow.v, h, ledger.dampers)
     if drive.pressed:
@@ -91,8 +91,8 @@ def tally(body, live, work, ledger, drive, flow, t, q1, v1, a1, h):
 
 
 @kernel(fastmath=FAST)
-def _tally_powers(body, live, work, ledger, drive, h, q, v, still):
-    """Add h times the powers at a state. `still` is all zeros."""
+def _tally_powers(body, live, work, ledger, drive, t, h, q, v, still):
+    """Add h times the powers at a state at time t. `still` is all zeros."""
     places = q.size // 2
     x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
     sums, mass = ledger.work, ledger.mass
@@ -102,7 +102,8 @@ def _tally_powers(body, live, work, ledger, drive, h, q, v, still):
     for i in range(drive.mass.size):
         m = drive.mass[i]
         # Its true velocity; `v` may have it standing still.
-        tx, ty = vx[m] + (1.0 - drive.hand) * drive.vx[i], vy[m] + (1.0 - drive.hand) * drive.vy[i]
+        ux, uy = hand_speed(drive, i, t)
+        tx, ty = vx[m] + (1.0 - drive.hand[i]) * ux, vy[m] + (1.0 - drive.hand[i]) * uy
         sums[WORK_ANCHORS] -= h * (fx[m] * tx + fy[m] * ty)
     for i in range(1, body.masses + 1):
         if free[i] > 0.0:
@@ -117,13 +118,13 @@ def _tally_powers(body, live, work, ledger, drive, h, q, v, still):
             m = drive.mass[i]
             sums[WORK_ANCHORS] -= h * (fx[m] * vx[m] + fy[m] * vy[m])
     if body.law == TUTORIAL:
-        sums[WORK_LAW] += h * _power_of_law(body, live, x, y, vx, vy, drive)
+        sums[WORK_LAW] += h * _power_of_law(body, live, x, y, vx, vy, drive, t)
     if drive.pressed:
         sums[WORK_KEYS] += h * _power_of_keys(body, live, drive, x, y)
 
 
 @kernel(fastmath=FAST)
-def _power_of_law(body, live, x, y, vx, vy, drive):
+def _power_of_law(body, live, x, y, vx, vy, drive, t):
     """The power of what the tutorial's law lacks to be a gradient: U (|A|'/|A| + |B|'/|B|) of each joint."""
     power = 0.0
     for j in range(body.joints):
@@ -133,8 +134,8 @@ def _power_of_law(body, live, x, y, vx, vy, drive):
         aa, bb = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
         size, cos, sin = body.couple_size[j + 1], live.couple_cos[j + 1], live.couple_sin[j + 1]
         # The rate of the conservative law's energy, and the power of the tutorial's couple.
-        ux, uy = _true(drive, a0, a1, vx, vy)
-        wx, wy = _true(drive, b0, b1, vx, vy)
+        ux, uy = _true(drive, t, a0, a1, vx, vy)
+        wx, wy = _true(drive, t, b0, b1, vx, vy)
         couple = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
         power += size * bb / aa * (ax * ux + ay * uy) + size * aa / bb * (bx * wx + by * wy)
         power -= ux * (cos * bx + sin * by) + uy * (cos * by - sin * bx)
@@ -144,15 +145,14 @@ def _power_of_law(body, live, x, y, vx, vy, drive):
 
 
 @kernel(fastmath=FAST)
-def _true(drive, a, b, vx, vy):
-    """The rate of a spring's vector, from mass a to mass b, also where the hand counts as standing still."""
+def _true(drive, t, a, b, vx, vy):
+    """The rate of a spring's vector from mass a to b at time t, also where a hand seems to stand still."""
     ux, uy = vx[b] - vx[a], vy[b] - vy[a]
-    if drive.hand == 0.0:
-        for i in range(drive.mass.size):
-            if drive.mass[i] == b:
-                ux, uy = ux + drive.vx[i], uy + drive.vy[i]
-            if drive.mass[i] == a:
-                ux, uy = ux - drive.vx[i], uy - drive.vy[i]
+    for i in range(drive.mass.size):
+        sign = (1.0 - drive.hand[i]) * ((drive.mass[i] == b) - (drive.mass[i] == a))
+        if sign != 0.0:
+            hx, hy = hand_speed(drive, i, t)
+            ux, uy = ux + sign * hx, uy + sign * hy
     return ux, uy
 
 

@@ -188,9 +188,13 @@ class Drive(NamedTuple):
     mass: Indices  # (M,) places of the masses
     x: Floats  # (M,) px, where each is at the start, without its circle
     y: Floats
-    vx: Floats  # (M,) px/s
+    vx: Floats  # (M,) px/s, at the start
     vy: Floats
-    hand: float  # 0 where a mass moved by hand counts as standing still in the damping, 1 elsewhere
+    ax: Floats  # (M,) px/s², at the start
+    ay: Floats
+    jx: Floats  # (M,) px/s³
+    jy: Floats
+    hand: Floats  # (M,) 0 where a mass moved by hand counts as standing still in the damping, 1 elsewhere
     radius: Floats  # (M,) px, of its circle
     omega: Floats  # (M,) 1/s
     ramp: Floats  # (M,) s

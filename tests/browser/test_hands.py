@@ -111,7 +111,7 @@ def test_a_free_mass_is_held_while_it_is_dragged_and_goes_free_after(open_page: 
     desk.let_go()
     desk.until(lambda: desk.session.dragged is None, "the mass is let go")
     desk.until(lambda: off(desk, 11, end) > 15.0, "the rope pulls it away")
-    assert not desk.simulation._grabbed
+    assert not desk.simulation._hands.grabbed
 
 
 def test_the_paper_is_moved_and_zoomed_but_never_turned(open_page: OpenPage) -> None:
