@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 import sim
-from app import commands
+from app import commands, readouts
+from app.bench import frames
+from app.colors import palette
 from app.session import KEYS_FORGOTTEN_AFTER, MAX_QUEUE, Session
 from tests.sim.builders import tutorial_preset
 
@@ -307,3 +309,79 @@ def test_a_flood_of_commands_is_bounded(page: Page) -> None:
     assert len(page.session._queue) == MAX_QUEUE
     page.frames(1)
     assert not page.session._queue
+
+
+# --------------------------------------------------------------------------------------- demanding bodies
+
+
+def demanding() -> Page:
+    """The tutorial's rope in a hundred pieces, hanging already."""
+    page = Page(frames.rod(100, sim.Integrator()))
+    page.frames(30)
+    assert page.session.simulation.demanding
+    return page
+
+
+def hud(page: Page) -> str:
+    return readouts.hud(page.session, palette("softrod", dark=False), at_rest=False)
+
+
+def torn(page: Page, far: float, reports: int = 12) -> tuple[float, float]:
+    """Tear the anchor to and fro; where it was."""
+    x, y = map(float, page.session.simulation.positions[0])
+    page.frames(1, commands.DragStart(0, x, y))
+    for report in range(reports):
+        page.frames(3, commands.Point(x + far * (report % 2), y))
+    return x, y
+
+
+@pytest.mark.parametrize("far", [500.0, 1e5])
+def test_an_anchor_torn_away_does_not_stop_the_clock(far: float) -> None:
+    page = demanding()
+    # As much computing in a frame as a rod of thousands of masses has.
+    page.session.pacer.attempts = lambda budget: 64  # type: ignore[method-assign]
+    behind, light = page.session.pacer.behind, hud(page)
+    torn(page, far)
+    assert page.session.pacer.behind - behind <= FRAME
+    assert page.session.simulation.divergence is None
+    told = hud(page)
+    assert "cannot follow" not in light
+    assert "the body cannot follow so fast: the hand is" in told
+    assert "px behind" in told
+
+
+def test_an_anchor_that_was_let_go_still_comes_to_where_the_pointer_left_it() -> None:
+    page = demanding()
+    x, y = torn(page, 400.0)
+    page.frames(1, commands.DragEnd())
+    assert page.session.dragged is None
+    assert np.hypot(*(page.session.simulation.positions[0] - (x + 400.0, y))) > 0.0
+    page.frames(120)
+    assert page.session.simulation.positions[0] == pytest.approx((x + 400.0, y), abs=1e-6)
+    assert "behind" not in hud(page)
+
+
+def test_time_stands_for_the_hand_of_a_demanding_body_too() -> None:
+    page = demanding()
+    page.frames(1, commands.Play(False))
+    x, y = torn(page, 400.0, reports=2)
+    assert page.session.simulation.positions[0] == pytest.approx((x, y))
+    page.frames(1, commands.DragEnd())
+    page.frames(120, commands.Play())
+    assert page.session.simulation.positions[0] == pytest.approx((x + 400.0, y), abs=1e-6)
+
+
+@pytest.mark.parametrize("method", ["rk4", "symplectic_euler", "auto", "adams"])
+def test_a_ghost_is_led_as_the_body_is(method: str) -> None:
+    page = demanding()
+    page.frames(1, commands.Compare(method, ""))
+    x, y = map(float, page.session.simulation.positions[0])
+    page.frames(1, commands.DragStart(0, x, y))
+    ghost = page.session.ghost
+    assert ghost is not None
+    for report in range(8):
+        page.frames(3, commands.Point(x + 300.0 * (report % 2), y))
+        if ghost.simulation.divergence is None:  # as explicit methods with such a step do
+            apart = ghost.simulation.positions[0] - page.session.simulation.positions[0]
+            assert np.hypot(*apart) < 0.5
+    page.frames(1, commands.DragEnd())
