@@ -160,8 +160,8 @@ class Bench:
         arg(metavar="{kernels,growth,frames,ensemble,start,page}"),
     ]
     """kernels: the step by several programs; growth: the step as the body grows; frames: time and error of a
-    rod led in a circle; ensemble: many ropes at once and one by one; start: until the rope moves; page: cost
-    and latency."""
+    rod led in a circle, and time of one torn to and fro; ensemble: many ropes at once and one by one; start:
+    until the rope moves; page: cost and latency."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 

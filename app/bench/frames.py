@@ -1,4 +1,5 @@
-"""`softrod bench frames`: what a frame of 1/60 s takes, and how exact it is, for a rod led in a circle.
+"""`softrod bench frames`: what a frame of 1/60 s takes, and how exact it is, for a rod led in a circle; and
+what it takes where the rod's end is torn to and fro.
 
 The rods are the same one in more and more pieces: length, weight and stiffness of the whole do not change.
 """
@@ -6,6 +7,7 @@ The rods are the same one in more and more pieces: length, weight and stiffness 
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,6 +25,9 @@ SIZES = (12, 100, 1000, 3000, 10_000)
 FRAMES = 60
 TOLERANCE = 0.1
 """px, given to `auto`."""
+
+TORN = 500.0
+"""px that the end of a rod is torn to and fro."""
 
 REFERENCE: tuple[Method, float] = ("rodas5p", 1e-3)
 """What errors are measured against: method, and tolerance in px."""
@@ -70,7 +75,16 @@ class Frames:
     rejected: int
 
 
-def run_frames(simulation: sim.Simulation) -> Frames:
+Act = Callable[[sim.Simulation, int], None]
+"""What is done to a simulation before the frame of a number."""
+
+
+def tear(simulation: sim.Simulation, frame: int) -> None:
+    """Point to and fro with the first mass in hand, ten times a second."""
+    simulation.follow(0, (100.0 + TORN * (frame // (FRAMES // 10) % 2), 100.0))
+
+
+def run_frames(simulation: sim.Simulation, act: Act = lambda simulation, frame: None) -> Frames:
     """Run from the start, frame by frame.
 
     Raises:
@@ -79,8 +93,9 @@ def run_frames(simulation: sim.Simulation) -> Frames:
     simulation.reset()
     simulation.effort()
     path, seconds = [], []
-    for _ in range(FRAMES):
+    for frame in range(FRAMES):
         began = time.perf_counter()
+        act(simulation, frame)
         simulation.step()
         seconds.append(time.perf_counter() - began)
         path.append(simulation.positions)
@@ -95,8 +110,41 @@ def errors(path: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.
     return np.hypot(*np.moveaxis(path - right, -1, 0)).max(axis=1)
 
 
+def behind(seconds: NDArray[np.float64]) -> float:
+    """How far the clock falls behind at most, s, where frames take so long."""
+    late = most = 0.0
+    for spent in seconds:
+        late = max(0.0, late + float(spent) - 1.0 / FRAMES)
+        most = max(most, late)
+    return most
+
+
 def bench_frames(console: Console, repeats: int) -> None:
     """Measure, and print ms per frame and errors for each size; of each frame the fastest of the repeats."""
+    _bench_circle(console, repeats)
+    console.print()
+    _bench_torn(console, repeats)
+
+
+def _bench_torn(console: Console, repeats: int) -> None:
+    table = Table("masses", "ms, median", "worst", "clock behind, frames", "hand behind, px", box=None)
+    for masses in SIZES:
+        integrator = Integrator(dt=1.0 / FRAMES, tolerance=TOLERANCE)
+        simulation = sim.Simulation(rod(masses, integrator))
+        runs = [run_frames(simulation, tear) for _ in range(repeats + 1)][1:]
+        seconds = np.min([run.seconds for run in runs], axis=0)
+        hand = abs(runs[0].path[:, 0, 0] - [100.0 + TORN * (i // (FRAMES // 10) % 2) for i in range(FRAMES)])
+        table.add_row(
+            str(masses),
+            *(f"{1e3 * s:.3g}" for s in (np.median(seconds), seconds.max())),
+            f"{FRAMES * behind(seconds):.2g}",
+            f"{hand.max():.0f}",
+        )
+    console.print(f"Torn by {TORN:g} px ten times a second, auto at {TOLERANCE:g} px")
+    console.print(table)
+
+
+def _bench_circle(console: Console, repeats: int) -> None:
     table = Table(
         "masses",
         "ms, median",

@@ -79,6 +79,11 @@ def _tear(simulation: Simulation, frame: int, rng: np.random.Generator) -> None:
     simulation.lead(0, (100.0 + 500.0 * (frame % 2), 100.0))
 
 
+def _tear_gently(simulation: Simulation, frame: int, rng: np.random.Generator) -> None:
+    """As the page does it with a demanding body."""
+    simulation.follow(0, (100.0 + 500.0 * (frame // 6 % 2), 100.0))
+
+
 def _coincide(simulation: Simulation, frame: int, rng: np.random.Generator) -> None:
     """Two masses in the very same place: the anchor is put on the free mass beside it."""
     if frame % 5 == 0:
@@ -131,12 +136,16 @@ def hard_cases() -> dict[str, HardCase]:
 
 
 def long_rods() -> dict[str, HardCase]:
-    """Rods of as many masses as take `auto` seconds, led round a circle; too long for the other methods."""
+    """Rods led round a circle, and torn to and fro; too long for other methods than `auto`."""
     circle = sim.Circle(radius=50.0, frequency=2.0, ramp=0.1)
-    return {f"rod of {n} masses on a circle": HardCase(_rod(n, circle)) for n in (1000, 3000)}
+    led = {f"rod of {n} masses on a circle": HardCase(_rod(n, circle)) for n in (1000, 3000)}
+    torn = {
+        f"rod of {n} masses, torn to and fro": HardCase(_rod(n, None), _tear_gently) for n in (1000, 3000)
+    }
+    return led | torn
 
 
-def _rod(masses: int, circle: sim.Circle) -> Scene:
+def _rod(masses: int, circle: sim.Circle | None) -> Scene:
     """The tutorial's rope, of the same weight, stretch and bending stiffness, cut finer."""
     finer = (masses - 1) / 11.0
     return rope(

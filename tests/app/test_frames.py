@@ -49,6 +49,23 @@ def test_the_table_has_a_row_for_each_size(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(frames, "SIZES", (3, 5))
     console = Console(record=True, width=160)
     frames.bench_frames(console, 1)
-    lines = console.export_text().splitlines()
-    assert [line.split()[0] for line in lines[2:]] == ["3", "5"]
-    assert all(0.0 <= float(line.split()[-1]) <= TOLERANCE for line in lines[2:])
+    circle, torn = (table.splitlines() for table in console.export_text().split("\n\n"))
+    for lines in (circle, torn):
+        assert [line.split()[0] for line in lines[2:]] == ["3", "5"]
+    assert all(0.0 <= float(line.split()[-1]) <= TOLERANCE for line in circle[2:])
+    # Short ones are led at once.
+    assert all(line.split()[-1] == "0" for line in torn[2:])
+
+
+def test_how_far_a_clock_is_behind() -> None:
+    frame = 1.0 / frames.FRAMES
+    assert frames.behind(np.full(60, 0.9 * frame)) == 0.0
+    late = np.array([0.5, 2.0, 1.5, 0.2, 0.2, 1.1]) * frame
+    assert frames.behind(late) == pytest.approx(1.5 * frame)
+
+
+def test_a_rod_is_torn_as_far_as_its_hand_comes() -> None:
+    run = run_frames(sim.Simulation(frames.rod(60, sim.Integrator(dt=1.0 / 60.0))), frames.tear)
+    anchor = run.path[:, 0, 0] - 100.0
+    assert 30.0 < anchor.max() < frames.TORN
+    assert (np.diff(anchor) < 0.0).any()

@@ -213,7 +213,7 @@ def _disturb(simulation: Simulation, does: str, frame: int, rng: Random) -> None
         mass = int(rng.integers(len(simulation.positions)))
         if frame % 2:
             simulation.grab(mass)
-            simulation.lead(mass, tuple(rng.normal(300.0, 100.0, 2).tolist()))
+            simulation.follow(mass, tuple(rng.normal(300.0, 100.0, 2).tolist()))
         else:
             simulation.release(mass)
     if does == "keys":
