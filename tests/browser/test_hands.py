@@ -114,6 +114,28 @@ def test_a_free_mass_is_held_while_it_is_dragged_and_goes_free_after(open_page: 
     assert not desk.simulation._hands.grabbed
 
 
+def test_a_demanding_body_s_hand_comes_after_the_pointer_and_says_so(open_page: OpenPage) -> None:
+    desk = open_page("study-w4")
+    assert desk.simulation.demanding
+    assert "cannot follow" not in desk.hud()
+    start = desk.place(0)
+    end = (start[0] + 200.0, start[1] + 120.0)
+    desk.take(start)
+    for _ in range(3):
+        desk.lead(start, end, steps=2)
+        desk.lead(end, start, steps=2)
+    desk.lead(start, end, steps=2)
+    told = desk.until(lambda: "cannot follow" in desk.hud() and desk.hud(), "the page says that it is behind")
+    assert "px behind" in str(told)
+    desk.picture("torn.png")
+    desk.let_go()
+    # Let go of, the anchor still comes to where it was to be, and stays there.
+    desk.until(lambda: off(desk, 0, end) < 1.5, "the mass is where the pointer was")
+    desk.until(lambda: "cannot follow" not in desk.hud(), "the page does not say it any more")
+    assert desk.simulation.divergence is None
+    assert np.abs(np.array(desk.place(0)) - end).max() < 2.0
+
+
 def test_the_paper_is_moved_and_zoomed_but_never_turned(open_page: OpenPage) -> None:
     desk = open_page()
     first = camera_at_rest(desk)
