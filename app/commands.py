@@ -75,10 +75,14 @@ class SetChoice:
 
 @dataclass(frozen=True)
 class Compare:
-    """A second body is wanted that does the same by another method, or a reference, or none ("")."""
+    """A second body is wanted that does the same by another method, or a reference, or none ("").
+
+    Its time step, or its tolerance, is to be so many times smaller.
+    """
 
     method: str
     law: str
+    finer: int = 1
 
 
 @dataclass(frozen=True)

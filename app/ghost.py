@@ -1,4 +1,4 @@
-"""A second body beside the first: the same inputs, another method or force law."""
+"""A second body beside the first: the same inputs, another method, time step or force law."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 
 import sim
+from sim.methods import METHODS
 from sim.settings import CHOICES, set_choice
 
 REFERENCE = "reference"
@@ -15,6 +16,12 @@ REFERENCE = "reference"
 
 REFERENCE_TOLERANCE = 1e-4
 """Of the reference, px."""
+
+FINER: tuple[int, ...] = (1, 2, 4, 10)
+"""How many times smaller a ghost's time step or tolerance may be: so both bodies have the same frames."""
+
+_LEAST_STEP, _LEAST_TOLERANCE = 1e-6, 1e-12
+"""s and px: no scene may have less."""
 
 ATTEMPTS = 2000
 """Steps that a ghost may try in a frame; it is not the one that the clock waits for."""
@@ -28,6 +35,8 @@ class Ghost:
         simulation: the first body, whose state it starts from.
         method: a name of `sim.methods.METHODS`, or REFERENCE.
         law: a force law, or "" for the scene's own.
+        finer: how many times smaller than the first body's its time step is, or its tolerance where it has
+            one; of no meaning to the reference.
 
     Attributes:
         simulation: the body.
@@ -36,8 +45,8 @@ class Ghost:
         worst: the largest that it has been.
     """
 
-    def __init__(self, simulation: sim.Simulation, method: str, law: str) -> None:
-        self.method, self.law = method, law
+    def __init__(self, simulation: sim.Simulation, method: str, law: str, finer: int = 1) -> None:
+        self.method, self.law, self.finer = method, law, finer
         self.simulation = sim.Simulation(self.variant(simulation.scene))
         self.cost = 0.0
         self.distance = self.worst = 0.0
@@ -51,6 +60,16 @@ class Ghost:
             scene = msgspec.structs.replace(scene, integrator=tight)
         else:
             scene = set_choice(scene, "method", self.method)
+            old = scene.integrator
+            if METHODS[old.method].adaptive:
+                new = msgspec.structs.replace(
+                    old, tolerance=max(old.tolerance / self.finer, _LEAST_TOLERANCE)
+                )
+            else:
+                new = msgspec.structs.replace(
+                    old, dt=old.dt / min(self.finer, max(int(old.dt / _LEAST_STEP), 1))
+                )
+            scene = msgspec.structs.replace(scene, integrator=new)
         if self.law and CHOICES["force_law"].applies(scene):
             scene = set_choice(scene, "force_law", self.law)
         return scene
@@ -60,10 +79,10 @@ class Ghost:
         self.simulation.take_state(simulation)
         self.distance = self.worst = 0.0
 
-    def step(self, steps: int) -> None:
-        """Go on by some time steps of the scene."""
+    def step(self, steps: int, dt: float) -> None:
+        """Go on by some time steps of the first body, each of dt, s."""
         began = time.perf_counter()
-        self.simulation.step(steps, attempts=ATTEMPTS)
+        self.simulation.step(steps * round(dt / self.simulation.dt), attempts=ATTEMPTS)
         self.cost += 0.1 * (time.perf_counter() - began - self.cost)
 
     def compare(self, simulation: sim.Simulation) -> None:
@@ -75,5 +94,12 @@ class Ghost:
     @property
     def label(self) -> str:
         """What it is, for people."""
-        name = "Reference" if self.method == REFERENCE else CHOICES["method"].options[self.method]
-        return f"{name}, {CHOICES['force_law'].options[self.law].lower()} law" if self.law else name
+        if self.method == REFERENCE:
+            parts = ["Reference"]
+        else:
+            parts = [CHOICES["method"].options[self.method]]
+            if self.finer > 1:
+                parts.append(f"{'tolerance' if METHODS[self.method].adaptive else 'step'} / {self.finer}")
+        if self.law:
+            parts.append(f"{CHOICES['force_law'].options[self.law].lower()} law")
+        return ", ".join(parts)

@@ -208,8 +208,8 @@ class Session:
             case commands.SetChoice(key, value):
                 self._replace(set_choice(self.simulation.scene, key, value))
                 self.generation += 1  # other controls
-            case commands.Compare(method, law):
-                self.ghost = Ghost(self.simulation, method, law) if method else None
+            case commands.Compare(method, law, finer):
+                self.ghost = Ghost(self.simulation, method, law, finer) if method else None
                 self.revision += 1
             case commands.KeepBooks(on):
                 self.books = on
@@ -359,7 +359,7 @@ class Session:
             if not self.ghost.simulation.demanding:
                 for mass in led:
                     self.ghost.simulation.lead(mass, tuple(self.simulation.positions[mass]))
-            self.ghost.step(steps)
+            self.ghost.step(steps, self.simulation.dt)
             self.ghost.compare(self.simulation)
 
     def _after_steps(self) -> None:

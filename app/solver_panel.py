@@ -10,12 +10,13 @@ from sim.methods import METHODS
 from sim.settings import CHOICES
 
 from . import commands, readouts
-from .ghost import REFERENCE
+from .ghost import FINER, REFERENCE
 from .session import Session
 
 NO_GHOST = "nothing"
 REFERENCE_LABEL = "a reference: how wrong am I?"
 SAME_LAW = "the same"
+FINER_LABELS: dict[int, str] = dict(zip(FINER, ("the same", "a half", "a quarter", "a tenth"), strict=True))
 
 LAST = 1e6
 """Order of what stands below the dials, which come and go."""
@@ -44,11 +45,17 @@ class SolverPanel:
             "Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()), order=LAST + 2
         )
         self._other_law = gui.add_dropdown("Ghost's law", (SAME_LAW, *laws.values()), order=LAST + 3)
-        self._ghost = gui.add_html("", order=LAST + 4)
-        self.rates = gui.add_html("", order=LAST + 5)
+        self._finer = gui.add_dropdown(
+            "Ghost's step",
+            tuple(FINER_LABELS.values()),
+            hint="its time step, or its tolerance where it has one, as a part of the body's",
+            order=LAST + 4,
+        )
+        self._ghost = gui.add_html("", order=LAST + 5)
+        self.rates = gui.add_html("", order=LAST + 6)
         for handle, key in ((self._method, "method"), (self._law, "force_law")):
             self._listen(handle, key)
-        for handle in (self._other, self._other_law):
+        for handle in (self._other, self._other_law, self._finer):
 
             @handle.on_update
             async def _(event: viser.GuiEvent[Any]) -> None:
@@ -67,7 +74,7 @@ class SolverPanel:
         moving = CHOICES["method"].applies(scene)
         self._law.visible = jointed
         self._other_law.visible = jointed and moving
-        for handle in (self._method, self._about, self._books, self._other):
+        for handle in (self._method, self._about, self._books, self._other, self._finer):
             handle.visible = moving
         self.refresh_controls()
 
@@ -84,6 +91,7 @@ class SolverPanel:
         _show(self._other, other)
         if ghost is not None:
             _show(self._other_law, laws[ghost.law] if ghost.law else SAME_LAW)
+            _show(self._finer, FINER_LABELS[ghost.finer])
         about = f'<div class="softrod-text softrod-about">{method.summary}</div>'
         if self._about.content != about:
             self._about.content = about
@@ -110,11 +118,12 @@ class SolverPanel:
     def _compare(self) -> None:
         """The user chose what to compare with."""
         law = _key_of(CHOICES["force_law"].options, self._other_law.value)
+        finer: int = next((part for part, label in FINER_LABELS.items() if label == self._finer.value), 1)
         if self._other.value == REFERENCE_LABEL:
-            self._session.post(commands.Compare(REFERENCE, law))
+            method = REFERENCE
         else:
             method = _key_of(CHOICES["method"].options, self._other.value)
-            self._session.post(commands.Compare(method, law))
+        self._session.post(commands.Compare(method, law, finer))
 
 
 def _key_of(options: dict[str, str], label: str) -> str:

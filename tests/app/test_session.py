@@ -12,6 +12,7 @@ import sim
 from app import commands, readouts
 from app.bench import frames
 from app.colors import palette
+from app.ghost import FINER
 from app.session import KEYS_FORGOTTEN_AFTER, MAX_QUEUE, Session
 from tests.sim.builders import tutorial_preset
 
@@ -385,3 +386,50 @@ def test_a_ghost_is_led_as_the_body_is(method: str) -> None:
             apart = ghost.simulation.positions[0] - page.session.simulation.positions[0]
             assert np.hypot(*apart) < 0.5
     page.frames(1, commands.DragEnd())
+
+
+# ---------------------------------------------------------------------------------------------- the ghost
+
+
+def test_a_ghost_of_finer_steps_shows_how_wrong_the_body_s_are() -> None:
+    page = Page(sim.load_scene("tutorial-3.3"))
+    apart = {}
+    for finer in FINER:
+        page.frames(1, commands.Reset(), commands.Compare("symplectic_euler", "", finer))
+        ghost = page.session.ghost
+        assert ghost is not None
+        assert ghost.simulation.dt == pytest.approx(0.0025 / finer)
+        x, y = map(float, page.session.simulation.positions[0])
+        page.frames(30, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+        assert ghost.simulation.time == pytest.approx(page.session.simulation.time)
+        assert ghost.simulation.positions[0] == pytest.approx(page.session.simulation.positions[0])
+        page.frames(1, commands.DragEnd())
+        apart[finer] = ghost.worst
+    assert apart[1] == 0.0
+    # Of first order: what is left at a half is a half of what the whole step is wrong by.
+    assert 0.01 < apart[2] < apart[4] < apart[10]
+    assert 1.4 < apart[10] / apart[2] < 2.0
+    assert "Euler, step / 10" in readouts.ghost_table(page.session)
+
+
+def test_a_ghost_of_a_finer_tolerance() -> None:
+    page = Page(sim.load_scene("study-w1"))
+    page.frames(20, commands.Compare("adams", "conservative", 10))
+    ghost = page.session.ghost
+    assert ghost is not None
+    assert ghost.simulation.scene.integrator.tolerance == pytest.approx(0.01)
+    assert ghost.simulation.dt == page.session.simulation.dt
+    assert "Adams, tolerance / 10, conservative law" in readouts.ghost_table(page.session)
+
+
+def test_a_ghost_s_step_is_one_that_a_scene_may_have() -> None:
+    page = Page(sim.set_value(sim.load_scene("tutorial-3.3"), "dt", 2.5e-6))
+    page.frames(2, commands.Play(False), commands.Compare("rk4", "", 10), commands.DoSteps(10))
+    assert not page.session.notices
+    ghost = page.session.ghost
+    assert ghost is not None
+    assert 1e-6 <= ghost.simulation.dt <= 1.3e-6
+    page.frames(2, commands.SetValue("dt", 1e-6), commands.DoSteps(10))
+    assert not page.session.notices
+    assert ghost.simulation.dt == 1e-6
+    assert ghost.simulation.time == pytest.approx(page.session.simulation.time)

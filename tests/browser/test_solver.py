@@ -71,6 +71,13 @@ def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
     desk.picture(save="ghost.png")
     desk.tell(commands.Play(False), commands.Reset())
     assert ghost.distance == 0.0
+    desk.choose("Compare with", "Symplectic Euler")
+    desk.choose("Ghost's step", "a quarter")
+    finer = desk.until(
+        lambda: desk.session.ghost and desk.session.ghost.finer == 4, "the ghost's step is finer"
+    )
+    assert finer
+    desk.page.get_by_text("Symplectic Euler, step / 4").wait_for()
     desk.choose("Compare with", "nothing")
     desk.until(lambda: desk.session.ghost is None, "the ghost is gone")
     desk.until(lambda: "ghost" not in desk.tab._view._nodes, "and its picture, too")
