@@ -156,12 +156,13 @@ class Bench:
     """Measure softrod on this machine, beside other programs that do the same."""
 
     what: Annotated[
-        Positional[Literal["kernels", "growth", "frames", "ensemble", "start", "page"]],
-        arg(metavar="{kernels,growth,frames,ensemble,start,page}"),
+        Positional[Literal["kernels", "growth", "frames", "matrices", "ensemble", "start", "page"]],
+        arg(metavar="{kernels,growth,frames,matrices,ensemble,start,page}"),
     ]
     """kernels: the step by several programs; growth: the step as the body grows; frames: time and error of a
-    rod led in a circle, and time of one torn to and fro; ensemble: many ropes at once and one by one; start:
-    until the rope moves; page: cost and latency."""
+    rod led in a circle, and time of one torn to and fro; matrices: what implicit steps of any topology
+    factorise; ensemble: many ropes at once and one by one; start: until the rope moves; page: cost and
+    latency."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 
@@ -171,6 +172,7 @@ class Bench:
         from .bench.frames import bench_frames
         from .bench.growth import bench_growth
         from .bench.kernels import bench
+        from .bench.matrices import bench_matrices
         from .bench.serving import bench_page, bench_start
 
         if not 1 <= self.repeats <= 1000:
@@ -179,6 +181,7 @@ class Bench:
             "kernels": bench,
             "growth": bench_growth,
             "frames": bench_frames,
+            "matrices": bench_matrices,
             "ensemble": bench_ensemble,
             "start": bench_start,
             "page": bench_page,

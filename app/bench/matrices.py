@@ -1,0 +1,111 @@
+"""`softrod bench matrices`: how much elimination fills into the matrices of implicit steps."""
+
+from __future__ import annotations
+
+import math
+import time
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+import sim
+from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
+from sim.pattern import fill, new_matrix
+from sim.system import build_system
+
+PRESETS = ("study-w4", "study-ring", "study-tree", "hair-tuft", "flag-pole", "study-cloth")
+SIDES = (10, 20, 30)
+"""Masses along the edge of a cloth patch."""
+
+GIRDER = 50
+"""Rungs of a girder."""
+
+
+def _framework(
+    name: str,
+    places: list[tuple[float, float]],
+    edges: list[tuple[int, int]],
+    straight: list[tuple[int, ...]],
+) -> Scene:
+    """Springs between masses, and joints where three of these stand in line."""
+    spring = {ends: s for s, ends in enumerate(edges)}
+    return Scene(
+        name=name,
+        masses=tuple(Mass(position=place) for place in places),
+        linear_springs=tuple(
+            LinearSpring(a=a, b=b, stiffness=1e4, rest_length=math.dist(places[a], places[b]))
+            for a, b in edges
+        ),
+        angular_springs=tuple(
+            AngularSpring(a=spring[a, b], b=spring[b, c], stiffness=1e4) for a, b, c in straight
+        ),
+        anchors=(Anchor(mass=0),),
+    )
+
+
+def cloth(side: int) -> Scene:
+    """A square patch of springs that bends like a net of rods."""
+    at = np.arange(side * side).reshape(side, side)
+    places = [(20.0 * (i % side), 20.0 * (i // side)) for i in range(side * side)]
+    edges, straight = [], []
+    for net in (at, at.T):
+        edges += np.stack((net[:, :-1], net[:, 1:]), -1).reshape(-1, 2).tolist()
+        straight += np.stack((net[:, :-2], net[:, 1:-1], net[:, 2:]), -1).reshape(-1, 3).tolist()
+    return _framework(f"cloth-{side}x{side}", places, [(a, b) for a, b in edges], straight)
+
+
+def girder(rungs: int) -> Scene:
+    """Two rails, with rungs and diagonals between them."""
+    places = [(20.0 * (i // 2), 20.0 * (i % 2)) for i in range(2 * rungs)]
+    rails = [(i, i + 2) for i in range(2 * rungs - 2)]
+    between = [(2 * i, 2 * i + 1) for i in range(rungs)] + [(2 * i, 2 * i + 3) for i in range(rungs - 1)]
+    straight = [(i, i + 2, i + 4) for i in range(2 * rungs - 4)]
+    return _framework(f"girder-{rungs}", places, rails + between, straight)
+
+
+def in_a_band(scene: Scene) -> int:
+    """Blocks within the band of a scene's matrix, if masses stand in the order of reverse Cuthill-McKee."""
+    from scipy.sparse import csr_matrix
+    from scipy.sparse.csgraph import reverse_cuthill_mckee
+
+    n = len(scene.masses)
+    ends = np.array([(s.a, s.b) for s in scene.linear_springs])
+    joined = [ends] + [
+        np.array([(a, b)])
+        for joint in scene.angular_springs
+        for a in ends[joint.a].tolist()
+        for b in ends[joint.b].tolist()
+        if a != b
+    ]
+    a, b = np.concatenate(joined).T
+    graph = csr_matrix((np.ones(2 * a.size), (np.r_[a, b], np.r_[b, a])), (n, n))
+    position = np.empty(n, np.int64)
+    position[reverse_cuthill_mckee(graph, symmetric_mode=True)] = np.arange(n)
+    width = int(abs(position[a] - position[b]).max())
+    return n + sum(2 * (n - k) for k in range(1, width + 1))
+
+
+def bench_matrices(console: Console, repeats: int) -> None:
+    """Print for each body the blocks of 2 x 2 in its matrix, in its factors and in a band instead."""
+    table = Table(
+        "body", "masses", "blocks", "in the factors", "filled in", "in a band", "ms to find this", box=None
+    )
+    for scene in (*map(sim.load_scene, PRESETS), girder(GIRDER), *map(cloth, SIDES)):
+        system, times = build_system(scene), []
+        for _ in range(repeats):
+            began = time.perf_counter()
+            new_matrix(system.body, system.held)
+            times.append(time.perf_counter() - began)
+        blocks, factors = fill(system.body, new_matrix(system.body, system.held))
+        table.add_row(
+            scene.name,
+            str(len(scene.masses)),
+            str(blocks),
+            str(factors),
+            f"{100.0 * (factors / blocks - 1.0):.0f} %",
+            str(in_a_band(scene)),
+            f"{1e3 * min(times):.2g}",
+        )
+    console.print("Blocks of matrices; their order is found once for a body")
+    console.print(table)
