@@ -1,0 +1,36 @@
+"""A session without a browser, for tests."""
+
+from __future__ import annotations
+
+import sim
+from app import commands
+from app.session import Session
+
+FRAME = 1.0 / 60.0
+
+
+class Wall:
+    """A wall clock that a test moves."""
+
+    def __init__(self) -> None:
+        self.time = 100.0
+
+    def __call__(self) -> float:
+        return self.time
+
+
+class Page:
+    """A session and its wall clock."""
+
+    def __init__(self, scene: sim.Scene) -> None:
+        self.wall = Wall()
+        self.session = Session(scene, clock=self.wall)
+
+    def frames(self, count: int, *posts: commands.Command) -> None:
+        """Post the commands, then let frames pass."""
+        for command in posts:
+            self.session.post(command)
+        for _ in range(count):
+            self.wall.time += FRAME
+            self.session.drain()
+            self.session.tick(budget=1.0)

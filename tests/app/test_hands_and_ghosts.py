@@ -1,0 +1,133 @@
+"""A session's hands, where a body cannot follow at once, and its second body; without a browser."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import sim
+from app import commands, readouts
+from app.bench import frames
+from app.colors import palette
+from app.ghost import FINER
+from tests.app.pages import FRAME, Page
+
+
+def demanding() -> Page:
+    """The tutorial's rope in a hundred pieces, hanging already."""
+    page = Page(frames.rod(100, sim.Integrator()))
+    page.frames(30)
+    assert page.session.simulation.demanding
+    return page
+
+
+def hud(page: Page) -> str:
+    return readouts.hud(page.session, palette("softrod", dark=False), at_rest=False)
+
+
+def torn(page: Page, far: float, reports: int = 12) -> tuple[float, float]:
+    """Tear the anchor to and fro; where it was."""
+    x, y = map(float, page.session.simulation.positions[0])
+    page.frames(1, commands.DragStart(0, x, y))
+    for report in range(reports):
+        page.frames(3, commands.Point(x + far * (report % 2), y))
+    return x, y
+
+
+@pytest.mark.parametrize("far", [500.0, 1e5])
+def test_an_anchor_torn_away_does_not_stop_the_clock(far: float) -> None:
+    page = demanding()
+    # As much computing in a frame as a rod of thousands of masses has.
+    page.session.pacer.attempts = lambda budget: 64  # type: ignore[method-assign]
+    behind, light = page.session.pacer.behind, hud(page)
+    torn(page, far)
+    assert page.session.pacer.behind - behind <= FRAME
+    assert page.session.simulation.divergence is None
+    told = hud(page)
+    assert "cannot follow" not in light
+    assert "the body cannot follow so fast: the hand is" in told
+    assert "px behind" in told
+
+
+def test_an_anchor_that_was_let_go_still_comes_to_where_the_pointer_left_it() -> None:
+    page = demanding()
+    x, y = torn(page, 400.0)
+    page.frames(1, commands.DragEnd())
+    assert page.session.dragged is None
+    assert np.hypot(*(page.session.simulation.positions[0] - (x + 400.0, y))) > 0.0
+    page.frames(120)
+    assert page.session.simulation.positions[0] == pytest.approx((x + 400.0, y), abs=1e-6)
+    assert "behind" not in hud(page)
+
+
+def test_time_stands_for_the_hand_of_a_demanding_body_too() -> None:
+    page = demanding()
+    page.frames(1, commands.Play(False))
+    x, y = torn(page, 400.0, reports=2)
+    assert page.session.simulation.positions[0] == pytest.approx((x, y))
+    page.frames(1, commands.DragEnd())
+    page.frames(120, commands.Play())
+    assert page.session.simulation.positions[0] == pytest.approx((x + 400.0, y), abs=1e-6)
+
+
+@pytest.mark.parametrize("method", ["rk4", "symplectic_euler", "auto", "adams"])
+def test_a_ghost_is_led_as_the_body_is(method: str) -> None:
+    page = demanding()
+    page.frames(1, commands.Compare(method, ""))
+    x, y = map(float, page.session.simulation.positions[0])
+    page.frames(1, commands.DragStart(0, x, y))
+    ghost = page.session.ghost
+    assert ghost is not None
+    for report in range(8):
+        page.frames(3, commands.Point(x + 300.0 * (report % 2), y))
+        if ghost.simulation.divergence is None:  # as explicit methods with such a step do
+            apart = ghost.simulation.positions[0] - page.session.simulation.positions[0]
+            assert np.hypot(*apart) < 0.5
+    page.frames(1, commands.DragEnd())
+
+
+# ---------------------------------------------------------------------------------------------- the ghost
+
+
+def test_a_ghost_of_finer_steps_shows_how_wrong_the_body_s_are() -> None:
+    page = Page(sim.load_scene("tutorial-3.3"))
+    apart = {}
+    for finer in FINER:
+        page.frames(1, commands.Reset(), commands.Compare("symplectic_euler", "", finer))
+        ghost = page.session.ghost
+        assert ghost is not None
+        assert ghost.simulation.dt == pytest.approx(0.0025 / finer)
+        x, y = map(float, page.session.simulation.positions[0])
+        page.frames(30, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+        assert ghost.simulation.time == pytest.approx(page.session.simulation.time)
+        assert ghost.simulation.positions[0] == pytest.approx(page.session.simulation.positions[0])
+        page.frames(1, commands.DragEnd())
+        apart[finer] = ghost.worst
+    assert apart[1] == 0.0
+    # Of first order: what is left at a half is a half of what the whole step is wrong by.
+    assert 0.01 < apart[2] < apart[4] < apart[10]
+    assert 1.4 < apart[10] / apart[2] < 2.0
+    assert "Euler, step / 10" in readouts.ghost_table(page.session)
+
+
+def test_a_ghost_of_a_finer_tolerance() -> None:
+    page = Page(sim.load_scene("study-w1"))
+    page.frames(20, commands.Compare("adams", "conservative", 10))
+    ghost = page.session.ghost
+    assert ghost is not None
+    assert ghost.simulation.scene.integrator.tolerance == pytest.approx(0.01)
+    assert ghost.simulation.dt == page.session.simulation.dt
+    assert "Adams, tolerance / 10, conservative law" in readouts.ghost_table(page.session)
+
+
+def test_a_ghost_s_step_is_one_that_a_scene_may_have() -> None:
+    page = Page(sim.set_value(sim.load_scene("tutorial-3.3"), "dt", 2.5e-6))
+    page.frames(2, commands.Play(False), commands.Compare("rk4", "", 10), commands.DoSteps(10))
+    assert not page.session.notices
+    ghost = page.session.ghost
+    assert ghost is not None
+    assert 1e-6 <= ghost.simulation.dt <= 1.3e-6
+    page.frames(2, commands.SetValue("dt", 1e-6), commands.DoSteps(10))
+    assert not page.session.notices
+    assert ghost.simulation.dt == 1e-6
+    assert ghost.simulation.time == pytest.approx(page.session.simulation.time)
