@@ -81,6 +81,10 @@ _COARSEST, _FINER = 1e-3, 0.03
 """The part of a body's size up to which `auto` takes Rosenbrock methods by their word, since they see too
 little of the error of a stiff body's long steps; and the least part of the tolerance that it asks of them."""
 
+_LARGEST, _SENSIBLE = 0.01, 0.1
+"""The part of a body's size that `auto` takes for the tolerance, at most, and px that it takes all the same:
+within more than that, velocities of the lightest masses could be anything."""
+
 _ADAMS_LOW, _ADAMS_HIGH = 0.5, 1.6
 """What it multiplies the tolerance of Adams' methods by, down to `LOW_TOLERANCE` and below. Found by trying:
 so, about the same share of random bodies ends within large tolerances and within small ones."""
@@ -270,10 +274,9 @@ class Solver:
             *np.ptp([mass.position for mass in self.scene.masses], axis=0),
             *(spring.rest_length for spring in self.scene.linear_springs),
         )
-        strictness[ARM_ROSENBROCK] *= min(
-            max(_COARSEST * size / self.scene.integrator.tolerance, _FINER), 1.0
-        )
-        return strictness
+        tolerance = self.scene.integrator.tolerance
+        strictness[ARM_ROSENBROCK] *= min(max(_COARSEST * size / tolerance, _FINER), 1.0)
+        return strictness * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
 
     def _costs(self, low: bool) -> Floats:
         """See `Bound.costs`; measured in ns on chains, elsewhere in proportion to operations."""

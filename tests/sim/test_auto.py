@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Integrator, Simulation
+from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.scene import ForceLaw
 from sim.simulation import Effort
 from tests.sim.amplification import dynamics, radius
+from tests.sim.bodies import LAWS
 
 
 def test_far_from_its_limit_verlet_leaves_most_of_the_tolerance_to_what_may_come() -> None:
@@ -97,3 +99,27 @@ def test_frame_by_frame_implicit_steps_are_judged_by_what_they_do_now(tolerance:
     framed = simulation.effort()
     assert framed.matrices > 40
     assert framed.forces < 3 * whole.forces
+
+
+@pytest.mark.parametrize("tolerance", [0.1, 10.0, 1e3])
+@pytest.mark.parametrize("law", LAWS)
+def test_no_tolerance_lets_a_light_mass_on_a_strong_damper_run_away(law: ForceLaw, tolerance: float) -> None:
+    # Within a tolerance of 10 px, its velocity could be anything for the while that the damper takes.
+    scene = Scene(
+        name="light",
+        masses=(Mass(position=(100.0, 100.0), mass=1e-6), Mass(position=(100.0, 140.0), mass=1e-3)),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=1e4, damping=1e6, rest_length=1.0),),
+        anchors=(Anchor(mass=1),),
+        gravity=(0.0, 0.0),
+        air_friction=1.0,
+        force_law=law,
+        integrator=Integrator(method="auto", dt=1.0 / 60.0, tolerance=tolerance),
+    )
+    simulation = Simulation(scene)
+    start = simulation.energy().total
+    for _ in range(5):
+        assert simulation.step(attempts=400) == 1
+        book = simulation.energy()
+        assert book.total <= start
+        assert abs(book.residual) < 0.01 * start
+    assert simulation.divergence is None
