@@ -9,7 +9,7 @@ import numpy as np
 
 import sim
 from sim.methods import METHODS
-from sim.settings import CHOICES, set_choice
+from sim.settings import CHOICES, SETTINGS, set_choice
 
 REFERENCE = "reference"
 """Instead of a method: `auto` at a tolerance at which it stands for the exact motion."""
@@ -19,9 +19,6 @@ REFERENCE_TOLERANCE = 1e-4
 
 FINER: tuple[int, ...] = (1, 2, 4, 10)
 """How many times smaller a ghost's time step or tolerance may be: so both bodies have the same frames."""
-
-_LEAST_STEP, _LEAST_TOLERANCE = 1e-6, 1e-12
-"""s and px: no scene may have less."""
 
 ATTEMPTS = 2000
 """Steps that a ghost may try in a frame; it is not the one that the clock waits for."""
@@ -60,16 +57,12 @@ class Ghost:
             scene = msgspec.structs.replace(scene, integrator=tight)
         else:
             scene = set_choice(scene, "method", self.method)
-            old = scene.integrator
-            if METHODS[old.method].adaptive:
-                new = msgspec.structs.replace(
-                    old, tolerance=max(old.tolerance / self.finer, _LEAST_TOLERANCE)
-                )
-            else:
-                new = msgspec.structs.replace(
-                    old, dt=old.dt / min(self.finer, max(int(old.dt / _LEAST_STEP), 1))
-                )
-            scene = msgspec.structs.replace(scene, integrator=new)
+            key = "tolerance" if METHODS[scene.integrator.method].adaptive else "dt"
+            whole = getattr(scene.integrator, key)
+            # A whole part of it, and not less than a scene may have.
+            part = whole / max(min(self.finer, int(whole / SETTINGS[key].low)), 1)
+            integrator = msgspec.structs.replace(scene.integrator, **{key: part})
+            scene = msgspec.structs.replace(scene, integrator=integrator)
         if self.law and CHOICES["force_law"].applies(scene):
             scene = set_choice(scene, "force_law", self.law)
         return scene

@@ -73,8 +73,7 @@ class SolverPanel:
         jointed = CHOICES["force_law"].applies(scene)
         moving = CHOICES["method"].applies(scene)
         self._law.visible = jointed
-        self._other_law.visible = jointed and moving
-        for handle in (self._method, self._about, self._books, self._other, self._finer):
+        for handle in (self._method, self._about, self._books, self._other):
             handle.visible = moving
         self.refresh_controls()
 
@@ -89,6 +88,9 @@ class SolverPanel:
         _show(self._method, method.label)
         _show(self._law, laws[scene.force_law])
         _show(self._other, other)
+        # The ghost's own controls come with it, and its step is of no meaning to a reference.
+        self._other_law.visible = ghost is not None and CHOICES["force_law"].applies(scene)
+        self._finer.visible = ghost is not None and ghost.method != REFERENCE
         if ghost is not None:
             _show(self._other_law, laws[ghost.law] if ghost.law else SAME_LAW)
             _show(self._finer, FINER_LABELS[ghost.finer])

@@ -91,11 +91,6 @@ class Hand:
         self.goal = x, y
 
     @property
-    def place(self) -> tuple[float, float]:
-        """Where it is, px."""
-        return float(self._state[0, 0]), float(self._state[0, 1])
-
-    @property
     def distance(self) -> float:
         """How far it still has to go, px."""
         return float(np.hypot(*(self._state[0] - self.goal)))

@@ -172,7 +172,6 @@ class FlowStepper:
         self._led: Targets = {}
         self._undisturbed: Drive | None = None  # what drives the body while nobody does
         self._goal = 0.0
-        self._held = np.flatnonzero(system.held) + 1
 
     @property
     def time(self) -> float:
@@ -198,19 +197,21 @@ class FlowStepper:
             solver.touch()
             self._undisturbed = None
             self._led = targets
-        if hands.gentle or presses != NO_PRESSES:
-            self._undisturbed = None
-        drive = self._undisturbed
-        if drive is None:
-            drive = self._drive(until, targets, presses)
-            if not targets and not hands.gentle and presses == NO_PRESSES:
-                self._undisturbed = drive
         if hands.gentle:
+            self._undisturbed = None
             what = self._glide(until, hands, presses, attempts)
-        elif all_held and drive.moving and self._adaptive and solver.ledger.active:
-            what = self._halt(until, drive, min(_HALTS * steps, attempts), attempts)
         else:
-            what = solver.run(until, drive, attempts)
+            if presses != NO_PRESSES:
+                self._undisturbed = None
+            drive = self._undisturbed
+            if drive is None:
+                drive = self._drive(until, targets, presses)
+                if not targets and presses == NO_PRESSES:
+                    self._undisturbed = drive
+            if all_held and drive.moving and self._adaptive and solver.ledger.active:
+                what = self._halt(until, drive, min(_HALTS * steps, attempts), attempts)
+            else:
+                what = solver.run(until, drive, attempts)
         time = solver.time
         if targets and time == until:
             self._put(targets)

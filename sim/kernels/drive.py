@@ -26,12 +26,8 @@ def drive_to(body, live, drive, t, q, v):
     since = t - drive.start
     for i in range(drive.mass.size):
         m = drive.mass[i]
-        x = drive.x[i] + since * (
-            drive.vx[i] + since * (0.5 * drive.ax[i] + since * drive.jx[i] * (1.0 / 6.0))
-        )
-        y = drive.y[i] + since * (
-            drive.vy[i] + since * (0.5 * drive.ay[i] + since * drive.jy[i] * (1.0 / 6.0))
-        )
+        x = drive.x[i] + since * (drive.vx[i] + since * (0.5 * drive.ax[i] + since / 6.0 * drive.jx[i]))
+        y = drive.y[i] + since * (drive.vy[i] + since * (0.5 * drive.ay[i] + since / 6.0 * drive.jy[i]))
         vx, vy = hand_speed(drive, i, t)
         vx, vy = vx * drive.hand[i], vy * drive.hand[i]
         if drive.radius[i] > 0.0:
