@@ -12,8 +12,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from .blocks import from_to, joint_blocks, length_of, minus, plus, scaled, spring_block
+from .blocks import from_to, joint_blocks, minus, plus, scaled, spring_block
 from .jit import FAST, kernel
+from .roots import inverse_root
 from .tables import ANGLE, CONSERVATIVE, TUTORIAL
 
 CHUNK, _VECTOR = 16, 8
@@ -99,10 +100,8 @@ def _derive_springs(body, live, q, v, g, definite, first, start, stop, parts):
         s = np.uint64(first + k)
         one, other = first + k + 1, first + k + 2
         vector, rate = from_to(q, one, other), from_to(v, one, other)
-        length = length_of(vector[0], vector[1], body.softening)
-        block = spring_block(
-            body.stiffness[s], body.damping[s], live.pull[s], length, vector, rate, g, definite
-        )
+        inv = _inverse_of(vector, body.softening)
+        block = spring_block(body.stiffness[s], body.damping[s], live.pull[s], inv, vector, rate, g, definite)
         put(parts, _OWN, k, block)
 
 
@@ -128,8 +127,8 @@ def _derive_joints(body, live, q, v, g, law, twisted, definite, first, start, st
             damping,
             vector,
             after,
-            length_of(vector[0], vector[1], soft),
-            length_of(after[0], after[1], soft),
+            _inverse_of(vector, soft),
+            _inverse_of(after, soft),
             soft,
             rate,
             rate_after,
@@ -140,6 +139,12 @@ def _derive_joints(body, live, q, v, g, law, twisted, definite, first, start, st
         put(parts, _AB, k, ab)
         put(parts, _BA, k, ba)
         put(parts, _BB, k, bb)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _inverse_of(vector, softening):
+    """1 / the length of a spring's vector; of many at a time."""
+    return inverse_root(vector[0] * vector[0] + vector[1] * vector[1] + softening)
 
 
 @kernel(forceinline=True, fastmath=FAST)

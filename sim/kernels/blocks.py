@@ -67,14 +67,13 @@ def from_to(flat, a, b):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def spring_block(stiffness, damping, pull, length, vector, rate, g, definite):
-    """Of the tension of a linear spring, by its own vector.
+def spring_block(stiffness, damping, pull, inv, vector, rate, g, definite):
+    """Of the tension of a linear spring, by its own vector; `inv` is 1 / its length.
 
     `definite` leaves out what could make the matrix of an implicit step indefinite: the sideways push of a
     compressed spring, and the turning of the damping force.
     """
     x, y = vector
-    inv = 1.0 / length
     inv2 = inv * inv
     if definite:
         taut = max(stiffness - pull * inv, 0.0)
@@ -90,7 +89,7 @@ def spring_block(stiffness, damping, pull, length, vector, rate, g, definite):
 
 @kernel(forceinline=True, fastmath=FAST)
 def joint_blocks(
-    law, size, cos, sin, rest, damping, a, b, len_a, len_b, softening, rate_a, rate_b, g, definite
+    law, size, cos, sin, rest, damping, a, b, inv_a, inv_b, softening, rate_a, rate_b, g, definite
 ):  # fmt: skip
     """Of the tensions that a joint adds to its springs a and b, by their vectors: aa, ab, ba, bb.
 
@@ -100,15 +99,16 @@ def joint_blocks(
         rest: rest angle, radians.
         damping: of the joint.
         a, b: vectors of the springs.
-        len_a, len_b: their lengths.
-        softening: that is in them, px².
+        inv_a, inv_b: 1 / their lengths.
+        softening: that is in these, px².
         rate_a, rate_b: the rates of the vectors.
         g: factor of the derivative by the rates.
         definite: whether the matrix -[[aa, ab], [ba, bb]] has to be positive semidefinite. It is then
             that of the conservative law, which is the square of sqrt(|B|/|A|) A - sqrt(|A|/|B|) R(-r) B,
             with the square roots taken as constants (Gauss-Newton).
     """
-    inv_a, inv_b = 1.0 / len_a, 1.0 / len_b
+    len_a = (a[0] * a[0] + a[1] * a[1] + softening) * inv_a
+    len_b = (b[0] * b[0] + b[1] * b[1] + softening) * inv_b
     normal_a = (a[1] * inv_a * inv_a, -a[0] * inv_a * inv_a)
     normal_b = (b[1] * inv_b * inv_b, -b[0] * inv_b * inv_b)
     turn_a = _normal_by_vector(a, normal_a, inv_a)
@@ -228,6 +228,12 @@ def _normal_by_vector(vector, normal, inv):
 def length_of(x, y, softening):
     """The length of a spring's vector, never quite zero."""
     return math.sqrt(x * x + y * y + softening)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def inverse_of(x, y, softening):
+    """1 / the length of a spring's vector."""
+    return 1.0 / length_of(x, y, softening)
 
 
 @kernel(forceinline=True, fastmath=FAST)

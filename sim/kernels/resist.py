@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from .blocks import from_to, length_of
+from .blocks import from_to, inverse_of
 from .jit import FAST, kernel
 from .lanes import eight_at_a_time, whole_eights
 
@@ -24,7 +24,7 @@ def remember_directions(body, matrix, q):
     else:
         for s in range(body.springs):
             x, y = from_to(q, body.spring_a[s], body.spring_b[s])
-            inv = 1.0 / length_of(x, y, body.softening)
+            inv = inverse_of(x, y, body.softening)
             ux[s + 1], uy[s + 1], inverse[s + 1] = x * inv, y * inv, inv
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .blocks import from_to, inverted, joint_blocks, length_of, spring_block
+from .blocks import from_to, inverse_of, inverted, joint_blocks, spring_block
 from .jit import FAST, kernel
 
 
@@ -30,10 +30,8 @@ def assemble(body, live, matrix, q, v, g, definite):
     for s in range(body.springs):
         a, b = body.spring_a[s], body.spring_b[s]
         vector, rate = from_to(q, a, b), from_to(v, a, b)
-        length = length_of(vector[0], vector[1], soft)
-        block = spring_block(
-            body.stiffness[s], body.damping[s], live.pull[s], length, vector, rate, g, definite
-        )
+        inv = inverse_of(vector[0], vector[1], soft)
+        block = spring_block(body.stiffness[s], body.damping[s], live.pull[s], inv, vector, rate, g, definite)
         t = matrix.spring_target
         # The force acts on b, and its opposite on a; the vector is b less a.
         _add(blocks, t[4 * s], 1.0, block)
@@ -54,8 +52,8 @@ def assemble(body, live, matrix, q, v, g, definite):
             body.couple_damping[j + 1],
             vector_a,
             vector_b,
-            length_of(vector_a[0], vector_a[1], soft),
-            length_of(vector_b[0], vector_b[1], soft),
+            inverse_of(vector_a[0], vector_a[1], soft),
+            inverse_of(vector_b[0], vector_b[1], soft),
             soft,
             rate_a,
             rate_b,

@@ -4,13 +4,19 @@ A long rod turns by much in a step while it hardly stretches, which is anything 
 complex numbers, a vector becomes vector * (1 + z), whatever the turn.
 
 Along a chain each mass hangs on the one before it. There all vectors are found in loops that are vectorised,
-and only their sum goes from mass to mass: that takes half of the time.
+and only their sum goes from mass to mass: that takes half of the time. Indices there are unsigned: numba
+otherwise tests each one for being negative.
 """
 
 from __future__ import annotations
 
+import numpy as np
+
 from .jit import FAST, kernel
 from .tables import CLOCK_LAST, CLOCK_LAST_BUT_ONE, SPARE
+
+_LEAST = 1e-100
+"""The square of a length that is divided by, px², at least."""
 
 
 @kernel(inner=True, fastmath=FAST)
@@ -90,6 +96,11 @@ def turn_and_stretch(matrix, inverse_mass, q, move, vector):
             )
             to_x[s + 2] = dx
             to_y[s + 2] = dy
+        for place in range(1, n + 1):  # not with a branch: that would not be vectorised
+            m = np.uint64(place)
+            apart = (matrix.parent[m] == 0) | (inverse_mass[m] == 0.0)
+            x[m] += by_x[m] if apart else 0.0
+            y[m] += by_y[m] if apart else 0.0
     else:
         for i in range(n):
             m = matrix.walk[i]
@@ -97,11 +108,11 @@ def turn_and_stretch(matrix, inverse_mass, q, move, vector):
             vector[m], vector[k] = _updated(
                 q[m] - q[p], q[k] - q[places + p], move[m] - move[p], move[k] - move[places + p]
             )
-    for i in range(n):
-        m = matrix.walk[i]
-        if matrix.parent[m] == 0 or inverse_mass[m] == 0.0:
-            q[m] += move[m]
-            q[places + m] += move[places + m]
+        for i in range(n):
+            m = matrix.walk[i]
+            if matrix.parent[m] == 0 or inverse_mass[m] == 0.0:
+                q[m] += move[m]
+                q[places + m] += move[places + m]
     _add_up(matrix, inverse_mass, vector, q)
 
 
@@ -111,12 +122,13 @@ def _add_up(matrix, inverse_mass, vector, q):
     places = q.size // 2
     if matrix.straight:
         x, y = q[1], q[places + 1]
-        for m in range(2, matrix.walk.size + 1):
+        for place in range(2, matrix.walk.size + 1):
+            m, k = np.uint64(place), np.uint64(places + place)
             if matrix.parent[m] == 0 or inverse_mass[m] == 0.0:
-                x, y = q[m], q[places + m]
+                x, y = q[m], q[k]
             else:
-                x, y = x + vector[m], y + vector[places + m]
-                q[m], q[places + m] = x, y
+                x, y = x + vector[m], y + vector[k]
+                q[m], q[k] = x, y
     else:
         for i in range(matrix.walk.size):
             m = matrix.walk[i]
@@ -128,28 +140,33 @@ def _add_up(matrix, inverse_mass, vector, q):
 @kernel(forceinline=True, fastmath=FAST)
 def _extrapolated(x, y, x1, y1, x0, y0, c1, c0):
     """A vector that was (x1, y1) a step ago and (x0, y0) two ago; itself where that would be wild."""
-    re1, im1 = _logarithm(x, y, x1, y1)
-    re0, im0 = _logarithm(x1, y1, x0, y0)
+    square1, square0 = max(x1 * x1 + y1 * y1, _LEAST), max(x0 * x0 + y0 * y0, _LEAST)
+    both = 1.0 / (square1 * square0)  # one division instead of two
+    re1, im1 = _logarithm(x, y, x1, y1, square0 * both)
+    re0, im0 = _logarithm(x1, y1, x0, y0, square1 * both)
     stretch, turn = 1.0 + c1 * re1 + c0 * re0, c1 * im1 + c0 * im0
     turned_x, turned_y = _turned(x, y, stretch, turn)
-    tame = _is_tame(stretch, turn)
+    tame = _is_tame(stretch, turn, 1.0)
     return turned_x if tame else x, turned_y if tame else y
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def _updated(x, y, dx, dy):
-    """A vector to which (dx, dy) is to be added, turned and stretched as that asks for at first order."""
-    inverse = 1.0 / max(x * x + y * y, 1e-300)
-    stretch, turn = 1.0 + (x * dx + y * dy) * inverse, (x * dy - y * dx) * inverse
-    turned_x, turned_y = _turned(x, y, stretch, turn)
-    tame = _is_tame(stretch, turn)
-    return turned_x if tame else x + dx, turned_y if tame else y + dy
+    """A vector to which (dx, dy) is to be added, turned and stretched as that asks for at first order.
+
+    It asks for a stretch of reach / square and a turn of 2 half / square; all by one division.
+    """
+    square = max(x * x + y * y, _LEAST)
+    reach, half = square + x * dx + y * dy, 0.5 * (x * dy - y * dx)
+    part = reach / (square * (square * square + half * half))
+    cos, sin = (square * square - half * half) * part, 2.0 * half * square * part
+    tame = _is_tame(reach, 2.0 * half, square)
+    return cos * x - sin * y if tame else x + dx, sin * x + cos * y if tame else y + dy
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _logarithm(x, y, x0, y0):
-    """Of (x + iy) / (x0 + iy0), to second order in the turn."""
-    inverse = 1.0 / max(x0 * x0 + y0 * y0, 1e-300)
+def _logarithm(x, y, x0, y0, inverse):
+    """Of (x + iy) / (x0 + iy0), to second order in the turn; `inverse` is 1 / (x0² + y0²)."""
     re, im = (x * x0 + y * y0) * inverse - 1.0, (y * x0 - x * y0) * inverse
     return re + 0.5 * im * im, im
 
@@ -164,6 +181,8 @@ def _turned(x, y, stretch, turn):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _is_tame(stretch, turn):
+def _is_tame(stretch, turn, unit):
+    """Whether a stretch and a turn, in that unit, are not too large for what they are made of."""
     # Not `and`: a loop with branches is not vectorised.
-    return (stretch > 0.4) & (stretch < 2.5) & (turn > -1.4) & (turn < 1.4)
+    most = 1.4 * unit
+    return (stretch > 0.4 * unit) & (stretch < 2.5 * unit) & (turn > -most) & (turn < most)
