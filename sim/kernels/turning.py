@@ -146,22 +146,18 @@ def _extrapolated(x, y, x1, y1, x0, y0, c1, c0):
     re0, im0 = _logarithm(x1, y1, x0, y0, square1 * both)
     stretch, turn = 1.0 + c1 * re1 + c0 * re0, c1 * im1 + c0 * im0
     turned_x, turned_y = _turned(x, y, stretch, turn)
-    tame = _is_tame(stretch, turn, 1.0)
+    tame = _is_tame(stretch, turn)
     return turned_x if tame else x, turned_y if tame else y
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def _updated(x, y, dx, dy):
-    """A vector to which (dx, dy) is to be added, turned and stretched as that asks for at first order.
-
-    It asks for a stretch of reach / square and a turn of 2 half / square; all by one division.
-    """
-    square = max(x * x + y * y, _LEAST)
-    reach, half = square + x * dx + y * dy, 0.5 * (x * dy - y * dx)
-    part = reach / (square * (square * square + half * half))
-    cos, sin = (square * square - half * half) * part, 2.0 * half * square * part
-    tame = _is_tame(reach, 2.0 * half, square)
-    return cos * x - sin * y if tame else x + dx, sin * x + cos * y if tame else y + dy
+    """A vector to which (dx, dy) is to be added, turned and stretched as that asks for at first order."""
+    inverse = 1.0 / max(x * x + y * y, _LEAST)
+    stretch, turn = 1.0 + (x * dx + y * dy) * inverse, (x * dy - y * dx) * inverse
+    turned_x, turned_y = _turned(x, y, stretch, turn)
+    tame = _is_tame(stretch, turn)
+    return turned_x if tame else x + dx, turned_y if tame else y + dy
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -181,8 +177,6 @@ def _turned(x, y, stretch, turn):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _is_tame(stretch, turn, unit):
-    """Whether a stretch and a turn, in that unit, are not too large for what they are made of."""
+def _is_tame(stretch, turn):
     # Not `and`: a loop with branches is not vectorised.
-    most = 1.4 * unit
-    return (stretch > 0.4 * unit) & (stretch < 2.5 * unit) & (turn > -most) & (turn < most)
+    return (stretch > 0.4) & (stretch < 2.5) & (turn > -1.4) & (turn < 1.4)
