@@ -156,19 +156,17 @@ class Bench:
     """Measure softrod on this machine, beside other programs that do the same."""
 
     what: Annotated[
-        Positional[Literal["kernels", "growth", "frames", "matrices", "ensemble", "start", "page"]],
-        arg(metavar="{kernels,growth,frames,matrices,ensemble,start,page}"),
+        Positional[Literal["kernels", "growth", "frames", "matrices", "start", "page"]],
+        arg(metavar="{kernels,growth,frames,matrices,start,page}"),
     ]
     """kernels: the step by several programs; growth: the step as the body grows; frames: time and error of a
     rod led in a circle, and time of one torn to and fro; matrices: what implicit steps of any topology
-    factorise; ensemble: many ropes at once and one by one; start: until the rope moves; page: cost and
-    latency."""
+    factorise; start: until each preset moves; page: cost and latency."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 
     def run(self) -> int:
         """Measure and print."""
-        from .bench.ensemble import bench_ensemble
         from .bench.frames import bench_frames
         from .bench.growth import bench_growth
         from .bench.kernels import bench
@@ -182,7 +180,6 @@ class Bench:
             "growth": bench_growth,
             "frames": bench_frames,
             "matrices": bench_matrices,
-            "ensemble": bench_ensemble,
             "start": bench_start,
             "page": bench_page,
         }

@@ -34,6 +34,7 @@ class Ghost:
         law: a force law, or "" for the scene's own.
         finer: how many times smaller than the first body's its time step is, or its tolerance where it has
             one; of no meaning to the reference.
+        wait: whether its steps may wait for the compiler.
 
     Attributes:
         simulation: the body.
@@ -42,9 +43,11 @@ class Ghost:
         worst: the largest that it has been.
     """
 
-    def __init__(self, simulation: sim.Simulation, method: str, law: str, finer: int = 1) -> None:
+    def __init__(
+        self, simulation: sim.Simulation, method: str, law: str, finer: int = 1, wait: bool = True
+    ) -> None:
         self.method, self.law, self.finer = method, law, finer
-        self.simulation = sim.Simulation(self.variant(simulation.scene))
+        self.simulation = sim.Simulation(self.variant(simulation.scene), wait=wait)
         self.cost = 0.0
         self.distance = self.worst = 0.0
         self.start_from(simulation)
@@ -66,6 +69,19 @@ class Ghost:
         if self.law and CHOICES["force_law"].applies(scene):
             scene = set_choice(scene, "force_law", self.law)
         return scene
+
+    @property
+    def waits(self) -> bool:
+        """Whether its method is still being compiled; by NumPy, it would say nothing of that method."""
+        return self.simulation.plain
+
+    def is_ready(self, simulation: sim.Simulation) -> bool:
+        """Whether it may go on; when its method has just become ready, it starts from the first body."""
+        if not self.waits:
+            return True
+        if self.simulation.take_compiled():
+            self.start_from(simulation)
+        return False
 
     def start_from(self, simulation: sim.Simulation) -> None:
         """Take the first body's place, speed and time."""

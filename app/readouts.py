@@ -46,6 +46,8 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
             f'<span class="softrod-lag">the body cannot follow so fast: the hand is {behind:.0f} '
             f"{html.escape(session.scene.view.unit)} behind</span>"
         )
+    if session.preparing:
+        lines.append(f'<span class="softrod-quiet">{html.escape(session.preparing)}</span>')
     if math.isfinite(session.stability.limit):  # methods that bear any step have none
         lines.append(_meter(session.simulation.dt / session.stability.limit, session.stability.limit))
     if len(session.simulation.anchors) < len(session.simulation.scene.masses):
@@ -123,6 +125,8 @@ def ghost_table(session: Session) -> str:
     ghost = session.ghost
     if ghost is None:
         return ""
+    if ghost.waits:
+        return _table({"ghost": f"{html.escape(ghost.label)}: comes when it is compiled"})
     unit = html.escape(session.scene.view.unit)
     rows = {
         "ghost": html.escape(ghost.label),
@@ -155,6 +159,8 @@ def energy_table(session: Session) -> str:
     """The energies and what has changed them; what has never been anything is left out."""
     if not session.books:
         return ""
+    if not session.simulation.keep_books(True):
+        return _table({"energy": "is followed when it is compiled"})
     book = session.simulation.energy()
     rows = {}
     for key, name in _ENERGY_NAMES.items():

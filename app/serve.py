@@ -17,7 +17,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 import sim
-from sim.warmup import Kernels, is_cached
+from sim.compiling import Compiler, needed_by
 
 from .colors import LIGHT_GAIN
 from .gate import exposure, open_server
@@ -28,15 +28,15 @@ from .ticker import Ticker
 
 
 @contextlib.contextmanager
-def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.ViserServer, Ticker, Kernels]]:
-    """The server behind its gate, ticking, for as long as the context lasts; kernels are not compiled yet.
+def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.ViserServer, Ticker, Compiler]]:
+    """The server behind its gate, ticking, for as long as the context lasts; the compiler is not started.
 
     Raises:
         GateError: the gate could not be put in place; nothing is served.
         PortBusy: something else listens on the port.
     """
-    kernels = Kernels()
-    ticker = Ticker(lambda client: Tab(client, scene, kernels))
+    compiler = Compiler()
+    ticker = Ticker(lambda client: Tab(client, scene, compiler))
 
     def oversized(client_id: int, name: str) -> None:
         tab = ticker.tabs.get(client_id)
@@ -51,9 +51,9 @@ def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.Vise
     try:
         _set_stage(server)
         ticker.attach(server)
-        yield server, ticker, kernels
+        yield server, ticker, compiler
     finally:
-        kernels.stop()
+        compiler.stop()
         ticker.stop()
         with contextlib.redirect_stdout(io.StringIO()):
             server.stop()
@@ -70,7 +70,7 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         # Only an append: a second signal can come in the middle of this handler, and must find no lock.
         signal.signal(number, lambda number, _: signals.append(number))
-    with serving(scene, host, port) as (server, ticker, kernels):
+    with serving(scene, host, port) as (server, ticker, compiler):
         shown = "127.0.0.1" if host in ("0.0.0.0", "::") else f"[{host}]" if ":" in host else host
         address = f"http://{shown}:{server.get_port()}"
         console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
@@ -81,7 +81,9 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
             webbrowser.open(address)
         # The first page is drawn first, if it comes soon: both want the interpreter.
         ticker.drawn.wait(timeout=0.5)
-        threading.Thread(target=_compile, args=(kernels, console), daemon=True).start()
+        compiler.want(needed_by(scene.integrator.method))
+        compiler.start()
+        threading.Thread(target=_show_progress, args=(compiler, console), daemon=True).start()
         while not signals:
             time.sleep(0.1)
     console.print("softrod has ended.")
@@ -103,12 +105,16 @@ def _set_stage(server: viser.ViserServer) -> None:
     set_theme(server.gui, dark=False)
 
 
-def _compile(kernels: Kernels, console: Console) -> None:
-    """Compile, with a progress bar where that takes a while."""
-    if is_cached():
-        kernels.compile()
+def _show_progress(compiler: Compiler, console: Console) -> None:
+    """A progress bar, where anything has to be compiled."""
+    compiler.wait(timeout=2.0)
+    ready, of = compiler.progress
+    if ready == of or not compiler.compiles:
         return
     columns = (TextColumn("compiling {task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True) as progress:
-        task = progress.add_task("the solver (once)", total=5)
-        kernels.compile(lambda done, of, what: progress.update(task, completed=done, description=what))
+        task = progress.add_task("the solver (once)", total=of)
+        while ready < of and compiler.busy_with:
+            progress.update(task, completed=ready, description=compiler.busy_with)
+            compiler.wait(timeout=0.5)
+            ready, of = compiler.progress

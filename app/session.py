@@ -42,8 +42,8 @@ DRAG_EVENT = 0.05
 MOST_ATTEMPTS = 20_000
 """Steps that a method may try for single steps of the clock, which have no frame to keep to."""
 
-STABILITY_EVERY = 0.25
-"""Seconds between two looks at the stability limit."""
+STABILITY_EVERY, STABILITY_SHARE = 0.25, 0.02
+"""Seconds between two looks at the stability limit, at least; and the share of time that they may take."""
 
 
 @dataclass(frozen=True)
@@ -71,13 +71,21 @@ class Session:
         ghost: the second body, if one is wanted.
         books: whether the energy is followed.
         rescues: steps of last resort since the scene was opened or reset.
-        compiled: whether the solver is; the page cannot wait for it in the middle of a step.
+        preparing: what is being compiled, for the page to say; empty when nothing is.
+
+    Args:
+        scene: what it shows first.
+        clock: wall time, s.
+        wait: whether a step may wait for the compiler. A page cannot: it moves by NumPy until then.
     """
 
-    def __init__(self, scene: sim.Scene, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self, scene: sim.Scene, clock: Callable[[], float] = time.monotonic, wait: bool = True
+    ) -> None:
         self._clock = clock
+        self._wait = wait
         self._queue: deque[tuple[float, Command]] = deque(maxlen=MAX_QUEUE)
-        self.simulation = sim.Simulation(scene)
+        self.simulation = sim.Simulation(scene, wait=wait)
         self.pacer = Pacer()
         self.playing = True
         self.follow = False
@@ -98,7 +106,7 @@ class Session:
         self.ghost: Ghost | None = None
         self.books = False
         self.rescues = 0
-        self.compiled = True
+        self.preparing = ""
 
     def now(self) -> float:
         """Wall time, s, by the clock that everything here goes by."""
@@ -115,7 +123,7 @@ class Session:
         Any thread may ask; the ticker makes it between two frames.
 
         Raises:
-            SceneError: the ticker did not answer, which it does not while the solver is being compiled.
+            SceneError: the ticker did not answer.
         """
         request = commands.Snapshot(name, with_pose, Future())
         self.post(request)
@@ -140,12 +148,11 @@ class Session:
         """The mass in hand."""
         return self._hand[0] if self._hand else None
 
-    def tick(self, budget: float, estimate: bool = True) -> None:
+    def tick(self, budget: float) -> None:
         """Go on by one frame, as far as the clock and the budget allow; `drain` comes before.
 
         Args:
             budget: seconds of computing that the frame may take.
-            estimate: whether the stability limit may be looked at; not before its kernel is compiled.
         """
         now = self._clock()
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
@@ -165,10 +172,12 @@ class Session:
             self._follow_ghost(done, led)
             self._after_steps()
         # While the clock stands, only what its user changes can move the limit.
-        if estimate and now >= self._stability_due and (running or self._estimated != self.revision):
-            self._stability_due = now + STABILITY_EVERY
+        if now >= self._stability_due and (running or self._estimated != self.revision):
             self._estimated = self.revision
+            began = time.perf_counter()
             self.stability = self.simulation.stability()
+            took = time.perf_counter() - began
+            self._stability_due = now + max(STABILITY_EVERY, took / STABILITY_SHARE)
 
     def drain(self) -> None:
         """Apply the commands that wait; also while the clock stands."""
@@ -209,7 +218,7 @@ class Session:
                 self._replace(set_choice(self.simulation.scene, key, value))
                 self.generation += 1  # other controls
             case commands.Compare(method, law, finer):
-                self.ghost = Ghost(self.simulation, method, law, finer) if method else None
+                self.ghost = Ghost(self.simulation, method, law, finer, self._wait) if method else None
                 self.revision += 1
             case commands.KeepBooks(on):
                 self.books = on
@@ -221,8 +230,6 @@ class Session:
                 self.play(not self.playing if on is None else on)
             case commands.DoSteps(steps):
                 self.play(False)
-                if not self.compiled:
-                    raise InputError("a step can be done as soon as the solver is compiled")
                 self._steer(glide=True)
                 led = list(self.simulation.behind)
                 done = self.simulation.step(max(0, min(steps, 1000)), attempts=MOST_ATTEMPTS)
@@ -330,7 +337,7 @@ class Session:
         self._stability_due = 0.0
 
     def _open(self, scene: sim.Scene) -> None:
-        simulation = sim.Simulation(scene)
+        simulation = sim.Simulation(scene, wait=self._wait)
         self._let_go()
         self.simulation = simulation
         self.simulation.keep_books(self.books)
@@ -355,7 +362,7 @@ class Session:
 
     def _follow_ghost(self, steps: int, led: list[int]) -> None:
         """Let the ghost do as many steps, in which the same masses are led to where they are now."""
-        if self.ghost is not None:
+        if self.ghost is not None and self.ghost.is_ready(self.simulation):
             if not self.ghost.simulation.demanding:
                 for mass in led:
                     self.ghost.simulation.lead(mass, tuple(self.simulation.positions[mass]))

@@ -12,7 +12,8 @@ from typing import Any, Literal
 import viser
 
 import sim
-from sim.warmup import Kernels
+from sim.compiling import Compiler, needed_by
+from sim.methods import METHODS
 
 from . import commands, readouts, script
 from .drawing import Mapping
@@ -36,12 +37,12 @@ class Tab:
     Args:
         client: viser's handle of it.
         scene: what it shows first.
-        kernels: which kernels are compiled.
+        compiler: makes kernels ready in the background.
     """
 
-    def __init__(self, client: viser.ClientHandle, scene: sim.Scene, kernels: Kernels) -> None:
+    def __init__(self, client: viser.ClientHandle, scene: sim.Scene, compiler: Compiler) -> None:
         self.client = client
-        self._kernels = kernels
+        self._compiler = compiler
         self._requests: deque[tuple[str, Any]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
         self._dark = False
@@ -53,7 +54,7 @@ class Tab:
         self._was_at_rest = False
         self._last_revision = -1
         self._was_playing = True
-        self._waiting: viser.NotificationHandle | None = None
+        self._wanted = ""
         self._first = scene
         self._view = View(client, self._touched, self._clicked)
         self._session: Session | None = None
@@ -87,25 +88,18 @@ class Tab:
     def frame(self, budget: float) -> None:
         """One frame: `budget` seconds of computing may go into it."""
         session = self._session or self._begin()
-        if session is None:
-            return
         self._serve_requests(session)
         session.drain()
         if session.generation != self._generation:
             self._rebuild(session)
-        session.compiled = self._ready(session)
-        if session.compiled:
-            session.tick(budget, estimate=self._kernels.general.is_set())
+        self._prepare(session)
+        session.tick(budget)
         self._show(session)
         self._tell(session)
 
-    def _begin(self) -> Session | None:
-        """The session, once the tutorial's kernels are compiled; until then the page shows that it waits."""
-        # Those are the controls' own, too. A scene that needs others stands still until they are there.
-        if not self._wait_unless(self._kernels.ready_for(self._first) or self._kernels.general.is_set()):
-            return None
-        session = Session(self._first)
-        session.compiled = self._kernels.ready_for(self._first)
+    def _begin(self) -> Session:
+        """The session and the panel, which are made after the first picture has been sent."""
+        session = Session(self._first, wait=False)
         self._panel = Panel(self.client, session, self._scene_names(self._first.name), self.request)
         with self._panel.files_tab:
             self._files = FilesPanel(self.client, session, self.notify, lambda: self.request("scenes", None))
@@ -123,26 +117,21 @@ class Tab:
         self._session = session
         return session
 
-    def _ready(self, session: Session) -> bool:
-        """Whether all that the session uses is compiled."""
-        ready = self._kernels.ready_for(session.scene)
-        if session.ghost is not None or session.books:
-            ready = ready and self._kernels.every.is_set()
-        return self._wait_unless(ready)
-
-    def _wait_unless(self, ready: bool) -> bool:
-        """Show that the page waits for the solver, as long as it does."""
-        if not ready and self._waiting is None:
-            self._waiting = self.client.add_notification(
-                "Compiling the solver",
-                "This happens once. The tutorial's method is ready in seconds, the others in some minutes.",
-                loading=True,
-                with_close_button=False,
-            )
-        elif ready and self._waiting is not None:
-            self._waiting.remove()
-            self._waiting = None
-        return ready
+    def _prepare(self, session: Session) -> None:
+        """Have compiled first what the session waits for, and say what it is and how far it is."""
+        method = session.simulation.method
+        if session.simulation.plain and method != self._wanted:
+            self._wanted = method
+            self._compiler.want(needed_by(method))
+        ready, of = self._compiler.progress
+        text = ""
+        if session.simulation.plain:
+            text = f"moves by NumPy until {METHODS[method].label} is compiled: {ready} of {of} parts ready"
+        elif ready < of:
+            text = f"{self._compiler.busy_with} is being compiled: {ready} of {of} parts ready"
+        if text != session.preparing:
+            session.preparing = text
+            session.revision += 1
 
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
@@ -163,12 +152,13 @@ class Tab:
         # A change of the controls, or the end of a run, is drawn exactly; a moving body only when it shows.
         changed = session.revision != self._last_revision or running != self._was_playing
         self._last_revision, self._was_playing = session.revision, running
+        ghost = session.ghost
         if self._view.draw(
-            Picture.of(session.simulation, session.ghost.simulation if session.ghost else None),
+            Picture.of(session.simulation, ghost.simulation if ghost and not ghost.waits else None),
             force=changed or not running,
         ):
             self._moved_at = now
-        at_rest = session.compiled and now - self._moved_at > RESTING_AFTER
+        at_rest = now - self._moved_at > RESTING_AFTER
         self._panel.set_state(f"{self._generation}.{self._fits}")
         if changed or (now >= self._readouts_due and not (at_rest and self._was_at_rest)):
             self._readouts_due = now + READOUTS_EVERY

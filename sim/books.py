@@ -6,12 +6,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from .kernels.controls import refresh
 from .kernels.energy import energies
-from .kernels.forces import accelerations
-from .kernels.guard import GOOD
-from .kernels.ledger import tally
-from .kernels.steps import freshen
 from .kernels.tables import (
     WORK_AIR,
     WORK_ANCHORS,
@@ -19,12 +14,10 @@ from .kernels.tables import (
     WORK_KEYS,
     WORK_LAW,
     WORK_RESCUE,
-    Live,
-    Work,
+    State,
 )
 from .scene import Scene
 from .solver import Solver
-from .stepping import EulerStepper, FlowStepper, Outcome, Presses, Stepper, Targets
 from .system import System
 
 
@@ -73,15 +66,12 @@ class Books:
     """Keeps the books of a simulation; made only where someone wants to read them.
 
     Args:
-        scene, system, live, work, stepper: of the simulation.
+        scene, system, state, solver: of the simulation.
     """
 
-    def __init__(self, scene: Scene, system: System, live: Live, work: Work, stepper: Stepper) -> None:
-        self._scene, self._system, self._live, self._work = scene, system, live, work
-        # The tutorial's kernels keep no books; a solver that never steps does it for them.
-        self._solver = (
-            stepper.solver if isinstance(stepper, FlowStepper) else Solver(scene, system, live, work)
-        )
+    def __init__(self, scene: Scene, system: System, state: State, solver: Solver) -> None:
+        self._scene, self._system, self._state = scene, system, state
+        self._solver = solver
         self._solver.open_ledger()
         self._changes = 0.0
         self._four = np.zeros(4)
@@ -108,10 +98,10 @@ class Books:
         )
 
     def total(self) -> float:
-        """The sum of the energies of the state in `live`."""
-        live, gravity = self._live, self._scene.gravity
-        q, v = np.concatenate((live.x, live.y)), np.concatenate((live.vx, live.vy))
-        energies(self._system.body, live, self._solver.ledger.mass, *gravity, q, v, self._four)
+        """The sum of the energies of the state in `state`."""
+        state, gravity = self._state, self._scene.gravity
+        mass = self._solver.ledger.mass
+        energies(self._system.body, state, mass, *gravity, state.q, state.v, self._four)
         return float(self._four.sum())
 
     def moved(self, before: float) -> None:
@@ -128,41 +118,3 @@ class Books:
     def close(self) -> None:
         """Remember what is read now, for the books that take over."""
         self._last = self.read()
-
-    def euler_steps(
-        self, stepper: EulerStepper, steps: int, targets: Targets, presses: Presses, all_held: bool
-    ) -> Outcome:
-        """Steps of the tutorial's kernels, one by one, with their work entered."""
-        done, live = 0, self._live
-        start = {m: (float(live.x[m]), float(live.y[m])) for m in targets}
-        for i in range(steps):
-            part = (i + 1) / steps
-            ends = {
-                m: (start[m][0] + (x - start[m][0]) * part, start[m][1] + (y - start[m][1]) * part)
-                for m, (x, y) in targets.items()
-            }
-            outcome = self._euler_step(stepper, ends, presses, all_held)
-            done += outcome.steps
-            if outcome.what != GOOD:
-                return Outcome(done, outcome.what, outcome.place)
-        return Outcome(done)
-
-    def _euler_step(
-        self, stepper: EulerStepper, targets: Targets, presses: Presses, all_held: bool
-    ) -> Outcome:
-        solver, live, body, dt = self._solver, self._live, self._system.body, self._scene.integrator.dt
-        time = stepper.time
-        growth, turn = np.log(presses.factor) / dt, presses.angle / dt
-        solver.load(time)
-        drive = solver.drive(time + dt, targets, growth, turn)
-        freshen(body, live, self._work, drive, solver.flow)
-        outcome = stepper.step(1, targets, presses, all_held)
-        q, v = np.concatenate((live.x, live.y)), np.concatenate((live.vx, live.vy))
-        a = np.zeros_like(q)
-        controls = live.controls.copy()
-        accelerations(body, live, self._work, q, v, a)
-        if outcome.steps:
-            tally(body, live, self._work, solver.ledger, drive, solver.flow, time, q, v, a, dt)
-        live.controls[:] = controls
-        refresh(body, live)
-        return outcome

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from .kernels import guard
-from .kernels.tables import Live
+from .kernels.tables import State
 from .scene import MAX_COORDINATE, RUNAWAY_SPEED
 from .stability import StabilityEstimate, StabilityMeter
 from .system import System
@@ -76,7 +76,7 @@ class Divergence:
 
 
 def limit_to_blame(
-    system: System, live: Live, method: str, dt: float, air_friction: float
+    system: System, state: State, method: str, dt: float, air_friction: float
 ) -> StabilityEstimate:
     """The stability limit to blame for a divergence.
 
@@ -84,11 +84,11 @@ def limit_to_blame(
     that was stable, in its last shape. Speeds are left out: an exploding body is fast for that reason.
     """
     masses = slice(1, system.body.masses + 1)
-    rest = Live(*(field.copy() for field in live))
+    rest = state.copied()
     rest.vx[:] = rest.vy[:] = 0.0
     rest.x[masses], rest.y[masses] = system.start[:2]
     estimate = StabilityMeter(system, method).update(rest, air_friction)
     if estimate.limit < dt:
         return estimate
-    rest.x[masses], rest.y[masses] = live.x[masses], live.y[masses]
+    rest.x[masses], rest.y[masses] = state.x[masses], state.y[masses]
     return StabilityMeter(system, method).update(rest, air_friction)

@@ -7,82 +7,82 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from .hand import NO_GLIDE, Glides
-from .kernels.controls import circle_at
-from .kernels.tables import CONTROL_SCALE, CONTROL_SHIFT, Drive, Floats, Live
-from .scene import MAX_SPEED, Circle
+from .hand import NO_GLIDE, NO_GLIDES, Glides
+from .kernels.tables import CONTROL_SCALE, CONTROL_SHIFT, Drive, State
+from .scene import MAX_SPEED, Circle, Scene
+from .system import System
 
 _SHY = 1.0 - 1e-15
 """A hand that goes to the very edge of what a scene may have must not pass it by a rounding error."""
 
 
-def new_drive(
-    q: Floats,
-    live: Live,
-    circles: Mapping[int, Circle],
-    hand: float,
-    t: float,
-    until: float,
-    targets: Mapping[int, tuple[float, float]],
-    growth: float,
-    turn: float,
-    glides: Glides,
-) -> Drive:
-    """How masses move and keys act from one time to another.
+class Driver:
+    """Says how the held masses of a scene move, and what held keys do, from now until later.
 
     Args:
-        q: positions now, flat.
-        live: with what keys have done until now.
-        circles: that masses go round on, by place.
-        hand: as in `Drive`, of masses that are led straight.
-        t, until: now, and the time when targets are to be reached, s.
-        targets: where masses that are led straight are to be then, px, by place.
-        growth, turn: what keys do to rest lengths and angles per second, see `Drive`.
-        glides: how gentle hands move, by place.
+        scene: a valid scene.
+        system: its tables.
+        state: positions, and what keys have done until now.
     """
-    duration = max(until - t, 1e-300)
-    places = sorted({*targets, *glides, *circles})
-    rows = []
-    for m in places:
-        circle = circles.get(m)
-        x, y = q[m], q[q.size // 2 + m]
-        ox, oy = offset(circle, t)
-        glide = glides.get(m, NO_GLIDE)
-        vx, vy = glide.vx, glide.vy
-        if m in targets:
-            ex, ey = offset(circle, until)
-            vx = _SHY * bounded((targets[m][0] - ex - (x - ox)) / duration)
-            vy = _SHY * bounded((targets[m][1] - ey - (y - oy)) / duration)
-        radius, omega, ramp = (
-            (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
+
+    def __init__(self, scene: Scene, system: System, state: State) -> None:
+        self._state = state
+        self._circles = {
+            int(system.mass_place[a.mass]): a.circle for a in scene.anchors if a.circle is not None
+        }
+        self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
+
+    def drive(
+        self,
+        t: float,
+        until: float,
+        targets: Mapping[int, tuple[float, float]],
+        growth: float = 0.0,
+        turn: float = 0.0,
+        glides: Glides = NO_GLIDES,
+    ) -> Drive:
+        """How masses move and keys act from one time to another.
+
+        Args:
+            t, until: now, and the time when targets are to be reached, s.
+            targets: where masses that are led straight are to be then, px, by place.
+            growth, turn: what keys do to rest lengths and angles per second, see `Drive`.
+            glides: how gentle hands move, by place.
+        """
+        state, duration = self._state, max(until - t, 1e-300)
+        places = sorted({*targets, *glides, *self._circles})
+        rows = []
+        for m in places:
+            circle = self._circles.get(m)
+            x, y = state.x[m], state.y[m]
+            ox, oy = offset(circle, t)
+            glide = glides.get(m, NO_GLIDE)
+            vx, vy = glide.vx, glide.vy
+            if m in targets:
+                ex, ey = offset(circle, until)
+                vx = _SHY * bounded((targets[m][0] - ex - (x - ox)) / duration)
+                vy = _SHY * bounded((targets[m][1] - ey - (y - oy)) / duration)
+            radius, omega, ramp = (
+                (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
+            )
+            # The tutorial's hand, which is always as fast as the pointer, counts as standing still.
+            seen = 1.0 if m in glides else self._hand
+            rows.append((x - ox, y - oy, vx, vy, *glide[2:], seen, radius, omega, ramp))
+        columns = np.array(rows, float).reshape(-1, 12).T.copy()
+        names = ("x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "hand", "radius", "omega", "ramp")
+        pressed = growth != 0.0 or turn != 0.0
+        return Drive(
+            moving=bool(places) or pressed,
+            pressed=pressed,
+            start=t,
+            duration=duration if targets else math.inf,
+            mass=np.array(places, np.int64),
+            scale=float(state.controls[CONTROL_SCALE]),
+            shift=float(state.controls[CONTROL_SHIFT]),
+            growth=float(growth),
+            turn=float(turn),
+            **dict(zip(names, columns, strict=True)),
         )
-        # The tutorial's hand, which is always as fast as the pointer, counts as standing still.
-        seen = 1.0 if m in glides else hand
-        rows.append((x - ox, y - oy, vx, vy, *glide[2:], seen, radius, omega, ramp))
-    columns = np.array(rows, float).reshape(-1, 12).T.copy()
-    pressed = growth != 0.0 or turn != 0.0
-    return Drive(
-        moving=bool(places) or pressed,
-        pressed=pressed,
-        start=t,
-        mass=np.array(places, np.int64),
-        x=columns[0],
-        y=columns[1],
-        vx=columns[2],
-        vy=columns[3],
-        ax=columns[4],
-        ay=columns[5],
-        jx=columns[6],
-        jy=columns[7],
-        hand=columns[8],
-        radius=columns[9],
-        omega=columns[10],
-        ramp=columns[11],
-        scale=float(live.controls[CONTROL_SCALE]),
-        shift=float(live.controls[CONTROL_SHIFT]),
-        growth=float(growth),
-        turn=float(turn),
-    )
 
 
 def bounded(speed: float) -> float:
@@ -94,5 +94,5 @@ def offset(circle: Circle | None, time: float) -> tuple[float, float]:
     """How far an anchor is off its place at a time, px: on its circle, if it has one."""
     if circle is None:
         return 0.0, 0.0
-    x, y, _, _ = circle_at(time, circle.radius, math.tau * circle.frequency, circle.ramp)
-    return x, y
+    phase = math.tau * circle.frequency * (time - circle.ramp * (1.0 - math.exp(-time / circle.ramp)))
+    return circle.radius * math.sin(phase), circle.radius * (1.0 - math.cos(phase))

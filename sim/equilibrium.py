@@ -8,14 +8,13 @@ import msgspec
 import numpy as np
 
 from .errors import InputError
-from .kernels.controls import refresh
 from .kernels.forces import accelerations
-from .kernels.implicit import factorise, solve
+from .kernels.implicit import factorise_matrix, solve_matrix
 from .kernels.tables import Floats
 from .kernels.twisted import inverse_pivots
 from .pattern import new_matrix
 from .scene import MAX_COORDINATE, Integrator, Pose, Scene
-from .system import build_system, new_live, new_work
+from .system import build_system, new_state, new_work, refresh
 from .validate import validate
 
 _MOST_STEPS = 3000
@@ -101,7 +100,7 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
             any force or moves away from its start on its own, so that its motion there is no vibration.
     """
     body = _Resting(scene, balanced=False)
-    free = np.flatnonzero(body.live.inverse_mass)
+    free = np.flatnonzero(body.state.inverse_mass)
     columns = np.concatenate((free, body.places + free))
     if not 1 <= count <= columns.size:
         raise InputError(f"vibrations: {count} is not in the range 1..{columns.size}")
@@ -111,7 +110,7 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
     stable = body.factorise(body.start, 1e-100)
     inverse = np.array([body.solve(unit)[columns] for unit in np.eye(2 * body.places)[columns]]).T
     # Masses on both sides make it symmetric where the law has an energy: real and exact eigenvalues.
-    root = np.sqrt(np.tile(body.live.inverse_mass[free], 2))
+    root = np.sqrt(np.tile(body.state.inverse_mass[free], 2))
     scaled = inverse / root[:, None] * root[None, :]
     if not (stable and np.isfinite(scaled).all()):
         raise InputError(_NOT_HELD)
@@ -148,16 +147,16 @@ class _Resting:
         exact = Integrator(method="symplectic_euler")
         self.system = build_system(msgspec.structs.replace(validate(scene), integrator=exact))
         body = self.tables = self.system.body
-        self.live, self.work = new_live(self.system), new_work(self.system)
+        self.state, self.work = new_state(self.system), new_work(self.system)
         self.matrix = new_matrix(body, self.system.held)
-        live, here = self.live, slice(1, body.masses + 1)
-        live.controls[:] = scene.rest_length_scale, 0.0
-        refresh(body, live)
+        state, here = self.state, slice(1, body.masses + 1)
+        state.controls[:] = scene.rest_length_scale, 0.0
+        refresh(body, state)
         free = np.where(self.system.held, 0.0, 1.0)
         weight = 1.0 / self.system.inverse_mass
-        live.inverse_mass[here] = free * (1.0 / self._stiffness_at_masses() if balanced else 1.0 / weight)
-        live.gx[here], live.gy[here] = live.inverse_mass[here] * np.outer(scene.gravity, weight)
-        self.places = live.x.size
+        state.inverse_mass[here] = free * (1.0 / self._stiffness_at_masses() if balanced else 1.0 / weight)
+        state.gx[here], state.gy[here] = state.inverse_mass[here] * np.outer(scene.gravity, weight)
+        self.places = state.x.size
         self.start = np.zeros(2 * self.places)
         self.start[here], self.start[self.places :][here] = self.system.start[:2]
         self.still = np.zeros(2 * self.places)
@@ -186,7 +185,7 @@ class _Resting:
     def accelerations(self, q: Floats) -> Floats:
         """At positions q and at rest, px/s²."""
         a = np.zeros_like(q)
-        accelerations(self.tables, self.live, self.work, q, self.still, a)
+        accelerations(self.tables, self.state, self.work, q, self.still, a)
         return a
 
     def factorise(self, q: Floats, shift: float, definite: bool = False) -> bool:
@@ -196,12 +195,12 @@ class _Resting:
         exactly if all its pivots are. (The tutorial's law makes it a little unsymmetric.)
         """
         matrix, n = self.matrix, self.tables.masses
-        regular = factorise(self.tables, self.live, matrix, q, self.still, shift, 0.0, definite)
+        regular = factorise_matrix(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite)
         if self.tables.chain:
             inverse = inverse_pivots(matrix.blocks, n)
         else:
             inverse = matrix.blocks.reshape(-1, 4)[matrix.diagonal]
-        xx, xy, yx, yy = inverse[self.live.inverse_mass[self._rows] > 0.0].T
+        xx, xy, yx, yy = inverse[self.state.inverse_mass[self._rows] > 0.0].T
         return bool(regular and (xx + yy > 0.0).all() and (xx * yy - xy * yx > 0.0).all())
 
     @property
@@ -212,7 +211,7 @@ class _Resting:
     def solve(self, b: Floats) -> Floats:
         """The solution with the last factors."""
         x = b.copy()
-        solve(self.tables, self.matrix, x)
+        solve_matrix(self.tables, self.matrix, x)
         return x
 
     def vectors(self, q: Floats) -> tuple[Floats, Floats]:
@@ -230,7 +229,7 @@ class _Resting:
     def nudge(self, q: Floats, size: float) -> Floats:
         """The positions with every free mass a little elsewhere, up to `size` typical lengths."""
         noise = np.random.default_rng(1).uniform(-1.0, 1.0, q.size)
-        return q + size * self.typical * noise * (np.tile(self.live.inverse_mass, 2) > 0.0)
+        return q + size * self.typical * noise * (np.tile(self.state.inverse_mass, 2) > 0.0)
 
     def rounding(self, q: Floats) -> Floats:
         """What rounding may make of accelerations that are zero at positions q, px/s².
@@ -241,7 +240,7 @@ class _Resting:
         body, p = self.tables, self.places
         x, y = self.vectors(q)
         length = np.maximum(np.hypot(x, y), 1e-300)
-        pull = self.live.pull[: body.springs]
+        pull = self.state.pull[: body.springs]
         across = np.abs(pull / length - body.stiffness[: body.springs])
         for one, other in ((body.joint_a, body.joint_b), (body.joint_b, body.joint_a)):
             np.add.at(across, one, 4.0 * body.joint_stiffness * (1.0 + length[other] / length[one]))
@@ -251,8 +250,8 @@ class _Resting:
         for masses in (body.spring_a, body.spring_b):
             np.add.at(force, masses, size * (along * np.abs(x) / length + across))
             np.add.at(force, p + masses, size * (along * np.abs(y) / length + across))
-        gravity = np.concatenate((np.abs(self.live.gx), np.abs(self.live.gy)))
-        return force * np.tile(self.live.inverse_mass, 2) + _EPSILON * gravity
+        gravity = np.concatenate((np.abs(self.state.gx), np.abs(self.state.gy)))
+        return force * np.tile(self.state.inverse_mass, 2) + _EPSILON * gravity
 
     def refuse_shrunk(self, q: Floats) -> None:
         """Refuse positions in which a spring has no direction; some force laws pull them as short as that."""
@@ -320,7 +319,10 @@ def _continuation(body: _Resting) -> Floats:
     body.refuse_shrunk(q)
     worst = int(np.argmax(np.abs(a)))
     place = worst % body.places
-    mass, force = int(body.system.mass_order[place - 1]), abs(float(a[worst] / body.live.inverse_mass[place]))
+    mass, force = (
+        int(body.system.mass_order[place - 1]),
+        abs(float(a[worst] / body.state.inverse_mass[place])),
+    )
     raise InputError(
         f"equilibrium: no balance was found in {_MOST_STEPS} steps; {force:.3g} kg px/s² are left at mass "
         f"{mass}"
@@ -363,9 +365,9 @@ def _search(body: _Resting, q: Floats, a: Floats) -> tuple[float, Floats, Floats
     shift = 1e-6
     body.factorise(q, shift, definite=True)
     move = body.solve(a)
-    free = np.tile(body.live.inverse_mass, 2) > 0.0
+    free = np.tile(body.state.inverse_mass, 2) > 0.0
     along = np.zeros(q.size)
-    along[free] = move[free] / np.tile(body.live.inverse_mass, 2)[free]  # a times this is a power
+    along[free] = move[free] / np.tile(body.state.inverse_mass, 2)[free]  # a times this is a power
     power = float(a @ along)
     part = min(1.0, _TURN / max(body.turn(q, move), 1e-300))
     to_q, to_a = q, a

@@ -113,6 +113,7 @@ def decode_scene(data: bytes, source: str) -> Scene:
         )
     if version == 1 and not isinstance(version, bool):
         raw = _from_format_1(raw)
+    raw = _with_present_method(raw)
     try:
         return validate(msgspec.convert(raw, Scene))
     except msgspec.ValidationError as error:
@@ -122,12 +123,24 @@ def decode_scene(data: bytes, source: str) -> Scene:
         raise SceneError(f"{source}: {error}") from None
 
 
+RETIRED = {"dopri5": "adams", "dop853": "adams"}
+"""Methods that there were once, and the one that takes their place."""
+
+
 def _from_format_1(raw: dict[str, Any]) -> dict[str, Any]:
     """Format 1 knew the tutorial's law and its step only, so it did not say so."""
     integrator = raw.get("integrator", {})
     if isinstance(integrator, dict):
         integrator = {"method": "symplectic_euler", **integrator}
     return {"force_law": "tutorial", **raw, "format": FORMAT_VERSION, "integrator": integrator}
+
+
+def _with_present_method(raw: dict[str, Any]) -> dict[str, Any]:
+    """Files may name methods that there were once."""
+    integrator = raw.get("integrator")
+    if isinstance(integrator, dict) and isinstance(name := integrator.get("method"), str) and name in RETIRED:
+        return {**raw, "integrator": {**integrator, "method": RETIRED[name]}}
+    return raw
 
 
 def _sentence(error: msgspec.ValidationError, raw: Any) -> str:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .errors import InputError
-from .kernels.tables import Live
+from .kernels.tables import State
 from .scene import MAX_COORDINATE, MAX_SPEED, Scene
 from .stability import quick_limit
 from .system import System
@@ -56,7 +56,7 @@ Glides = Mapping[int, Glide]
 NO_GLIDES: Glides = {}
 
 
-def speed_to_follow(system: System, live: Live, place: int) -> float:
+def speed_to_follow(system: System, state: State, place: int) -> float:
     """The speed, px/s, at which a hand may lead the mass at a place.
 
     A pull goes through a chain of springs by their length times sqrt(stiffness / mass) in a second. Where a
@@ -67,7 +67,7 @@ def speed_to_follow(system: System, live: Live, place: int) -> float:
         for s in np.flatnonzero((ends == place) & (body.stiffness[: body.springs] > 0.0)):
             stiffness = float(body.stiffness[s])
             rate = math.sqrt(stiffness * float(system.inverse_mass[others[s] - 1]))
-            speed = min(speed, _PART * float(live.pull[s]) / stiffness * rate)
+            speed = min(speed, _PART * float(state.pull[s]) / stiffness * rate)
     return max(speed, _SLOWEST)
 
 
@@ -142,7 +142,7 @@ class Hands:
     """All that is in somebody's hand.
 
     Args:
-        system, live: of the simulation.
+        system, state: of the simulation.
         adaptive: whether its method chooses its steps.
 
     Attributes:
@@ -153,8 +153,8 @@ class Hands:
         gentle: the hands that lead masses no faster than these can follow, by place.
     """
 
-    def __init__(self, system: System, live: Live, adaptive: bool) -> None:
-        self._system, self._live = system, live
+    def __init__(self, system: System, state: State, adaptive: bool) -> None:
+        self._system, self._state = system, state
         self.demanding = adaptive and bool(system.body.masses > _TOO_MANY * quick_limit(system))
         self.grabbed: set[int] = set()
         self.targets: dict[int, tuple[float, float]] = {}
@@ -182,7 +182,7 @@ class Hands:
         """Lead a mass no more; it stands still."""
         self.targets.pop(place, None)
         if self.gentle.pop(place, None):
-            self._live.vx[place] = self._live.vy[place] = 0.0
+            self._state.vx[place] = self._state.vy[place] = 0.0
 
     def hold(self, mass: int) -> bool:
         """Whether a mass of the scene is held, by the scene or by a hand."""
@@ -193,14 +193,14 @@ class Hands:
         place, free = int(self._system.mass_place[mass]), not self.hold(mass)
         self.grabbed.add(mass)
         if self.demanding and free:
-            self._take(place, float(self._live.vx[place]), float(self._live.vy[place]))
+            self._take(place, float(self._state.vx[place]), float(self._state.vy[place]))
 
     def release(self, mass: int) -> None:
         """Let go of a mass of the scene: it is at rest, or still led where the scene holds it."""
         place = int(self._system.mass_place[mass])
         if mass in self.grabbed:
             # However fast it was led: a throw would go by the last few milliseconds of a shaky hand.
-            self._live.vx[place] = self._live.vy[place] = 0.0
+            self._state.vx[place] = self._state.vy[place] = 0.0
             self.grabbed.remove(mass)
         self.targets.pop(place, None)
         if not self.hold(mass):
@@ -208,20 +208,16 @@ class Hands:
 
     def weigh(self, scene: Scene) -> bool:
         """Say in the tables what forces do to each mass, nothing where it is held; whether all are."""
-        system, live, masses = self._system, self._live, slice(1, self._system.body.masses + 1)
+        system, state, masses = self._system, self._state, slice(1, self._system.body.masses + 1)
         held = system.held.copy()
         held[system.mass_place[list(self.grabbed)] - 1] = True
-        dt, free = scene.integrator.dt, np.where(held, 0.0, 1.0)
-        live.vx[masses] *= free
-        live.vy[masses] *= free
-        live.inverse_mass[masses] = free * system.inverse_mass
-        live.air[masses] = live.inverse_mass[masses] * scene.air_friction
-        live.gx[masses] = free * scene.gravity[0]
-        live.gy[masses] = free * scene.gravity[1]
-        live.dt_mass[masses] = free * dt * system.inverse_mass
-        live.dt_air[masses] = live.dt_mass[masses] * scene.air_friction
-        live.dt_gx[masses] = free * dt * scene.gravity[0]
-        live.dt_gy[masses] = free * dt * scene.gravity[1]
+        free = np.where(held, 0.0, 1.0)
+        state.vx[masses] *= free
+        state.vy[masses] *= free
+        state.inverse_mass[masses] = free * system.inverse_mass
+        state.air[masses] = state.inverse_mass[masses] * scene.air_friction
+        state.gx[masses] = free * scene.gravity[0]
+        state.gy[masses] = free * scene.gravity[1]
         return bool(held.all())
 
     def settle(self) -> None:
@@ -245,5 +241,5 @@ class Hands:
 
     def _take(self, place: int, vx: float, vy: float) -> None:
         """Take a mass with a velocity, px/s, into a gentle hand."""
-        x, y = float(self._live.x[place]), float(self._live.y[place])
-        self.gentle[place] = Hand(x, y, vx, vy, speed_to_follow(self._system, self._live, place))
+        x, y = float(self._state.x[place]), float(self._state.y[place])
+        self.gentle[place] = Hand(x, y, vx, vy, speed_to_follow(self._system, self._state, place))

@@ -39,7 +39,17 @@ def adams(degree: int) -> Adams:
         error[k] = max(
             abs(to_position[k] - _twice_integrated(shorter)), abs(to_velocity[k] - _integrated(shorter))
         )
-    return Adams(degree, position, velocity, ahead, barycentric, to_position, to_velocity, error, back)
+    return Adams(
+        degree=degree,
+        position=position,
+        velocity=velocity,
+        ahead=ahead,
+        barycentric=barycentric,
+        to_position=to_position,
+        to_velocity=to_velocity,
+        error=error,
+        back=back,
+    )
 
 
 def _lagrange(nodes: list[Fraction], i: int) -> _Polynomial:

@@ -8,7 +8,25 @@ from .kernels.tables import Body, Floats, Indices, Matrix
 from .kernels.twisted import room_for
 from .system import slab
 
-NO_MATRIX = Matrix._make([np.zeros(0)] * 6 + [np.zeros(0, np.int64)] * (len(Matrix._fields) - 7) + [False])
+_NONE, _NOWHERE = np.zeros(0), np.zeros(0, np.int64)
+NO_MATRIX = Matrix(
+    blocks=_NONE,
+    parts=_NONE,
+    ux=_NONE,
+    uy=_NONE,
+    inverse=_NONE,
+    damping=_NONE,
+    walk=_NOWHERE,
+    parent=_NOWHERE,
+    order=_NOWHERE,
+    row_start=_NOWHERE,
+    column=_NOWHERE,
+    diagonal=_NOWHERE,
+    slot=_NOWHERE,
+    spring_target=_NOWHERE,
+    joint_target=_NOWHERE,
+    straight=False,
+)
 """For methods that solve no linear systems."""
 
 
@@ -25,11 +43,11 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     trees = forest(body, held)
     if body.chain:
         factors = slab([(count, 0) for count in room_for(body.masses)], page_offset=0)
-        nothing = np.zeros(0, np.int64)
-        rest = [nothing for _ in Matrix._fields[8:-1]]
         walk, parent = trees
         straight = bool(((parent[walk] == walk - 1) | (parent[walk] == 0)).all())
-        return Matrix._make((*factors, *springs, *trees, *rest, straight))
+        names = ("blocks", "parts", "ux", "uy", "inverse", "damping")
+        tables = dict(zip(names, (*factors, *springs), strict=True))
+        return NO_MATRIX.replaced(walk=walk, parent=parent, straight=straight, **tables)
     n = body.masses
     a, b = body.spring_a - 1, body.spring_b - 1
     ja, jb = body.joint_a, body.joint_b

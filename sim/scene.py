@@ -53,8 +53,6 @@ Method = Literal[
     "rk4",
     "generalized_alpha",
     "stable_spring",
-    "dopri5",
-    "dop853",
     "adams",
     "rodas4",
     "rodas5p",

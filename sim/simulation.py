@@ -12,19 +12,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .books import Books, EnergyBook
+from .compiling import FOR_ENERGY, is_ready, needed_by
 from .divergence import LIMITS, Divergence, limit_to_blame
 from .errors import InputError
 from .hand import Hands, within_bounds
 from .kernels import guard
-from .kernels.controls import refresh
-from .kernels.tables import CONTROL_SCALE, CONTROL_SHIFT, Live
+from .kernels.tables import CONTROL_SCALE, CONTROL_SHIFT, State
 from .methods import METHODS
+from .plain import PlainSolver
 from .scene import MAX_SPEED, Anchor, Pose, Scene
 from .settings import shift_rest_angles
-from .solver import UNLIMITED, Effort
+from .solver import UNLIMITED, Effort, Solver
 from .stability import StabilityEstimate, StabilityMeter
-from .stepping import FlowStepper, Outcome, presses_of, stepper_for
-from .system import build_system, new_live, new_work, same_topology
+from .stepping import Outcome, Stepper, presses_of
+from .system import build_system, new_state, new_work, refresh, same_topology
 from .validate import validate
 from .weaken import weakened
 
@@ -39,6 +40,9 @@ class Simulation:
         scene: a valid scene.
         dt: time step, 1e-6..1 s; None for the scene's own.
         integrator: name of a method (`sim.methods`); None for the scene's own.
+        wait: whether the first step may wait until the method's kernels are compiled, which takes seconds
+            where they are not on the disk. Otherwise the body moves by NumPy until someone has compiled them,
+            see `sim.compiling`, and `plain` says so.
 
     Attributes:
         keys: the arrow keys held, a set of "up", "down", "left", "right"; they act in every step.
@@ -49,7 +53,10 @@ class Simulation:
         SceneError: the scene, the time step or the method is not valid.
     """
 
-    def __init__(self, scene: Scene, dt: float | None = None, integrator: str | None = None) -> None:
+    def __init__(
+        self, scene: Scene, dt: float | None = None, integrator: str | None = None, wait: bool = True
+    ) -> None:
+        self._wait = wait
         self._overrides = {
             key: value for key, value in (("dt", dt), ("method", integrator)) if value is not None
         }
@@ -62,7 +69,7 @@ class Simulation:
     @property
     def scene(self) -> Scene:
         """The scene as it is now: what the arrow keys changed is in it, the motion is not."""
-        scale, shift = map(float, self._live.controls)
+        scale, shift = map(float, self._state.controls)
         if (scale, shift) != self._folded[0]:
             scene = msgspec.structs.replace(self._scene, rest_length_scale=scale)
             self._folded = (scale, shift), shift_rest_angles(scene, shift) if shift else scene
@@ -96,12 +103,12 @@ class Simulation:
     @property
     def positions(self) -> NDArray[np.float64]:
         """(n, 2) positions in px; a copy."""
-        return self._read(self._live.x, self._live.y)
+        return self._read(self._state.x, self._state.y)
 
     @property
     def velocities(self) -> NDArray[np.float64]:
         """(n, 2) velocities in px/s, zero where a mass is held; a copy."""
-        return self._read(self._live.vx, self._live.vy)
+        return self._read(self._state.vx, self._state.vy)
 
     @property
     def angles(self) -> NDArray[np.float64]:
@@ -114,13 +121,13 @@ class Simulation:
     @property
     def rest_angles(self) -> NDArray[np.float64]:
         """(J,) the present rest angle of each angular spring, in degrees in (-180, 180]."""
-        angles = self._body.joint_rest[self._system.joint_order] + self._live.controls[CONTROL_SHIFT]
+        angles = self._body.joint_rest[self._system.joint_order] + self._state.controls[CONTROL_SHIFT]
         return 180.0 - (180.0 - angles) % 360.0
 
     @property
     def rest_length_scale(self) -> float:
         """The present factor of all rest lengths."""
-        return float(self._live.controls[CONTROL_SCALE])
+        return float(self._state.controls[CONTROL_SCALE])
 
     def pose(self) -> Pose:
         """The present positions and velocities, as a scene can carry them."""
@@ -128,6 +135,11 @@ class Simulation:
             positions=tuple((x, y) for x, y in self.positions.tolist()),
             velocities=tuple((x, y) for x, y in self.velocities.tolist()),
         )
+
+    @property
+    def plain(self) -> bool:
+        """Whether it moves by NumPy, because the kernels of its method are not compiled yet."""
+        return isinstance(self._stepper.solver, PlainSolver)
 
     @property
     def demanding(self) -> bool:
@@ -143,25 +155,36 @@ class Simulation:
         """The method's estimated stability limit at the present state; each call refines it a little."""
         if self._meter is None:
             self._meter = StabilityMeter(self._system, self.method)
-        return self._meter.update(self._live, self._scene.air_friction)
+        return self._meter.update(self._state, self._scene.air_friction)
 
     def effort(self) -> Effort:
         """What the method did since the last call of this."""
         return self._stepper.effort()
 
     def energy(self) -> EnergyBook:
-        """The energies, and what has changed them since this was first called, or since the last reset."""
+        """The energies, and what has changed them since this was first called, or since the last reset.
+
+        Raises:
+            InputError: the kernels for that are still being compiled, see `keep_books`.
+        """
         self.keep_books(True)
-        assert self._books is not None
+        if self._books is None:
+            raise InputError("energy: its kernels are still being compiled")
         return self._books.read()
 
-    def keep_books(self, on: bool) -> None:
-        """Whether what changes the energy is followed, which takes time in every step."""
+    def keep_books(self, on: bool) -> bool:
+        """Whether what changes the energy is followed from now on, which takes time in every step.
+
+        It cannot be as long as a simulation that does not `wait` lacks the kernels for that.
+        """
+        solver = self._stepper.solver
         if not on:
             self._books = None
-            self._stepper.close_books()
-        elif self._books is None:
+            if isinstance(solver, Solver):
+                solver.close_ledger()
+        elif self._books is None and isinstance(solver, Solver) and (self._wait or is_ready(FOR_ENERGY)):
             self._books = self._new_books()
+        return self._books is not None
 
     # --------------------------------------------------------------------- acting
     @property
@@ -186,7 +209,7 @@ class Simulation:
         place, (x, y) = self._held_mass(mass), within_bounds(to)
         self._hands.leave(place)
         with self._by_hand():
-            self._live.x[place], self._live.y[place] = x, y
+            self._state.x[place], self._state.y[place] = x, y
         self._moved = True
 
     def lead(self, mass: int, to: tuple[float, float]) -> None:
@@ -228,6 +251,13 @@ class Simulation:
         with self._by_hand():
             self._weigh()
 
+    def take_compiled(self) -> bool:
+        """Go on with the kernels of the method if they are ready by now; whether it does."""
+        if self.plain and is_ready(needed_by(self.method)):
+            self._stepper = self._new_stepper()  # the state is in the same arrays
+            self._moved = True
+        return not self.plain
+
     def step(self, n: int = 1, attempts: int | None = None) -> int:
         """Go on by n time steps, and return how many were done.
 
@@ -238,6 +268,8 @@ class Simulation:
             raise InputError(f"step: {n} is not a number of steps")
         if self.divergence is not None or n == 0:
             return 0
+        if self.plain:
+            self.take_compiled()
         if self._moved:
             self._stepper.begin(self._time)
             self._moved = False
@@ -265,8 +297,8 @@ class Simulation:
 
     def reset(self) -> None:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
-        live = self._live
-        for field, row in zip((live.x, live.y, live.vx, live.vy), self._system.start, strict=True):
+        state = self._state
+        for field, row in zip((state.x, state.y, state.vx, state.vy), self._system.start, strict=True):
             field[self._masses] = row
         self._steps = 0
         self._time = self._owed = 0.0
@@ -315,7 +347,8 @@ class Simulation:
             self._books.moved(before)
 
     def _new_books(self) -> Books:
-        return Books(self._scene, self._system, self._live, self._work, self._stepper)
+        assert isinstance(self._stepper.solver, Solver)
+        return Books(self._scene, self._system, self._state, self._stepper.solver)
 
     def _with_overrides(self, scene: Scene) -> Scene:
         if isinstance(scene, Scene) and self._overrides:
@@ -333,26 +366,34 @@ class Simulation:
         self._system = system
         self._body = system.body
         self._masses = slice(1, system.body.masses + 1)
-        self._live: Live = new_live(system)
+        self._state: State = new_state(system)
         self._work = new_work(system)
-        self._stepper = stepper_for(scene, system, self._live, self._work)
+        self._stepper = self._new_stepper()
         springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
         joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
         self._joint_ends = springs[joints[:, 0]], springs[joints[:, 1]]
         self._meter: StabilityMeter | None = None
         self._books: Books | None = None
-        self._hands = Hands(system, self._live, METHODS[scene.integrator.method].adaptive)
+        self._hands = Hands(system, self._state, METHODS[scene.integrator.method].adaptive)
+
+    def _new_stepper(self) -> Stepper:
+        scene, system, state = self._scene, self._system, self._state
+        if self._wait or is_ready(needed_by(self.method)):
+            solver = Solver(scene, system, state, self._work, self._wait)
+        else:
+            solver = PlainSolver(scene, system, state)
+        return Stepper(scene, system, state, solver)
 
     def _adopt(self, positions: NDArray[np.float64], velocities: NDArray[np.float64]) -> None:
         order = self._system.mass_order
-        self._live.x[self._masses], self._live.y[self._masses] = positions[order].T
-        self._live.vx[self._masses], self._live.vy[self._masses] = velocities[order].T
+        self._state.x[self._masses], self._state.y[self._masses] = positions[order].T
+        self._state.vx[self._masses], self._state.vy[self._masses] = velocities[order].T
 
     def _restart(self) -> None:
         self.divergence = None
-        self._live.controls[:] = self._scene.rest_length_scale, 0.0
+        self._state.controls[:] = self._scene.rest_length_scale, 0.0
         self._folded = (self._scene.rest_length_scale, 0.0), self._scene
-        refresh(self._body, self._live)
+        refresh(self._body, self._state)
         self._weigh()
         if self._books is not None:
             self._books = self._new_books()
@@ -363,14 +404,9 @@ class Simulation:
         self._moved = True
 
     def _go(self, n: int, attempts: int | None) -> Outcome:
-        stepper, presses = self._stepper, presses_of(self._scene, self._keys)
-        if isinstance(stepper, FlowStepper):
-            limit = UNLIMITED if attempts is None else attempts
-            return stepper.step(n, self._hands, presses, self._all_held, limit)
-        targets = self._hands.targets
-        if self._books is None:
-            return stepper.step(n, targets, presses, self._all_held)
-        return self._books.euler_steps(stepper, n, targets, presses, self._all_held)
+        limit = UNLIMITED if attempts is None else attempts
+        presses = presses_of(self._scene, self._keys)
+        return self._stepper.step(n, self._hands, presses, self._all_held, limit)
 
     def _explain(self, outcome: Outcome) -> Divergence:
         quantity, limit = LIMITS[outcome.what]
@@ -378,7 +414,7 @@ class Simulation:
         limit = MAX_SPEED if quantity == "speed" and adaptive else limit
         driven = adaptive and self._scene.force_law == "tutorial" and self._body.joints > 0
         mass = int(self._system.mass_order[outcome.place - 1]) if outcome.place > 0 else 0
-        blame = limit_to_blame(self._system, self._live, self.method, self.dt, self._scene.air_friction)
+        blame = limit_to_blame(self._system, self._state, self.method, self.dt, self._scene.air_friction)
         return Divergence(mass, self._steps, quantity, limit, self.dt, blame, adaptive, driven)
 
     def _existing_mass(self, mass: int) -> int:

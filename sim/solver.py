@@ -1,27 +1,20 @@
-"""Runs any method but the tutorial's over a stretch of time."""
+"""Runs any method over a stretch of time: the tables of a body, and the kernels that work on them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
-from .driving import new_drive
-from .hand import NO_GLIDES, Glides
+from .compiling import FOR_RESCUE, is_ready, needed_by
 from .kernels import guard
-from .kernels.auto import (
-    KIND_ADAMS,
-    KIND_ALPHA,
-    KIND_AUTO,
-    KIND_EXPLICIT,
-    KIND_ROSENBROCK,
-    KIND_VERLET,
-    run,
-)
-from .kernels.bound import BOUND, DRIVE, Bound, bind, new_buffer
+from .kernels.auto import next_turn
 from .kernels.dissipation import DAMPER_ROWS
+from .kernels.forces import accelerations
+from .kernels.implicit import factorise_matrix, solve_matrix
+from .kernels.ledger import tally_step
 from .kernels.rescue import run_rescue
+from .kernels.shared import ACCELERATIONS, FACTORISE, SOLVE, TALLY, address_of
 from .kernels.tables import (
     ARM_ADAMS,
     ARM_ALPHA,
@@ -52,13 +45,14 @@ from .kernels.tables import (
     Floats,
     Flow,
     Ledger,
-    Live,
     Matrix,
+    Problem,
     Rosenbrock,
+    State,
     Tableau,
     Work,
 )
-from .methods import METHODS, MethodInfo
+from .methods import ARM_METHODS, METHODS, MethodInfo
 from .pattern import NO_MATRIX, new_matrix
 from .scene import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Scene
 from .stability import quick_limit
@@ -94,15 +88,6 @@ RESCUE_STEP = 1e-3
 
 UNLIMITED = 2**62
 
-_KINDS = {
-    "explicit": KIND_EXPLICIT,
-    "verlet": KIND_VERLET,
-    "rosenbrock": KIND_ROSENBROCK,
-    "alpha": KIND_ALPHA,
-    "adams": KIND_ADAMS,
-    "auto": KIND_AUTO,
-}
-
 
 @dataclass
 class Effort:
@@ -122,50 +107,47 @@ class Effort:
 
 
 class Solver:
-    """The state of one body in flat arrays, and the methods that move it on.
+    """A body's tables, and the methods that move it on.
 
     Args:
         scene: a valid scene.
         system: its tables.
-        live: parameters that change.
+        state: positions, velocities and parameters that change.
         work: scratch.
+        wait: whether it may wait for kernels to be compiled.
     """
 
-    def __init__(self, scene: Scene, system: System, live: Live, work: Work) -> None:
-        self.scene, self.system, self.live, self.work = scene, system, live, work
-        self.places = live.x.size
-        wide = 2 * self.places
+    def __init__(self, scene: Scene, system: System, state: State, work: Work, wait: bool = True) -> None:
+        self._wait = wait
+        self.scene, self.system, self.state, self.work = scene, system, state, work
+        self.places = state.q.size // 2
+        wide = state.q.size
         self._info = METHODS[scene.integrator.method]
-        kind = self._info.kind
-        remembers = kind == "alpha" or (kind == "auto" and system.body.masses >= LONG)
-        history, past = 3 + _ROWS, 3 + _ROWS + (_HISTORY if remembers else 0)
-        count = past + (PAST if kind in ("adams", "auto") else 0)
+        auto = self._info.name == "auto"
+        remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
+        past, history = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
+        count = history + (_HISTORY if remembers else 0)
         (room,) = slab([(count * wide, 1)], page_offset=2560)
         rows = room.reshape(-1, wide)  # a whole number of cache lines each
         self.flow = Flow(
-            q=rows[0],
-            v=rows[1],
-            a=rows[2],
+            a=rows[0],
             clock=np.zeros(CLOCKS),
-            limits=np.array([MAX_COORDINATE, MAX_SPEED]),
+            limits=np.array([MAX_COORDINATE, MAX_SPEED if self._info.adaptive else RUNAWAY_SPEED]),
             counts=np.zeros(COUNTS, np.int64),
-            rows=rows[3 : 3 + _ROWS],
+            rows=rows[1:past],
             mind=_NEW.copy(),
-            history=rows[history:past],
-            past=rows[past:],
+            history=rows[history:],
+            past=rows[past:history],
         )
-        if not self._info.adaptive:
-            self.flow.limits[1] = RUNAWAY_SPEED
         no_rows = np.zeros((1, 0))
-        self.ledger = Ledger(False, np.zeros(WORKS), np.zeros(self.places), no_rows, no_rows)
+        self.ledger = Ledger(
+            active=False, work=np.zeros(WORKS), mass=np.zeros(self.places), rows=no_rows, dampers=no_rows
+        )
         self.ledger.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
-        self._buffer, self._driven = new_buffer(BOUND), new_buffer(DRIVE)
-        self._bound: Bound | None = None
-        self._driven_by: Drive | None = None
-        circles = {a.mass: a.circle for a in scene.anchors if a.circle is not None}
-        self._circle = {int(system.mass_place[m]): circle for m, circle in circles.items()}
-        self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
+        self._problem: Problem | None = None
+        self._costs: Floats | None = None  # of a step of each method, see `Problem`
+        self._missing: set[int] = set()  # methods that `auto` cannot choose from yet
 
     @property
     def matrix(self) -> Matrix:
@@ -180,94 +162,103 @@ class Solver:
         return float(self.flow.clock[CLOCK_TIME])
 
     def load(self, time: float) -> None:
-        """Take over the state in `live`, at a time; what was carried from step to step is forgotten."""
-        flow, live, p = self.flow, self.live, self.places
-        flow.q[:p], flow.q[p:], flow.v[:p], flow.v[p:] = live.x, live.y, live.vx, live.vy
+        """The state has come from elsewhere, at a time; what was carried from step to step is forgotten."""
+        flow = self.flow
         flow.clock[:] = 0.0
         flow.mind[:] = _NEW
         flow.clock[CLOCK_TIME] = time
         flow.counts[:] = 0
 
-    def drive(
-        self,
-        until: float,
-        targets: dict[int, tuple[float, float]],
-        growth: float,
-        turn: float,
-        glides: Glides = NO_GLIDES,
-    ) -> Drive:
-        """How masses move and keys act until a time.
-
-        Args:
-            until: the time, s.
-            targets: where masses that are led straight are to be then, px, by place.
-            growth, turn: what keys do to rest lengths and angles per second, see `Drive`.
-            glides: how hands move, by place.
-        """
-        return new_drive(
-            self.flow.q, self.live, self._circle, self._hand, self.time, until, targets, growth, turn, glides
-        )
-
     def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
         """Go on to a time by the scene's method, as far as the attempts lead.
-
-        Positions and velocities are in `live`, too, afterwards.
 
         Returns:
             guard.GOOD, or what is wrong with the state that the next step would lead to.
         """
-        if self._bound is None:
-            self._bind()
-        if drive is not self._driven_by:
-            bind(self._driven, drive)
-            self._driven_by = drive
+        left = attempts - self._run(until, drive, attempts)
         counts = self.flow.counts
-        left = attempts - run(self._buffer, self._driven, until, attempts)
         what = int(counts[COUNT_WHAT])
-        while what == guard.STUCK and self._info.implicit and left > 0 and self.time < until:
+        can_rescue = self._info.implicit and (self._wait or is_ready(FOR_RESCUE))
+        while what == guard.STUCK and can_rescue and left > 0 and self.time < until:
             self.rescue(until, drive)
-            left -= run(self._buffer, self._driven, until, left)
+            left -= self._run(until, drive, left)
             what = int(counts[COUNT_WHAT])
         if what == guard.STUCK and self._info.implicit:
             what = guard.GOOD  # no more than late: the next call begins with a step of last resort
         return what
 
-    def _bind(self) -> None:
-        """Hand all tables over to the compiled code."""
+    def _run(self, until: float, drive: Drive, attempts: int) -> int:
+        """As `run`, without steps of last resort; returns the steps tried."""
         info, integrator = self._info, self.scene.integrator
-        low = info.kind == "auto" and integrator.tolerance >= LOW_TOLERANCE
+        if self._missing:
+            self._take_in()
+        if info.kernel is not None:
+            before = self.tries
+            problem = self._problem or self._bind(info.implicit)
+            info.kernel(problem, drive, until, max(integrator.tolerance * info.strictness, 1e-13), attempts)
+            return self.tries - before
+        problem, left = self._problem or self._bind(False), attempts
+        while True:
+            arm, limit, tolerance, tried = next_turn(problem, until, integrator.tolerance, left)
+            left -= tried
+            if arm < 0:
+                return attempts - left
+            method = ARM_METHODS[arm]
+            if method.implicit and not problem.factorise:
+                problem = self._bind(True)
+            method.kernel(problem, drive, until, tolerance, limit)
+
+    def _bind(self, implicit: bool) -> Problem:
+        """All tables in one; `implicit`: with what linear systems need."""
+        info, integrator = self._info, self.scene.integrator
+        auto = info.kernel is None
+        low = auto and integrator.tolerance >= LOW_TOLERANCE
         rodas = METHODS["rodas4" if low else "rodas5p"]
-        names = ("velocity_verlet", rodas.name, "generalized_alpha", "adams")
-        arms = [METHODS[name] for name in names]
-        explicit, implicit = (
-            info.table if isinstance(info.table, kind) else other
-            for kind, other in ((Tableau, RK4), (Rosenbrock, rodas.table))
-        )
-        assert isinstance(explicit, Tableau)
-        assert isinstance(implicit, Rosenbrock)
-        adams = arms[ARM_ADAMS].table
+        arms = [rodas if arm == ARM_ROSENBROCK else method for arm, method in enumerate(ARM_METHODS)]
+        own, adams = info.table, METHODS["adams"].table
+        rosenbrock = own if isinstance(own, Rosenbrock) else rodas.table
+        assert isinstance(rosenbrock, Rosenbrock)
         assert isinstance(adams, Adams)
-        self._bound = Bound(
-            kind=_KINDS[info.kind],
-            fixed=0.0 if info.adaptive else integrator.dt,
-            tolerance=max(integrator.tolerance * info.strictness, 1e-13) if info.adaptive else 1.0,
+        if auto and self._costs is None:
+            self._costs = self._costs_of_steps(low)
+            self._missing = set(np.flatnonzero(self._costs).tolist())
+            self._take_in()
+        costs = np.zeros(ARMS) if self._costs is None else self._costs.copy()
+        costs[list(self._missing)] = 0.0
+        self._problem = Problem(
             body=self.system.body,
-            live=self.live,
+            state=self.state,
             work=self.work,
-            matrix=self.matrix if info.implicit else NO_MATRIX,
+            matrix=self.matrix if implicit else NO_MATRIX,
             flow=self.flow,
             ledger=self.ledger,
-            explicit=explicit,
-            implicit=implicit,
+            accelerations=address_of(accelerations, ACCELERATIONS),
+            tally=address_of(tally_step, TALLY) if self.ledger.active else 0,
+            factorise=address_of(factorise_matrix, FACTORISE) if implicit else 0,
+            solve=address_of(solve_matrix, SOLVE) if implicit else 0,
+            fixed=0.0 if info.adaptive else integrator.dt,
+            near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,
+            explicit=own if isinstance(own, Tableau) else RK4,
+            implicit=rosenbrock,
             adams=adams,
-            costs=self._costs(low) if info.kind == "auto" else np.zeros(ARMS),
-            strictness=self._strictness(arms, low) if info.kind == "auto" else np.ones(ARMS),
-            near_limit=_NEAR_LIMIT * quick_limit(self.system) if info.kind in ("auto", "adams") else 0.0,
+            costs=costs,
+            strictness=self._strictness(arms, low) if auto else np.ones(ARMS),
         )
-        bind(self._buffer, self._bound)
+        return self._problem
+
+    def _take_in(self) -> None:
+        """Let `auto` choose from the methods that have become ready, too; from all where it may wait."""
+        ready = {
+            arm
+            for arm in self._missing
+            if self._wait or arm == ARM_VERLET or is_ready(needed_by(ARM_METHODS[arm].name))
+        }
+        if ready:
+            self._missing -= ready
+            self._problem = None
 
     def _strictness(self, arms: list[MethodInfo], low: bool) -> Floats:
-        """See `Bound.strictness`."""
+        """See `Problem.strictness`."""
         strictness = np.array([arm.strictness for arm in arms])
         strictness[ARM_ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
         size = max(
@@ -278,8 +269,8 @@ class Solver:
         strictness[ARM_ROSENBROCK] *= min(max(_COARSEST * size / tolerance, _FINER), 1.0)
         return strictness * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
 
-    def _costs(self, low: bool) -> Floats:
-        """See `Bound.costs`; measured in ns on chains, elsewhere in proportion to operations."""
+    def _costs_of_steps(self, low: bool) -> Floats:
+        """See `Problem.costs`; measured in ns on chains, elsewhere in proportion to operations."""
         body, matrix = self.system.body, self.matrix
         n = body.masses
         force, factors = 3.3 * n, 400.0 + 16.0 * n
@@ -302,16 +293,14 @@ class Solver:
 
     def rescue(self, until: float, drive: Drive) -> None:
         """Leave a state that no method can leave, by a step of last resort; as `run`."""
-        body = self.system.body
-        lengths = body.rest_length[: body.springs] * self.live.controls[CONTROL_SCALE]
+        body, flow = self.system.body, self.flow
+        lengths = body.rest_length[: body.springs] * self.state.controls[CONTROL_SCALE]
         typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
         h = min(RESCUE_STEP, until - self.time)
-        run_rescue(
-            body, self.live, self.work, self.matrix, drive, self.flow, self.ledger, *self.scene.gravity,
-            h, 1e-6 * typical, typical,
-        )  # fmt: skip
-        flow, live, p = self.flow, self.live, self.places
-        live.x[:], live.y[:], live.vx[:], live.vy[:] = flow.q[:p], flow.q[p:], flow.v[:p], flow.v[p:]
+        problem = self._problem
+        if problem is None or not problem.factorise:
+            problem = self._bind(True)
+        run_rescue(problem, drive, *self.scene.gravity, h, 1e-6 * typical, typical)
         flow.mind[:] = _NEW
         flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_BEGUN, CLOCK_CONTRACTION]] = 0.0
 
@@ -319,28 +308,38 @@ class Solver:
         """Keep books from now on of what changes the energy."""
         body = self.system.body
         rows, dampers = np.zeros((3, 2 * self.places)), np.zeros((DAMPER_ROWS, body.springs + body.joints))
-        self.ledger = self.ledger._replace(active=True, rows=rows, dampers=dampers)
+        self.ledger = self.ledger.replaced(active=True, rows=rows, dampers=dampers)
         self.ledger.work[:] = 0.0
-        self._bound = None
+        self._problem = None
 
     def close_ledger(self) -> None:
         """Keep books no more."""
-        self.ledger = self.ledger._replace(active=False)
-        self._bound = None
+        self.ledger = self.ledger.replaced(active=False)
+        self._problem = None
+
+    @property
+    def fastest(self) -> float:
+        """Speed that a good state has at most, px/s."""
+        return float(self.flow.limits[1])
+
+    @fastest.setter
+    def fastest(self, speed: float) -> None:
+        self.flow.limits[1] = speed
+
+    @property
+    def keeps_books(self) -> bool:
+        """Whether it is followed what changes the energy."""
+        return bool(self.ledger.active)
 
     def touch(self) -> None:
         """Say that the state or what acts on it has changed from outside."""
         self.flow.counts[COUNT_FRESH] = 0
 
-    def stop(self, places: Iterable[int]) -> None:
-        """Some held masses are led no more."""
-        for place in places:
-            self.flow.v[place] = self.flow.v[self.places + place] = 0.0
-
     @property
     def tries(self) -> int:
         """Steps tried since the counters were last taken."""
-        return int(self.flow.counts[COUNT_STEPS] + self.flow.counts[COUNT_REJECTED])
+        counts = self.flow.counts
+        return int(counts[COUNT_STEPS] + counts[COUNT_REJECTED])
 
     @property
     def place(self) -> int:

@@ -23,6 +23,7 @@ solved as a quadratic eigenvalue problem in 1/dt, or in lambda.
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -30,15 +31,15 @@ from typing import Literal
 
 import numpy as np
 
-from .kernels.controls import refresh
-from .kernels.forces import spring_forces
-from .kernels.tables import Floats, Live, Tableau
+from .kernels.tables import Floats, State
+from .limits import StabilityLimit
 from .methods import METHODS
+from .physics import Physics, Vectors
 from .scene import Scene
-from .system import System, build_system, new_live, new_work
+from .system import System, build_system, new_state, refresh
 from .weaken import weakened
 
-Cause = Literal["linear stiffness", "angular stiffness", "linear damping", "air friction"]
+Cause = Literal["linear stiffness", "angular stiffness", "linear damping", "angular damping", "air friction"]
 
 _FIRST_SIZE, _SIZE = 40, 12
 """Dimension of the Krylov space at first, and later, when it starts from the stiffest motion found before."""
@@ -71,10 +72,8 @@ class StabilityMeter:
 
     def __init__(self, system: System, method: str) -> None:
         self._system = system
-        self._law = _LIMITS.get(METHODS[method].kind) if not METHODS[method].adaptive else None
-        self._table = METHODS[method].table
-        self._probe = new_live(system)
-        self._work = new_work(system)
+        self._rule: StabilityLimit | None = METHODS[method].limit
+        self._probe = new_state(system)
         n = system.body.masses
         self._here = slice(1, n + 1)  # the places of the masses
         # Alternating signs are close to the stiffest mode of a chain, and no mode is orthogonal to noise.
@@ -82,24 +81,25 @@ class StabilityMeter:
         self._start = noise + 3.0 * (-1.0) ** np.arange(n)
         self._limit = 0.0
 
-    def update(self, live: Live, air_friction: float) -> StabilityEstimate:
-        """The limit at the state in `live` (which is only read).
+    def update(self, state: State, air_friction: float) -> StabilityEstimate:
+        """The limit at the state in `state` (which is only read).
 
         Args:
-            live: the state; masses whose `dt_mass` is zero count as held.
+            state: the state; masses whose `inverse_mass` is zero count as held.
             air_friction: kg/px.
         """
-        if self._law is None:
+        if self._rule is None:
             return StabilityEstimate(np.inf, None)
         body, probe = self._system.body, self._probe
         n = body.masses
         here = self._here
-        weight = self._law.damping
-        free = live.dt_mass[here] > 0.0
-        for field in ("x", "y", "vx", "vy", "controls"):
-            getattr(probe, field)[:] = getattr(live, field)
+        weight = self._rule.damping
+        free = state.inverse_mass[here] > 0.0
+        for field in ("q", "v", "controls"):
+            getattr(probe, field)[:] = getattr(state, field)
         refresh(body, probe)
-        air = 2.0 * air_friction * np.abs(np.array([live.vx[here], live.vy[here]]))
+        physics = Physics(body, probe)
+        air = 2.0 * air_friction * np.abs(np.array([state.vx[here], state.vy[here]]))
         # In coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
         root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
         size = min(_SIZE if self._limit else _FIRST_SIZE, 2 * int(free.sum()))
@@ -115,8 +115,8 @@ class StabilityMeter:
                 break
             basis.append(q / norm)
             w = basis[-1] * root
-            k_basis.append(self._product(live, w, velocities=False) * root)
-            c_basis.append((self._product(live, w, velocities=True) + air * w) * root)
+            k_basis.append(self._by_positions(physics, w) * root)
+            c_basis.append((self._by_velocities(physics, w) + air * w) * root)
             q = scale * scale * k_basis[-1] + weight * scale * c_basis[-1]
             q = q / max(float(np.sqrt((q * q).sum())), 1e-300)
         if not basis:
@@ -126,45 +126,56 @@ class StabilityMeter:
         c = flat @ np.array(c_basis).reshape(len(basis), -1).T
         if not (np.isfinite(k).all() and np.isfinite(c).all()):
             return StabilityEstimate(np.inf, None)
-        limit, mode = self._law.solve(k, c, self._table)
+        limit, mode = self._rule.solve(k, c)
         if limit == np.inf:
             return StabilityEstimate(np.inf, None)
         self._limit = limit
         self._start = (mode @ flat).reshape(2, n)
-        return StabilityEstimate(limit, self._cause(live, self._start * root, limit, air))
+        return StabilityEstimate(limit, self._cause(physics, self._start * root, limit, air))
 
-    def _product(self, live: Live, w: Floats, velocities: bool) -> Floats:
-        """K w, or C w without the air, as a difference of forces. The springs' damping is linear in v."""
-        body, probe, work, here = self._system.body, self._probe, self._work, self._here
-        if velocities and not (body.damped or body.twisted):
+    def _by_positions(self, physics: Physics, w: Floats) -> Floats:
+        """K w, as a difference of forces."""
+        x, v = self._flat(self._probe.q), self._flat(self._probe.v)
+        return self._difference(lambda step: physics.forces(x + step, v), w)
+
+    def _by_velocities(self, physics: Physics, w: Floats) -> Floats:
+        """C w without the air, likewise: damping forces are linear in the velocities."""
+        if not (self._system.body.damped or self._system.body.twisted):
             return np.zeros_like(w)
-        fields = (probe.vx, probe.vy) if velocities else (probe.x, probe.y)
-        origin = (live.vx[here], live.vy[here]) if velocities else (live.x[here], live.y[here])
-        # Small beside the springs, large beside the rounding of coordinates.
-        size = 1e-6 * (1.0 + float(max(np.abs(live.x[here]).max(), np.abs(live.y[here]).max())))
-        step = size / max(float(np.abs(w).max()), 1e-300)
-        ends = []
-        for sign in (1.0, -1.0):
-            for field, start, direction in zip(fields, origin, w, strict=True):
-                field[here] = start + sign * step * direction
-            spring_forces(body, probe, work, probe.x, probe.y, probe.vx, probe.vy)
-            ends.append(np.array([work.fx[here], work.fy[here]]))
-        for field, start in zip(fields, origin, strict=True):
-            field[here] = start
-        return (ends[1] - ends[0]) / (2.0 * step)
+        x, v = self._flat(self._probe.q), self._flat(self._probe.v)
+        return self._difference(lambda step: physics.forces(x, v + step), w)
 
-    def _cause(self, live: Live, w: Floats, limit: float, air: Floats) -> Cause:
+    def _difference(self, forces: Callable[[Vectors], Vectors], w: Floats) -> Floats:
+        """Minus the derivative of forces along w; (2, n), as w is."""
+        # Small beside the springs, large beside the rounding of coordinates.
+        size = 1e-6 * (1.0 + float(np.abs(self._probe.q).max()))
+        step = size / max(float(np.abs(w).max()), 1e-300)
+        along = np.zeros(self._probe.places, complex)
+        along[self._here] = step * (w[0] + 1j * w[1])
+        change = ((forces(-along) - forces(along)) / (2.0 * step))[self._here]
+        return np.array([change.real, change.imag])
+
+    def _flat(self, flat: Floats) -> Vectors:
+        """A flat vector as complex numbers, one for each place."""
+        return flat[: self._probe.places] + 1j * flat[self._probe.places :]
+
+    def _cause(self, physics: Physics, w: Floats, limit: float, air: Floats) -> Cause:
         """Which law contributes most to the stiffest motion."""
-        assert self._law is not None
-        probe, rate = self._probe, self._law.damping * limit
-        whole = float((w * self._product(live, w, velocities=False)).sum())
-        probe.couple_cos[:] = 0.0
-        probe.couple_sin[:] = 0.0
-        linear = float((w * self._product(live, w, velocities=False)).sum())
+        assert self._rule is not None
+        rate = self._rule.damping * limit
+        linear = copy.copy(physics)
+        linear.joint_stiffness = np.zeros_like(physics.joint_stiffness)
+        linear.joint_damping = np.zeros_like(physics.joint_damping)
+        stiffness, linear_stiffness, damping, linear_damping = (
+            float((w * product(kind, w)).sum())
+            for product in (self._by_positions, self._by_velocities)
+            for kind in (physics, linear)
+        )
         parts: dict[Cause, float] = {
-            "linear stiffness": limit * limit * linear,
-            "angular stiffness": limit * limit * (whole - linear),
-            "linear damping": rate * float((w * self._product(live, w, velocities=True)).sum()),
+            "linear stiffness": limit * limit * linear_stiffness,
+            "angular stiffness": limit * limit * (stiffness - linear_stiffness),
+            "linear damping": rate * linear_damping,
+            "angular damping": rate * (damping - linear_damping),
             "air friction": rate * float((w * air * w).sum()),
         }
         return max(parts, key=lambda cause: parts[cause])
@@ -176,98 +187,29 @@ def quick_limit(system: System) -> float:
     It is 2 / omega with a bound of omega² by the rows of M^-1 K (Gershgorin), of a body without damping that
     is as long as its springs at rest and straight. Infinite where nothing pulls.
     """
-    body = system.body
-    pulls = np.zeros(body.masses + 1)
-    stiffness = body.stiffness[: body.springs]
-    for ends in (body.spring_a, body.spring_b):
-        pulls += np.bincount(ends, 2.0 * stiffness, pulls.size)
-        # A joint of two springs in line bends by x1 - 2 x2 + x3.
-        for spring in (body.joint_a, body.joint_b):
-            pulls += np.bincount(ends[spring], 4.0 * body.joint_stiffness, pulls.size)
-    fastest = float((pulls[1:] * np.where(system.held, 0.0, system.inverse_mass)).max())
+    fastest = float(_row_sums(system, system.body.stiffness, system.body.joint_stiffness).max())
     return 2.0 / np.sqrt(fastest) if fastest > 0.0 else np.inf
 
 
-def _flip(weight: float) -> Callable[[Floats, Floats, object], tuple[float, Floats]]:
-    """For methods whose limit is an eigenvalue -1, where (dt² k + weight dt c) y = 4 y."""
-
-    def solve(k: Floats, c: Floats, _: object) -> tuple[float, Floats]:
-        """The smallest such dt > 0, and that y; infinite where there is none.
-
-        With s = 1/dt it is s² y = s (weight c / 4) y + (k / 4) y, the eigenvalues of a companion matrix.
-        """
-        n = len(k)
-        companion = np.block([[np.zeros((n, n)), np.eye(n)], [k / 4.0, weight * c / 4.0]])
-        values, vectors = np.linalg.eig(companion)
-        real = np.where(np.abs(np.imag(values)) <= 1e-6 * np.abs(values), np.real(values), 0.0)
-        best = int(np.argmax(real))
-        # Below this, nothing pulls: the step could be a day.
-        if not real[best] > 1e-5:
-            return np.inf, np.zeros(n)
-        return 1.0 / float(real[best]), np.real(vectors[:n, best])
-
-    return solve
+def damped_limit(system: System) -> float:
+    """As `quick_limit`, of velocity Verlet and with damping: the least root of dt² k + 4 dt c = 4, s."""
+    body = system.body
+    k = _row_sums(system, body.stiffness, body.joint_stiffness)
+    c = _row_sums(system, body.damping, body.couple_damping[1 : body.joints + 1])
+    with np.errstate(divide="ignore"):
+        return float((2.0 / (c + np.sqrt(c * c + k))).min())
 
 
-def _polynomial(k: Floats, c: Floats, table: object) -> tuple[float, Floats]:
-    """The largest dt with |R(dt lambda)| <= 1 for all lambda of (lambda² + lambda c + k) y = 0, and the y."""
-    assert isinstance(table, Tableau)
-    n = len(k)
-    values, vectors = np.linalg.eig(np.block([[np.zeros((n, n)), np.eye(n)], [-k, -c]]))
-    # What grows of itself, as a rod that buckles, is no matter of the step.
-    values = np.minimum(np.real(values), 0.0) + 1j * np.imag(values)
-    sizes = np.abs(values)
-    if not sizes.max() > 1e-5:
-        return np.inf, np.zeros(n)
-    terms = stability_polynomial(table)
-    best, limit = -1, np.inf
-    # The border is nearly as far from zero in all directions, so that slow motions cannot set the limit.
-    for i in np.flatnonzero(sizes > 0.5 * sizes.max()).tolist():
-        step = _last_crossing(terms * (values[i] / sizes[i]) ** np.arange(len(terms))) / float(sizes[i])
-        if step < limit:
-            best, limit = i, step
-    mode = vectors[:n, best] if best >= 0 else np.zeros(n)
-    return limit, np.real(mode) + np.imag(mode)
-
-
-def _last_crossing(terms: Floats) -> float:
-    """The largest h > 0 at which a polynomial of h with complex coefficients and p(0) = 1 has the size 1."""
-    size = np.polynomial.polynomial.polymul(terms, terms.conj()).real
-    roots = np.polynomial.polynomial.polyroots(size[1:])  # of |p(h)|² - 1, which is zero at zero
-    real = roots.real[(np.abs(roots.imag) <= 1e-6 * np.abs(roots)) & (roots.real > 0.0)]
-    return float(real.max()) if real.size else np.inf
-
-
-def stability_polynomial(table: Tableau) -> Floats:
-    """(stages + 1,) R(z) = 1 + sum z^k b A^(k-1) 1 of an explicit Runge-Kutta method, constant first."""
-    stages = table.stages
-    a, b = table.a[:stages, :stages], table.a[stages, :stages]
-    terms, power = [1.0], np.ones(stages)
-    for _ in range(stages):
-        terms.append(float(b @ power))
-        power = a @ power
-    return np.array(terms)
-
-
-@dataclass(frozen=True)
-class _Limit:
-    """How the limit of a kind of method follows from K and C.
-
-    Attributes:
-        damping: weight of dt C beside dt² K in what is most of the limit.
-        solve: from the projected K and C and the method's table, the limit, s, and the motion that sets it.
-    """
-
-    damping: float
-    solve: Callable[[Floats, Floats, object], tuple[float, Floats]]
-
-
-_LIMITS = {
-    "euler": _Limit(2.0, _flip(2.0)),
-    "verlet": _Limit(4.0, _flip(4.0)),
-    "explicit": _Limit(2.0, _polynomial),
-}
-"""By the kind of method; no other has a limit."""
+def _row_sums(system: System, of_spring: Floats, of_joint: Floats) -> Floats:
+    """(n,) the most that a row of M^-1 K can sum up to, 1/s², or of M^-1 C, 1/s."""
+    body = system.body
+    sums = np.zeros(body.masses + 1)
+    for ends in (body.spring_a, body.spring_b):
+        sums += np.bincount(ends, 2.0 * of_spring[: body.springs], sums.size)
+        # A joint of two springs in line bends by x1 - 2 x2 + x3.
+        for spring in (body.joint_a, body.joint_b):
+            sums += np.bincount(ends[spring], 4.0 * of_joint, sums.size)
+    return sums[1:] * np.where(system.held, 0.0, system.inverse_mass)
 
 
 def largest_step(scene: Scene, method: str) -> float:
@@ -294,20 +236,19 @@ def largest_step(scene: Scene, method: str) -> float:
 
 
 def _limit_of(scene: Scene, system: System, method: str) -> float:
-    live = start_of(scene, system)
+    state = start_of(scene, system)
     meter = StabilityMeter(system, method)
-    meter.update(live, scene.air_friction)
-    return meter.update(live, scene.air_friction).limit
+    meter.update(state, scene.air_friction)
+    return meter.update(state, scene.air_friction).limit
 
 
-def start_of(scene: Scene, system: System) -> Live:
+def start_of(scene: Scene, system: System) -> State:
     """The state at a scene's start, with what springs and masses are there."""
-    live = new_live(system)
-    live.controls[0] = scene.rest_length_scale
-    refresh(system.body, live)
+    state = new_state(system)
+    state.controls[0] = scene.rest_length_scale
+    refresh(system.body, state)
     here = slice(1, system.body.masses + 1)
-    for field, row in zip((live.x, live.y, live.vx, live.vy), system.start, strict=True):
+    for field, row in zip((state.x, state.y, state.vx, state.vy), system.start, strict=True):
         field[here] = row
-    # Only whether it is zero counts for the estimate.
-    live.dt_mass[here] = np.where(system.held, 0.0, system.inverse_mass)
-    return live
+    state.inverse_mass[here] = np.where(system.held, 0.0, system.inverse_mass)
+    return state

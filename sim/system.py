@@ -11,13 +11,15 @@ from .kernels.roots import LEAST
 from .kernels.tables import (
     ANGLE,
     CONSERVATIVE,
+    CONTROL_SCALE,
+    CONTROL_SHIFT,
     NO_JOINTS,
     SHORTEST_SQUARED,
     TUTORIAL,
     Body,
     Floats,
     Indices,
-    Live,
+    State,
     Work,
     padded,
 )
@@ -129,32 +131,52 @@ def slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
     return arrays
 
 
-def new_live(system: System) -> Live:
+def new_state(system: System) -> State:
     """A state with room for the system's masses; `Simulation` fills it."""
     body = system.body
     # The chain's loops look one place back and, from the last spring, three ahead; and loops over flat
     # vectors should have no scalar rest.
     last = body.stiffness.size if body.chain or body.ring else padded(body.masses)
-    places = padded(last + 3)
+    places = padded(last + 3)  # so that both halves of a flat vector begin alike
     joints = max(body.joints, body.stiffness.size) + 1
     sizes = {
+        "q": (2 * places, 1),
+        "v": (2 * places, 1),
         "controls": (2, 0),
         "pull": (body.stiffness.size, 1),
         "couple_cos": (joints, 1),
         "couple_sin": (joints, 1),
         "couple_rest": (joints, 0),
     }
-    live = Live(*slab([sizes.get(field, (places, 1)) for field in Live._fields], page_offset=0))
-    live.controls[0] = 1.0
-    return live
+    arrays = slab([sizes.get(field, (places, 1)) for field in State.fields], page_offset=0)
+    state = State(**dict(zip(State.fields, arrays, strict=True)))
+    state.controls[0] = 1.0
+    return state
+
+
+def refresh(body: Body, state: State) -> None:
+    """Compute anew what depends on the scale of rest lengths and the shift of rest angles."""
+    scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
+    springs, joints = slice(body.springs), slice(1, body.joints + 1)
+    state.pull[springs] = body.stiffness[springs] * (body.rest_length[springs] * scale)
+    rest = np.radians(180.0 - (180.0 - (body.joint_rest + shift)) % 360.0)
+    state.couple_rest[joints] = rest
+    state.couple_cos[joints] = body.joint_stiffness * np.cos(rest)
+    state.couple_sin[joints] = body.joint_stiffness * np.sin(rest)
+    if body.ring and body.joints:
+        state.couple_cos[0], state.couple_sin[0] = (
+            state.couple_cos[body.joints],
+            state.couple_sin[body.joints],
+        )
 
 
 def new_work(system: System) -> Work:
     """Scratch arrays for the system."""
     room = max(system.body.stiffness.size, system.body.joints) + 3
     first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # the places that loops over springs and masses start at
-    # Behind the arrays of a short chain's `Live`.
-    return Work(*slab([(room, first.get(field, 0)) for field in Work._fields], page_offset=2560))
+    # Behind the arrays of a short chain's `State`.
+    arrays = slab([(room, first.get(field, 0)) for field in Work.fields], page_offset=2560)
+    return Work(**dict(zip(Work.fields, arrays, strict=True)))
 
 
 def _order_along(scene: Scene) -> tuple[list[int], list[int]] | None:
@@ -269,9 +291,8 @@ def _body(
         more_spring_mass=more_spring_mass,
         more_spring_sign=more_spring_sign,
     )
-    for field in body:
-        if isinstance(field, np.ndarray):
-            field.setflags(write=False)
+    for _, array in body.arrays():
+        array.setflags(write=False)
     return body, joint_order
 
 

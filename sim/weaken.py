@@ -43,7 +43,7 @@ def weakened(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> B
         resistance[1 : body.joints + 1] = np.minimum(resistance[1 : body.joints + 1], limit / dt)
     for table in (stiffness, damping, joint_stiffness, size, resistance):
         table.setflags(write=False)  # like the others: a kernel is compiled once
-    return body._replace(
+    return body.replaced(
         stiffness=stiffness,
         damping=damping,
         joint_stiffness=joint_stiffness,

@@ -82,6 +82,7 @@ def bare(masses: int) -> int:
 def softrod(masses: int) -> tuple[int, contextlib.ExitStack]:
     """Serve softrod's page with a rope of so many masses; returns the port and what ends it."""
     import sim
+    from sim.compiling import needed_by
 
     from ..serve import serving
 
@@ -91,11 +92,12 @@ def softrod(masses: int) -> tuple[int, contextlib.ExitStack]:
         masses, length=300.0, force_law="tutorial", integrator=sim.Integrator(method="symplectic_euler")
     )
     scene = sim.set_value(rope, "rest_angle", 4.0)
-    server, ticker, kernels = stack.enter_context(serving(scene, "127.0.0.1", 0))
+    server, ticker, compiler = stack.enter_context(serving(scene, "127.0.0.1", 0))
 
     def compile_soon() -> None:
         ticker.drawn.wait(timeout=0.5)
-        kernels.compile()
+        compiler.want(needed_by(scene.integrator.method))
+        compiler.start()
 
     threading.Thread(target=compile_soon, daemon=True).start()
     return server.get_port(), stack

@@ -123,12 +123,12 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
     # Masses that are exactly in line would make some products zero, and so perhaps cheaper.
     noise = np.random.default_rng(1).normal(size=(n, 2))
     chain, general = sim.Simulation(scene), sim.Simulation(scene)
-    general._stepper._system = dataclasses.replace(  # type: ignore[union-attr]
-        general._system, body=general._body._replace(chain=False)
-    )
+    body = general._body.replaced(chain=False)
+    general._system = dataclasses.replace(general._system, body=body)
+    general._stepper = general._new_stepper()
     for simulation in (chain, general):
-        simulation._live.x[1 : n + 1] += noise[:, 0]
-        simulation._live.y[1 : n + 1] += noise[:, 1]
+        simulation._state.x[1 : n + 1] += noise[:, 0]
+        simulation._state.y[1 : n + 1] += noise[:, 1]
     positions = chain.positions
     masses = np.zeros(n, MASS)
     masses["x"], masses["y"], masses["m"] = positions[:, 0], positions[:, 1], 1.0

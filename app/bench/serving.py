@@ -63,7 +63,7 @@ def _start(kind: str, masses: int, cache: str) -> dict[str, float]:
 
 def _warm(cache: str) -> None:
     """Compile all kernels into a folder."""
-    words = [sys.executable, "-c", "from sim.warmup import Kernels; Kernels().compile()"]
+    words = [sys.executable, "-m", "sim.compiling", "all"]
     subprocess.run(words, check=True, env={**os.environ, "XDG_CACHE_HOME": cache})
 
 

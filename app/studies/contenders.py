@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import sim
 from sim import Scene
 from sim.methods import METHODS
-from sim.stepping import FlowStepper
+from sim.solver import Solver
 
 from . import others
 from .equations import Equations
@@ -81,9 +81,9 @@ class Ours:
             tolerance=value if info.adaptive else sim.Integrator().tolerance,
         )
         self._simulation = sim.Simulation(msgspec.structs.replace(scene, integrator=integrator))
-        stepper = self._simulation._stepper
-        if info.implicit and isinstance(stepper, FlowStepper):
-            _ = stepper.solver.matrix
+        solver = self._simulation._stepper.solver
+        if info.implicit and isinstance(solver, Solver):
+            _ = solver.matrix
 
     def in_one_call(self) -> Run:
         """All of it by one call of `Simulation.step`."""
@@ -169,7 +169,7 @@ class Reference:
     doubt: float
 
 
-REFERENCES = ("dop853", "rodas5p")
+REFERENCES = ("adams", "rodas5p")
 """Methods of very different kinds."""
 
 

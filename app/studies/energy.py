@@ -70,7 +70,7 @@ def _drifts(fast: bool) -> Iterator[Result]:
 
 def _residuals(fast: bool) -> Iterator[Result]:
     for method in METHODS.values():
-        order = METHODS["adams"].order if method.kind == "auto" else method.order
+        order = METHODS["adams"].order if method.kernel is None else method.order
         yield _slope(method, residual, min(order, BOOKS_ORDER) / (order if method.adaptive else 1.0), fast)
 
 

@@ -9,63 +9,55 @@ from typing import Literal
 import msgspec
 import numba
 import numpy as np
-from numba.core import types
-from numba.experimental import structref
-from numpy.typing import NDArray
 
 import sim
+from sim.driving import Driver
 from sim.kernels.drive import drive_to
 from sim.kernels.forces import accelerations
-from sim.kernels.jit import FAST, kernel
 from sim.kernels.sparse import assemble
+from sim.kernels.table import Floats, Indices, Table
+from sim.kernels.tables import Body, Drive, Matrix, State, Work
 from sim.pattern import new_matrix
-from sim.stepping import FlowStepper
-
-Floats = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 Layout = Literal["dense", "banded", "sparse"]
 """A Jacobian as an (N, N) array; as diagonals, of which row `above` + i - j holds J[i, j] at column j; or as
 the numbers of a matrix in compressed columns."""
 
 
-@structref.register
-class _TablesType(types.StructRef):
-    pass
+class _Tables(Table):
+    """What the functions below need."""
+
+    body: Body
+    general: Body  # the same, with a matrix of any topology
+    state: State
+    work: Work
+    drive: Drive
+    matrix: Matrix
+    at: Indices  # place of each free mass
+    a: Floats  # accelerations, flat
+    used: Indices  # blocks of the matrix
+    row: Indices  # place of the row of each
+    scratch: Floats
 
 
-class _Tables(structref.StructRefProxy):
-    """What the functions below need, in one box: numba takes 8 µs to unpack it from Python at each call
-    otherwise, which would be held against the solvers that call them."""
-
-    def __new__(cls, *fields: object) -> _Tables:
-        return structref.StructRefProxy.__new__(cls, *fields)
-
-
-structref.define_proxy(
-    _Tables,
-    _TablesType,
-    ["body", "general", "live", "work", "drive", "matrix", "at", "q", "v", "a", "used", "row", "scratch"],
-)
-
-
-@kernel(fastmath=FAST)
-def _take(live, body, drive, at, q, v, t, y):
+@numba.njit
+def _take(tables, t, y):
     """Put the state y at time t where the kernels want it."""
+    at, q, v = tables.at, tables.state.q, tables.state.v
     places = q.size // 2
     for i in range(at.size):
         m, k = at[i], 4 * i
         q[m], q[places + m], v[m], v[places + m] = y[k], y[k + 1], y[k + 2], y[k + 3]
-    if drive.moving:
-        drive_to(body, live, drive, t, q, v)
+    if tables.drive.moving:
+        drive_to(tables.body, tables.state, tables.drive, t, q, v)
 
 
 @numba.njit
 def _derivative(tables, t, y, out):
-    at, q, a = tables.at, tables.q, tables.a
+    at, q, a = tables.at, tables.state.q, tables.a
     places = q.size // 2
-    _take(tables.live, tables.body, tables.drive, at, q, tables.v, t, y)
-    accelerations(tables.body, tables.live, tables.work, q, tables.v, a)
+    _take(tables, t, y)
+    accelerations(tables.body, tables.state, tables.work, q, tables.state.v, a)
     for i in range(at.size):
         m, k = at[i], 4 * i
         out[k], out[k + 1], out[k + 2], out[k + 3] = y[k + 2], y[k + 3], a[m], a[places + m]
@@ -80,25 +72,26 @@ def _jacobian(tables, to_place, to_speed, to_one, t, y, out):
         to_one: (2 free masses) where in `out` a velocity is the derivative of a position; after those, as
             many on the diagonal by velocities, where air acts.
     """
-    at, q, v, row, used, scratch = tables.at, tables.q, tables.v, tables.row, tables.used, tables.scratch
-    live, blocks = tables.live, tables.matrix.blocks
-    _take(live, tables.body, tables.drive, at, q, v, t, y)
+    at, row, used, scratch = tables.at, tables.row, tables.used, tables.scratch
+    state, blocks = tables.state, tables.matrix.blocks
+    q, v = state.q, state.v
+    _take(tables, t, y)
     # The blocks are linear in g: without it they are by positions, and what g = 1 adds is by velocities.
-    assemble(tables.general, live, tables.matrix, q, v, 0.0, False)
+    assemble(tables.general, state, tables.matrix, q, v, 0.0, False)
     for i in range(used.size):
-        w = live.inverse_mass[row[i]]
+        w = state.inverse_mass[row[i]]
         for k in range(4):
             scratch[4 * i + k] = blocks[4 * used[i] + k]
             out[to_place[4 * i + k]] = w * scratch[4 * i + k]
-    assemble(tables.general, live, tables.matrix, q, v, 1.0, False)
+    assemble(tables.general, state, tables.matrix, q, v, 1.0, False)
     for i in range(used.size):
-        w = live.inverse_mass[row[i]]
+        w = state.inverse_mass[row[i]]
         for k in range(4):
             out[to_speed[4 * i + k]] = w * (blocks[4 * used[i] + k] - scratch[4 * i + k])
     for i in range(2 * at.size):
         out[to_one[i]] = 1.0
         m = at[i // 2] + q.size // 2 * (i % 2)
-        out[to_one[2 * at.size + i]] -= 2.0 * live.air[at[i // 2]] * abs(v[m])
+        out[to_one[2 * at.size + i]] -= 2.0 * state.air[at[i // 2]] * abs(v[m])
 
 
 class Equations:
@@ -116,15 +109,12 @@ class Equations:
     """
 
     def __init__(self, scene: sim.Scene) -> None:
-        scene = msgspec.structs.replace(scene, integrator=sim.Integrator(method="dop853", tolerance=1e-9))
+        scene = msgspec.structs.replace(scene, integrator=sim.Integrator(method="adams", tolerance=1e-9))
         simulation = sim.Simulation(scene)
-        stepper = simulation._stepper
-        assert isinstance(stepper, FlowStepper)
-        stepper.begin(0.0)
-        self._solver = solver = stepper.solver
-        system, flow, n = solver.system, solver.flow, len(scene.masses)
+        system, state, n = simulation._system, simulation._state, len(scene.masses)
+        self._state, self._place = state, system.mass_place
         # The pattern of a chain has no blocks to be read; that of any other topology has.
-        general = system.body._replace(chain=False)
+        general = system.body.replaced(chain=False)
         matrix = new_matrix(general, system.held)
         owner = np.repeat(np.arange(n), np.diff(matrix.row_start))
         used = np.unique(np.concatenate((matrix.spring_target, matrix.joint_target, matrix.diagonal)))
@@ -145,14 +135,21 @@ class Equations:
         )
         self.below = int((self._rows - self._columns).max())
         self.above = int((self._columns - self._rows).max())
-        p = solver.places
-        self.start = np.column_stack((flow.q[at], flow.q[p + at], flow.v[at], flow.v[p + at])).ravel()
+        self.start = np.column_stack((state.x[at], state.y[at], state.vx[at], state.vy[at])).ravel()
         self._scratch = np.zeros(rows.size)
-        drive = solver.drive(np.inf, {}, 0.0, 0.0)
         self._tables = _Tables(
-            system.body, general, solver.live, solver.work, drive, matrix, at, flow.q, flow.v, flow.a, used,
-            row, self._scratch,
-        )  # fmt: skip
+            body=system.body,
+            general=general,
+            state=state,
+            work=simulation._work,
+            drive=Driver(scene, system, state).drive(0.0, np.inf, {}),
+            matrix=matrix,
+            at=at,
+            a=np.zeros_like(state.q),
+            used=used,
+            row=row,
+            scratch=self._scratch,
+        )
 
     def derivative_into(self) -> Callable[[float, Floats, Floats], None]:
         """A function (t, y, out) that writes dy/dt into `out`."""
@@ -191,8 +188,7 @@ class Equations:
     def positions(self, t: float, y: Floats) -> Floats:
         """(n, 2) positions of all masses at time t, px, in the scene's order."""
         self.derivative_into()(t, y, np.empty(y.size))  # puts every mass where it is by then
-        flow, place = self._solver.flow, self._solver.system.mass_place
-        return np.column_stack((flow.q[place], flow.q[self._solver.places + place]))
+        return np.column_stack((self._state.x[self._place], self._state.y[self._place]))
 
 
 def _in_order(free: Indices, row: Indices, column: Indices) -> Indices:

@@ -77,7 +77,7 @@ def pendulum_error(stiffness: float) -> float:
         stiffness=stiffness,
         held=(0,),
         gravity=PENDULUM_GRAVITY,
-        integrator=sim.Integrator(method="dop853", dt=PENDULUM_TIME / 2.0, tolerance=1e-11),
+        integrator=sim.Integrator(method="adams", dt=PENDULUM_TIME / 2.0, tolerance=1e-11),
     )
     simulation = sim.Simulation(scene)
     simulation.step(2)
@@ -115,7 +115,7 @@ CASES = (
         "Double pendulum",
         "Two masses on two very stiff springs without joints, against Lagrange's equations for rigid rods, "
         "solved by SciPy's DOP853 to 1e-13, before chaos would separate them. Springs stretch by what "
-        "hangs on them over their stiffness k, so the distance goes as 1/k. (Method dop853, tolerance "
+        "hangs on them over their stiffness k, so the distance goes as 1/k. (Method adams, tolerance "
         "1e-11 px.)",
         _double_pendulum,
     ),

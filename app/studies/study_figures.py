@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .figures import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, new_figure, tidy
+from .figures import BLACK, BLUE, GREY, ORANGE, PURPLE, SKY, new_figure, tidy
 from .measure import FOLLOWED, Point, SceneResults, label
 from .random_study import CHAOTIC, TOLERANCE
 from .study_report import COARSE, Study
@@ -25,8 +25,6 @@ STYLES: dict[str, tuple[str, str]] = {
     "rk4": (SKY, "D"),
     "generalized_alpha": (YELLOW, "v"),
     "stable_spring": (ORANGE, "P"),
-    "dopri5": (GREEN, "<"),
-    "dop853": (GREEN, ">"),
     "adams": (YELLOW, "*"),
     "rodas4": (PURPLE, "X"),
     "rodas5p": (PURPLE, "p"),

@@ -14,12 +14,11 @@ import math
 
 from .bits import from_bits, size_bits
 from .drive import drive_to
-from .forces import accelerations
 from .guard import GOOD, STUCK, sound
 from .jit import FAST, kernel
 from .kinks import ago, any_turns, kinks_matter, turn_past, with_kinks, without_kinks
 from .lanes import eight_at_a_time
-from .ledger import tally
+from .shared import accelerate, tally
 from .steps import (
     HOPELESS,
     SHORTEST_STEP,
@@ -77,12 +76,14 @@ that nothing damps grow under degree 7 in steps that are .25 to .47 of Verlet's 
 and error control keeps them small by keeping steps there. Under degree 6 they fade in steps of .34 to .62."""
 
 
-@kernel(inner=True, fastmath=FAST)
-def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, near_limit, attempts):
+@kernel(fastmath=FAST)
+def run_adams(problem, drive, end, tolerance, attempts):
     """Go on to `end` under a tolerance; arguments as those of `run_explicit` and `run_verlet`."""
-    freshen(body, live, work, drive, flow)
+    freshen(problem, drive)
+    body, state, work, flow, ledger = problem.body, problem.state, problem.work, problem.flow, problem.ledger
+    method, near_limit = problem.adams, problem.near_limit
     clock, count = flow.clock, flow.counts
-    q, v, past, rows = flow.q, flow.v, flow.past, flow.rows
+    q, v, past, rows = state.q, state.v, flow.past, flow.rows
     to_q, to_v, to_a, ahead = rows[0], rows[1], rows[2], rows[3]
     t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
     degree, most, known, head, since, spacing = 0, method.degree, 1, 0, 0, 0.0
@@ -94,7 +95,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, nea
             past[0, j] = flow.a[j]
         first = first_step(flow, drive, 0.01 * tolerance)
         h = min(h, first) if h > 0.0 else first
-    kinks = kinks_matter(live.air, past[head], h, method.error[degree], tolerance)
+    kinks = kinks_matter(state.air, past[head], h, method.error[degree], tolerance)
     farthest, fastest = flow.limits[0], flow.limits[1]
     failures, tries, steps, swaps, shortest = 0, 0, 0, 0, 0.0
     while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
@@ -108,19 +109,19 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, nea
         if degree > 0 and abs(step - spacing) > 1e-9 * spacing:
             _space(past, head, method, degree, step / spacing, rows)
             known = degree + 1
-            kinks = kinks_matter(live.air, past[head], step, method.error[degree], tolerance)
+            kinks = kinks_matter(state.air, past[head], step, method.error[degree], tolerance)
         spacing = step
         _predict(q, v, past, head, method, degree, step, to_q, to_v, ahead)
         if drive.moving:
-            drive_to(body, live, drive, t + step, to_q, to_v)
-        accelerations(body, live, work, to_q, to_v, to_a)
+            drive_to(body, state, drive, t + step, to_q, to_v)
+        accelerate(problem, to_q, to_v, to_a)
         if kinks and any_turns(v, to_v):
-            without_kinks(live.air, v, to_v, to_a)
+            without_kinks(state.air, v, to_v, to_a)
         by_q, by_v = step * step * method.to_position[degree], step * method.to_velocity[degree]
         change, far, fast, moved = _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
         turns = kinks and any_turns(v, to_v)
         if turns:
-            with_kinks(live.air, v, past[head], to_a, step, to_q, to_v)
+            with_kinks(state.air, v, past[head], to_a, step, to_q, to_v)
         span = max(step, min(_SPAN, _SHORT * step)) if failures > 0 else step
         scale = step * step / (span * tolerance)
         error = scale * method.error[degree] * from_bits(change)
@@ -129,20 +130,20 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, nea
         good = error <= 1.0
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, flow, to_q, to_v, step < WORTH_SHORTENING)
-        if good and stays_gentle(body, live, q, to_q, step, from_bits(moved), shortest):
+        if good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest):
             if degree == most and since % _WEIGHED == _WEIGHED - 1:
                 most, error = _best_degree(past, head, known, method, degree, top, scale, error, to_a)
             # The oldest of the past is not asked again.
             head = (head - 1) & (PAST - 1)
             known = min(known + 1, PAST)
-            accelerations(body, live, work, to_q, to_v, past[head])
+            accelerate(problem, to_q, to_v, past[head])
             if turns:
-                turn_past(live.air, v, to_v, past, head, known, method.back, step)
+                turn_past(state.air, v, to_v, past, head, known, method.back, step)
             shortest = shortest_of(body, work)
             steps += 1
             if ledger.active:
-                tally(body, live, work, ledger, drive, flow, t, to_q, to_v, past[head], step)
-                replace_state(flow, to_q, to_v, past[head])
+                tally(problem, drive, t, to_q, to_v, past[head], step)
+                replace_state(state.q, state.v, flow.a, to_q, to_v, past[head])
             else:
                 # Change places instead of copying.
                 q, to_q, v, to_v = to_q, q, to_v, v
@@ -164,7 +165,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, nea
                 h = max(h, step * factor) if step < 0.999 * h else step * factor
         else:
             if drive.pressed:
-                drive_to(body, live, drive, t, q, v)
+                drive_to(body, state, drive, t, q, v)
             since, failures = 0, failures + 1
             if degree == most and error > 1.0:
                 most, error = _best_degree(past, head, 0, method, degree, top, scale, error, to_a)
@@ -175,7 +176,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, nea
             if h < SHORTEST_STEP:
                 count[COUNT_WHAT] = STUCK
     if swaps % 2:
-        replace_state(flow, q, v, past[head])
+        replace_state(state.q, state.v, flow.a, q, v, past[head])
     else:
         for j in range(1, q.size - SPARE):
             flow.a[j] = past[head, j]
@@ -188,7 +189,7 @@ def run_adams(body, live, work, drive, flow, ledger, method, end, tolerance, nea
     clock[CLOCK_MOST], clock[CLOCK_KNOWN] = most, known
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
     """Positions, velocities and accelerations a step ahead, by the polynomial."""
     eight_at_a_time()
@@ -218,7 +219,7 @@ def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
             ahead[j] = w0 * r0 + w1 * r1 + w2 * r2 + w3 * r3 + (w4 * r4 + w5 * r5 + w6 * r6)
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _correct(q, by_q, by_v, to_a, ahead, to_q, to_v):
     """Correct a prediction; (by how much the acceleration was off, coordinate, speed and move, the largest,
     as bits)."""
@@ -264,7 +265,7 @@ def _stride(error, degree):
     return max(error, 1e-12) ** (-1.0 / (degree + 2.0))
 
 
-@kernel(apart=True, fastmath=FAST)
+@kernel(noalias=True, fastmath=FAST)
 def _off(past, head, method, degree, to_a):
     """By how much an acceleration is off at most that a degree expects."""
     eight_at_a_time()
@@ -279,7 +280,7 @@ def _off(past, head, method, degree, to_a):
     return from_bits(largest)
 
 
-@kernel(apart=True, fastmath=FAST)
+@kernel(noalias=True, fastmath=FAST)
 def _space(past, head, method, degree, ratio, rows):
     """Interpolate the past accelerations, for another step: `ratio` is that of the new one to the old one.
 

@@ -11,11 +11,9 @@ from __future__ import annotations
 import math
 
 from .drive import drive_to
-from .forces import accelerations
 from .guard import GOOD, sound
-from .implicit import factorise, solve
 from .jit import FAST, kernel
-from .ledger import tally
+from .shared import accelerate, factorise, solve, tally
 from .steps import (
     HOPELESS,
     SHORTEST_STEP,
@@ -83,14 +81,14 @@ _ERROR = 0.1
 """The error of a step as a part of the distance between prediction and solution, found by trying."""
 
 
-@kernel(inner=True, fastmath=FAST)
-def run_alpha(
-    body, live, work, matrix, drive, flow, ledger, end, fixed, tolerance, attempts
-):  # fmt: skip
-    """Go on to `end`; arguments as those of `run_explicit`."""
-    freshen(body, live, work, drive, flow)
+@kernel(fastmath=FAST)
+def run_alpha(problem, drive, end, tolerance, attempts):
+    """Go on to `end`; arguments as those of `run_verlet`."""
+    freshen(problem, drive)
+    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
+    matrix, fixed = problem.matrix, problem.fixed
     clock, count = flow.clock, flow.counts
-    q, v, rows = flow.q, flow.v, flow.rows
+    q, v, rows = state.q, state.v, flow.rows
     start, to_q, to_v, speed, move, guess, force, pull = (
         rows[0],
         rows[1],
@@ -135,8 +133,8 @@ def run_alpha(
             speed[j] = v[j] + step * (1.0 - gamma) * own
             pull[j] = weight * (af * flow.a[j] - am * own)
         if drive.moving:
-            drive_to(body, live, drive, t + step, to_q, to_v)
-        predict(matrix, live.inverse_mass, flow, step, to_q, rows[7])
+            drive_to(body, state, drive, t + step, to_q, to_v)
+        predict(problem, step, to_q, rows[7])
         # What the last prediction, a polynomial of time, was wrong by, this one will be wrong by, too.
         h1, h0 = clock[CLOCK_LAST], clock[CLOCK_LAST_BUT_ONE]
         cube = step * (step + h1) * (step + h1 + h0) if h0 > 0.0 else 0.0
@@ -153,21 +151,21 @@ def run_alpha(
             for j in range(1, q.size - SPARE):
                 to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
             if drive.moving:
-                drive_to(body, live, drive, t + step, to_q, to_v)
-            accelerations(body, live, work, to_q, to_v, force)
+                drive_to(body, state, drive, t + step, to_q, to_v)
+            accelerate(problem, to_q, to_v, force)
             for j in range(1, q.size - SPARE):
                 move[j] = force[j] - (g2 * (to_q[j] - start[j]) - pull[j])
             _rest(drive, move)
             # The second iteration is close enough to the first to do with its matrix.
             if iteration != 1 or last > 10.0 * _SPAN * tolerance:
-                factorise(body, live, matrix, to_q, to_v, g2, g1, False)
+                factorise(problem, to_q, to_v, g2, g1, False)
                 count[COUNT_MATRICES] += 1
-            solve(body, matrix, move)
+            solve(problem, move)
             count[COUNT_FORCES] += 1
             size = biggest(move)
             if not size < 1e8 or (iteration >= 3 and size > 0.5 * last):
                 break
-            turn_and_stretch(matrix, live.inverse_mass, to_q, move, rows[7])
+            turn_and_stretch(matrix, state.inverse_mass, to_q, move, rows[7])
             if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
                 converged = True
             elif iteration == 0 and surveyed:
@@ -182,22 +180,22 @@ def run_alpha(
             for j in range(1, q.size - SPARE):
                 to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
             if drive.moving:
-                drive_to(body, live, drive, t + step, to_q, to_v)
+                drive_to(body, state, drive, t + step, to_q, to_v)
             error = 0.0
             if fixed == 0.0:
                 part = _ERROR if clock[CLOCK_LAST_BUT_ONE] > 0.0 else 0.3 * _ERROR
                 error = (1.0 if calming else part) * biggest_difference(to_q, guess) / (_SPAN * tolerance)
         good = error <= 1.5 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good and fixed == 0.0:
-            good = is_gentle(body, live, q, to_q, step)
+            good = is_gentle(body, state, q, to_q, step)
         if good:
             if ledger.active:
                 for j in range(1, q.size - SPARE):
                     force[j] = g2 * (to_q[j] - start[j]) - pull[j]
                 _rest(drive, force)
-                tally(body, live, work, ledger, drive, flow, t, to_q, to_v, force, step)
+                tally(problem, drive, t, to_q, to_v, force, step)
             t = end if step == end - t else t + step
-            remember(matrix, flow, step, 0.0)
+            remember(problem, step, 0.0)
             for j in range(1, q.size - SPARE):
                 late[j] = (to_q[j] - start[j]) * inverse
                 flow.a[j] = g2 * (to_q[j] - start[j]) - pull[j]
@@ -211,7 +209,7 @@ def run_alpha(
             error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
             if drive.pressed:
-                drive_to(body, live, drive, t, q, v)
+                drive_to(body, state, drive, t, q, v)
         after = step_after(flow, h, step, error, 3, good, failed, _LEFT)
         if not good and error >= HOPELESS:
             clock[CLOCK_SOLVABLE] = after = _SOLVED * step
@@ -226,7 +224,7 @@ def run_alpha(
         elif not good and h < 1e-6 and h > SHORTEST_STEP:
             # Perhaps it is what was carried along that is no good.
             clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_BEGUN] = clock[CLOCK_CUBE] = 0.0
-            accelerations(body, live, work, q, v, flow.a)
+            accelerate(problem, q, v, flow.a)
             for j in range(1, q.size - SPARE):
                 late[j] = flow.a[j]
     clock[CLOCK_TIME] = t

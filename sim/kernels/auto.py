@@ -9,15 +9,10 @@ from __future__ import annotations
 
 import math
 
-from .adams import run_adams
-from .alpha import run_alpha
 from .blocks import from_to
-from .bound import take_bound, take_drive
-from .explicit import run_explicit
 from .guard import GOOD, STUCK
 from .jit import FAST, kernel
 from .lanes import whole_eights
-from .rosenbrock import run_rosenbrock
 from .tables import (
     ARM_ADAMS,
     ARM_ALPHA,
@@ -25,9 +20,12 @@ from .tables import (
     ARM_VERLET,
     ARMS,
     AUTO_ASKED,
+    AUTO_BEGAN,
     AUTO_LAST,
     AUTO_PACE,
     AUTO_STEP,
+    AUTO_TRIED,
+    AUTO_TURN,
     AUTO_WORK,
     CLOCK_BEGUN,
     CLOCK_HELD,
@@ -40,10 +38,6 @@ from .tables import (
     COUNT_STEPS,
     COUNT_WHAT,
 )
-from .verlet import run_verlet
-
-KIND_EXPLICIT, KIND_VERLET, KIND_ROSENBROCK, KIND_ALPHA, KIND_ADAMS, KIND_AUTO = 0, 1, 2, 3, 4, 5
-"""What `run` runs."""
 
 _SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.3
 """The share of the computing that goes into asking another method; that for one whose pace was not within a
@@ -85,115 +79,82 @@ _HELD, _SOME = 0.2, 48.0
 steps, after which that is known, at the latest."""
 
 
-@kernel()
-def run(buffer, driven, end, attempts):
-    """Go on to a time by one method, or by the best; then `live` has the state, too.
+@kernel(fastmath=FAST)
+def next_turn(problem, end, whole_tolerance, left):
+    """Enter how the last turn went, and choose who has the next one.
 
     Args:
-        buffer, driven: of a `Bound` and a `Drive`.
+        problem: with the costs of the methods that may be chosen.
         end: time to go to, s.
-        attempts: steps to try at most.
+        whole_tolerance: the scene's, px.
+        left: steps that may still be tried.
 
     Returns:
-        The steps tried.
+        The method, or -1 where there is no more to do; how many steps it may try; its tolerance; and how many
+        steps were tried in the last turn.
     """
-    b, drive = take_bound(buffer), take_drive(driven)
-    kind, fixed, tolerance, count = b.kind, b.fixed, b.tolerance, b.flow.counts
-    before = count[COUNT_STEPS] + count[COUNT_REJECTED]
-    if kind == KIND_EXPLICIT:
-        run_explicit(
-            b.body, b.live, b.work, drive, b.flow, b.ledger, b.explicit, end, fixed, tolerance, attempts
-        )
-    elif kind == KIND_VERLET:
-        run_verlet(
-            b.body, b.live, b.work, drive, b.flow, b.ledger, end, fixed, tolerance, b.near_limit, attempts
-        )
-    elif kind == KIND_ROSENBROCK:
-        run_rosenbrock(
-            b.body, b.live, b.work, b.matrix, drive, b.flow, b.ledger, b.implicit, end, fixed, tolerance,
-            attempts,
-        )  # fmt: skip
-    elif kind == KIND_ALPHA:
-        run_alpha(b.body, b.live, b.work, b.matrix, drive, b.flow, b.ledger, end, fixed, tolerance, attempts)
-    elif kind == KIND_ADAMS:
-        run_adams(
-            b.body, b.live, b.work, drive, b.flow, b.ledger, b.adams, end, tolerance, b.near_limit, attempts
-        )
-    else:
-        _run_best(b, drive, end, tolerance, attempts)
-    # From outside, this would take longer than all of a short body's frame.
-    places = b.live.x.size
-    for m in range(places):
-        b.live.x[m], b.live.y[m] = b.flow.q[m], b.flow.q[places + m]
-        b.live.vx[m], b.live.vy[m] = b.flow.v[m], b.flow.v[places + m]
-    return count[COUNT_STEPS] + count[COUNT_REJECTED] - before
-
-
-@kernel(inline="always")
-def _run_best(b, drive, end, whole_tolerance, attempts):
-    """Go on to `end` by turns."""
-    body, live, work, matrix, flow, ledger = b.body, b.live, b.work, b.matrix, b.flow, b.ledger
-    costs = b.costs
+    flow, costs = problem.flow, problem.costs
     clock, count, mind = flow.clock, flow.counts, flow.mind
-    left = attempts
-    long_step = _LONG_STEP * whole_tolerance**0.2
-    while clock[CLOCK_TIME] < end and left > 0 and count[COUNT_WHAT] == GOOD:
-        arm, limit = _whose_turn(mind, costs, long_step, clock[CLOCK_HELD])
-        fresh = mind[AUTO_PACE + arm] < 0.0
-        limit = min(limit, left)
-        began, tried = clock[CLOCK_TIME], count[COUNT_STEPS] + count[COUNT_REJECTED]
-        step, tolerance = mind[AUTO_STEP + arm], b.strictness[arm] * whole_tolerance
-        if _is_delicate(body, live, flow.q):
-            tolerance *= _WITH_CARE
-        tolerance = max(tolerance, 1e-13)
-        begins = arm == ARM_ADAMS and arm != int(mind[AUTO_LAST])
-        if fresh and step <= 0.0 and arm != ARM_VERLET:
-            step = min(4.0 * mind[AUTO_STEP + ARM_VERLET], 0.5 * (end - began))
-        if arm == ARM_ALPHA and arm != int(mind[AUTO_LAST]):
-            clock[CLOCK_BEGUN] = 0.0
-            step *= _TAKING_OVER
-        clock[CLOCK_STEP] = step
-        if arm == ARM_VERLET:
-            run_verlet(body, live, work, drive, flow, ledger, end, 0.0, tolerance, b.near_limit, limit)
-        elif arm == ARM_ROSENBROCK:
-            run_rosenbrock(
-                body, live, work, matrix, drive, flow, ledger, b.implicit, end, 0.0, tolerance, limit
-            )
-        elif arm == ARM_ALPHA:
-            run_alpha(body, live, work, matrix, drive, flow, ledger, end, 0.0, tolerance, limit)
-        else:
-            run_adams(body, live, work, drive, flow, ledger, b.adams, end, tolerance, b.near_limit, limit)
-        if arm in (ARM_VERLET, ARM_ADAMS):  # they keep no history
-            if clock[CLOCK_LAST] > 0.0 and clock[CLOCK_TIME] - began < 0.5 * mind[AUTO_STEP + ARM_ALPHA]:
-                clock[CLOCK_LAST] += clock[CLOCK_TIME] - began
-            else:
-                clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0
-        mind[AUTO_STEP + arm] = clock[CLOCK_STEP]
-        mind[AUTO_LAST] = arm
-        tries = count[COUNT_STEPS] + count[COUNT_REJECTED] - tried
+    tries = 0
+    if mind[AUTO_TURN] >= 0.0:
+        tries = count[COUNT_STEPS] + count[COUNT_REJECTED] - int(mind[AUTO_TRIED])
+        _enter_turn(flow, costs, int(mind[AUTO_TURN]), tries, end)
+        mind[AUTO_TURN] = -1.0
         left -= max(tries, 1)
-        pace = (clock[CLOCK_TIME] - began) / (max(tries, 1) * costs[arm])
-        if count[COUNT_WHAT] == STUCK and arm != ARM_ROSENBROCK:
-            count[COUNT_WHAT] = GOOD  # another method may still go on
-            mind[AUTO_STEP + arm] = 0.0
-            mind[AUTO_PACE + arm] = 0.0
-            if mind[AUTO_PACE + ARM_ROSENBROCK] == 0.0:
-                mind[AUTO_PACE + ARM_ROSENBROCK] = -1.0
-        elif arm == ARM_ALPHA or fresh or begins:
-            # It has hardly begun to lengthen its steps; and one bad turn is no reason to change at once.
-            pace = max(pace, clock[CLOCK_STEP] / costs[arm])
-            before = mind[AUTO_PACE + arm]
-            mind[AUTO_PACE + arm] = max(pace, (1.0 - _NEWS) * before + _NEWS * pace)
-            if arm == ARM_ALPHA and mind[AUTO_PACE + arm] < before:
-                # What is too much for its steps is no less for those of the other implicit method.
-                mind[AUTO_PACE + ARM_ROSENBROCK] *= mind[AUTO_PACE + arm] / before
-        elif clock[CLOCK_TIME] < end:
-            mind[AUTO_PACE + arm] = pace
+    if not (clock[CLOCK_TIME] < end and left > 0 and count[COUNT_WHAT] == GOOD):
+        return -1, 0, 0.0, tries
+    arm, limit = _whose_turn(mind, costs, _LONG_STEP * whole_tolerance**0.2, clock[CLOCK_HELD])
+    began, step = clock[CLOCK_TIME], mind[AUTO_STEP + arm]
+    tolerance = problem.strictness[arm] * whole_tolerance
+    if _is_delicate(problem.body, problem.state, problem.state.q):
+        tolerance *= _WITH_CARE
+    mind[AUTO_TURN], mind[AUTO_BEGAN] = arm, began
+    mind[AUTO_TRIED] = count[COUNT_STEPS] + count[COUNT_REJECTED]
+    if mind[AUTO_PACE + arm] < 0.0 and step <= 0.0 and arm != ARM_VERLET:
+        step = min(4.0 * mind[AUTO_STEP + ARM_VERLET], 0.5 * (end - began))
+    if arm == ARM_ALPHA and arm != int(mind[AUTO_LAST]):
+        clock[CLOCK_BEGUN] = 0.0
+        step *= _TAKING_OVER
+    clock[CLOCK_STEP] = step
+    return arm, min(limit, left), max(tolerance, 1e-13), tries
+
+
+@kernel(fastmath=FAST)
+def _enter_turn(flow, costs, arm, tries, end):
+    """Learn from a turn of a method, in which it tried so many steps."""
+    clock, count, mind = flow.clock, flow.counts, flow.mind
+    went = clock[CLOCK_TIME] - mind[AUTO_BEGAN]
+    fresh = mind[AUTO_PACE + arm] < 0.0
+    begins = arm == ARM_ADAMS and arm != int(mind[AUTO_LAST])
+    if arm in (ARM_VERLET, ARM_ADAMS):  # they keep no history
+        if clock[CLOCK_LAST] > 0.0 and went < 0.5 * mind[AUTO_STEP + ARM_ALPHA]:
+            clock[CLOCK_LAST] += went
         else:
-            # The last step of a call is cut short: at best, it would have been for nothing.
-            most = pace * tries / (tries - 1) if tries > 1 else math.inf
-            mind[AUTO_PACE + arm] = max(pace, min(mind[AUTO_PACE + arm], most))
-        mind[AUTO_WORK] += tries * costs[arm]
+            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0
+    mind[AUTO_STEP + arm] = clock[CLOCK_STEP]
+    mind[AUTO_LAST] = arm
+    pace = went / (max(tries, 1) * costs[arm])
+    if count[COUNT_WHAT] == STUCK and arm != ARM_ROSENBROCK and costs[ARM_ROSENBROCK] > 0.0:
+        count[COUNT_WHAT] = GOOD  # another method may still go on
+        mind[AUTO_STEP + arm] = 0.0
+        mind[AUTO_PACE + arm] = 0.0
+        if mind[AUTO_PACE + ARM_ROSENBROCK] == 0.0:
+            mind[AUTO_PACE + ARM_ROSENBROCK] = -1.0
+    elif arm == ARM_ALPHA or fresh or begins:
+        # It has hardly begun to lengthen its steps; and one bad turn is no reason to change at once.
+        pace = max(pace, clock[CLOCK_STEP] / costs[arm])
+        before = mind[AUTO_PACE + arm]
+        mind[AUTO_PACE + arm] = max(pace, (1.0 - _NEWS) * before + _NEWS * pace)
+        if arm == ARM_ALPHA and mind[AUTO_PACE + arm] < before:
+            # What is too much for its steps is no less for those of the other implicit method.
+            mind[AUTO_PACE + ARM_ROSENBROCK] *= mind[AUTO_PACE + arm] / before
+    elif clock[CLOCK_TIME] < end:
+        mind[AUTO_PACE + arm] = pace
+    else:
+        # The last step of a call is cut short: at best, it would have been for nothing.
+        most = pace * tries / (tries - 1) if tries > 1 else math.inf
+        mind[AUTO_PACE + arm] = max(pace, min(mind[AUTO_PACE + arm], most))
+    mind[AUTO_WORK] += tries * costs[arm]
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -209,7 +170,8 @@ def _whose_turn(mind, costs, long_step, held):
     # Where stability limits Verlet's steps, or long bodies ask for an implicit method, it limits those of
     # Adams' methods all the more.
     worth = best != ARM_ALPHA and held <= _HELD
-    adams_unknown = mind[AUTO_PACE + ARM_ADAMS] < 0.0 and pace * costs[ARM_ADAMS] < long_step
+    unknown = costs[ARM_ADAMS] > 0.0 and mind[AUTO_PACE + ARM_ADAMS] < 0.0
+    adams_unknown = unknown and pace * costs[ARM_ADAMS] < long_step
     if worth and adams_unknown and costs[ARM_ALPHA] == 0.0:
         # Where these are good, implicit methods hardly ever are: they are asked only if there is need.
         if held > 0.0 and mind[AUTO_WORK] < 2.0 * _BEGINNING:
@@ -243,11 +205,11 @@ def _whose_turn(mind, costs, long_step, held):
 
 
 @kernel(fastmath=FAST)
-def _is_delicate(body, live, q):
+def _is_delicate(body, state, q):
     """Whether any spring has nearly vanished, or any joint is folded: where A . R(-r) B < 0."""
-    short = _SHORT * live.controls[CONTROL_SCALE]
+    short = _SHORT * state.controls[CONTROL_SCALE]
     if body.chain:
-        return _chain_is_delicate(body, live, q, short)
+        return _chain_is_delicate(body, state, q, short)
     for s in range(body.springs):
         x, y = from_to(q, body.spring_a[s], body.spring_b[s])
         least = short * body.rest_length[s]
@@ -257,17 +219,17 @@ def _is_delicate(body, live, q):
         a, b = body.joint_a[j], body.joint_b[j]
         ax, ay = from_to(q, body.spring_a[a], body.spring_b[a])
         bx, by = from_to(q, body.spring_a[b], body.spring_b[b])
-        cosine, sine = live.couple_cos[j + 1], live.couple_sin[j + 1]
+        cosine, sine = state.couple_cos[j + 1], state.couple_sin[j + 1]
         if cosine * (ax * bx + ay * by) + sine * (ax * by - ay * bx) < 0.0:
             return True
     return False
 
 
-@kernel(apart=True, fastmath=FAST)
-def _chain_is_delicate(body, live, q, short):
+@kernel(noalias=True, fastmath=FAST)
+def _chain_is_delicate(body, state, q, short):
     """All springs and joints at once: padding ones have no length and no couple."""
     places = q.size // 2
-    x, y, cosine, sine = q[:places], q[places:], live.couple_cos, live.couple_sin
+    x, y, cosine, sine = q[:places], q[places:], state.couple_cos, state.couple_sin
     delicate = 0
     for s in range(whole_eights(body.springs)):
         ax, ay, bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1], x[s + 3] - x[s + 2], y[s + 3] - y[s + 2]

@@ -40,73 +40,78 @@ _ONE = (1.0, 0.0, 0.0, 1.0)
 def begin(parts, k):
     """Before the first chunk: there are no springs k and k + 1, on one side of it."""
     for kind in range(_KINDS):
-        parts[_at(kind, k)], parts[_at(kind, k + 1)] = 0.0, 0.0
+        parts[at(kind, k)], parts[at(kind, k + 1)] = 0.0, 0.0
 
 
 @kernel(forceinline=True)
 def hand_on(parts, k, to):
     """Make springs k and k + 1 of this chunk springs `to` and `to` + 1 of the next."""
     for kind in range(_KINDS):
-        parts[_at(kind, to)], parts[_at(kind, to + 1)] = parts[_at(kind, k)], parts[_at(kind, k + 1)]
+        parts[at(kind, to)], parts[at(kind, to + 1)] = parts[at(kind, k)], parts[at(kind, k + 1)]
 
 
 @kernel(forceinline=True)
 def put_empty_row(parts, k):
     """Make the chunk's row k one of the unit matrix."""
     for kind in (L2, L1, U1, U2):
-        put(parts, kind, k, _ZERO)
-    put(parts, D, k, _ONE)
+        put(parts, at(kind, k), _ZERO)
+    put(parts, at(D, k), _ONE)
 
 
-@kernel(inner=True, fastmath=FAST)
-def put_rows(body, live, q, v, a, g, definite, first, start, stop, offset, parts):
+@kernel(internal=True, fastmath=FAST)
+def put_rows(body, state, q, v, a, g, definite, first, start, stop, offset, parts):
     """Put into `parts` the rows of a chunk, which begins at row `first` of all.
 
     Args:
-        body, live: as for `factorise_chain`, as are q, v, a, g and definite.
+        body, state: as for `factorise_chain`, as are q, v, a, g and definite.
         first: row of all that is the chunk's row 0.
         start, stop: springs of the chunk that are to be derived; the two beyond its end are at hand.
         offset: which of them the first row to be built is: 0 if those before it, 2 if those behind it are
             from the chunk before.
         parts: half of `Matrix.parts`.
     """
-    _derive_springs(body, live, q, v, g, definite, first, start, stop, parts)
+    _derive_springs(body, state, q, v, g, definite, first, start, stop, parts)
     if body.joints:
         if definite:
-            _derive_joints(body, live, q, v, g, CONSERVATIVE, True, True, first, start, stop, parts)
+            _derive_joints(body, state, q, v, g, CONSERVATIVE, True, True, first, start, stop, parts)
         elif body.law == TUTORIAL and not body.twisted:
-            _derive_joints(body, live, q, v, g, TUTORIAL, False, False, first, start, stop, parts)
+            _derive_joints(body, state, q, v, g, TUTORIAL, False, False, first, start, stop, parts)
         elif body.law == CONSERVATIVE and not body.twisted:
-            _derive_joints(body, live, q, v, g, CONSERVATIVE, False, False, first, start, stop, parts)
+            _derive_joints(body, state, q, v, g, CONSERVATIVE, False, False, first, start, stop, parts)
         else:
-            _derive_joints(body, live, q, v, g, body.law, True, False, first, start, stop, parts)
+            _derive_joints(body, state, q, v, g, body.law, True, False, first, start, stop, parts)
     # There is no spring n - 1, nor a joint before it.
     n = body.masses
     for s in range(max(n - 2, first + start), min(n, first + stop)):
         for kind in range(_AA if s == n - 2 else _OWN, _KINDS):
-            parts[_at(kind, s - first)] = 0.0
-    _build_rows(live, v, a, g, first, start + offset, stop + offset, parts)
+            parts[at(kind, s - first)] = 0.0
+    _build_rows(state, v, a, g, first, start + offset, stop + offset, parts)
 
 
-@kernel(forceinline=True)
-def _at(kind, k):
-    """Where `Matrix.parts` has a number of the chunk's spring k; two beyond its ends are of the last."""
+@kernel(inline="always")
+def at(kind, k):
+    """Where `Matrix.parts` has a number of the chunk's spring k; two beyond its ends are of the last.
+
+    Inlined by numba, or every constant `kind` would make another copy of whatever is called with it.
+    """
     return np.uint64(_STRIDE * kind + _VECTOR + k)
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _derive_springs(body, live, q, v, g, definite, first, start, stop, parts):
+def _derive_springs(body, state, q, v, g, definite, first, start, stop, parts):
     for k in range(start, stop):
         s = np.uint64(first + k)
         one, other = first + k + 1, first + k + 2
         vector, rate = from_to(q, one, other), from_to(v, one, other)
         inv = _inverse_of(vector, body.softening)
-        block = spring_block(body.stiffness[s], body.damping[s], live.pull[s], inv, vector, rate, g, definite)
-        put(parts, _OWN, k, block)
+        block = spring_block(
+            body.stiffness[s], body.damping[s], state.pull[s], inv, vector, rate, g, definite
+        )
+        put(parts, at(_OWN, k), block)
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _derive_joints(body, live, q, v, g, law, twisted, definite, first, start, stop, parts):
+def _derive_joints(body, state, q, v, g, law, twisted, definite, first, start, stop, parts):
     """The law, whether joints have damping, and `definite`, are constants where it is called: a loop each."""
     soft = body.softening
     for k in range(start, stop):
@@ -117,12 +122,12 @@ def _derive_joints(body, live, q, v, g, law, twisted, definite, first, start, st
             rate, rate_after = from_to(v, place, other), from_to(v, other, third)
             damping = body.couple_damping[place]
         if law == ANGLE:
-            rest = live.couple_rest[place]
+            rest = state.couple_rest[place]
         aa, ab, ba, bb = joint_blocks(
             law,
             body.couple_size[place],
-            live.couple_cos[place],
-            live.couple_sin[place],
+            state.couple_cos[place],
+            state.couple_sin[place],
             rest,
             damping,
             vector,
@@ -135,10 +140,10 @@ def _derive_joints(body, live, q, v, g, law, twisted, definite, first, start, st
             g,
             definite,
         )
-        put(parts, _AA, k, aa)
-        put(parts, _AB, k, ab)
-        put(parts, _BA, k, ba)
-        put(parts, _BB, k, bb)
+        put(parts, at(_AA, k), aa)
+        put(parts, at(_AB, k), ab)
+        put(parts, at(_BA, k), ba)
+        put(parts, at(_BB, k), bb)
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -148,29 +153,31 @@ def _inverse_of(vector, softening):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def put(parts, kind, k, block):
-    """Make a block what the four numbers of a kind are, of the chunk's spring or row k."""
-    parts[_at(kind, k)] = block[0]
-    parts[_at(kind + 1, k)] = block[1]
-    parts[_at(kind + 2, k)] = block[2]
-    parts[_at(kind + 3, k)] = block[3]
+def put(parts, i, block):
+    """Make a block what the four numbers from place i on are, each a stride after the other."""
+    stride = np.uint64(_STRIDE)
+    parts[i] = block[0]
+    parts[i + stride] = block[1]
+    parts[i + stride + stride] = block[2]
+    parts[i + stride + stride + stride] = block[3]
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def part(parts, kind, k):
+def part(parts, i):
     """The block that `put` puts."""
-    return parts[_at(kind, k)], parts[_at(kind + 1, k)], parts[_at(kind + 2, k)], parts[_at(kind + 3, k)]
+    stride = np.uint64(_STRIDE)
+    return parts[i], parts[i + stride], parts[i + stride + stride], parts[i + stride + stride + stride]
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _build_rows(live, v, a, g, first, start, stop, parts):
+def _build_rows(state, v, a, g, first, start, stop, parts):
     """From how each spring answers to its own vector and to those of the two beside it."""
     places = v.size // 2
     for k in range(start, stop):
         m = np.uint64(first + k + 1)
-        w, drag = live.inverse_mass[m], 2.0 * live.air[m] * g
-        last_back, back = part(parts, _BA, k - 2), part(parts, _BA, k - 1)
-        last_ahead, ahead = part(parts, _AB, k - 1), part(parts, _AB, k)
+        w, drag = state.inverse_mass[m], 2.0 * state.air[m] * g
+        last_back, back = part(parts, at(_BA, k - 2)), part(parts, at(_BA, k - 1))
+        last_ahead, ahead = part(parts, at(_AB, k - 1)), part(parts, at(_AB, k))
         last_own, own = _whole(parts, k - 1), _whole(parts, k)
         diagonal = scaled(-w, minus(plus(last_own, own), plus(last_ahead, back)))
         diagonal = (
@@ -179,14 +186,14 @@ def _build_rows(live, v, a, g, first, start, stop, parts):
             diagonal[2],
             diagonal[3] + a + drag * abs(v[np.uint64(places) + m]),
         )
-        put(parts, L2, k, scaled(w, last_back))
-        put(parts, L1, k, scaled(w, minus(last_own, plus(last_back, back))))
-        put(parts, D, k, diagonal)
-        put(parts, U1, k, scaled(w, minus(own, plus(last_ahead, ahead))))
-        put(parts, U2, k, scaled(w, ahead))
+        put(parts, at(L2, k), scaled(w, last_back))
+        put(parts, at(L1, k), scaled(w, minus(last_own, plus(last_back, back))))
+        put(parts, at(D, k), diagonal)
+        put(parts, at(U1, k), scaled(w, minus(own, plus(last_ahead, ahead))))
+        put(parts, at(U2, k), scaled(w, ahead))
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def _whole(parts, k):
     """How a spring answers to its own vector, with what the joints at both its ends add."""
-    return plus(part(parts, _OWN, k), plus(part(parts, _AA, k), part(parts, _BB, k - 1)))
+    return plus(part(parts, at(_OWN, k)), plus(part(parts, at(_AA, k)), part(parts, at(_BB, k - 1))))

@@ -4,9 +4,44 @@ from __future__ import annotations
 
 import math
 
-from .controls import circle_at, refresh
 from .jit import kernel
 from .tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN
+
+
+@kernel(internal=True)
+def wrap(angle):
+    """Wrap once into (-180, 180] degrees, as the tutorial does."""
+    if angle > 180.0:
+        return angle - 360.0
+    if angle <= -180.0:
+        return angle + 360.0
+    return angle
+
+
+@kernel(internal=True)
+def refresh(body, state):
+    """Recompute what depends on the scale of rest lengths and the shift of rest angles."""
+    scale = state.controls[CONTROL_SCALE]
+    shift = state.controls[CONTROL_SHIFT]
+    for s in range(body.springs):
+        state.pull[s] = body.stiffness[s] * (body.rest_length[s] * scale)
+    for j in range(body.joints):
+        rest = math.radians(wrap(body.joint_rest[j] + shift))
+        state.couple_cos[j + 1] = body.joint_stiffness[j] * math.cos(rest)
+        state.couple_sin[j + 1] = body.joint_stiffness[j] * math.sin(rest)
+        state.couple_rest[j + 1] = rest
+    if body.ring:
+        state.couple_cos[0] = state.couple_cos[body.joints]
+        state.couple_sin[0] = state.couple_sin[body.joints]
+
+
+@kernel(internal=True)
+def circle_at(t, radius, omega, ramp):
+    """How far an anchor on a circle is off its place at time t, and how fast it is: x, y, vx, vy."""
+    fade = math.exp(-t / ramp)
+    phase, rate = omega * (t - ramp * (1.0 - fade)), omega * (1.0 - fade)
+    sine, cosine = math.sin(phase), math.cos(phase)
+    return radius * sine, radius * (1.0 - cosine), radius * cosine * rate, radius * sine * rate
 
 
 @kernel(forceinline=True)
@@ -20,10 +55,37 @@ def hand_speed(drive, i, t):
 
 
 @kernel(forceinline=True)
-def drive_to(body, live, drive, t, q, v):
+def drive_to(body, state, drive, t, q, v):
     """Put the held masses where they are at time t, in q and v, and set rest lengths and angles."""
+    lead_to(drive, t, q, v)
+    if drive.pressed:
+        since = t - drive.start
+        scale, shift = drive.scale * math.exp(drive.growth * since), drive.shift + drive.turn * since
+        set_controls(body, state, scale, shift)
+
+
+@kernel(forceinline=True)
+def press(body, state, drive, h):
+    """Let held keys act for h seconds more; unlike by `drive_to`, the same however many steps a call has."""
+    if drive.pressed:
+        scale = state.controls[CONTROL_SCALE] * math.exp(drive.growth * h)
+        set_controls(body, state, scale, state.controls[CONTROL_SHIFT] + drive.turn * h)
+
+
+@kernel(internal=True)
+def set_controls(body, state, scale, shift):
+    """Set the scale of rest lengths, within its range, and the shift of rest angles, wrapped, in degrees."""
+    state.controls[CONTROL_SCALE] = min(max(scale, SCALE_MIN), SCALE_MAX)
+    state.controls[CONTROL_SHIFT] = 180.0 - (180.0 - shift) % 360.0
+    refresh(body, state)
+
+
+@kernel(forceinline=True)
+def lead_to(drive, t, q, v):
+    """Put the held masses where they are at time t, in q and v."""
     places = q.size // 2
-    since = t - drive.start
+    # A hand goes no further than to where it is to be, whatever rounding makes of the time.
+    since = min(t - drive.start, drive.duration)
     for i in range(drive.mass.size):
         m = drive.mass[i]
         x = drive.x[i] + since * (drive.vx[i] + since * (0.5 * drive.ax[i] + since / 6.0 * drive.jx[i]))
@@ -35,9 +97,3 @@ def drive_to(body, live, drive, t, q, v):
             x, y, vx, vy = x + dx, y + dy, vx + du, vy + dv
         q[m], q[places + m] = x, y
         v[m], v[places + m] = vx, vy
-    if drive.pressed:
-        scale = drive.scale * math.exp(drive.growth * since)
-        live.controls[CONTROL_SCALE] = min(max(scale, SCALE_MIN), SCALE_MAX)
-        shift = drive.shift + drive.turn * since
-        live.controls[CONTROL_SHIFT] = 180.0 - (180.0 - shift) % 360.0
-        refresh(body, live)

@@ -13,7 +13,7 @@ ANCHORS, DAMPING, AIR, LAW = 0, 1, 2, 3
 
 
 @kernel(fastmath=FAST)
-def energies(body, live, mass, gravity_x, gravity_y, q, v, out):
+def energies(body, state, mass, gravity_x, gravity_y, q, v, out):
     """Kinetic, linear, angular and gravity's energy (kg px²/s²), the last from height 0, into `out`.
 
     The masses that are held count neither for the first nor for the last. Under the tutorial's law, the
@@ -22,7 +22,7 @@ def energies(body, live, mass, gravity_x, gravity_y, q, v, out):
     places, soft = q.size // 2, body.softening
     kinetic, linear, angular, height = 0.0, 0.0, 0.0, 0.0
     for i in range(1, body.masses + 1):
-        if live.inverse_mass[i] > 0.0:
+        if state.inverse_mass[i] > 0.0:
             kinetic += 0.5 * mass[i] * (v[i] * v[i] + v[places + i] * v[places + i])
             height -= mass[i] * (gravity_x * q[i] + gravity_y * q[places + i])
     for s in range(body.springs):
@@ -30,7 +30,7 @@ def energies(body, live, mass, gravity_x, gravity_y, q, v, out):
         x, y = from_to(q, a, b)
         length = length_of(x, y, soft)
         if body.stiffness[s] > 0.0:
-            off = length - live.pull[s] / body.stiffness[s]
+            off = length - state.pull[s] / body.stiffness[s]
             linear += 0.5 * body.stiffness[s] * off * off
     for j in range(body.joints):
         s, r = body.joint_a[j], body.joint_b[j]
@@ -38,7 +38,7 @@ def energies(body, live, mass, gravity_x, gravity_y, q, v, out):
         ax, ay = from_to(q, a0, a1)
         bx, by = from_to(q, b0, b1)
         angular += body.couple_size[j + 1] * angular_energy(
-            body.law, ax, ay, bx, by, live.couple_rest[j + 1], soft
+            body.law, ax, ay, bx, by, state.couple_rest[j + 1], soft
         )
     out[KINETIC], out[LINEAR], out[ANGULAR], out[GRAVITY] = kinetic, linear, angular, height
 

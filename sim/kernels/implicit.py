@@ -7,16 +7,16 @@ from .sparse import factorise_sparse, solve_sparse
 from .twisted import factorise_chain, solve_chain
 
 
-@kernel(forceinline=True, fastmath=FAST)
-def factorise(body, live, matrix, q, v, a, g, definite):
+@kernel(fastmath=FAST)
+def factorise_matrix(body, state, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
     if body.chain:
-        return factorise_chain(body, live, matrix, q, v, a, g, definite)
-    return factorise_sparse(body, live, matrix, q, v, a, g, definite)
+        return factorise_chain(body, state, matrix, q, v, a, g, definite)
+    return factorise_sparse(body, state, matrix, q, v, a, g, definite)
 
 
-@kernel(forceinline=True, fastmath=FAST)
-def solve(body, matrix, b):
+@kernel(fastmath=FAST)
+def solve_matrix(body, matrix, b):
     """Solve with the last factors, in place; b is flat, x of every place, then y."""
     if body.chain:
         solve_chain(body, matrix, b)

@@ -1,14 +1,18 @@
 """How softrod's kernels are compiled, and where the machine code is kept.
 
-numba keeps machine code on disk, but it looks only at the file of the function itself: an edited callee
-in another file would go unnoticed. So the folder is named by a hash of the source of all kernels, of
-numba's version and of the processor; a new hash gets a new folder, and old folders are removed.
+numba keeps machine code on disk, but it looks only at the file of the function itself: an edited callee in
+another file would go unnoticed. So the kernels of a module have a folder that is named by a hash of the
+sources of that module, of all modules that it imports kernels from, and of the versions of numba and LLVM. An
+edit gives new folders to the modules that it can change, and to no others. Within its folder, numba looks at
+the path of the file and at the processor, too.
 """
 
 from __future__ import annotations
 
 import hashlib
+import re
 import shutil
+import time
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -20,51 +24,70 @@ import platformdirs
 from numba.core.compiler import Compiler
 
 _SOURCES = Path(__file__).parent
-_KEPT_FOLDERS = 3
-"""How many folders of machine code are kept: enough to go back and forth between two versions."""
-
+_IMPORT = re.compile(r"^from \.([\w.]*) import ", re.MULTILINE)
+_KEPT_DAYS = 30
+"""Days after which machine code that nobody used is removed."""
 
 _OPTIONS = {
     "nogil": True,
     "no_cfunc_wrapper": True,  # nobody calls one from C: less to compile
     # A division by zero gives an infinity, which the guard catches, instead of a test at every division.
     "error_model": "numpy",
-    # No reference counting: a kernel allocates nothing, and its caller holds all its arrays. Counting each
-    # access to an array in a tuple, atomically, takes three quarters of the time of a short body's step.
+    # No reference counting: a kernel allocates nothing, and its caller holds all its arrays.
     "_nrt": False,
 }
 
 
-def source_hash() -> str:
-    """A hash that changes whenever the machine code could."""
-    digest = hashlib.sha256()
-    for path in sorted(_SOURCES.glob("*.py")):
-        digest.update(path.name.encode())
-        digest.update(path.read_bytes())
-    for part in (numba.__version__, llvmlite.binding.get_host_cpu_name(), numba.config.CPU_NAME or ""):  # type: ignore[attr-defined]
-        digest.update(str(part).encode())
-    return digest.hexdigest()[:20]
+def _modules_behind(name: str) -> set[str]:
+    """The names of a kernel module and of all kernel modules that it imports, directly or not."""
+    found: set[str] = set()
+    waiting = [name]
+    while waiting:
+        module = waiting.pop()
+        if module not in found:
+            found.add(module)
+            waiting += _IMPORT.findall((_SOURCES / f"{module}.py").read_text(encoding="utf-8"))
+    return found
 
 
 @cache
-def cache_folder() -> Path | None:
-    """The folder for the machine code of these very kernels, or None where nothing can be written."""
+def source_hash(module: str) -> str:
+    """A hash that changes whenever the machine code of a module's kernels could."""
+    digest = hashlib.sha256(f"{numba.__version__} {llvmlite.binding.llvm_version_info}".encode())
+    for name in sorted(_modules_behind(module)):
+        digest.update(name.encode())
+        digest.update((_SOURCES / f"{name}.py").read_bytes())
+    return digest.hexdigest()[:16]
+
+
+@cache
+def cache_root() -> Path | None:
+    """The folder that all machine code is kept in, or None where nothing can be written."""
     root = platformdirs.user_cache_path("softrod", appauthor=False) / "kernels"
-    folder = root / source_hash()
     try:
-        folder.mkdir(parents=True, exist_ok=True)
-        folder.touch()  # the newest is the one used last
-        for old in sorted(root.iterdir(), key=lambda path: path.stat().st_mtime)[:-_KEPT_FOLDERS]:
-            shutil.rmtree(old, ignore_errors=True)
+        root.mkdir(parents=True, exist_ok=True)
+        oldest = time.time() - 86400.0 * _KEPT_DAYS
+        for old in root.iterdir():
+            if old.stat().st_mtime < oldest:
+                shutil.rmtree(old, ignore_errors=True)
+    except OSError:
+        return None
+    return root
+
+
+@cache
+def cache_folder(module: str) -> Path | None:
+    """The folder for the machine code of a module's kernels, or None where nothing can be written."""
+    root = cache_root()
+    if root is None:
+        return None
+    folder = root / f"{module}-{source_hash(module)}"
+    try:
+        folder.mkdir(exist_ok=True)
+        folder.touch()  # it is in use
     except OSError:
         return None
     return folder
-
-
-def is_cached() -> bool:
-    """Whether machine code for these kernels is on the disk already, so that a start is quick."""
-    folder = cache_folder()
-    return folder is not None and next(folder.glob("**/*.nbc"), None) is not None
 
 
 # Vectorised loops do one vector at a time. LLVM otherwise does up to four, in loops that a short body's are
@@ -81,7 +104,7 @@ FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
 NaN and infinities keep their meaning, since guards and error estimates go by them."""
 
 
-class _Apart(Compiler):
+class _Noalias(Compiler):
     """Compiles a function whose arrays share no memory, as C's `restrict` says."""
 
     def define_pipelines(self) -> Any:
@@ -90,26 +113,25 @@ class _Apart(Compiler):
 
 
 def kernel(
-    *, inner: bool = False, apart: bool = False, **options: Any
+    *, internal: bool = False, noalias: bool = False, **options: Any
 ) -> Callable[[Callable[..., Any]], Any]:
     """Compile a kernel: no Python objects, GIL released, machine code kept on disk.
 
     IEEE double arithmetic, in the order written, unless `fastmath` is `FUSED` or `FAST`: a run is the same
-    bit for bit every time on one machine. Only other kernels can call one that is `inner`, or whose name
+    bit for bit every time on one machine. Only other kernels can call one that is `internal`, or whose name
     starts with an underscore.
 
-    Of one that is `apart`, nothing that is written through one array may be read or written through
-    another. Its loops then need not look whether they may be vectorised, which for a dozen short arrays takes
-    longer than the loops.
+    Of one that is `noalias`, nothing that is written through one array argument may be read or written
+    through another. Its loops then need not look whether they may be vectorised, which for a dozen short
+    arrays takes longer than the loops.
     """
 
     def decorate(function: Callable[..., Any]) -> Any:
-        # What only other kernels call needs no way in from Python: taking a hundred arrays out of their
-        # tuples is half a second to compile.
-        options["no_cpython_wrapper"] = inner or function.__name__.startswith("_")
-        if apart:
-            options["pipeline_class"] = _Apart
-        folder = cache_folder()
+        # What only other kernels call needs no way in from Python.
+        options["no_cpython_wrapper"] = internal or function.__name__.startswith("_")
+        if noalias:
+            options["pipeline_class"] = _Noalias
+        folder = cache_folder(function.__module__.rpartition(".")[2])
         if folder is None:
             return numba.njit(**_OPTIONS, **options)(function)
         # The folder is read when the function is decorated; numba has no argument for it, and other

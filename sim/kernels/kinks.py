@@ -52,7 +52,7 @@ def kinks_matter(air, a, step, weight, tolerance):
     return 2.0 * most * gain * gain * weight * step > _MATTER * tolerance
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
 def any_turns(v, to_v):
     """Whether any velocity changes its sign."""
     eight_at_a_time()
@@ -70,7 +70,7 @@ def without_kinks(air, v, to_v, to_a):
     _keep_sign(air, v[places:], to_v[places:], to_a[places:])
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _keep_sign(air, v, to_v, to_a):
     eight_at_a_time()
     for i in range(1, air.size - SPARE):
@@ -96,7 +96,7 @@ def with_kinks(air, v, a, to_a, step, to_q, to_v):
     _add(air, v[places:], a[places:], to_a[places:], step, to_q[places:], to_v[places:])
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _add(air, v, a, to_a, step, to_q, to_v):
     eight_at_a_time()
     per_step = 1.0 / step

@@ -41,27 +41,6 @@ eight_at_a_time: Any = intrinsic(_eight_at_a_time)
 """Let loops of the function that calls this do eight numbers at a time, or as many as the processor can."""
 
 
-def _gather_as_it_pays(_context: Any) -> Any:
-    def generate(context: Any, builder: ir.IRBuilder, _signature: Any, _arguments: Any) -> ir.Value:
-        _, processor, features = context.codegen().magic_tuple()
-        if processor.startswith("znver"):
-            attributes = builder.function.attributes
-            set.add(attributes, f'"target-cpu"="{processor}"')
-            set.add(attributes, f'"target-features"="{features},+prefer-no-gather"')
-        return context.get_dummy_value()
-
-    return types.void(), generate
-
-
-gather_as_it_pays: Any = intrinsic(_gather_as_it_pays)
-"""Let loops of the function that calls this load numbers through indices one by one where that is faster.
-
-AMD's processors have an instruction that gathers eight numbers and takes longer than eight loads; LLVM has a
-feature for that, but does not know that they have it. Without the instruction, accelerations of a body of
-any topology take a fifth less time there.
-"""
-
-
 @kernel(forceinline=True)
 def whole_eights(count):
     """The count, rounded up to a multiple of eight."""

@@ -70,35 +70,37 @@ def _roughly_between(h, u, q0, v0, q1, v1, q, v):
 
 
 @kernel(fastmath=FAST)
-def tally(body, live, work, ledger, drive, flow, t, q1, v1, a1, h):
+def tally_step(problem, drive, t, q1, v1, a1, h):
     """Add the work of a step of length h from the state in `flow`, at time t, to q1, v1, a1."""
+    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
     q, v, still = ledger.rows[0], ledger.rows[1], ledger.rows[2]
-    smooth = _is_smooth(h, flow.q, flow.v, flow.a, q1, v1, a1)
+    smooth = _is_smooth(h, state.q, state.v, flow.a, q1, v1, a1)
     ledger.dampers[:] = 0.0
     for i in range(3):
         u = _NODES[i]
         if smooth:
-            between(h, u, flow.q, flow.v, flow.a, q1, v1, a1, q, v)
+            between(h, u, state.q, state.v, flow.a, q1, v1, a1, q, v)
         else:
-            _roughly_between(h, u, flow.q, flow.v, q1, v1, q, v)
+            _roughly_between(h, u, state.q, state.v, q1, v1, q, v)
         if drive.moving:
-            drive_to(body, live, drive, t + u * h, q, v)
-        _tally_powers(body, live, work, ledger, drive, t + u * h, _WEIGHTS[i] * h, q, v, still)
+            drive_to(body, state, drive, t + u * h, q, v)
+        _tally_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v, still)
         gather_dampers(body, q, v, _WEIGHTS[i], ledger.dampers)
-    ledger.work[WORK_DAMPING] -= taken_away(body, live.inverse_mass, flow.q, flow.v, h, ledger.dampers)
+    ledger.work[WORK_DAMPING] -= taken_away(body, state.inverse_mass, state.q, state.v, h, ledger.dampers)
     if drive.pressed:
-        drive_to(body, live, drive, t + h, q, v)
+        drive_to(body, state, drive, t + h, q, v)
 
 
 @kernel(fastmath=FAST)
-def _tally_powers(body, live, work, ledger, drive, t, h, q, v, still):
+def _tally_powers(problem, drive, t, h, q, v, still):
     """Add h times the powers at a state at time t. `still` is all zeros."""
+    body, state, work, ledger = problem.body, problem.state, problem.work, problem.ledger
     places = q.size // 2
     x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
     sums, mass = ledger.work, ledger.mass
-    fx, fy, free = work.fx, work.fy, live.inverse_mass
+    fx, fy, free = work.fx, work.fy, state.inverse_mass
     # The force of the springs and joints, and then that of the dampers alone, which is linear in v.
-    spring_forces(body, live, work, x, y, still[:places], still[places:])
+    spring_forces(body, state, work, x, y, still[:places], still[places:])
     for i in range(drive.mass.size):
         m = drive.mass[i]
         # Its true velocity; `v` may have it standing still.
@@ -107,24 +109,24 @@ def _tally_powers(body, live, work, ledger, drive, t, h, q, v, still):
         sums[WORK_ANCHORS] -= h * (fx[m] * tx + fy[m] * ty)
     for i in range(1, body.masses + 1):
         if free[i] > 0.0:
-            drag = live.air[i] * mass[i]
+            drag = state.air[i] * mass[i]
             sums[WORK_AIR] -= h * drag * (vx[i] * vx[i] * abs(vx[i]) + vy[i] * vy[i] * abs(vy[i]))
     if (body.damped or body.twisted) and drive.mass.size > 0:
         for i in range(drive.mass.size):
             m = drive.mass[i]
             sums[WORK_ANCHORS] += h * (fx[m] * vx[m] + fy[m] * vy[m])
-        spring_forces(body, live, work, x, y, vx, vy)
+        spring_forces(body, state, work, x, y, vx, vy)
         for i in range(drive.mass.size):
             m = drive.mass[i]
             sums[WORK_ANCHORS] -= h * (fx[m] * vx[m] + fy[m] * vy[m])
     if body.law == TUTORIAL:
-        sums[WORK_LAW] += h * _power_of_law(body, live, x, y, vx, vy, drive, t)
+        sums[WORK_LAW] += h * _power_of_law(body, state, x, y, vx, vy, drive, t)
     if drive.pressed:
-        sums[WORK_KEYS] += h * _power_of_keys(body, live, drive, x, y)
+        sums[WORK_KEYS] += h * _power_of_keys(body, state, drive, x, y)
 
 
 @kernel(fastmath=FAST)
-def _power_of_law(body, live, x, y, vx, vy, drive, t):
+def _power_of_law(body, state, x, y, vx, vy, drive, t):
     """The power of what the tutorial's law lacks to be a gradient: U (|A|'/|A| + |B|'/|B|) of each joint."""
     power = 0.0
     for j in range(body.joints):
@@ -132,7 +134,7 @@ def _power_of_law(body, live, x, y, vx, vy, drive, t):
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
         ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
         aa, bb = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
-        size, cos, sin = body.couple_size[j + 1], live.couple_cos[j + 1], live.couple_sin[j + 1]
+        size, cos, sin = body.couple_size[j + 1], state.couple_cos[j + 1], state.couple_sin[j + 1]
         # The rate of the conservative law's energy, and the power of the tutorial's couple.
         ux, uy = _true(drive, t, a0, a1, vx, vy)
         wx, wy = _true(drive, t, b0, b1, vx, vy)
@@ -157,20 +159,20 @@ def _true(drive, t, a, b, vx, vy):
 
 
 @kernel(fastmath=FAST)
-def _power_of_keys(body, live, drive, x, y):
+def _power_of_keys(body, state, drive, x, y):
     """The power of rest lengths and rest angles that change."""
     power = 0.0
     for s in range(body.springs):
         if body.stiffness[s] > 0.0:
             a, b = body.spring_a[s], body.spring_b[s]
             length = length_of(x[b] - x[a], y[b] - y[a], body.softening)
-            stretch = body.stiffness[s] * length - live.pull[s]
-            power -= stretch * drive.growth * live.pull[s] / body.stiffness[s]
+            stretch = body.stiffness[s] * length - state.pull[s]
+            power -= stretch * drive.growth * state.pull[s] / body.stiffness[s]
     for j in range(body.joints):
         s, r = body.joint_a[j], body.joint_b[j]
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
         ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
-        off = deflection(ax * by - ay * bx, ax * bx + ay * by, live.couple_rest[j + 1])
+        off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.couple_rest[j + 1])
         aa, bb = ax * ax + ay * ay, bx * bx + by * by
         if body.law == ANGLE:
             off *= aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))

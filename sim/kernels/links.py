@@ -44,7 +44,7 @@ def _along(law, alone, carried, bx, by, bu, bv, cos, sin, size, pull, stiffness,
         bx, by, bu, bv: the spring's vector, px, and how fast that changes, px/s.
         cos, sin, size: stiffness of the joint with the spring before, kg/s², times the cosine and the sine of
             its rest angle; and itself.
-        pull, stiffness, damping: of the spring, as in `Live` and `Body`.
+        pull, stiffness, damping: of the spring, as in `State` and `Body`.
         soft: of the spring, px², see `Body.softenings`.
 
     Returns:
@@ -77,8 +77,8 @@ def _along(law, alone, carried, bx, by, bu, bv, cos, sin, size, pull, stiffness,
     return inv, tx, ty, (bx, by, to_along, to_part, to_known, to_x, to_y)
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
-def linked_accelerations(body, live, work, x, y, vx, vy, ax, ay):
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def linked_accelerations(body, state, work, x, y, vx, vy, ax, ay):
     """Accelerations of the masses of a chain or a ring, zero where one is held.
 
     Of a ring, the last mass stands at place 0, too, and the first two behind the last one.
@@ -86,19 +86,19 @@ def linked_accelerations(body, live, work, x, y, vx, vy, ax, ay):
     """
     eight_at_a_time()
     if body.law == CONSERVATIVE:
-        _accelerate(CONSERVATIVE, body, live, work, x, y, vx, vy, ax, ay)
+        _accelerate(CONSERVATIVE, body, state, work, x, y, vx, vy, ax, ay)
     elif body.law == TUTORIAL:
-        _accelerate(TUTORIAL, body, live, work, x, y, vx, vy, ax, ay)
+        _accelerate(TUTORIAL, body, state, work, x, y, vx, vy, ax, ay)
     else:
-        _accelerate(NO_JOINTS, body, live, work, x, y, vx, vy, ax, ay)
+        _accelerate(NO_JOINTS, body, state, work, x, y, vx, vy, ax, ay)
 
 
 @kernel(inline="always")
-def _accelerate(law, body, live, work, x, y, vx, vy, ax, ay):
+def _accelerate(law, body, state, work, x, y, vx, vy, ax, ay):
     n, soft = body.masses, body.softenings
-    cos, sin, size = live.couple_cos, live.couple_sin, body.couple_size
-    pull, stiffness, damping = live.pull, body.stiffness, body.damping
-    w, air, gx, gy = live.inverse_mass, live.air, live.gx, live.gy
+    cos, sin, size = state.couple_cos, state.couple_sin, body.couple_size
+    pull, stiffness, damping = state.pull, body.stiffness, body.damping
+    w, air, gx, gy = state.inverse_mass, state.air, state.gx, state.gy
     carried = _nothing()
     if body.ring:
         for s in (n - 2, n - 1):

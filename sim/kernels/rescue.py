@@ -12,11 +12,10 @@ import math
 from .blocks import from_to
 from .drive import drive_to
 from .energy import energies
-from .forces import accelerations
 from .guard import GOOD, sound
-from .implicit import factorise, solve
 from .jit import FAST, kernel
 from .resist import add_resistance, remember_directions
+from .shared import accelerate, factorise, solve
 from .steps import biggest
 from .tables import (
     CLOCK_LAST,
@@ -33,7 +32,7 @@ from .tables import (
 
 
 @kernel(fastmath=FAST)
-def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity_y, h, shortest, reach):
+def run_rescue(problem, drive, gravity_x, gravity_y, h, shortest, reach):
     """One step of h seconds from a state that the integrators are stuck in.
 
     Args:
@@ -41,42 +40,44 @@ def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity
         shortest: length that a spring is given if it is shorter, px.
         reach: how far a mass moves at most, px.
     """
-    places = flow.q.size // 2
-    clock, q, v, rows = flow.clock, flow.q, flow.v, flow.rows
+    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
+    matrix = problem.matrix
+    places = state.q.size // 2
+    clock, q, v, rows = flow.clock, state.q, state.v, flow.rows
     to_q, to_v, a, move, four = rows[0], rows[1], rows[2], rows[3], rows[4][:4]
     kept_q, kept_v = rows[5], rows[6]
     for j in range(q.size):
         kept_q[j], kept_v[j] = q[j], v[j]
     t = clock[CLOCK_TIME]
     mass = ledger.mass
-    energies(body, live, mass, gravity_x, gravity_y, q, v, four)
+    energies(body, state, mass, gravity_x, gravity_y, q, v, four)
     first = four[0] + four[1] + four[2] + four[3]
     if drive.moving:
-        drive_to(body, live, drive, t + h, q, v)
+        drive_to(body, state, drive, t + h, q, v)
     for s in range(body.springs):
         i, k = body.spring_a[s], body.spring_b[s]
-        if live.inverse_mass[k] == 0.0:
+        if state.inverse_mass[k] == 0.0:
             i, k = k, i
-        if live.inverse_mass[k] > 0.0:
+        if state.inverse_mass[k] > 0.0:
             x, y = from_to(q, i, k)
             if math.sqrt(x * x + y * y) < shortest:
                 # Some direction of its own for each spring, so that no two fall on one another.
                 far = flow.limits[0]
                 q[k] = min(max(q[i] + shortest * math.cos(1.0 + s), -far), far)
                 q[places + k] = min(max(q[places + i] + shortest * math.sin(1.0 + s), -far), far)
-    energies(body, live, mass, gravity_x, gravity_y, q, v, four)
+    energies(body, state, mass, gravity_x, gravity_y, q, v, four)
     before = four[0] + four[1] + four[2] + four[3]
-    accelerations(body, live, work, q, v, a)
+    accelerate(problem, q, v, a)
     g = 1.0 / h
-    factorise(body, live, matrix, q, v, g * g, g, True)
+    factorise(problem, q, v, g * g, g, True)
     remember_directions(body, matrix, q)
     for j in range(q.size):
         move[j] = a[j] + g * v[j]
     for i in range(drive.mass.size):
         m = drive.mass[i]
         move[m], move[places + m] = 0.0, 0.0
-    add_resistance(body, live, matrix, v, v, -1.0, move)
-    solve(body, matrix, move)
+    add_resistance(body, state, matrix, v, v, -1.0, move)
+    solve(problem, move)
     for m in range(1, body.masses + 1):
         size = math.sqrt(move[m] * move[m] + move[places + m] * move[places + m])
         if not size <= reach:
@@ -91,8 +92,8 @@ def run_rescue(body, live, work, matrix, drive, flow, ledger, gravity_x, gravity
             to_q[j] = q[j] + part * move[j]
             to_v[j] = part * move[j] * g
         if drive.moving:
-            drive_to(body, live, drive, t + h, to_q, to_v)
-        energies(body, live, mass, gravity_x, gravity_y, to_q, to_v, four)
+            drive_to(body, state, drive, t + h, to_q, to_v)
+        energies(body, state, mass, gravity_x, gravity_y, to_q, to_v, four)
         after = four[0] + four[1] + four[2] + four[3]
         if after <= before and biggest(to_q) <= flow.limits[0] and biggest(to_v) <= flow.limits[1]:
             break

@@ -9,18 +9,14 @@ from .jit import FAST, kernel
 from .lanes import eight_at_a_time, whole_eights
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
+@kernel(forceinline=True, fastmath=FAST)
 def remember_directions(body, matrix, q):
     """Keep the springs' directions at positions q, for `add_resistance`."""
-    eight_at_a_time()
     places = q.size // 2
     ux, uy, inverse = matrix.ux, matrix.uy, matrix.inverse
     if body.chain:
-        x_of, y_of = q[:places], q[places:]
-        for s in range(whole_eights(body.springs)):
-            x, y = x_of[s + 2] - x_of[s + 1], y_of[s + 2] - y_of[s + 1]
-            inv = 1.0 / math.sqrt(x * x + y * y + body.softening)
-            ux[s + 1], uy[s + 1], inverse[s + 1] = x * inv, y * inv, inv
+        springs = whole_eights(body.springs)
+        _chain_directions(springs, body.softening, q[:places], q[places:], ux, uy, inverse)
     else:
         for s in range(body.springs):
             x, y = from_to(q, body.spring_a[s], body.spring_b[s])
@@ -28,17 +24,26 @@ def remember_directions(body, matrix, q):
             ux[s + 1], uy[s + 1], inverse[s + 1] = x * inv, y * inv, inv
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
-def add_resistance(body, live, matrix, v, z, factor, out):
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _chain_directions(springs, soft, x_of, y_of, ux, uy, inverse):
+    eight_at_a_time()
+    for s in range(springs):
+        x, y = x_of[s + 2] - x_of[s + 1], y_of[s + 2] - y_of[s + 1]
+        inv = 1.0 / math.sqrt(x * x + y * y + soft)
+        ux[s + 1], uy[s + 1], inverse[s + 1] = x * inv, y * inv, inv
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def add_resistance(body, state, matrix, v, z, factor, out):
     """out += factor Jv z, with Jv at velocities v and the positions last given to `remember_directions`."""
     eight_at_a_time()
     places = z.size // 2
     if not body.chain or body.twisted:
-        _add_any_resistance(body, live, matrix, v, z, factor, out)
+        _add_any_resistance(body, state, matrix, v, z, factor, out)
         return
     zx, zy, vx, vy = z[:places], z[places:], v[:places], v[places:]
     ox, oy = out[:places], out[places:]
-    w, air, ux, uy, damping = live.inverse_mass, live.air, matrix.ux, matrix.uy, matrix.damping
+    w, air, ux, uy, damping = state.inverse_mass, state.air, matrix.ux, matrix.uy, matrix.damping
     # Each mass asks both of its springs anew: to wait for what another loop stores takes longer.
     for i in range(1, whole_eights(body.masses) + 1):
         before = damping[i - 1] * (ux[i - 1] * (zx[i] - zx[i - 1]) + uy[i - 1] * (zy[i] - zy[i - 1]))
@@ -48,11 +53,11 @@ def add_resistance(body, live, matrix, v, z, factor, out):
 
 
 @kernel(fastmath=FAST)
-def _add_any_resistance(body, live, matrix, v, z, factor, out):
+def _add_any_resistance(body, state, matrix, v, z, factor, out):
     places = z.size // 2
     zx, zy = z[:places], z[places:]
     ox, oy = out[:places], out[places:]
-    w, air = live.inverse_mass, live.air
+    w, air = state.inverse_mass, state.air
     ux, uy = matrix.ux, matrix.uy
     if body.damped:
         for s in range(body.springs):

@@ -7,13 +7,11 @@ Velocity is eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solves
 from __future__ import annotations
 
 from .drive import drive_to
-from .forces import accelerations
 from .guard import GOOD, sound
-from .implicit import factorise, solve
 from .jit import FAST, kernel
 from .lanes import eight_at_a_time
-from .ledger import tally
 from .resist import add_resistance, remember_directions
+from .shared import accelerate, factorise, solve, tally
 from .steps import (
     HOPELESS,
     WORTH_SHORTENING,
@@ -47,14 +45,14 @@ and to follow it exactly until then is what an implicit method is there to avoid
 
 
 @kernel(fastmath=FAST)
-def run_rosenbrock(
-    body, live, work, matrix, drive, flow, ledger, method, end, fixed, tolerance, attempts
-):  # fmt: skip
-    """Go on to `end` with a Rosenbrock method; arguments as those of `run_explicit`."""
+def run_rosenbrock(problem, drive, end, tolerance, attempts):
+    """Go on to `end` with a Rosenbrock method; arguments as those of `run_verlet`."""
     eight_at_a_time()
-    freshen(body, live, work, drive, flow)
+    freshen(problem, drive)
+    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
+    matrix, method, fixed = problem.matrix, problem.implicit, problem.fixed
     clock, count = flow.clock, flow.counts
-    q, v, rows = flow.q, flow.v, flow.rows
+    q, v, rows = state.q, state.v, flow.rows
     xs, ws = rows[:_MOST_STAGES], rows[_MOST_STAGES : 2 * _MOST_STAGES]
     to_q, to_v, to_a = rows[2 * _MOST_STAGES], rows[2 * _MOST_STAGES + 1], rows[2 * _MOST_STAGES + 2]
     rest, right, by_time = rows[2 * _MOST_STAGES + 3], rows[2 * _MOST_STAGES + 4], rows[2 * _MOST_STAGES + 5]
@@ -70,10 +68,10 @@ def run_rosenbrock(
             break
         step = fitting_step(t, end, h)
         g = 1.0 / (method.gamma * step)
-        regular = factorise(body, live, matrix, q, v, g * g, g, False)
+        regular = factorise(problem, q, v, g * g, g, False)
         remember_directions(body, matrix, q)
         if drive.moving:
-            _by_time(body, live, work, drive, flow, t, step, to_q, to_v, to_a, by_time)
+            _by_time(problem, drive, t, step, to_q, to_v, to_a, by_time)
         count[COUNT_MATRICES] += 1
         for i in range(stages + 1):
             if i == 0:
@@ -84,8 +82,8 @@ def run_rosenbrock(
                     q, v, method.a[i], method.coupling[i], 1.0 / step, xs, ws, i, to_q, to_v, rest, right
                 )
                 if drive.moving:
-                    drive_to(body, live, drive, t + method.c[i] * step, to_q, to_v)
-                accelerations(body, live, work, to_q, to_v, to_a)
+                    drive_to(body, state, drive, t + method.c[i] * step, to_q, to_v)
+                accelerate(problem, to_q, to_v, to_a)
             if i == stages:
                 break
             x, w = xs[i], ws[i]
@@ -98,8 +96,8 @@ def run_rosenbrock(
                     rest[m], rest[q.size // 2 + m] = 0.0, 0.0
             for j in range(1, q.size - SPARE):
                 x[j] = to_a[j] + right[j] + g * rest[j]
-            add_resistance(body, live, matrix, v, rest, -1.0, x)
-            solve(body, matrix, x)
+            add_resistance(body, state, matrix, v, rest, -1.0, x)
+            solve(problem, x)
             for j in range(1, q.size - SPARE):
                 w[j] = g * x[j] - rest[j]
         count[COUNT_FORCES] += stages
@@ -112,14 +110,14 @@ def run_rosenbrock(
             regular and error <= 1.0 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         )
         if good and fixed == 0.0:
-            good = is_gentle(body, live, q, to_q, step)
+            good = is_gentle(body, state, q, to_q, step)
         if good:
             if ledger.active:
-                tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
+                tally(problem, drive, t, to_q, to_v, to_a, step)
             t = end if step == end - t else t + step
             if flow.history.shape[0] > 0:  # for generalized-alpha, should it go on from here
-                remember(matrix, flow, step, 0.5 * flow.mind[AUTO_STEP + ARM_ALPHA])
-            replace_state(flow, to_q, to_v, to_a)
+                remember(problem, step, 0.5 * flow.mind[AUTO_STEP + ARM_ALPHA])
+            replace_state(q, v, flow.a, to_q, to_v, to_a)
             count[COUNT_STEPS] += 1
         else:
             error = max(error, 2.0)
@@ -128,7 +126,7 @@ def run_rosenbrock(
                 for j in range(1, q.size - SPARE):
                     rows[i, j] = 0.0
             if drive.pressed:
-                drive_to(body, live, drive, t, q, v)
+                drive_to(body, state, drive, t, q, v)
         if fixed == 0.0:
             h = step_after(flow, h, step, error, method.order, good, failed)
             failed = not good
@@ -136,7 +134,7 @@ def run_rosenbrock(
     clock[CLOCK_STEP] = h
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _combine(q, v, a, c, per_step, xs, ws, count, to_q, to_v, rest, right):
     """Positions and velocities of a stage, and what those before it add to its right-hand sides.
 
@@ -164,19 +162,20 @@ def _combine(q, v, a, c, per_step, xs, ws, count, to_q, to_v, rest, right):
 
 
 @kernel(fastmath=FAST)
-def _by_time(body, live, work, drive, flow, t, h, q, v, a, out):
+def _by_time(problem, drive, t, h, q, v, a, out):
     """The derivative of the accelerations by time, with the free masses where they are.
 
     A difference over a small part of the step: what is driven is smooth within a call.
     """
+    body, state = problem.body, problem.state
     part = 1e-4 * h
     for j in range(1, q.size - SPARE):
-        q[j], v[j] = flow.q[j], flow.v[j]
+        q[j], v[j] = state.q[j], state.v[j]
         out[j] = 0.0
     for sign in (1.0, -1.0):
-        drive_to(body, live, drive, t + sign * part, q, v)
-        accelerations(body, live, work, q, v, a)
+        drive_to(body, state, drive, t + sign * part, q, v)
+        accelerate(problem, q, v, a)
         for j in range(1, q.size - SPARE):
             out[j] += sign * a[j] / (2.0 * part)
     if drive.pressed:
-        drive_to(body, live, drive, t, q, v)
+        drive_to(body, state, drive, t, q, v)

@@ -22,7 +22,7 @@ def _add(blocks, target, sign, block):
 
 
 @kernel(fastmath=FAST)
-def assemble(body, live, matrix, q, v, g, definite):
+def assemble(body, state, matrix, q, v, g, definite):
     """Sum the derivatives of the forces (not the accelerations), Jx + g Jv without air, into the pattern."""
     blocks, soft = matrix.blocks, body.softening
     for i in range(blocks.size):
@@ -31,7 +31,9 @@ def assemble(body, live, matrix, q, v, g, definite):
         a, b = body.spring_a[s], body.spring_b[s]
         vector, rate = from_to(q, a, b), from_to(v, a, b)
         inv = inverse_of(vector[0], vector[1], soft)
-        block = spring_block(body.stiffness[s], body.damping[s], live.pull[s], inv, vector, rate, g, definite)
+        block = spring_block(
+            body.stiffness[s], body.damping[s], state.pull[s], inv, vector, rate, g, definite
+        )
         t = matrix.spring_target
         # The force acts on b, and its opposite on a; the vector is b less a.
         _add(blocks, t[4 * s], 1.0, block)
@@ -46,9 +48,9 @@ def assemble(body, live, matrix, q, v, g, definite):
         aa, ab, ba, bb = joint_blocks(
             body.law,
             body.couple_size[j + 1],
-            live.couple_cos[j + 1],
-            live.couple_sin[j + 1],
-            live.couple_rest[j + 1],
+            state.couple_cos[j + 1],
+            state.couple_sin[j + 1],
+            state.couple_rest[j + 1],
             body.couple_damping[j + 1],
             vector_a,
             vector_b,
@@ -70,18 +72,18 @@ def assemble(body, live, matrix, q, v, g, definite):
             i += 4
 
 
-@kernel(inner=True, fastmath=FAST)
-def factorise_sparse(body, live, matrix, q, v, a, g, definite):
+@kernel(internal=True, fastmath=FAST)
+def factorise_sparse(body, state, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
     places = q.size // 2
-    assemble(body, live, matrix, q, v, g, definite)
+    assemble(body, state, matrix, q, v, g, definite)
     blocks, start, column, diagonal = matrix.blocks, matrix.row_start, matrix.column, matrix.diagonal
     slot = matrix.slot
     regular = True
     for i in range(body.masses):
         m = matrix.order[i]
-        w = -live.inverse_mass[m]
-        drag = 2.0 * live.air[m] * g
+        w = -state.inverse_mass[m]
+        drag = 2.0 * state.air[m] * g
         for p in range(start[i], start[i + 1]):
             slot[column[p]] = p
         for p in range(4 * start[i], 4 * start[i + 1]):
@@ -112,7 +114,7 @@ def factorise_sparse(body, live, matrix, q, v, a, g, definite):
     return regular
 
 
-@kernel(inner=True, fastmath=FAST)
+@kernel(internal=True, fastmath=FAST)
 def solve_sparse(body, matrix, b):
     """Solve in place; b is flat, x of every place, then y."""
     places = b.size // 2

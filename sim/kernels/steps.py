@@ -9,11 +9,11 @@ import numpy as np
 from .bits import from_bits, size_bits
 from .blocks import from_to
 from .drive import drive_to
-from .forces import accelerations
 from .guard import STUCK
 from .jit import FAST, kernel
 from .lanes import eight_at_a_time, whole_eights
 from .links import is_linked
+from .shared import accelerate
 from .tables import CLOCK_PAST, CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT, SPARE
 
 SHORTEST_STEP = 1e-12
@@ -38,19 +38,20 @@ HOPELESS = 1e30
 
 
 @kernel(fastmath=FAST)
-def freshen(body, live, work, drive, flow):
+def freshen(problem, drive):
     """Make sure that the held masses are where they are to be, and that `flow.a` is of the present state."""
+    body, state, flow = problem.body, problem.state, problem.flow
     if flow.counts[COUNT_FRESH] == 0:
         if drive.moving:
-            drive_to(body, live, drive, flow.clock[CLOCK_TIME], flow.q, flow.v)
-        accelerations(body, live, work, flow.q, flow.v, flow.a)
+            drive_to(body, state, drive, flow.clock[CLOCK_TIME], state.q, state.v)
+        accelerate(problem, state.q, state.v, flow.a)
         flow.counts[COUNT_FORCES] += 1
         flow.counts[COUNT_FRESH] = 1
         flow.clock[CLOCK_PAST] = -1.0
 
 
 @kernel(forceinline=True)
-def is_gentle(body, live, q, to_q, step):
+def is_gentle(body, state, q, to_q, step):
     """Whether no spring has turned by more than 60 degrees in a step.
 
     Where one has, as when its ends pass each other, the forces in between were not seen; positions may still
@@ -59,11 +60,11 @@ def is_gentle(body, live, q, to_q, step):
     if step < _SHORTEST_TURN:
         return True
     if body.chain:
-        return _chain_is_gentle(body, live.inverse_mass, q, to_q)
-    return _any_is_gentle(body, live.inverse_mass, q, to_q)
+        return _chain_is_gentle(body, state.inverse_mass, q, to_q)
+    return _any_is_gentle(body, state.inverse_mass, q, to_q)
 
 
-@kernel(apart=True, fastmath=FAST)
+@kernel(noalias=True, fastmath=FAST)
 def _chain_is_gentle(body, inverse_mass, q, to_q):
     places = q.size // 2
     qx, qy, to_qx, to_qy = q[:places], q[places:], to_q[:places], to_q[places:]
@@ -102,14 +103,14 @@ def _has_turned(x, y, to_x, to_y, softening):
 
 
 @kernel(forceinline=True)
-def stays_gentle(body, live, q, to_q, step, moved, shortest):
+def stays_gentle(body, state, q, to_q, step, moved, shortest):
     """`is_gentle`, which is looked into only where it may be in doubt.
 
     Args:
         moved: the largest change of a coordinate in the step, px.
         shortest: the length of every spring at the start, px, at most.
     """
-    return _BOTH_ENDS * moved < _SURE * shortest or is_gentle(body, live, q, to_q, step)
+    return _BOTH_ENDS * moved < _SURE * shortest or is_gentle(body, state, q, to_q, step)
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -188,12 +189,12 @@ def _root(number, order):
     return number ** (1.0 / order)
 
 
-@kernel(apart=True, forceinline=True)
-def replace_state(flow, q, v, a):
+@kernel(noalias=True, forceinline=True)
+def replace_state(q, v, a, to_q, to_v, to_a):
     """Take over the state at the end of a step."""
     eight_at_a_time()
     for j in range(1, q.size - SPARE):
-        flow.q[j], flow.v[j], flow.a[j] = q[j], v[j], a[j]
+        q[j], v[j], a[j] = to_q[j], to_v[j], to_a[j]
 
 
 @kernel(fastmath=FAST)
@@ -216,7 +217,7 @@ def biggest_difference(one, other):
     return from_bits(most)
 
 
-@kernel(apart=True, fastmath=FAST)
+@kernel(noalias=True, fastmath=FAST)
 def largest_sum(weights, rows, count, scratch):
     """The largest size in a weighted sum of the first `count` rows; NaN if one is."""
     eight_at_a_time()

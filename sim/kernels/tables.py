@@ -10,17 +10,10 @@ moves and a padding spring pulls at nothing.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
-Rows = NDArray[np.float64]  # two-dimensional; `bound` goes by the name
-Indices = NDArray[np.int64]
+from .table import Floats, Indices, Rows, Table
 
 
-class Body(NamedTuple):
+class Body(Table):
     """Read-only: how masses are joined, and the springs' constants. S springs, J joints, n masses.
 
     In a chain, spring s joins the masses at places s + 1 and s + 2, and joint j holds springs j and j + 1. So
@@ -68,13 +61,16 @@ class Body(NamedTuple):
     more_spring_sign: Floats
 
 
-class Live(NamedTuple):
-    """Mutable: the state, and what the keys and the hand of the user change while it runs."""
+class State(Table):
+    """Mutable: positions and velocities, and what the keys and the hand of the user change while it runs.
 
-    x: Floats  # (places) px
-    y: Floats
-    vx: Floats  # (places) px/s
-    vy: Floats
+    Vectors are flat: x of every place, then y of every place. No mass is at the first place of either half,
+    nor at the last `SPARE` ones; loops over a vector leave them out at its two ends, and so start where loops
+    over masses do: what is stored by one is loaded by the next in the same pieces, without waiting.
+    """
+
+    q: Floats  # (2 places) positions, px
+    v: Floats  # (2 places) velocities, px/s
     controls: Floats  # rest_length_scale, rest_angle_shift (degrees)
     pull: Floats  # (S padded + 1) stiffness * rest length now
     couple_cos: Floats  # stiffness * cos(rest angle now), that of joint j at place j + 1; place 0 as above
@@ -85,14 +81,34 @@ class Live(NamedTuple):
     air: Floats  # (places) air friction / mass, 1/px
     gx: Floats  # (places) px/s²
     gy: Floats
-    # What a force does to a mass in one step; all zero for a mass that is held.
-    dt_mass: Floats  # (places) dt / m
-    dt_air: Floats  # (n padded) dt * air friction / m
-    dt_gx: Floats  # (n padded) dt * gravity
-    dt_gy: Floats
+
+    @property
+    def places(self) -> int:
+        """How many there are, padding included."""
+        return self.q.size // 2
+
+    @property
+    def x(self) -> Floats:
+        """(places) a view of the first half of `q`; for Python only, as the others below."""
+        return self.q[: self.places]
+
+    @property
+    def y(self) -> Floats:
+        """(places) a view of the second half of `q`."""
+        return self.q[self.places :]
+
+    @property
+    def vx(self) -> Floats:
+        """(places) a view of the first half of `v`."""
+        return self.v[: self.places]
+
+    @property
+    def vy(self) -> Floats:
+        """(places) a view of the second half of `v`."""
+        return self.v[self.places :]
 
 
-class Work(NamedTuple):
+class Work(Table):
     """Scratch, so that no step allocates."""
 
     lx: Floats  # (S padded) vectors of the springs
@@ -113,26 +129,6 @@ class Work(NamedTuple):
     ty: Floats
     fx: Floats  # (places)
     fy: Floats
-
-
-class Motion(NamedTuple):
-    """What happens during one call: masses led from place to place, and keys held."""
-
-    active: bool  # anything happens at all
-    mass: Indices  # (M,) masses that are led
-    from_x: Floats  # (M,)
-    from_y: Floats
-    to_x: Floats  # (M,) reached at the last step of the call
-    to_y: Floats
-    vx: Floats  # (M,) px/s, as the damping has it
-    vy: Floats
-    radius: Floats  # (M,) px, of the circle that a mass goes round beside; 0 for none
-    omega: Floats  # (M,) 1/s
-    ramp: Floats  # (M,) s
-    start: float  # time at the start of the call, s
-    dt: float  # s
-    length_factor: float  # of every rest length, per step
-    angle_step: float  # added to every rest angle, per step, degrees
 
 
 NO_JOINTS, TUTORIAL, CONSERVATIVE, ANGLE = 0, 1, 2, 3
@@ -156,7 +152,7 @@ SPARE = 7
 """Places at the end of a flat vector that no mass is ever at; see `Flow`."""
 
 
-class Matrix(NamedTuple):
+class Matrix(Table):
     """What an implicit step needs: the factors of its matrix and, where the body is no chain, the pattern."""
 
     blocks: Floats  # the factors; see `twisted` and `sparse`
@@ -179,12 +175,13 @@ class Matrix(NamedTuple):
     straight: bool  # each mass of the forest that hangs on another one hangs on that of the place before it
 
 
-class Drive(NamedTuple):
+class Drive(Table):
     """How held masses move, and what held keys do, from the start of a call on."""
 
     moving: bool  # any mass of the list moves, or a key is held
     pressed: bool  # a key is held
     start: float  # time at the start of the call, s
+    duration: float  # s until masses that are led straight have reached their targets; infinite if none is
     mass: Indices  # (M,) places of the masses
     x: Floats  # (M,) px, where each is at the start, without its circle
     y: Floats
@@ -204,16 +201,9 @@ class Drive(NamedTuple):
     turn: float  # degrees/s added to the rest angles
 
 
-class Flow(NamedTuple):
-    """Mutable: the state as the integrators other than the tutorial's go by it, and their scratch.
+class Flow(Table):
+    """Mutable: what an integrator carries from step to step, and its scratch; vectors as in `State`."""
 
-    Vectors are flat: x of every place, then y of every place. No mass is at the first place of either half,
-    nor at the last `SPARE` ones; loops over a vector leave them out at its two ends, and so start where loops
-    over masses do: what is stored by one is loaded by the next in the same pieces, without waiting.
-    """
-
-    q: Floats  # px
-    v: Floats  # px/s
     a: Floats  # px/s², of the state
     clock: Floats  # see the CLOCK_ constants
     limits: Floats  # farthest coordinate, px, and fastest speed, px/s, that a good state has
@@ -263,7 +253,10 @@ AUTO_STEP, AUTO_PACE, AUTO_WORK, AUTO_LAST, AUTO_ASKED = 0, ARMS, 2 * ARMS, 2 * 
 """Places in `Flow.mind`: the next step of each method, s; simulated time for the computing of a Verlet
 step, s, of each, negative where unknown; computing, in Verlet steps, since a method was asked; the method
 that had the last turn; how many times one was asked."""
-AUTO_NEW = (0.0,) * ARMS + (-1.0,) * ARMS + (0.0,) * 3
+AUTO_TURN, AUTO_BEGAN, AUTO_TRIED = 2 * ARMS + 3, 2 * ARMS + 4, 2 * ARMS + 5
+"""Places in `Flow.mind`, of the turn that is under way: the method, or -1 if none is; the time when it began,
+s; and the steps that had been tried then."""
+AUTO_NEW = (0.0,) * ARMS + (-1.0,) * ARMS + (0.0,) * 3 + (-1.0, 0.0, 0.0)
 """What `auto` knows at first."""
 
 COUNT_FRESH, COUNT_STEPS, COUNT_REJECTED, COUNT_WHAT, COUNT_MASS = 0, 1, 2, 3, 4
@@ -274,24 +267,19 @@ last resort."""
 COUNTS = 8
 
 
-class Tableau(NamedTuple):
+class Tableau(Table):
     """An explicit Runge-Kutta(-Nyström) method for q'' = f(t, q, q').
 
-    Stage i is at q + c_i h v + h² sum abar_ij k_j and v + h sum a_ij k_j. Rows are padded with zeros to a
-    multiple of four stages.
+    Stage i is at q + c_i h v + h² sum abar_ij k_j and v + h sum a_ij k_j.
     """
 
     stages: int  # evaluations of a step; the first of the next step is the last of this one
-    order: int  # power of the step that the error estimate goes with
-    paired: bool  # there are two error estimates
     c: Floats  # (stages + 1,) the last is the end of the step
-    a: Rows  # (stages + 1, padded); the last row is b
+    a: Rows  # (stages + 1, stages + 1); the last row is b
     abar: Rows
-    error: Floats  # (padded) weights of the estimated position error
-    second: Floats  # (padded) of a second estimate, of lower order, as in DOP853
 
 
-class Rosenbrock(NamedTuple):
+class Rosenbrock(Table):
     """A Rosenbrock method, in the form in which each stage is one solve (Hairer & Wanner II, IV.7).
 
     Rows are padded with zeros to a multiple of four stages.
@@ -311,7 +299,7 @@ PAST = 8
 """Past accelerations that are kept for Adams' methods: one more than the highest degree. A power of two."""
 
 
-class Adams(NamedTuple):
+class Adams(Table):
     """Adams' methods for q'' = f(t, q, q'), by the degree k of the polynomial through past accelerations.
 
     The weights of the acceleration i steps back are in column i.
@@ -328,7 +316,7 @@ class Adams(NamedTuple):
     back: Rows  # (PAST², PAST) in the velocity gained in the last r steps, in row k PAST + r
 
 
-class Ledger(NamedTuple):
+class Ledger(Table):
     """What has changed the energy since the ledger was opened; scratch for finding it out."""
 
     active: bool
@@ -342,3 +330,26 @@ WORK_ANCHORS, WORK_DAMPING, WORK_AIR, WORK_LAW, WORK_KEYS, WORK_RESCUE = 0, 1, 2
 """Places in `Ledger.work`: done by moved anchors; taken away by damping and by air (negative); done by a law
 without an energy; done by keys that change rest lengths and angles; taken away by steps of last resort."""
 WORKS = 6
+
+
+class Problem(Table):
+    """All that a run of a method needs, beside what drives the body and how far it is to go."""
+
+    body: Body
+    state: State
+    work: Work
+    matrix: Matrix  # empty where no method is implicit
+    flow: Flow
+    ledger: Ledger
+    # Addresses of kernels, see `shared`; 0 where the method has no use for one.
+    accelerations: int
+    tally: int
+    factorise: int
+    solve: int
+    fixed: float  # the step, s, or 0 for error control
+    near_limit: float  # s; steps from here on are near Verlet's stability limit
+    explicit: Tableau
+    implicit: Rosenbrock
+    adams: Adams
+    costs: Floats  # (ARMS,) of a step of each method for `auto`, in those of Verlet's; 0: not used
+    strictness: Floats  # (ARMS,) of each of them

@@ -19,13 +19,14 @@ _LEAST = 1e-100
 """The square of a length that is divided by, px², at least."""
 
 
-@kernel(inner=True, fastmath=FAST)
-def remember(matrix, flow, step, least):
+@kernel(internal=True, fastmath=FAST)
+def remember(problem, step, least):
     """Shift the history of the springs' vectors by a step; called before the state is replaced.
 
     Steps that together are shorter than `least`, s, count as one, since the next step is much longer.
     """
-    clock, places, q = flow.clock, flow.q.size // 2, flow.q
+    matrix, flow, q = problem.matrix, problem.flow, problem.state.q
+    clock, places = flow.clock, q.size // 2
     if 0.0 < clock[CLOCK_LAST] < least:
         clock[CLOCK_LAST] += step
         return
@@ -44,14 +45,15 @@ def remember(matrix, flow, step, least):
     clock[CLOCK_LAST] = step
 
 
-@kernel(inner=True, fastmath=FAST)
-def predict(matrix, inverse_mass, flow, step, to_q, vector):
+@kernel(internal=True, fastmath=FAST)
+def predict(problem, step, to_q, vector):
     """Extrapolate how each spring of the forest turned and stretched in the last two steps.
 
     z, less its square's half, is extrapolated as a polynomial of time. The masses without a parent, or in a
     hand, are where they are in `to_q` already; `vector` is scratch.
     """
-    clock, places, q = flow.clock, flow.q.size // 2, flow.q
+    matrix, flow, q = problem.matrix, problem.flow, problem.state.q
+    clock, places = flow.clock, q.size // 2
     last, older = flow.history[1], flow.history[2]
     h1, h0 = clock[CLOCK_LAST], clock[CLOCK_LAST_BUT_ONE]
     if h1 == 0.0:
@@ -77,10 +79,10 @@ def predict(matrix, inverse_mass, flow, step, to_q, vector):
             vector[m], vector[k] = _extrapolated(
                 q[m] - q[p], q[k] - q[places + p], last[m], last[k], older[m], older[k], c1, c0
             )
-    _add_up(matrix, inverse_mass, vector, to_q)
+    _add_up(matrix, problem.state.inverse_mass, vector, to_q)
 
 
-@kernel(inner=True, fastmath=FAST)
+@kernel(internal=True, fastmath=FAST)
 def turn_and_stretch(matrix, inverse_mass, q, move, vector):
     """Apply an update to the positions q, turning and stretching each spring; `vector` is scratch."""
     places, n = q.size // 2, matrix.walk.size

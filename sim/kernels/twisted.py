@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .band import CHUNK, L1, L2, PARTS, U1, U2, D, begin, hand_on, part, put, put_empty_row, put_rows
+from .band import CHUNK, L1, L2, PARTS, U1, U2, D, at, begin, hand_on, part, put, put_empty_row, put_rows
 from .blocks import minus, times
 from .jit import kernel
 from .lanes import less_product, plus_product, product, quotient, sum_of, whole_eights
@@ -58,8 +58,8 @@ def _meeting(n):
     return paired, n - max(paired, 2)
 
 
-@kernel(inner=True, fastmath=_ORDERED)
-def factorise_chain(body, live, matrix, q, v, a, g, definite):
+@kernel(internal=True, fastmath=_ORDERED)
+def factorise_chain(body, state, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
     n, blocks = body.masses, matrix.blocks
     near, far = matrix.parts[:PARTS], matrix.parts[PARTS:]
@@ -69,11 +69,16 @@ def factorise_chain(body, live, matrix, q, v, a, g, definite):
     check = 0.0, 0.0
     for first in range(0, meet + 2, CHUNK):
         count, pairs = min(CHUNK, meet + 2 - first), min(CHUNK, max(paired - first, 0))
-        put_rows(body, live, q, v, a, g, definite, first, 0, whole_eights(count), 0, near)
+        # Not constants, or numba would make another copy of all that derives a row.
+        put_rows(
+            body, state, q, v, a, g, definite, first, np.int64(0), whole_eights(count), np.int64(0), near
+        )
         if pairs > 0:
             # From this end, rows are two behind the springs that they are derived with.
             start = CHUNK - whole_eights(pairs)
-            put_rows(body, live, q, v, a, g, definite, n - first - CHUNK, start, CHUNK, 2, far)
+            put_rows(
+                body, state, q, v, a, g, definite, n - first - CHUNK, start, np.int64(CHUNK), np.int64(2), far
+            )
         if first == 0:
             put_empty_row(far, CHUNK)
             put_empty_row(far, CHUNK + 1)
@@ -99,22 +104,28 @@ def _eliminate(blocks, p, near, far, k, check):
     i, o = _place(p), CHUNK + 1 - k
     last, older = i - np.uint64(_PAIR), i - np.uint64(2 * _PAIR)
     # What is above a pivot is towards the middle; that is below the diagonal in rows of the far end.
-    lower2 = _beside(part(near, L2, k), part(far, U2, o))
-    lower1 = _minus(_beside(part(near, L1, k), part(far, U1, o)), lower2, _pair(blocks, older, _TO1))
-    diagonal = _minus(_beside(part(near, D, k), part(far, D, o)), lower2, _pair(blocks, older, _TO2))
-    diagonal = _minus(diagonal, lower1, _pair(blocks, last, _TO1))
-    upper1 = _minus(_beside(part(near, U1, k), part(far, L1, o)), lower1, _pair(blocks, last, _TO2))
-    upper2 = _beside(part(near, U2, k), part(far, L2, o))
+    lower2 = _beside(part(near, at(L2, k)), part(far, at(U2, o)))
+    lower1 = _minus(
+        _beside(part(near, at(L1, k)), part(far, at(U1, o))), lower2, _pair(blocks, _of(older, _TO1))
+    )
+    diagonal = _minus(
+        _beside(part(near, at(D, k)), part(far, at(D, o))), lower2, _pair(blocks, _of(older, _TO2))
+    )
+    diagonal = _minus(diagonal, lower1, _pair(blocks, _of(last, _TO1)))
+    upper1 = _minus(
+        _beside(part(near, at(U1, k)), part(far, at(L1, o))), lower1, _pair(blocks, _of(last, _TO2))
+    )
+    upper2 = _beside(part(near, at(U2, k)), part(far, at(L2, o)))
     xx, xy, yx, yy = diagonal
     factor = quotient((1.0, 1.0), less_product(product(xx, yy), xy, yx))
     # The next pair waits for this one, which waits for the division: after that, as little as can be.
-    _put_pair(blocks, i, _TO1, _divided(diagonal, factor, upper1))
-    _put_pair(blocks, i, _TO2, _divided(diagonal, factor, upper2))
+    _put_pair(blocks, _of(i, _TO1), _divided(diagonal, factor, upper1))
+    _put_pair(blocks, _of(i, _TO2), _divided(diagonal, factor, upper2))
     opposite = product((-1.0, -1.0), factor)
     inverse = product(factor, yy), product(opposite, xy), product(opposite, yx), product(factor, xx)
-    _put_pair(blocks, i, _INVERSE, inverse)
-    _put_pair(blocks, i, _LOWER2, _times(inverse, lower2))
-    _put_pair(blocks, i, _LOWER1, _times(inverse, lower1))
+    _put_pair(blocks, _of(i, _INVERSE), inverse)
+    _put_pair(blocks, _of(i, _LOWER2), _times(inverse, lower2))
+    _put_pair(blocks, _of(i, _LOWER1), _times(inverse, lower1))
     return sum_of(check, sum_of(sum_of(inverse[0], inverse[1]), sum_of(inverse[2], inverse[3])))
 
 
@@ -123,21 +134,25 @@ def _join(blocks, paired, near, k, second):
     """Eliminate from the first or the second of the last two rows those behind it."""
     i, o = _place(paired - 1), _place(paired - 2)
     rest = np.uint64(blocks.size - _REST)
-    upper1, upper2, diagonal = part(near, U1, k), part(near, U2, k), part(near, D, k)
+    upper1, upper2, diagonal = part(near, at(U1, k)), part(near, at(U2, k)), part(near, at(D, k))
     if second:
-        upper1 = _less(upper1, upper2, _one(blocks, o, _TO1, 1))
-        diagonal = _less(_less(diagonal, upper2, _one(blocks, o, _TO2, 1)), upper1, _one(blocks, i, _TO1, 1))
-        put(near, L1, k, _less(part(near, L1, k), upper1, _one(blocks, i, _TO2, 1)))
+        upper1 = _less(upper1, upper2, _one(blocks, _of(o, _TO1 + 1)))
+        diagonal = _less(
+            _less(diagonal, upper2, _one(blocks, _of(o, _TO2 + 1))),
+            upper1,
+            _one(blocks, _of(i, _TO1 + 1)),
+        )
+        put(near, at(L1, k), _less(part(near, at(L1, k)), upper1, _one(blocks, _of(i, _TO2 + 1))))
         _put_rest(blocks, rest + np.uint64(4), upper1)
         _put_rest(blocks, rest + np.uint64(8), upper2)
         upper1 = _ZERO
     else:
-        upper1 = _less(upper1, upper2, _one(blocks, i, _TO1, 1))
-        diagonal = _less(diagonal, upper2, _one(blocks, i, _TO2, 1))
+        upper1 = _less(upper1, upper2, _one(blocks, _of(i, _TO1 + 1)))
+        diagonal = _less(diagonal, upper2, _one(blocks, _of(i, _TO2 + 1)))
         _put_rest(blocks, rest, upper2)
-    put(near, D, k, diagonal)
-    put(near, U1, k, upper1)
-    put(near, U2, k, _ZERO)
+    put(near, at(D, k), diagonal)
+    put(near, at(U1, k), upper1)
+    put(near, at(U2, k), _ZERO)
 
 
 @kernel(forceinline=True)
@@ -146,9 +161,15 @@ def _place(p):
     return np.uint64(_PAIR * (p + _BEFORE))
 
 
+@kernel(inline="always")
+def _of(i, kind):
+    """Where the numbers of a kind of row i are; inlined as `at` is."""
+    return i + np.uint64(kind)
+
+
 @kernel(forceinline=True)
-def _pair(blocks, i, kind):
-    j, one = i + np.uint64(kind), np.uint64(1)
+def _pair(blocks, j):
+    one = np.uint64(1)
     k, m, o = j + np.uint64(2), j + np.uint64(4), j + np.uint64(6)
     return (
         (blocks[j], blocks[j + one]),
@@ -159,8 +180,8 @@ def _pair(blocks, i, kind):
 
 
 @kernel(forceinline=True)
-def _put_pair(blocks, i, kind, pair):
-    j, one = i + np.uint64(kind), np.uint64(1)
+def _put_pair(blocks, j, pair):
+    one = np.uint64(1)
     k, m, o = j + np.uint64(2), j + np.uint64(4), j + np.uint64(6)
     blocks[j], blocks[j + one] = pair[0]
     blocks[k], blocks[k + one] = pair[1]
@@ -169,9 +190,8 @@ def _put_pair(blocks, i, kind, pair):
 
 
 @kernel(forceinline=True)
-def _one(blocks, i, kind, lane):
-    """The block of one row of a pair."""
-    j = i + np.uint64(kind + lane)
+def _one(blocks, j):
+    """The block of one row of a pair, from place j on."""
     return blocks[j], blocks[j + np.uint64(2)], blocks[j + np.uint64(4)], blocks[j + np.uint64(6)]
 
 
@@ -233,7 +253,7 @@ def _times(a, b):
     )
 
 
-@kernel(apart=True, forceinline=True, fastmath=_ORDERED)
+@kernel(noalias=True, forceinline=True, fastmath=_ORDERED)
 def solve_chain(body, matrix, b):
     """Solve in place; b is flat, x of every place, then y."""
     n, r = body.masses, matrix.blocks
@@ -266,10 +286,10 @@ def solve_chain(body, matrix, b):
 def _forwards(r, p, lane, x, y, m, last):
     m, i = np.uint64(m), _place(p)
     x1, y1, x2, y2 = last
-    inverse = _one(r, i, _INVERSE, lane)
+    inverse = _one(r, _of(i, _INVERSE + lane))
     to_x, to_y = inverse[0] * x[m] + inverse[1] * y[m], inverse[2] * x[m] + inverse[3] * y[m]
-    to_x, to_y = _taken(to_x, to_y, _one(r, i, _LOWER2, lane), x2, y2)
-    to_x, to_y = _taken(to_x, to_y, _one(r, i, _LOWER1, lane), x1, y1)
+    to_x, to_y = _taken(to_x, to_y, _one(r, _of(i, _LOWER2 + lane)), x2, y2)
+    to_x, to_y = _taken(to_x, to_y, _one(r, _of(i, _LOWER1 + lane)), x1, y1)
     x[m], y[m] = to_x, to_y
     return to_x, to_y, x1, y1
 
@@ -278,8 +298,8 @@ def _forwards(r, p, lane, x, y, m, last):
 def _backwards(r, p, lane, x, y, m, last):
     m, i = np.uint64(m), _place(p)
     x1, y1, x2, y2 = last
-    to_x, to_y = _taken(x[m], y[m], _one(r, i, _TO2, lane), x2, y2)
-    to_x, to_y = _taken(to_x, to_y, _one(r, i, _TO1, lane), x1, y1)
+    to_x, to_y = _taken(x[m], y[m], _one(r, _of(i, _TO2 + lane)), x2, y2)
+    to_x, to_y = _taken(to_x, to_y, _one(r, _of(i, _TO1 + lane)), x1, y1)
     x[m], y[m] = to_x, to_y
     return to_x, to_y, x1, y1
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from .bits import from_bits, size_bits
 from .drive import drive_to
-from .forces import accelerations
 from .guard import GOOD, sound
 from .jit import FAST, kernel
 from .lanes import eight_at_a_time
-from .ledger import tally
+from .shared import accelerate, tally
 from .steps import (
     HOPELESS,
     SHORTEST_SPAN,
@@ -48,8 +47,8 @@ _SINK, _RAISE = 0.93, 1.002
 """What a step that failed leaves of the limit, and how fast that rises again, per step."""
 
 
-@kernel(inner=True, fastmath=FAST)
-def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, near_limit, attempts):
+@kernel(fastmath=FAST)
+def run_verlet(problem, drive, end, tolerance, attempts):
     """Go on to `end` by x += h v + h²/2 a, v += h/2 (a + a'); arguments as those of `run_explicit`.
 
     Forces that depend on velocities take v + h a for the new ones, which keeps the second order, but under
@@ -61,9 +60,11 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
     everything at once, so a step that failed is remembered as a limit, which is raised slowly. That the next
     one fails as well, half as long, tells of the vibration that is left, and not of the limit.
     """
-    freshen(body, live, work, drive, flow)
+    freshen(problem, drive)
+    body, state, work, flow, ledger = problem.body, problem.state, problem.work, problem.flow, problem.ledger
+    fixed, near_limit = problem.fixed, problem.near_limit
     clock, count = flow.clock, flow.counts
-    q, v, a, rows = flow.q, flow.v, flow.a, flow.rows
+    q, v, a, rows = state.q, state.v, flow.a, flow.rows
     to_q, to_v, to_a, driven, slope, to_slope = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]
     places = q.size // 2
     farthest, fastest = flow.limits[0], flow.limits[1]
@@ -85,11 +86,11 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
         near = fixed == 0.0 and h >= near_limit
         _predict(q, v, a, slope, step, to_q, to_v)
         if drive.moving:
-            drive_to(body, live, drive, t + step, to_q, to_v)
+            drive_to(body, state, drive, t + step, to_q, to_v)
             for k in range(drive.mass.size):
                 m = drive.mass[k]
                 driven[m], driven[places + m] = to_v[m], to_v[places + m]
-        accelerations(body, live, work, to_q, to_v, to_a)
+        accelerate(problem, to_q, to_v, to_a)
         past = _PAST if near else 0.0
         change, far, fast, moved = _correct(q, v, a, to_a, half, past, to_q, to_v, to_slope)
         for k in range(drive.mass.size):
@@ -106,7 +107,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
                 error = HOPELESS
         good = error <= 1.0
         if good and fixed == 0.0:
-            good = stays_gentle(body, live, q, to_q, step, from_bits(moved), shortest)
+            good = stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest)
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if not good:
@@ -118,8 +119,8 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
             continue
         shortest = shortest_of(body, work)  # before the books, which ask for forces elsewhere
         if ledger.active:
-            tally(body, live, work, ledger, drive, flow, t, to_q, to_v, to_a, step)
-            replace_state(flow, to_q, to_v, to_a)
+            tally(problem, drive, t, to_q, to_v, to_a, step)
+            replace_state(state.q, state.v, flow.a, to_q, to_v, to_a)
         else:
             # Change places instead of copying.
             q, to_q, v, to_v, a, to_a = to_q, q, to_v, v, to_a, a
@@ -140,7 +141,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
                     held += 1
             failures = 0
     if swaps % 2:
-        replace_state(flow, q, v, a)
+        replace_state(state.q, state.v, flow.a, q, v, a)
     count[COUNT_FORCES] += tries
     count[COUNT_STEPS] += steps
     count[COUNT_REJECTED] += tries - steps
@@ -148,7 +149,7 @@ def run_verlet(body, live, work, drive, flow, ledger, end, fixed, tolerance, nea
     clock[CLOCK_HELD] = held / max(tries, 1)
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _predict(q, v, a, slope, step, to_q, to_v):
     """Positions at the end of a step, and velocities for the forces there."""
     eight_at_a_time()
@@ -158,7 +159,7 @@ def _predict(q, v, a, slope, step, to_q, to_v):
         to_v[j] = v[j] + step * slope[j]
 
 
-@kernel(apart=True, forceinline=True, fastmath=FAST)
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _correct(q, v, a, to_a, half, past, to_q, to_v, to_slope):
     """Correct velocities, and find what predicts the next ones, with the part `past` of `a` in it.
 

@@ -18,7 +18,7 @@ from app.serve import serving
 from app.session import Session
 from app.tab import Tab
 from app.ticker import Ticker
-from sim.warmup import Kernels
+from sim.compiling import ENTRY_POINTS, EntryPoint
 
 PATIENCE = 30.0
 
@@ -53,8 +53,9 @@ class Stage:
 
 @pytest.fixture(scope="module")
 def stage() -> Iterator[Stage]:
-    with serving(sim.load_scene("tutorial-3.3"), "127.0.0.1", 0) as (server, ticker, kernels):
-        kernels.compile()
+    with serving(sim.load_scene("tutorial-3.3"), "127.0.0.1", 0) as (server, ticker, compiler):
+        compiler.start()
+        compiler.wait()
         yield Stage(server, ticker)
 
 
@@ -246,35 +247,48 @@ def test_a_defect_in_one_tab_leaves_the_others_alone(stage: Stage, monkeypatch: 
         other.read_for(0.05)
 
 
-def test_before_the_kernels_are_compiled_the_rope_is_drawn_and_waits() -> None:
-    with serving(sim.load_scene("tutorial-3.3"), "127.0.0.1", 0) as (server, ticker, kernels):
-        assert isinstance(kernels, Kernels)
-        with Page(server.get_port()) as page:
+def _pretend_nothing_is_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Until the patch is undone, no kernel counts as ready."""
+    monkeypatch.setattr(EntryPoint, "ready", property(lambda _: False))
+
+
+def test_before_anything_is_compiled_every_preset_moves(monkeypatch: pytest.MonkeyPatch) -> None:
+    _pretend_nothing_is_compiled(monkeypatch)
+    for name in ("tutorial-3.3", "ring", "study-w5"):
+        with (
+            serving(sim.load_scene(name), "127.0.0.1", 0) as (server, ticker, _),
+            Page(server.get_port()) as page,
+        ):
             page.wait_for(lambda m: m.get("name") == "/body/masses" and "props" in m)
-            notice = page.wait_for(lambda m: "Notification" in str(m.get("type")))
-            assert "Compiling" in str(notice)
+            page.wait_for(lambda m: "moves by NumPy" in str(m))
             (tab,) = ticker.tabs.values()
-            assert tab._session is None
-            kernels.compile()
-            eventually(lambda: tab._session is not None and tab._session.simulation.step_count > 0)
+            eventually(lambda tab=tab: session_of(tab).simulation.step_count > 0)
+            assert session_of(tab).simulation.plain
 
 
-def test_while_the_other_methods_are_compiled_a_scene_stands_still_with_its_controls() -> None:
-    with serving(sim.load_scene("study-w5"), "127.0.0.1", 0) as (server, ticker, kernels):
-        kernels.general.set()
-        with Page(server.get_port()) as page:
-            page.wait_for(lambda m: m.get("type") == "GuiTabGroupMessage")
-            notice = page.wait_for(lambda m: "Notification" in str(m.get("type")))
-            assert "Compiling" in str(notice)
-            (tab,) = ticker.tabs.values()
-            session = session_of(tab)
-            session.post(commands.SetValue("linear_stiffness", 12345.0))
-            session.post(commands.DoSteps(1))
-            refusal = page.wait_for(lambda m: "as soon as the solver is compiled" in str(m))
-            assert "That cannot be done" in str(refusal)
-            assert session.simulation.step_count == 0
-            assert session.scene.rope is not None
-            assert session.scene.rope.stiffness == 12345.0
-            session.post(commands.Play(True))
-            kernels.every.set()
-            eventually(lambda: session.simulation.step_count > 0)
+def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    with (
+        serving(sim.load_scene("ring"), "127.0.0.1", 0) as (server, ticker, _),
+        Page(server.get_port()) as page,
+    ):
+        page.wait_for(lambda m: m.get("type") == "GuiTabGroupMessage")
+        (tab,) = ticker.tabs.values()
+        eventually(lambda: tab._session is not None)
+        session = session_of(tab)
+        session.post(commands.SetValue("linear_stiffness", 12345.0))
+        session.post(commands.KeepBooks(True))
+        session.post(commands.Compare("rodas4", ""))
+        page.wait_for(lambda m: "comes when it is compiled" in str(m))
+        page.wait_for(lambda m: "is followed when it is compiled" in str(m))
+        eventually(lambda: session.simulation.step_count > 10)
+        steps, before = session.simulation.step_count, session.simulation.positions
+        monkeypatch.undo()
+        eventually(lambda: not session.simulation.plain)
+        assert session.simulation.step_count >= steps
+        # A frame or two of motion, and not a start anew.
+        assert np.abs(session.simulation.positions - before).max() < 100.0
+        page.wait_for(lambda m: "residual" in str(m))
+        page.wait_for(lambda m: "apart at most" in str(m))
+        assert session.ghost is not None
+        assert not session.ghost.waits
+        assert max(s.stiffness for s in session.scene.linear_springs) == 12345.0

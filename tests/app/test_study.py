@@ -72,7 +72,7 @@ def test_a_chain_has_a_narrow_band() -> None:
 
 def test_held_masses_are_where_their_circles_lead_them() -> None:
     equations = Equations(ROPE)
-    simulation = sim.Simulation(ROPE, integrator="dop853")
+    simulation = sim.Simulation(ROPE, integrator="adams")
     simulation.advance(0.3)
     assert (
         np.abs(equations.positions(simulation.time, equations.start)[0] - simulation.positions[0]).max()
@@ -85,7 +85,7 @@ def test_held_masses_are_where_their_circles_lead_them() -> None:
 def test_other_solvers_agree_with_softrod(name: str, scene: sim.Scene) -> None:
     if name in others.CVODE and not others.has_cvode():
         pytest.skip("scikit-sundae is not installed")
-    right = Ours(scene, "dop853", 1e-8).frame_by_frame().path
+    right = Ours(scene, "adams", 1e-8).frame_by_frame().path
     contender = Theirs(Equations(scene), name, 1e-4)
     looked, whole = contender.frame_by_frame(), contender.in_one_call()
     assert right is not None

@@ -95,8 +95,9 @@ def serve() -> Iterator[Serve]:
 
         def start(scene: str) -> Served:
             if scene not in running:
-                server, ticker, kernels = stack.enter_context(serving(sim.load_scene(scene), "127.0.0.1", 0))
-                kernels.compile()
+                server, ticker, compiler = stack.enter_context(serving(sim.load_scene(scene), "127.0.0.1", 0))
+                compiler.start()
+                compiler.wait()
                 running[scene] = Served(f"http://127.0.0.1:{server.get_port()}", ticker)
             return running[scene]
 

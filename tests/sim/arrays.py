@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from sim import Scene, Simulation
 from sim.kernels.energy import ANGULAR, GRAVITY, LINEAR, energies
 from sim.kernels.forces import accelerations
-from sim.kernels.implicit import factorise, solve
+from sim.kernels.implicit import factorise_matrix, solve_matrix
 from sim.kernels.resist import add_resistance, remember_directions
 from sim.pattern import new_matrix
 from sim.solver import Solver
@@ -38,12 +38,12 @@ class Arrays:
         self.system = simulation._system
         if general:
             self.system = dataclasses.replace(
-                self.system, body=self.system.body._replace(chain=False, ring=False)
+                self.system, body=self.system.body.replaced(chain=False, ring=False)
             )
-        self.body, self.live, self.work = self.system.body, simulation._live, simulation._work
-        self.solver = Solver(scene, self.system, self.live, self.work)
+        self.body, self.state, self.work = self.system.body, simulation._state, simulation._work
+        self.solver = Solver(scene, self.system, self.state, self.work)
         self.solver.load(0.0)
-        self.q, self.v = self.solver.flow.q.copy(), self.solver.flow.v.copy()
+        self.q, self.v = self.state.q.copy(), self.state.v.copy()
         self.places = self.q.size // 2
         n = self.body.masses
         self.here = np.r_[1 : n + 1, self.places + 1 : self.places + n + 1]
@@ -65,7 +65,7 @@ class Arrays:
     def accelerations(self, q: Floats, v: Floats) -> Floats:
         """Of all of `here`."""
         a = np.zeros_like(q)
-        accelerations(self.body, self.live, self.work, q, v, a)
+        accelerations(self.body, self.state, self.work, q, v, a)
         return a[self.here]
 
     def potential(self, q: Floats) -> float:
@@ -73,7 +73,7 @@ class Arrays:
         mass = np.zeros(self.places)
         mass[1 : self.body.masses + 1] = 1.0 / self.system.inverse_mass
         four = np.zeros(4)
-        energies(self.body, self.live, mass, *self.scene.gravity, q, np.zeros_like(q), four)
+        energies(self.body, self.state, mass, *self.scene.gravity, q, np.zeros_like(q), four)
         return float(four[[LINEAR, ANGULAR, GRAVITY]].sum())
 
     def derivative(self, by_velocity: bool, step: float) -> Floats:
@@ -90,13 +90,13 @@ class Arrays:
 
     def factorise(self, a: float, g: float, definite: bool = False) -> bool:
         """Factorise a I - g Jv - Jx at the present state."""
-        return bool(factorise(self.body, self.live, self.matrix, self.q, self.v, a, g, definite))
+        return bool(factorise_matrix(self.body, self.state, self.matrix, self.q, self.v, a, g, definite))
 
     def solve(self, right: Floats) -> Floats:
         """Solve with the last factors, for numbers of all of `here`."""
         flat = np.zeros_like(self.q)
         flat[self.here] = right
-        solve(self.body, self.matrix, flat)
+        solve_matrix(self.body, self.matrix, flat)
         assert not np.delete(flat, self.here).any()  # the padding stays as it is
         return flat[self.here]
 
@@ -110,5 +110,5 @@ class Arrays:
         flat, out = np.zeros((2, self.q.size))
         flat[self.here], out[self.here] = z, start
         remember_directions(self.body, self.matrix, self.q)
-        add_resistance(self.body, self.live, self.matrix, self.v, flat, factor, out)
+        add_resistance(self.body, self.state, self.matrix, self.v, flat, factor, out)
         return out[self.here]

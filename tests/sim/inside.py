@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene, Simulation
-from sim.kernels.forces import internal_forces
+from sim.kernels.forces import spring_forces as kernel_forces
 from sim.kernels.tables import CLOCK_DEGREE
-from sim.stepping import FlowStepper, stepper_for
+from sim.solver import Solver
 from sim.system import System
 
 Points = NDArray[np.float64]
@@ -20,11 +20,16 @@ def system_of(simulation: Simulation) -> System:
     return simulation._system
 
 
+def solver_of(simulation: Simulation) -> Solver:
+    """What runs the simulation's method."""
+    solver = simulation._stepper.solver
+    assert isinstance(solver, Solver)
+    return solver
+
+
 def adams_degree(simulation: Simulation) -> int:
     """The degree that Adams' methods went on with in the last step."""
-    stepper = simulation._stepper
-    assert isinstance(stepper, FlowStepper)
-    return int(stepper.solver.flow.clock[CLOCK_DEGREE])
+    return int(solver_of(simulation).flow.clock[CLOCK_DEGREE])
 
 
 def is_chain(simulation: Simulation) -> bool:
@@ -39,30 +44,28 @@ def is_ring(simulation: Simulation) -> bool:
 
 def general(simulation: Simulation) -> Simulation:
     """The same simulation, made to take the path for any topology."""
-    body = simulation._body._replace(chain=False, ring=False)
+    body = simulation._body.replaced(chain=False, ring=False)
     simulation._body = body
     simulation._system = dataclasses.replace(simulation._system, body=body)
-    simulation._stepper = stepper_for(
-        simulation._scene, simulation._system, simulation._live, simulation._work
-    )
+    simulation._stepper = simulation._new_stepper()
     simulation._moved = True
     return simulation
 
 
 def put(simulation: Simulation, positions: Points, velocities: Points | None = None) -> None:
     """Set the state of all masses, the held ones too."""
-    place, live = simulation._system.mass_place, simulation._live
-    live.x[place], live.y[place] = positions.T
+    place, state = simulation._system.mass_place, simulation._state
+    state.x[place], state.y[place] = positions.T
     if velocities is not None:
-        live.vx[place], live.vy[place] = velocities.T
+        state.vx[place], state.vy[place] = velocities.T
     simulation._moved = True
 
 
 def spring_forces(simulation: Simulation) -> Points:
     """(n, 2) what all springs and joints do to each mass at the present state, without air and gravity."""
     work = simulation._work
-    live = simulation._live
-    internal_forces(True, simulation._body, live, work, live.x, live.y, live.vx, live.vy)
+    state = simulation._state
+    kernel_forces(simulation._body, state, work, state.x, state.y, state.vx, state.vy)
     place = simulation._system.mass_place
     return np.column_stack((work.fx[place], work.fy[place]))
 

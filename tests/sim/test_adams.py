@@ -106,7 +106,7 @@ def test_vibrations_that_nothing_damps_do_not_hold_steps() -> None:
 @pytest.mark.parametrize("name", ["study-w1", "study-w2"])
 def test_errors_keep_to_the_tolerance_whatever_the_degrees(name: str) -> None:
     exact = Simulation(
-        REPLACE(sim.load_scene(name), integrator=Integrator(method="dop853", tolerance=1e-10, dt=1.0))
+        REPLACE(sim.load_scene(name), integrator=Integrator(method="adams", tolerance=1e-9, dt=1.0))
     )
     assert exact.step() == 1
     for tolerance in (1e-2, 1e-4, 1e-6):

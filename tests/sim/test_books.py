@@ -70,7 +70,7 @@ def test_what_is_asked_in_between_does_not_change_the_motion(method: Method) -> 
 
 
 @pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("method", ["auto", "dopri5", "adams", "rodas5p", "symplectic_euler"])
+@pytest.mark.parametrize("method", ["auto", "adams", "rodas5p", "symplectic_euler"])
 def test_what_a_hand_takes_and_gives_back_is_entered(method: Method, law: ForceLaw) -> None:
     scene = body("cloth", law, 1, twist=0.0, held=(0,))
     scene = REPLACE(scene, integrator=Integrator(method=method, dt=1e-5, tolerance=1e-6))

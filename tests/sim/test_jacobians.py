@@ -184,16 +184,16 @@ def test_a_singular_pivot_is_told_wherever_it_is(count: int) -> None:
     arrays = Arrays(chain(row(count), velocities=[(1.0, 1.0)] * count))
     assert arrays.factorise(1.0, 1.0)
     for place in range(1, count + 1):
-        arrays.live.air[place] = -0.5
+        arrays.state.air[place] = -0.5
         assert not arrays.factorise(1.0, 1.0)
-        arrays.live.air[place] = 0.0
+        arrays.state.air[place] = 0.0
 
 
 @pytest.mark.parametrize("count", [2, 5, 8, 9, 16, 17, 30, 33, 47, 64])
 def test_pivots_are_those_of_their_rows(count: int) -> None:
     # Without springs each row is its own pivot.
     arrays = Arrays(chain(row(count), velocities=[(m, 2.0 * m) for m in range(count)]))
-    arrays.live.air[1 : count + 1] = 0.5
+    arrays.state.air[1 : count + 1] = 0.5
     assert arrays.factorise(3.0, 1.0)
     expected = np.arange(count)[:, None] * [1.0, 0.0, 0.0, 2.0] + [3.0, 0.0, 0.0, 3.0]
     pivots = 1.0 / inverse_pivots(arrays.matrix.blocks, count)[:, [0, 3]]
@@ -204,7 +204,7 @@ def test_pivots_are_those_of_their_rows(count: int) -> None:
 def dense(arrays: Arrays, g: float) -> Floats:
     """Jx + g Jv of the forces as `assemble` sums them, for all of `here`."""
     matrix, n = arrays.matrix, arrays.body.masses
-    assemble(arrays.body, arrays.live, matrix, arrays.q, arrays.v, g, False)
+    assemble(arrays.body, arrays.state, matrix, arrays.q, arrays.v, g, False)
     whole = np.zeros((2 * n, 2 * n))
     for i in range(n):
         for p in range(matrix.row_start[i], matrix.row_start[i + 1]):
@@ -328,8 +328,8 @@ def graphs(draw: st.DrawFn) -> Scene:
 def test_any_graph_is_solved_as_a_dense_matrix_is(scene: Scene) -> None:
     arrays = Arrays(sim.validate(scene), general=True)
     g, places = 200.0, arrays.here
-    free = arrays.live.inverse_mass[places % arrays.places]
-    drag = 2.0 * arrays.live.air[places % arrays.places] * np.abs(arrays.v[places])
+    free = arrays.state.inverse_mass[places % arrays.places]
+    drag = 2.0 * arrays.state.air[places % arrays.places] * np.abs(arrays.v[places])
     matrix = np.diag(g * g + g * drag) - free[:, None] * dense(arrays, g)
     right = np.random.default_rng(0).normal(size=places.size)
     assert arrays.factorise(g * g, g)

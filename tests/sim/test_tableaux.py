@@ -76,18 +76,14 @@ def test_there_are_as_many_trees_as_there_should_be() -> None:
 
 
 EXPLICIT = [
-    # method, order, orders of the method that gives each estimate
-    (tableaux.RK4, 4, ()),
-    (tableaux.DOPRI5, 5, (4,)),
-    (tableaux.DOP853, 8, (5, 3)),
+    # method, order
+    (tableaux.RK4, 4),
 ]
 ROSENBROCK = [(tableaux.RODAS4, 4, 3), (tableaux.RODAS5P, 5, 4)]
 
 
-@pytest.mark.parametrize(("table", "order", "embedded"), EXPLICIT, ids=["rk4", "dopri5", "dop853"])
-def test_explicit_methods_fulfil_their_conditions(
-    table: Tableau, order: int, embedded: tuple[int, ...]
-) -> None:
+@pytest.mark.parametrize(("table", "order"), EXPLICIT, ids=["rk4"])
+def test_explicit_methods_fulfil_their_conditions(table: Tableau, order: int) -> None:
     s = table.stages
     # With the end of the step as one more stage, whose weights are those of the method.
     a = np.zeros((s + 1, s + 1))
@@ -98,16 +94,6 @@ def test_explicit_methods_fulfil_their_conditions(
     assert np.abs(a @ a - table.abar[:, : s + 1]).max() <= 1e-14
     assert misfit(b, order, a, a) <= 1e-13
     assert misfit(b, order + 1, a, a) > 1e-6
-    # Rows are padded with zeros to a multiple of four.
-    for padded in (table.a, table.abar, table.error[None], table.second[None]):
-        assert padded.shape[1] % 4 == 0
-        assert not padded[:, s + 1 :].any()
-    for row, lower in zip((table.error, table.second), embedded, strict=False):
-        # The estimate is of a position: an integral of that of the velocity, which takes one order.
-        assert misfit(row[: s + 1], lower - 1, a, a, exact=False) <= 1e-13
-        assert misfit(row[: s + 1], lower, a, a, exact=False) > 1e-6
-    assert table.paired == (len(embedded) == 2)
-    assert table.error.any() == (len(embedded) > 0)
 
 
 @pytest.mark.parametrize(("table", "order", "embedded"), ROSENBROCK, ids=["rodas4", "rodas5p"])
@@ -134,7 +120,7 @@ def test_rosenbrock_methods_fulfil_their_conditions(table: Rosenbrock, order: in
 
 
 def test_methods_say_the_order_that_their_tables_have() -> None:
-    known = [*((id(t), order) for t, order, _ in EXPLICIT), *((id(t), order) for t, order, _ in ROSENBROCK)]
+    known = [*((id(t), order) for t, order in EXPLICIT), *((id(t), order) for t, order, _ in ROSENBROCK)]
     for info in METHODS.values():
         if isinstance(info.table, Adams):
             assert info.order == info.table.degree + 2

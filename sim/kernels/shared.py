@@ -1,0 +1,107 @@
+"""Calling a kernel through its address.
+
+numba compiles a copy of a kernel into every kernel that calls it. What is large and wanted by many is
+compiled once instead, and called through an address that the `Problem` brings along: that costs some
+nanoseconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from numba import types
+from numba.extending import intrinsic
+
+from .jit import kernel
+from .tables import Body, Drive, Matrix, Problem, State, Work
+
+FLOATS = types.Array(types.float64, 1, "C")
+_F8 = types.float64
+_BODY: tuple[types.Type, ...] = tuple(t.numba_type for t in (Body, State, Work))
+
+ACCELERATIONS = types.void(*_BODY, FLOATS, FLOATS, FLOATS)
+TALLY = types.void(Problem.numba_type, Drive.numba_type, _F8, FLOATS, FLOATS, FLOATS, _F8)
+FACTORISE = types.boolean(
+    Body.numba_type, State.numba_type, Matrix.numba_type, FLOATS, FLOATS, _F8, _F8, types.boolean
+)
+SOLVE = types.void(Body.numba_type, Matrix.numba_type, FLOATS)
+"""The signatures of the kernels that are called in this way."""
+
+
+def address_of(kernel: Any, signature: Any) -> int:
+    """Where a kernel's machine code is; it is compiled where it is not."""
+    kernel.compile(signature.args)
+    result = kernel.get_compile_result(signature)
+    return result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
+
+
+def _caller(signature: Any) -> Callable[..., Any]:
+    """What compiled code does to call a kernel of a signature."""
+
+    def generate(context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
+        convention = context.call_conv
+        function = convention.get_function_type(signature.return_type, signature.args).as_pointer()
+        pointer = builder.inttoptr(arguments[0], function)
+        # Kernels raise nothing, so there is no status to look at.
+        _, result = convention.call_function(
+            builder, pointer, signature.return_type, signature.args, arguments[1:]
+        )
+        return result
+
+    return generate
+
+
+def _shared(function: Any) -> Any:
+    """numba's `intrinsic`, whose first parameter is not one of the caller's."""
+    return intrinsic(function)
+
+
+def _typed(signature: Any) -> Any:
+    return signature.return_type(types.int64, *signature.args)
+
+
+@_shared
+def _call_accelerations(_context, address, body, state, work, q, v, a):
+    return _typed(ACCELERATIONS), _caller(ACCELERATIONS)
+
+
+@_shared
+def _call_tally(_context, address, problem, drive, t, q, v, a, h):
+    return _typed(TALLY), _caller(TALLY)
+
+
+@_shared
+def _call_factorise(_context, address, body, state, matrix, q, v, a, g, definite):
+    return _typed(FACTORISE), _caller(FACTORISE)
+
+
+@_shared
+def _call_solve(_context, address, body, matrix, b):
+    return _typed(SOLVE), _caller(SOLVE)
+
+
+@kernel(inline="always")
+def accelerate(problem, q, v, a):
+    """`forces.accelerations` of the problem's body."""
+    _call_accelerations(problem.accelerations, problem.body, problem.state, problem.work, q, v, a)
+
+
+@kernel(inline="always")
+def tally(problem, drive, t, q, v, a, h):
+    """`ledger.tally_step`."""
+    _call_tally(problem.tally, problem, drive, t, q, v, a, h)
+
+
+@kernel(inline="always")
+def factorise(problem, q, v, a, g, definite):
+    """`implicit.factorise_matrix` of the problem's body."""
+    return _call_factorise(
+        problem.factorise, problem.body, problem.state, problem.matrix, q, v, a, g, definite
+    )
+
+
+@kernel(inline="always")
+def solve(problem, b):
+    """`implicit.solve_matrix` of the problem's body."""
+    _call_solve(problem.solve, problem.body, problem.matrix, b)

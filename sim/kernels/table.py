@@ -1,0 +1,187 @@
+"""Tables: what a kernel reads of a body, passed as one pointer.
+
+A kernel needs some hundred arrays. As arguments they would be handed over one by one at every call: seven
+machine words each, which takes longer than a short rope's step, and compiling it takes longer than compiling
+the arithmetic. So they are kept in tables. A table is an object with typed, read-only attributes: numbers,
+arrays and other tables. Its values are kept in a block of memory, and compiled code loads what it uses from
+there. In Python and in a kernel alike, `body.stiffness` is the array.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, ClassVar, NamedTuple, Self, dataclass_transform
+
+import numpy as np
+from llvmlite import ir
+from numba import types
+from numba.core.typing.templates import AttributeTemplate
+from numba.extending import (
+    NativeValue,
+    infer_getattr,
+    lower_getattr_generic,
+    models,
+    register_model,
+    typeof_impl,
+    unbox,
+)
+from numba.np.arrayobj import populate_array
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+"""A one-dimensional array of floats."""
+Rows = NDArray[np.float64]
+"""A two-dimensional array of floats."""
+Indices = NDArray[np.int64]
+"""A one-dimensional array of integers."""
+
+_NUMBERS = {"int": types.int64, "bool": types.boolean, "float": types.float64}
+_ARRAYS = {"Floats": (types.float64, 1), "Rows": (types.float64, 2), "Indices": (types.int64, 1)}
+_WORD, _DOUBLE = ir.IntType(64), ir.DoubleType()
+_ITEM = 8  # bytes of a float, an integer and a pointer
+
+
+class _Field(NamedTuple):
+    """Where a value is kept, in words from the start of its table's block, and what it is to numba."""
+
+    start: int
+    type: types.Type
+
+
+class TableType(types.Type):
+    """numba's type of the tables of one class."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(f"Table({name})")
+        self.class_name = name
+
+    @property
+    def fields(self) -> dict[str, _Field]:
+        """The fields of a table of this type, by name."""
+        return _CLASSES[self.class_name].fields
+
+
+_CLASSES: dict[str, type[Table]] = {}
+
+
+@dataclass_transform(kw_only_default=True, frozen_default=True)
+class Table:
+    """The base of all tables; a subclass declares its fields as annotated attributes.
+
+    Raises:
+        TypeError: a field is missing or unknown, or an array has another type than the kernels expect.
+    """
+
+    fields: ClassVar[dict[str, _Field]]
+    numba_type: ClassVar[TableType]
+
+    def __init_subclass__(cls) -> None:
+        cls.fields, start = {}, 0
+        for name, kind in cls.__annotations__.items():
+            if kind in _ARRAYS:
+                item, dimensions = _ARRAYS[kind]
+                cls.fields[name] = _Field(start, types.Array(item, dimensions, "C"))
+                start += 1 + dimensions
+            else:
+                type_ = _NUMBERS[kind] if kind in _NUMBERS else _CLASSES[kind].numba_type
+                cls.fields[name] = _Field(start, type_)
+                start += 1
+        cls.numba_type = TableType(cls.__name__)
+        _CLASSES[cls.__name__] = cls
+
+    def __init__(self, **values: Any) -> None:
+        if values.keys() != self.fields.keys():
+            raise TypeError(f"{type(self).__name__}: {sorted(values.keys() ^ self.fields.keys())}")
+        words: list[int] = []
+        for name, field in self.fields.items():
+            value = values[name]
+            if isinstance(field.type, types.Array):
+                dtype = np.float64 if field.type.dtype == types.float64 else np.int64
+                if value.dtype != dtype or value.ndim != field.type.ndim or not value.flags.c_contiguous:
+                    raise TypeError(f"{type(self).__name__}.{name}: {value.dtype}, {value.shape}")
+                words += (value.ctypes.data, *value.shape)
+            elif isinstance(value, Table):
+                words.append(value.address())
+            else:
+                words.append(
+                    int(np.float64(value).view(np.int64)) if field.type == types.float64 else int(value)
+                )
+        self.__dict__.update(values)
+        self.__dict__["_block"] = np.array(words, np.int64)
+        self.__dict__["_address"] = self.__dict__["_block"].ctypes.data
+
+    def address(self) -> int:
+        """Where the block is."""
+        return self.__dict__["_address"]
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"{type(self).__name__}.{name}: a table is read-only; see `replaced`")
+
+    def replaced(self, **changes: Any) -> Self:
+        """The table with other values in some fields."""
+        return type(self)(**{name: changes.get(name, getattr(self, name)) for name in self.fields})
+
+    def copied(self) -> Self:
+        """The table with copies of all its arrays."""
+        return self.replaced(**{name: array.copy() for name, array in self.arrays()})
+
+    def arrays(self) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The names and values of the fields that are arrays."""
+        for name in self.fields:
+            if isinstance(value := getattr(self, name), np.ndarray):
+                yield name, value
+
+
+# ------------------------------------------------------------------------- what numba is told
+@register_model(TableType)
+class _TableModel(models.OpaqueModel):
+    """In compiled code, a table is a pointer to its block."""
+
+
+@typeof_impl.register(Table)
+def _typeof(table: Table, _context: Any) -> TableType:
+    return table.numba_type
+
+
+@unbox(TableType)
+def _unbox(kind: TableType, table: Any, c: Any) -> NativeValue:
+    boxed = c.pyapi.object_getattr_string(table, "_address")
+    address = c.pyapi.long_as_longlong(boxed)
+    c.pyapi.decref(boxed)
+    return NativeValue(c.builder.inttoptr(address, c.context.get_value_type(kind)))
+
+
+@infer_getattr
+class _TableAttributes(AttributeTemplate):
+    key = TableType
+
+    def generic_resolve(self, kind: TableType, name: str) -> types.Type | None:
+        field = kind.fields.get(name)
+        return field.type if field is not None else None
+
+
+@lower_getattr_generic(TableType)
+def _load_field(context: Any, builder: Any, kind: TableType, table: Any, name: str) -> Any:
+    start, type_ = kind.fields[name]
+
+    def load(offset: int, as_type: ir.Type = _WORD) -> Any:
+        words = builder.bitcast(table, _WORD.as_pointer())
+        place = builder.gep(words, [ir.Constant(ir.IntType(32), start + offset)])
+        loaded = builder.load(builder.bitcast(place, as_type.as_pointer()))
+        # A table never changes, whatever a kernel writes elsewhere: so loads may leave a loop.
+        loaded.set_metadata("invariant.load", builder.module.add_metadata([]))
+        return loaded
+
+    if isinstance(type_, types.Array):
+        array = context.make_array(type_)(context, builder)
+        shape = [load(1 + axis) for axis in range(type_.ndim)]
+        item = ir.Constant(_WORD, _ITEM)
+        strides = [item] if type_.ndim == 1 else [builder.mul(item, shape[1]), item]
+        data = load(0, context.get_data_type(type_.dtype).as_pointer())
+        populate_array(array, data=data, shape=shape, strides=strides, itemsize=_ITEM, meminfo=None)
+        return array._getvalue()
+    if isinstance(type_, TableType):
+        return load(0, context.get_value_type(type_))
+    if type_ == types.boolean:
+        return builder.icmp_unsigned("!=", load(0), ir.Constant(_WORD, 0))
+    return load(0, _DOUBLE if type_ == types.float64 else _WORD)

@@ -1,0 +1,137 @@
+"""The physics of softrod in NumPy: start reading here.
+
+A body is point masses, linear springs between two masses, and angular springs ("joints"), each of which holds
+two linear springs at an angle. This module says what they do, in as few lines as it takes, for any body and
+under every force law. It needs no compiler, so the page moves by it until the compiled kernels are ready; the
+tests hold every kernel against it.
+
+A vector (x, y) is the complex number x + iy. So the length of a vector is `abs`, a turn by an angle r is a
+product with exp(ir), and of two vectors A and B, conj(A) B = A . B + i (A x B) = |A||B| exp(iV), with V the
+angle from A to B. For a joint with the rest angle r, everything follows from S = conj(A) B exp(-ir): its
+angle is the deflection V - r, its size is |A||B|, and its imaginary part is |A||B| sin(V - r), which takes no
+trigonometry.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .kernels.tables import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL, Body, State
+
+Vectors = NDArray[np.complex128]
+"""One vector each, as complex numbers."""
+Floats = NDArray[np.float64]
+
+SHORTEST = 1e-150
+"""Length (px) that a spring has at least when something is divided by it."""
+
+
+def sine_law(s: Vectors) -> tuple[Floats, Floats]:
+    """The torque |A||B| sin(V - r), and the energy |A||B| (1 - cos(V - r)) that it belongs to."""
+    return s.imag, abs(s) - s.real
+
+
+def angle_law(s: Vectors) -> tuple[Floats, Floats]:
+    """The torque |A||B| (V - r), and the energy |A||B| (V - r)² / 2."""
+    deflection = np.angle(s)
+    return abs(s) * deflection, 0.5 * abs(s) * deflection**2
+
+
+LAWS: dict[int, Callable[[Vectors], tuple[Floats, Floats]]] = {
+    NO_JOINTS: sine_law,
+    TUTORIAL: sine_law,
+    CONSERVATIVE: sine_law,
+    ANGLE: angle_law,
+}
+"""Torque and energy of a joint of stiffness one, by `Body.law`. The tutorial's law has the sine law's torque,
+but leaves out the pull along the springs that makes it the gradient of an energy."""
+
+
+class Physics:
+    """What acts on a body's masses.
+
+    Masses stand at places 1 to n of the arrays; the others are padding, see `sim.kernels.tables`.
+
+    Args:
+        body: how the masses are joined, and by what.
+        state: rest lengths and rest angles as they are now, and what acts on each mass beside its springs.
+    """
+
+    def __init__(self, body: Body, state: State) -> None:
+        self._law, self._has_energy = LAWS[body.law], body.law != TUTORIAL
+        springs, joints = slice(body.springs), slice(1, body.joints + 1)
+        self.a, self.b = body.spring_a, body.spring_b  # (S,) masses at the ends of each spring
+        self.stiffness = body.stiffness[springs]  # (S,) kg/s²
+        self.damping = body.damping[springs]  # (S,) kg/s
+        self.pull = state.pull[springs]  # (S,) stiffness * rest length, kg px/s²
+        self.first, self.second = body.joint_a, body.joint_b  # (J,) springs of each joint
+        self.joint_stiffness = body.couple_size[joints]  # (J,) kg/s²
+        self.joint_damping = body.couple_damping[joints]  # (J,) kg/s
+        self.rest_angle = state.couple_rest[joints]  # (J,) radians
+        self.state = state
+        self._ends = np.concatenate((self.b, self.a))
+
+    def forces(self, x: Vectors, v: Vectors) -> Vectors:
+        """(places) the forces of all springs on the masses at positions x (px) and velocities v (px/s)."""
+        spring, rate = x[self.b] - x[self.a], v[self.b] - v[self.a]
+        square = np.maximum(abs(spring), SHORTEST) ** 2
+        # Of a spring with the vector L: -stiffness (|L| - rest) L/|L| - damping (L . dL/dt) L/|L|².
+        along = (rate * spring.conj()).real / square
+        tension = (self.pull / np.sqrt(square) - self.stiffness - self.damping * along) * spring
+        if self.first.size:
+            one, other = spring[self.first], spring[self.second]
+            torque, energy = self._law(one.conj() * other * np.exp(-1j * self.rest_angle))
+            torque, energy = self.joint_stiffness * torque, self.joint_stiffness * energy
+            turning = (rate * spring.conj()).imag / square  # rate at which each spring turns, 1/s
+            bending = turning[self.second] - turning[self.first]  # dV/dt
+            torque = torque + self.joint_damping * abs(one) * abs(other) * bending
+            if not self._has_energy:
+                energy = 0.0 * energy
+            # The torque turns both springs towards the rest angle. The energy grows with both lengths, so its
+            # gradient pulls along them, too.
+            turned = spring / square
+            np.add.at(tension, self.first, (1j * torque - energy) * turned[self.first])
+            np.add.at(tension, self.second, (-1j * torque - energy) * turned[self.second])
+        return self._sum(np.concatenate((tension, -tension)), x.size)
+
+    def accelerations(self, x: Vectors, v: Vectors) -> Vectors:
+        """(places) px/s²; zero where a mass is held. Air friction acts along each axis by itself."""
+        state = self.state
+        air = v.real * abs(v.real) + 1j * (v.imag * abs(v.imag))
+        return self.forces(x, v) * state.inverse_mass - air * state.air + (state.gx + 1j * state.gy)
+
+    def energies(self, x: Vectors) -> tuple[float, float]:
+        """The energy in linear and in angular springs, kg px²/s²; the tutorial's law has the sine law's."""
+        spring = x[self.b] - x[self.a]
+        pulls = self.stiffness > 0.0
+        rest = self.pull[pulls] / self.stiffness[pulls]
+        linear = 0.5 * float((self.stiffness[pulls] * (abs(spring[pulls]) - rest) ** 2).sum())
+        s = spring[self.first].conj() * spring[self.second] * np.exp(-1j * self.rest_angle)
+        return linear, float((self.joint_stiffness * self._law(s)[1]).sum())
+
+    def _sum(self, at_ends: Vectors, places: int) -> Vectors:
+        """Add up what acts at both ends of each spring by mass."""
+        x, y = (np.bincount(self._ends, part, places) for part in (at_ends.real, at_ends.imag))
+        return x + 1j * y
+
+
+def euler_step(physics: Physics, x: Vectors, v: Vectors, h: float) -> tuple[Vectors, Vectors]:
+    """Symplectic Euler, the tutorial's step of h seconds: first velocities, then positions."""
+    v = v + h * physics.accelerations(x, v)
+    return x + h * v, v
+
+
+def verlet_step(
+    physics: Physics, x: Vectors, v: Vectors, a: Vectors, h: float, lead: Callable[[Vectors, Vectors], None]
+) -> tuple[Vectors, Vectors, Vectors]:
+    """Velocity Verlet, from the accelerations a of the step before; forces take v + h a for the new velocity.
+
+    `lead` puts the masses that are led where they are at the end of the step.
+    """
+    x, expected = x + h * v + 0.5 * h * h * a, v + h * a
+    lead(x, expected)
+    after = physics.accelerations(x, expected)
+    return x, v + 0.5 * h * (a + after), after
