@@ -20,7 +20,7 @@ from sim import EnergyBook, Simulation
 from sim.methods import METHODS
 
 from .hard_cases import HardCase, hard_cases, long_rods
-from .output import make_folder, write
+from .output import make_folder, write_page, write_table
 from .report import provenance
 
 FRAMES = 40
@@ -149,7 +149,7 @@ Row = dict[str, Outcome]
 
 
 def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> int:
-    """Run all cases by all integrators, and write `hard-cases.md` and `hard-cases.csv`.
+    """Run all cases by all integrators, and write `hard-cases.md` and `hard-cases.csv.gz`.
 
     Ctrl-C ends it early; the cases that are done by then are written.
 
@@ -190,8 +190,8 @@ def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> i
                 progress.advance(task)
         except KeyboardInterrupt:
             note = f"Interrupted after {len(rows)} of {len(cases)} cases."
-    write(out / "hard-cases.csv", as_csv(rows).encode())
-    write(out / "hard-cases.md", markdown(rows, known, note).encode())
+    write_table(out / "hard-cases.csv.gz", as_csv(rows))
+    write_page(out / "hard-cases.md", markdown(rows, known, note))
     console.print(f"{summary(rows)} {note}".strip())
     console.print(f"written to {out}")
     if note:

@@ -77,7 +77,7 @@ def markdown(found: Found, figures: Sequence[tuple[str, str]], note: str) -> str
         *([""] if missed else []),
     ]
     for name, caption in figures:
-        lines += [f"![{caption}]({name}.svg)", "", f"*{caption}*", ""]
+        lines += [f"![{caption}]({name}.png)", "", f"*{caption}*", ""]
     for case, results in found:
         lines += [f"## {case.title}", "", case.notes, ""]
         lines += [

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,7 @@ from sim.ensemble import fixed_step_methods
 from sim.errors import InputError
 from sim.methods import METHODS
 
-from .output import make_folder, write
+from .output import make_folder, write_figures, write_page, write_table
 from .report import provenance
 from .stability_axes import AXES, released
 from .stability_map import ACCURATE, DAMPED_WRONGLY, ENDINGS, LOOKS, NEAR, UNSTABLE, Map, borders, compute
@@ -44,7 +45,7 @@ def stability(
     out: Path,
     console: Console,
 ) -> int:
-    """Compute maps and write `stability.csv`, `stability.md`, and PNG and SVG of each.
+    """Compute maps and write `stability.csv.gz`, `stability.md`, and a PNG of each.
 
     Ctrl-C ends it early; what is done by then is written.
 
@@ -93,8 +94,8 @@ def stability(
             note = "Interrupted: maps or cells are missing."
     begun = [chart for chart in charts if chart.endings]
     _draw(begun, scene.name, out)
-    write(out / "stability.csv", as_csv(begun).encode())
-    write(out / "stability.md", markdown(scene, moving, begun, duration, note).encode())
+    write_table(out / "stability.csv.gz", as_csv(begun))
+    write_page(out / "stability.md", markdown(scene, moving, begun, duration, note))
     console.print(f"{note} written to {out}".strip())
     return 130 if note else 0
 
@@ -111,13 +112,9 @@ def _chart(scene: Scene, pair: tuple[str, str], ranges: tuple[Range, Range], siz
 
 
 def _draw(charts: Sequence[Map], scene: str, out: Path) -> None:
-    from .figures import encoded
     from .stability_figures import draw
 
-    for chart in charts:
-        figure = draw(chart, scene)
-        for kind in ("png", "svg"):
-            write(out / f"{chart.name}.{kind}", encoded(figure, kind, dpi=100))
+    write_figures(out, {chart.name: (chart.name, partial(draw, chart, scene)) for chart in charts}, dpi=100)
 
 
 HEADINGS = ("integrator", "accurate", "damped wrongly", "unstable", "border / analytic limit")

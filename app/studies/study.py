@@ -16,7 +16,7 @@ from sim.errors import InputError
 
 from . import study_report as report
 from .measure import SceneResults, explore, known
-from .output import make_folder, write
+from .output import make_folder, write_figures, write_page, write_table
 from .random_study import measure_bodies
 from .study_report import Study
 
@@ -121,7 +121,6 @@ def _measure(
 
 def _report(found: Study, note: str, out: Path, console: Console) -> None:
     """Print and write."""
-    from .figures import encoded
     from .study_figures import figures
 
     for error in report.SHORT_HEADINGS:
@@ -129,12 +128,8 @@ def _report(found: Study, note: str, out: Path, console: Console) -> None:
         console.print()
     console.print(report.target_table(found))
     console.print(f"{report.summary(found)}. {note}".strip())
-    write(out / "study.csv", report.points_csv(found).encode())
-    write(out / "bodies.csv", report.bodies_csv(found).encode())
-    drawn = figures(found)
-    for name, (_, figure) in drawn.items():
-        for kind in ("png", "svg"):
-            write(out / f"{name}.{kind}", encoded(figure, kind))
-    captions = [(name, caption) for name, (caption, _) in drawn.items()]
-    write(out / "study.md", report.markdown(found, captions, note).encode())
+    write_table(out / "study.csv.gz", report.points_csv(found))
+    write_table(out / "bodies.csv.gz", report.bodies_csv(found))
+    drawn = write_figures(out, figures(found))
+    write_page(out / "study.md", report.markdown(found, drawn, note))
     console.print(f"written to {out}")

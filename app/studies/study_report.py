@@ -232,7 +232,7 @@ def markdown(study: Study, figures: Sequence[tuple[str, str]], note: str) -> str
     lines += [f"- Missed: {t.what}: {t.found} (target {t.wanted})" for t in missed]
     lines += [""] if missed else []
     for name, caption in figures:
-        lines += [f"![{caption}]({name}.svg)", "", f"*{caption}*", ""]
+        lines += [f"![{caption}]({name}.png)", "", f"*{caption}*", ""]
     if study.scenes:
         lines += ["## In short", "", _SHORT, ""]
         for error, headings in SHORT_HEADINGS.items():

@@ -8,7 +8,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from . import energy, motion, report, statics
-from .output import make_folder, write
+from .output import make_folder, write_figures, write_page, write_table
 from .results import Case, Result
 
 CASES: tuple[Case, ...] = (*statics.CASES, *motion.CASES, *energy.CASES)
@@ -20,7 +20,7 @@ def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, 
     Ctrl-C ends it early; what is done by then is printed and written.
 
     Args:
-        out: folder for `validate.md`, `validate.csv` and the figures, or None; made if its parent exists.
+        out: folder for `validate.md`, `validate.csv.gz` and the figures, or None; made if its parent exists.
         fast: leave out what takes long.
         console: where the tables and the progress go.
         cases: what to run.
@@ -53,7 +53,9 @@ def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, 
                 progress.console.print()
             if out is not None:
                 progress.update(task, description="figures")
-                figures = _draw(out)
+                from .figures import FIGURES
+
+                figures = write_figures(out, FIGURES)
             note = ""
         except KeyboardInterrupt:
             note = "Interrupted: the figures are missing."
@@ -63,20 +65,9 @@ def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, 
         console.print(report.table(*found[-1]))
     console.print(f"{report.summary(found)}. {note}".strip())
     if out is not None:
-        write(out / "validate.csv", report.as_csv(found).encode())
-        write(out / "validate.md", report.markdown(found, figures, note).encode())
+        write_table(out / "validate.csv.gz", report.as_csv(found))
+        write_page(out / "validate.md", report.markdown(found, figures, note))
         console.print(f"written to {out}")
     if note:
         return 130
     return 0 if all(result.met for _, results in found for result in results) else 1
-
-
-def _draw(out: Path) -> list[tuple[str, str]]:
-    """Write the figures; the name and the caption of each."""
-    from .figures import FIGURES, encoded
-
-    for name, (_, draw) in FIGURES.items():
-        figure = draw()
-        for kind in ("png", "svg"):
-            write(out / f"{name}.{kind}", encoded(figure, kind))
-    return [(name, caption) for name, (caption, _) in FIGURES.items()]
