@@ -5,10 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from rich.console import Console
-from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from . import energy, motion, report, statics
-from .output import make_folder, write_figures, write_page, write_table
+from .output import Watch, make_folder, write_figures, write_page, write_table
 from .results import Case, Result
 
 CASES: tuple[Case, ...] = (*statics.CASES, *motion.CASES, *energy.CASES)
@@ -34,33 +33,27 @@ def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, 
     if out is not None:
         make_folder(out)
     found: list[tuple[Case, list[Result]]] = []
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     complete = 0
     figures: list[tuple[str, str]] = []
-    with Progress(*columns, console=console, transient=True) as progress:
-        try:
-            task = progress.add_task("", total=len(cases))
-            for case in cases:
-                progress.update(task, description=case.title)
-                results: list[Result] = []
-                found.append((case, results))
-                for result in case.run(fast):
-                    results.append(result)
-                    progress.update(task, description=f"{case.title}: {result.quantity}")
-                complete += 1
-                progress.advance(task)
-                progress.console.print(report.table(case, results))
-                progress.console.print()
-            if out is not None:
-                progress.update(task, description="figures")
-                from .figures import FIGURES
+    with Watch(console, len(cases)) as watch:
+        for case in cases:
+            watch.say(case.title)
+            results: list[Result] = []
+            found.append((case, results))
+            for result in case.run(fast):
+                results.append(result)
+                watch.say(f"{case.title}: {result.quantity}")
+            complete += 1
+            watch.advance()
+            watch.print(report.table(case, results))
+        if out is not None:
+            from .figures import FIGURES
 
-                figures = write_figures(out, FIGURES)
-            note = ""
-        except KeyboardInterrupt:
-            note = "Interrupted: the figures are missing."
-            if complete < len(cases):
-                note = f"Interrupted after {complete} of {len(cases)} cases."
+            watch.say("figures")
+            figures = write_figures(out, FIGURES)
+    note = "Interrupted: the figures are missing." if watch.interrupted else ""
+    if complete < len(cases):
+        note = f"Interrupted after {complete} of {len(cases)} cases."
     if complete < len(found):
         console.print(report.table(*found[-1]))
     console.print(f"{report.summary(found)}. {note}".strip())

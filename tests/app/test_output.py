@@ -12,8 +12,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from app.studies.figures import BLUE, ORANGE, new_figure, tidy
-from app.studies.output import encoded, write_figures, write_page, write_table
-from app.studies.report import provenance
+from app.studies.output import encoded, provenance, write_figures, write_page, write_table
 from sim.errors import InputError
 
 

@@ -15,8 +15,9 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from app.studies import exact, report
+from app.studies import exact
 from app.studies.figures import FIGURES
+from app.studies.output import provenance
 from app.studies.results import Case, Result, compared, converging, fitted_slope, percent
 from app.studies.validate import CASES, validate
 from sim.errors import InputError
@@ -201,7 +202,7 @@ def test_the_written_report(tmp_path: Path) -> None:
 
 
 def test_the_machine_is_named_but_not_its_host_or_folders(tmp_path: Path) -> None:
-    line = report.provenance()
+    line = provenance()
     for word in ("cores", "Python", "softrod", "numpy", "numba", "scipy"):
         assert word in line
     run(tmp_path, case(GOOD))
