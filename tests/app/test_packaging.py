@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -84,6 +85,12 @@ def test_presets_are_found_from_an_installed_tool(uv: str, tmp_path: Path) -> No
     listed = run(tmp_path / "bin" / "softrod", "scenes", env=env, cwd=tmp_path)
     assert "tutorial-3.3" in listed
     assert "hair-tuft" in listed
+
+
+def test_the_solver_is_tested_without_the_page() -> None:
+    for path in (ROOT / "tests" / "sim").rglob("*.py"):
+        imports = re.findall(r"^\s*(?:from|import)\s+(\w+)", path.read_text(encoding="utf-8"), re.MULTILINE)
+        assert "app" not in imports, path
 
 
 def test_no_file_names_a_registry_or_a_lock() -> None:
