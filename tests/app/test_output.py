@@ -10,9 +10,20 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 from PIL import Image
+from rich.console import Console
 
 from app.studies.figures import BLUE, ORANGE, new_figure, tidy
-from app.studies.output import encoded, provenance, write_figures, write_page, write_table
+from app.studies.output import (
+    Watch,
+    comma_separated,
+    encoded,
+    grid,
+    provenance,
+    table,
+    write_figures,
+    write_page,
+    write_table,
+)
 from sim.errors import InputError
 
 
@@ -26,6 +37,36 @@ def drawn(color: str = BLUE, height: float = 1.0) -> Figure:
 def touched(path: Path) -> int:
     """What changes whenever a file is written, as each is a new one under the old name."""
     return path.stat().st_ino
+
+
+def test_a_watch_bears_an_interruption_and_no_error() -> None:
+    text = io.StringIO()
+    with Watch(Console(file=text), 2) as calm:
+        calm.say("one", 1, 3)
+        calm.advance()
+        calm.print("found")
+    assert not calm.interrupted
+    assert text.getvalue().startswith("found\n\n")
+    with Watch(Console(file=text), 2) as stopped:
+        raise KeyboardInterrupt
+    assert stopped.interrupted
+    with pytest.raises(ZeroDivisionError), Watch(Console(file=text), 2):
+        raise ZeroDivisionError
+
+
+def test_tables_in_three_forms() -> None:
+    headings, rows = ("what", "how", "much", ""), [("a|b", "c", "1", "met"), ("d", "e", "2", "missed")]
+    assert grid(headings, rows, "ll") == [
+        "| what | how | much |  |",
+        "| --- | --- | --: | --: |",
+        "| a\\|b | c | 1 | met |",
+        "| d | e | 2 | missed |",
+        "",
+    ]
+    shown = table(headings, rows, "ll")
+    assert [column.justify for column in shown.columns] == ["left", "left", "right", "right"]
+    assert [row.style for row in shown.rows] == ["", "bold red"]
+    assert comma_separated(("a", "b"), [(0.1, None), ("x,y", 2)]) == 'a,b\n0.10000000000000001,\n"x,y",2\n'
 
 
 def test_figures_are_the_same_every_time() -> None:
