@@ -12,6 +12,7 @@ import numpy as np
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
 from sim.files import built_in_folder
+from sim.rope import fine_rope
 from sim.scene import Circle, ForceLaw, Method
 
 PRESETS = sorted(path.stem for path in built_in_folder().glob("*.json"))
@@ -32,38 +33,17 @@ def tutorial_preset(name: str) -> Scene:
     return msgspec.structs.replace(sim.load_scene(name), force_law="tutorial", integrator=euler())
 
 
-def rod(
-    masses: int,
-    law: ForceLaw = "conservative",
-    integrator: Integrator | None = None,
-    circle: Circle | None = None,
-) -> Scene:
-    """The tutorial's rope in so many pieces, horizontal, held at its left end.
-
-    Length, weight and stiffness of the whole are those of the rope.
-    """
-    finer = (masses - 1) / 11.0
-    return sim.rope(
-        masses,
-        length=300.0,
-        start=(100.0, 100.0),
-        direction=(1.0, 0.0),
-        mass=12.0 / masses,
-        stiffness=1e4 * finer,
-        damping=40.0 * finer,
-        angular_stiffness=1e4 * finer**3,
-        air_friction=0.002 * 12.0 / masses,
-        circle=circle,
-        driven=None,
-        force_law=law,
-        integrator=integrator or Integrator(),
-    )
+def rod(masses: int, law: ForceLaw = "conservative", **changes: Any) -> Scene:
+    """The tutorial's rope in so many pieces, horizontal, held at its left end."""
+    return fine_rope(masses, force_law=law, **changes)
 
 
 def led_rod(masses: int, method: Method = "auto", tolerance: float = 0.1) -> Scene:
     """The rod under the tutorial's law, its first mass led in a circle twice a second."""
     integrator = Integrator(method=method, dt=1.0 / 60.0, tolerance=tolerance)
-    return rod(masses, "tutorial", integrator, Circle(radius=200.0, frequency=2.0, ramp=0.1))
+    return rod(
+        masses, "tutorial", integrator=integrator, circle=Circle(radius=200.0, frequency=2.0, ramp=0.1)
+    )
 
 
 def folded_rope() -> Scene:
