@@ -7,7 +7,6 @@ import re
 from typing import Any
 
 import msgspec
-import numpy as np
 import pytest
 
 import sim
@@ -24,7 +23,6 @@ from sim import (
     View,
     validate,
 )
-from sim.files import decode_scene, encode_scene
 from sim.scene import MAX_MASSES, MAX_SPRINGS, Circle
 from sim.validate import number_range
 from tests.sim.walking import Route, routes, spelled, with_value
@@ -182,52 +180,6 @@ TYPES: list[tuple[Scene, str]] = [
 )
 def test_wrong_types_are_refused_by_field(scene: Scene, field: str) -> None:
     assert refused(scene).startswith(f"{field}: ")
-
-
-@pytest.mark.parametrize(
-    ("route", "value", "sentence"),
-    [
-        ("masses", list(BODY.masses), "masses: a tuple is expected, not list"),
-        ("masses.1.velocity", [1.0, 2.0], "masses[1].velocity: a tuple is expected, not list"),
-        ("masses.0.position", (1.0,), "masses[0].position: 2 numbers are expected, as in a tuple"),
-        ("gravity", None, "gravity: 2 numbers are expected, as in a tuple"),
-        ("masses.0.position", np.ones(2), "masses[0].position: 2 numbers are expected, as in a tuple"),
-        ("masses.0", BODY.anchors[0], "masses[0]: a Mass is expected, not Anchor"),
-        ("masses.2", {"position": (1.0, 2.0)}, "masses[2]: a Mass is expected, not dict"),
-        ("masses.2", None, "masses[2]: a Mass is expected, not None"),
-        ("arrow_keys", View(), "arrow_keys: an ArrowKeys is expected, not View"),
-        ("air_friction", np.int64(0), "air_friction: a number is expected, not int64"),
-        ("air_friction", object(), "air_friction: a number is expected, not object"),
-        ("name", object(), "name: a text is expected, not object"),
-        ("name", b"ab", "name: a text is expected, not bytes"),
-        ("name", "\ud800", "name: it has characters that cannot be written to a file"),
-        ("description", "a\udfffb", "description: it has characters that cannot be written to a file"),
-        ("view.unit", "\ud800", "view.unit: it has characters that cannot be written to a file"),
-        ("template", 45.0, "template: 45.0 is not one of 180, 135, 90, 45, 0, -45, -90, -135"),
-        ("force_law", "x" * 500, f"force_law: '{'x' * 60}…' is not one of tutorial, conservative, angle"),
-        ("name", "", "name: it must not be empty"),
-        ("view.unit", "centimetre", "view.unit: 10 characters are more than 8"),
-    ],
-)  # fmt: skip
-def test_the_sentence_says_what_is_expected(route: str, value: Any, sentence: str) -> None:
-    assert refused(changed(route, value)) == sentence
-
-
-def test_a_whole_number_too_long_for_a_sentence_is_left_out_of_it() -> None:
-    for route in ("linear_springs.0.a", "masses.0.mass", "name"):
-        assert refused(changed(route, 10**5000)).endswith(": a whole number as large as this is not allowed")
-
-
-def test_numbers_and_texts_of_numpy_are_good_and_can_be_saved() -> None:
-    scene = validate(changed("masses.1.mass", np.float64(2.5), changed("name", np.str_("numpy"))))
-    assert decode_scene(encode_scene(scene), "scene") == scene
-    assert refused(changed("masses.1.mass", np.float64(0.0))).startswith(
-        "masses[1].mass: 0 is not in the range"
-    )
-    assert (
-        refused(changed("masses.1.mass", np.float64(math.nan)))
-        == "masses[1].mass: nan is not a finite number"
-    )
 
 
 def test_what_is_no_scene_is_refused() -> None:
