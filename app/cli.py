@@ -192,7 +192,7 @@ class Validate:
     """Hold the solver against exact results; the exit status is 1 if a target is missed."""
 
     out: Path | None = None
-    """Folder for the report: validate.md, validate.csv and figures."""
+    """Folder for the report: validate.md, validate.csv.gz and figures."""
     fast: bool = False
     """Leave out what takes long."""
 
@@ -210,7 +210,7 @@ class Stability:
     scene: Annotated[Positional[str], arg(metavar="SCENE")] = "tutorial-3.1"
     """A preset's name or a file's path."""
     out: Path = Path("stability")
-    """Folder for the report: stability.md, stability.csv and maps, or hard-cases.md and hard-cases.csv."""
+    """Folder for the report: stability.md, stability.csv.gz and maps, or hard-cases.md, hard-cases.csv.gz."""
     x: str | None = None
     """What varies from left to right: dt, stiffness, damping, angular_stiffness, angular_damping,
     air_friction, mass_ratio (of one mass to the next) or masses. Five maps unless --x and --y are given."""
@@ -278,7 +278,7 @@ class Study:
     """Measure computing time against error, of softrod's methods and of SciPy's and CVODE."""
 
     out: Path
-    """Folder for the report: study.md, study.csv, bodies.csv and figures."""
+    """Folder for the report: study.md, study.csv.gz, bodies.csv.gz and figures."""
     scenes: Annotated[Positional[tuple[str, ...]], arg(metavar="SCENE")] = ()
     """Presets' names or files' paths; without any, the presets of the group study."""
     integrators: str = ""

@@ -13,14 +13,15 @@ import tempfile
 import unicodedata
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, get_args, get_type_hints
+from typing import Any
 
 import msgspec
 import platformdirs
 
 from .errors import SceneError
 from .scene import BODY_FIELDS, FORMAT_VERSION, Scene
-from .validate import out_of_range, validate
+from .sentences import sentence
+from .validate import consistent, plain, validate
 
 MAX_FILE_BYTES = 5_000_000
 """Largest scene file that is read or written."""
@@ -72,7 +73,7 @@ def encode_scene(scene: Scene) -> bytes:
         SceneError: the scene is not valid.
     """
     validate(scene)
-    fields = msgspec.to_builtins(scene)
+    fields = plain(scene)
     if scene.rope is not None:
         for field in BODY_FIELDS:
             fields.pop(field, None)
@@ -115,10 +116,10 @@ def decode_scene(data: bytes, source: str) -> Scene:
         raw = _from_format_1(raw)
     raw = _with_present_method(raw)
     try:
-        return validate(msgspec.convert(raw, Scene))
+        return consistent(msgspec.convert(raw, Scene))
     except msgspec.ValidationError as error:
         # A field's name in the file may have line breaks in it; the sentence has none.
-        raise SceneError(" ".join(f"{source}: {_sentence(error, raw)}".split())) from None
+        raise SceneError(" ".join(f"{source}: {sentence(error, raw)}".split())) from None
     except SceneError as error:
         raise SceneError(f"{source}: {error}") from None
 
@@ -141,38 +142,6 @@ def _with_present_method(raw: dict[str, Any]) -> dict[str, Any]:
     if isinstance(integrator, dict) and isinstance(name := integrator.get("method"), str) and name in RETIRED:
         return {**raw, "integrator": {**integrator, "method": RETIRED[name]}}
     return raw
-
-
-def _sentence(error: msgspec.ValidationError, raw: Any) -> str:
-    """msgspec's complaint in our words: the field first, its value, and the range it should be in."""
-    reason, _, path = str(error).partition(" - at `$")
-    path = path.rstrip("`").lstrip(".")
-    steps = [int(step) if step.isdigit() else step for step in re.findall(r"[^.\[\]]+", path)]
-    kind: Any = Scene
-    value, meta = raw, None
-    try:
-        for step in steps:
-            value = value[step]
-            kind, meta = _field_type(kind, step)
-    except (KeyError, IndexError, TypeError):
-        meta = None
-    if isinstance(meta, msgspec.Meta) and isinstance(value, (int, float)) and reason.startswith("Expected"):
-        bounded = meta.ge is not None or meta.le is not None or meta.lt is not None
-        if bounded and not isinstance(value, bool) and "got" not in reason:
-            return out_of_range(path, value, meta)
-    return f"{path}: {reason}" if path else reason
-
-
-def _field_type(kind: Any, step: str | int) -> tuple[Any, msgspec.Meta | None]:
-    """The type, and its range if any, one step down a path such as masses[3].position[0]."""
-    arguments = [a for a in get_args(kind) if a is not type(None)]
-    if isinstance(step, int):
-        inner = arguments[0] if arguments[-1] is Ellipsis else arguments[step]
-    else:
-        owner = kind if hasattr(kind, "__struct_fields__") else arguments[0]
-        inner = get_type_hints(owner, include_extras=True)[step]
-    metas = [m for m in getattr(inner, "__metadata__", ()) if isinstance(m, msgspec.Meta)]
-    return (inner.__origin__ if metas else inner), (metas[0] if metas else None)
 
 
 # ------------------------------------------------------------------------- files

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import msgspec
 
 from .scene import ArrowKeys, Circle, ForceLaw, Integrator, Rope, Scene, Vector, View
@@ -74,6 +76,25 @@ def rope(
             view=view or View(),
         )
     )
+
+
+def fine_rope(masses: int, **changes: Any) -> Scene:
+    """The tutorial's rope of twelve masses in more and finer pieces, horizontal, held at its left end.
+
+    Length, weight, drag and stiffness of the whole stay the same; `changes` are arguments of `rope`.
+    """
+    finer = (masses - 1) / 11.0
+    numbers = {
+        "start": (100.0, 100.0),
+        "direction": (1.0, 0.0),
+        "driven": None,
+        "mass": 12.0 / masses,
+        "stiffness": 1e4 * finer,
+        "damping": 40.0 * finer,
+        "angular_stiffness": 1e4 * finer**3,
+        "air_friction": 0.002 * 12.0 / masses,
+    }
+    return rope(masses, **(numbers | changes))
 
 
 def with_rope(scene: Scene, **changes: object) -> Scene:

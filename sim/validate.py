@@ -1,27 +1,27 @@
 """Refuses every scene that could not be simulated, with one sentence that names the field.
 
-Types and ranges stand in `sim.scene`, as annotations; this module reads them there, so that a scene made
-in code is held to the same limits as one read from a file.
+Types and ranges stand in `sim.scene`, as annotations; msgspec reads them there, so that a scene made in code
+is held to the same limits as one read from a file.
 """
 
 from __future__ import annotations
 
 import math
-import sys
-from collections.abc import Callable, Iterator
-from functools import cache
-from types import UnionType
-from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
+import re
+from collections.abc import Iterator
+from typing import Any, get_args, get_type_hints
 
 import msgspec
 
 from .errors import SceneError
 from .scene import BODY_FIELDS, FORMAT_VERSION, MAX_MASSES, MAX_SPRINGS, Rope, Scene, expand_rope
-
-Check = Callable[[Any, str], None]
+from .sentences import difference, sentence, unit_of
 
 _SHORTEST = 1e-9
 """Distance (px) below which the ends of a spring count as one place: it would have no direction."""
+
+_HALF = re.compile("[\ud800-\udfff]")
+"""Half of a surrogate pair: Python has texts with those, UTF-8 does not."""
 
 
 def validate(scene: Scene) -> Scene:
@@ -33,10 +33,34 @@ def validate(scene: Scene) -> Scene:
     """
     if not isinstance(scene, Scene):
         raise SceneError(f"a Scene is expected, not {type(scene).__name__}")
-    _check_for(Scene)(scene, "")
+    try:
+        converted = msgspec.convert(plain(scene), Scene)
+    except msgspec.ValidationError as error:
+        raise SceneError(sentence(error, scene)) from None
+    if converted != scene:  # a list is converted to a tuple, and a dict to a struct
+        raise SceneError(difference(scene, converted))
+    return consistent(scene)
+
+
+def consistent(scene: Scene) -> Scene:
+    """Return a scene whose types and ranges are right, or refuse it for how its parts belong together.
+
+    Raises:
+        SceneError: as `validate`.
+    """
     for problem in _problems(scene):
         raise SceneError(problem)
     return scene
+
+
+def plain(scene: Scene) -> dict[str, Any]:
+    """The scene as dicts, tuples, numbers and texts."""
+    return msgspec.to_builtins(scene, enc_hook=_plain)
+
+
+def _plain(value: Any) -> Any:
+    """Numbers of numpy are as good as Python's; of any other type the name will do, which is refused."""
+    return next((kind(value) for kind in (float, int, str) if isinstance(value, kind)), type(value).__name__)
 
 
 def number_range(kind: type, field: str) -> tuple[float, float, str]:
@@ -48,129 +72,7 @@ def number_range(kind: type, field: str) -> tuple[float, float, str]:
         (meta.ge if meta.ge is not None else -math.inf),
         (meta.le if meta.le is not None else math.inf),
     )
-    return float(low), float(high), _unit(meta)
-
-
-def out_of_range(where: str, value: object, meta: msgspec.Meta) -> str:
-    """The sentence for a number outside the range of its annotation."""
-    if meta.lt is not None:
-        return f"{where}: {value!r} is not in the range {meta.ge:g}..{meta.lt - 1:g}"
-    low = f"{meta.ge:g}" if meta.ge is not None else ""
-    high = f"{meta.le:g}" if meta.le is not None else ""
-    shown = f"{value:g}" if isinstance(value, float) else repr(value)
-    return f"{where}: {shown} is not in the range {low}..{high} {_unit(meta)}".rstrip()
-
-
-def _unit(meta: msgspec.Meta) -> str:
-    return (meta.extra or {}).get("unit", "")
-
-
-# ------------------------------------------------------------------------- types and ranges
-@cache
-def _check_for(kind: Any) -> Check:
-    """A function that checks a value against a type annotation, built once per annotation."""
-    origin = get_origin(kind)
-    if origin is Annotated:
-        base, *extras = get_args(kind)
-        inner = _check_for(base)
-        meta = next(m for m in extras if isinstance(m, msgspec.Meta))
-        return _checker_of_meta(inner, meta)
-    if origin in (Union, UnionType):
-        (wanted,) = (a for a in get_args(kind) if a is not type(None))
-        inner = _check_for(wanted)
-        return lambda value, where: None if value is None else inner(value, where)
-    if origin is Literal:
-        return _checker_of_choice(get_args(kind))
-    if origin is tuple:
-        return _checker_of_tuple(get_args(kind))
-    if isinstance(kind, type) and issubclass(kind, msgspec.Struct):
-        return _checker_of_struct(kind)
-    return _checker_of_plain(kind)
-
-
-def _checker_of_meta(inner: Check, meta: msgspec.Meta) -> Check:
-    def check(value: Any, where: str) -> None:
-        inner(value, where)
-        if isinstance(value, str):
-            if meta.min_length is not None and len(value) < meta.min_length:
-                raise SceneError(f"{where}: it must not be empty")
-            if meta.max_length is not None and len(value) > meta.max_length:
-                raise SceneError(f"{where}: {len(value)} characters are more than {meta.max_length}")
-        elif isinstance(value, (int, float)) and not (
-            (meta.ge is None or value >= meta.ge)
-            and (meta.le is None or value <= meta.le)
-            and (meta.lt is None or value < meta.lt)
-        ):
-            raise SceneError(out_of_range(where, value, meta))
-
-    return check
-
-
-def _checker_of_choice(choices: tuple[Any, ...]) -> Check:
-    def check(value: Any, where: str) -> None:
-        if isinstance(value, bool) or value not in choices:
-            raise SceneError(f"{where}: {value!r} is not one of {', '.join(map(str, choices))}")
-
-    return check
-
-
-def _checker_of_tuple(items: tuple[Any, ...]) -> Check:
-    if items[-1] is Ellipsis:
-        inner = _check_for(items[0])
-
-        def check_all(value: Any, where: str) -> None:
-            if not isinstance(value, tuple):
-                raise SceneError(f"{where}: a tuple is expected, not {type(value).__name__}")
-            for i, item in enumerate(value):
-                inner(item, f"{where}[{i}]")
-
-        return check_all
-    inners = [_check_for(item) for item in items]
-
-    def check(value: Any, where: str) -> None:
-        if not isinstance(value, tuple) or len(value) != len(inners):
-            raise SceneError(f"{where}: {len(inners)} numbers are expected, as in a tuple")
-        for i, (item, inner) in enumerate(zip(value, inners, strict=True)):
-            inner(item, f"{where}[{i}]")
-
-    return check
-
-
-def _checker_of_struct(kind: type[msgspec.Struct]) -> Check:
-    hints = get_type_hints(kind, include_extras=True)
-    fields = [(name, _check_for(hints[name])) for name in kind.__struct_fields__]
-
-    def check(value: Any, where: str) -> None:
-        if not isinstance(value, kind):
-            raise SceneError(f"{where}: a {kind.__name__} is expected, not {type(value).__name__}")
-        prefix = f"{where}." if where else ""
-        for name, inner in fields:
-            inner(getattr(value, name), prefix + name)
-
-    return check
-
-
-def _checker_of_plain(kind: type) -> Check:
-    def check(value: Any, where: str) -> None:
-        if kind is float and isinstance(value, (int, float)) and not isinstance(value, bool):
-            if not -sys.float_info.max <= value <= sys.float_info.max:  # a NaN is not, either
-                raise SceneError(
-                    f"{where}: {value:.6g} is not a finite number"
-                    if isinstance(value, float)
-                    else f"{where}: a whole number as large as this is not allowed"
-                )
-        elif isinstance(value, str) and kind is str:
-            try:
-                value.encode()
-            except UnicodeEncodeError:
-                raise SceneError(f"{where}: it has characters that cannot be written to a file") from None
-        elif not isinstance(value, kind) or (kind is int and isinstance(value, bool)):
-            raise SceneError(f"{where}: {_A[kind]} is expected, not {value!r}")
-
-    return check
-
-
-_A = {float: "a number", int: "a whole number", str: "a text", bool: "true or false"}
+    return float(low), float(high), unit_of(meta)
 
 
 # ------------------------------------------------------------------------- what belongs together
@@ -181,6 +83,13 @@ def _problems(scene: Scene) -> Iterator[str]:
             f"format: this scene has format version {scene.format}, newer than {FORMAT_VERSION}, which is "
             "the newest that this softrod reads"
         )
+    for field, text in (
+        ("name", scene.name),
+        ("description", scene.description),
+        ("view.unit", scene.view.unit),
+    ):
+        if _HALF.search(text):
+            yield f"{field}: it has characters that cannot be written to a file"
     if scene.rope is not None:
         yield from _rope_problems(scene, scene.rope)
     n, springs = len(scene.masses), len(scene.linear_springs)

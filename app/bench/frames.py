@@ -17,6 +17,7 @@ from rich.table import Table
 
 import sim
 from sim import Integrator, Scene
+from sim.rope import fine_rope
 from sim.scene import Circle, Method
 
 SIZES = (12, 100, 1000, 3000, 10_000)
@@ -34,23 +35,8 @@ REFERENCE: tuple[Method, float] = ("rodas5p", 1e-3)
 
 
 def rod(masses: int, integrator: Integrator, circle: Circle | None = None) -> Scene:
-    """The tutorial's rope of twelve masses in so many, horizontal, held at its left end."""
-    finer = (masses - 1) / 11.0
-    return sim.rope(
-        masses,
-        length=300.0,
-        start=(100.0, 100.0),
-        direction=(1.0, 0.0),
-        mass=12.0 / masses,
-        stiffness=1e4 * finer,
-        damping=40.0 * finer,
-        angular_stiffness=1e4 * finer**3,
-        air_friction=0.002 * 12.0 / masses,
-        circle=circle,
-        driven=None,
-        force_law="tutorial",
-        integrator=integrator,
-    )
+    """The tutorial's rope in so many pieces, under the tutorial's law."""
+    return fine_rope(masses, circle=circle, force_law="tutorial", integrator=integrator)
 
 
 def led_rod(masses: int, method: Method, tolerance: float) -> Scene:

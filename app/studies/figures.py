@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import io
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import exact, motion, statics
+from .output import Drawing
 from .results import fitted_slope
 
 if TYPE_CHECKING:
@@ -26,11 +26,9 @@ def new_figure(
     width: float, height: float, columns: int = 1, rows: int = 1, **options: Any
 ) -> tuple[Figure, Any]:
     """A figure that belongs to no window, and its axes."""
-    import matplotlib as mpl
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    mpl.rcParams["svg.hashsalt"] = "softrod"  # the same file from the same numbers
     figure = Figure((width, height), layout="constrained")
     FigureCanvasAgg(figure)
     return figure, figure.subplots(rows, columns, **options)
@@ -154,7 +152,7 @@ def shapes() -> Figure:
     return figure
 
 
-FIGURES: dict[str, tuple[str, Callable[[], Figure]]] = {
+FIGURES: dict[str, Drawing] = {
     "master-curve": (
         "Heavy cantilevers: drop over reach of the free end, and its error, over Γ = w L³ / EI.",
         master_curve,
@@ -162,11 +160,3 @@ FIGURES: dict[str, tuple[str, Callable[[], Figure]]] = {
     "shapes": ("Heavy cantilevers at rest: the exact elastica, and softrod with twelve springs.", shapes),
     "convergence": ("Errors over the number of springs, and over the time step.", convergence),
 }
-
-
-def encoded(figure: Figure, kind: str, dpi: int = 160) -> bytes:
-    """The figure as "png" or "svg", without a date; `dpi` is the resolution of what is drawn in dots."""
-    data = io.BytesIO()
-    metadata = {"Date": None, "Creator": None} if kind == "svg" else {"Software": None}
-    figure.savefig(data, format=kind, dpi=dpi, metadata=metadata)
-    return data.getvalue()

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import csv
 import dataclasses
-import io
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,14 +12,12 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 from rich.console import Console
-from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from sim import EnergyBook, Simulation
 from sim.methods import METHODS
 
 from .hard_cases import HardCase, hard_cases, long_rods
-from .output import make_folder, write
-from .report import provenance
+from .output import Watch, comma_separated, grid, make_folder, provenance, write_page, write_table
 
 FRAMES = 40
 """Frames of a sixtieth of a second; where the time step is longer, three steps."""
@@ -149,7 +145,7 @@ Row = dict[str, Outcome]
 
 
 def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> int:
-    """Run all cases by all integrators, and write `hard-cases.md` and `hard-cases.csv`.
+    """Run all cases by all integrators, and write `hard-cases.md` and `hard-cases.csv.gz`.
 
     Ctrl-C ends it early; the cases that are done by then are written.
 
@@ -169,29 +165,24 @@ def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> i
     cases = {name: case for name, case in {**hard_cases(), **long}.items() if not only or name in only}
     rows: dict[str, Row] = {}
     known: dict[str, bool] = {}
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    note = ""
-    with Progress(*columns, console=console, transient=True) as progress:
-        task = progress.add_task("", total=len(cases))
-        try:
-            for name, case in cases.items():
-                progress.update(task, description=f"{name}: reference")
-                end = reference(case, LONG_REFERENCES if name in long else REFERENCES)
-                row: Row = {}
-                for method in ("auto",) if name in long else METHODS:
-                    progress.update(task, description=f"{name}: {method}")
-                    # The books take the work of an anchor from too few looks at a long rod's vibrations.
-                    outcome = run(case, method, books=name not in long)
-                    if end is not None and outcome.survived:
-                        error = _apart(outcome.positions, end) / case.scene.integrator.tolerance
-                        outcome = dataclasses.replace(outcome, error=error)
-                    row[method] = outcome
-                rows[name], known[name] = row, end is not None
-                progress.advance(task)
-        except KeyboardInterrupt:
-            note = f"Interrupted after {len(rows)} of {len(cases)} cases."
-    write(out / "hard-cases.csv", as_csv(rows).encode())
-    write(out / "hard-cases.md", markdown(rows, known, note).encode())
+    with Watch(console, len(cases)) as watch:
+        for name, case in cases.items():
+            watch.say(f"{name}: reference")
+            end = reference(case, LONG_REFERENCES if name in long else REFERENCES)
+            row: Row = {}
+            for method in ("auto",) if name in long else METHODS:
+                watch.say(f"{name}: {method}")
+                # The books take the work of an anchor from too few looks at a long rod's vibrations.
+                outcome = run(case, method, books=name not in long)
+                if end is not None and outcome.survived:
+                    error = _apart(outcome.positions, end) / case.scene.integrator.tolerance
+                    outcome = dataclasses.replace(outcome, error=error)
+                row[method] = outcome
+            rows[name], known[name] = row, end is not None
+            watch.advance()
+    note = f"Interrupted after {len(rows)} of {len(cases)} cases." if watch.interrupted else ""
+    write_table(out / "hard-cases.csv.gz", as_csv(rows))
+    write_page(out / "hard-cases.md", markdown(rows, known, note))
     console.print(f"{summary(rows)} {note}".strip())
     console.print(f"written to {out}")
     if note:
@@ -210,18 +201,17 @@ def summary(rows: dict[str, Row]) -> str:
 
 def as_csv(rows: dict[str, Row]) -> str:
     """A row for each case and method."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(
-        ("case", "method", "gave_up_at", "behind", "error_in_tolerances", "energy_made", "last_resorts")
-    )
+    lines = []
     for name, row in rows.items():
         for method, o in row.items():
             numbers = (math.nan if o.stopped is None else o.stopped, o.behind, o.error, o.made)
-            writer.writerow(
+            lines.append(
                 (name, method, *(f"{n:.6g}" if math.isfinite(n) else "" for n in numbers), o.rescues)
             )
-    return text.getvalue()
+    return comma_separated(
+        ("case", "method", "gave_up_at", "behind", "error_in_tolerances", "energy_made", "last_resorts"),
+        lines,
+    )
 
 
 def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
@@ -249,10 +239,10 @@ def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
         "",
         f"**{summary(rows)}**{' ' + note if note else ''}",
         "",
-        "| case | reference | " + " | ".join(METHODS) + " |",
-        "|---|---|" + "---|" * len(METHODS),
     ]
-    for name, row in rows.items():
-        cells = [str(row[method]) if method in row else "" for method in METHODS]
-        lines.append(f"| {name} | {'yes' if known[name] else 'no'} | " + " | ".join(cells) + " |")
-    return "\n".join([*lines, "", provenance(), ""])
+    cells = [
+        (name, "yes" if known[name] else "no", *(str(row.get(method, "")) for method in METHODS))
+        for name, row in rows.items()
+    ]
+    headings = ("case", "reference", *METHODS)
+    return "\n".join([*lines, *grid(headings, cells, "l" * len(headings)), provenance(), ""])

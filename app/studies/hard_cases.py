@@ -10,6 +10,7 @@ import numpy as np
 
 import sim
 from sim import Integrator, Pose, Scene, Simulation
+from sim.rope import fine_rope
 from sim.scene import ForceLaw
 
 REPLACE = msgspec.structs.replace
@@ -146,17 +147,8 @@ def long_rods() -> dict[str, HardCase]:
 
 
 def _rod(masses: int, circle: sim.Circle | None) -> Scene:
-    """The tutorial's rope, of the same weight, stretch and bending stiffness, cut finer."""
-    finer = (masses - 1) / 11.0
-    return rope(
-        masses=masses,
-        mass=12.0 / masses,
-        stiffness=1e4 * finer,
-        damping=40.0 * finer,
-        angular_stiffness=1e4 * finer**3,
-        air_friction=0.002 / finer,
-        circle=circle,
-    )
+    """The tutorial's rope, cut finer; the air's drag is shared out among the springs."""
+    return fine_rope(masses, air_friction=0.002 / ((masses - 1) / 11.0), circle=circle)
 
 
 def with_method(scene: Scene, method: str, law: ForceLaw) -> Scene:

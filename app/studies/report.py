@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import csv
-import datetime
-import io
-import os
-import platform
 from collections.abc import Sequence
-from importlib.metadata import version
-from pathlib import Path
 
 from rich.table import Table
 
+from . import output
 from .results import Case, Result, percent
 
 HEADINGS = ("quantity", "exact", "softrod", "error", "slope", "target", "")
+ALIGN = "lrrrrll"
 Found = Sequence[tuple[Case, Sequence[Result]]]
 """The cases that were run, and what came out."""
 
@@ -38,14 +33,7 @@ def cells(result: Result) -> tuple[str, ...]:
 
 def table(case: Case, results: Sequence[Result]) -> Table:
     """The results of one case, for the terminal."""
-    shown = Table(title=case.title, title_justify="left", title_style="bold", box=None, padding=(0, 2, 0, 0))
-    for heading in HEADINGS:
-        shown.add_column(
-            heading, justify="right" if heading in ("exact", "softrod", "error", "slope") else "left"
-        )
-    for result in results:
-        shown.add_row(*cells(result), style="" if result.met else "bold red")
-    return shown
+    return output.table(HEADINGS, map(cells, results), ALIGN, case.title)
 
 
 def summary(found: Found) -> str:
@@ -75,47 +63,22 @@ def markdown(found: Found, figures: Sequence[tuple[str, str]], note: str) -> str
         "",
         *(f"- Missed: {case.title}, {r.quantity}: {cells(r)[3]} (target {r.target})" for case, r in missed),
         *([""] if missed else []),
+        *output.captioned(figures),
     ]
-    for name, caption in figures:
-        lines += [f"![{caption}]({name}.svg)", "", f"*{caption}*", ""]
     for case, results in found:
-        lines += [f"## {case.title}", "", case.notes, ""]
-        lines += [
-            "| quantity | exact | softrod | error | slope | target | |",
-            "|---|--:|--:|--:|--:|---|---|",
-            *("| " + " | ".join(cell.replace("|", "\\|") for cell in cells(r)) + " |" for r in results),
-            "",
-        ]
-    return "\n".join([*lines, provenance(), ""])
+        lines += [f"## {case.title}", "", case.notes, "", *output.grid(HEADINGS, map(cells, results), ALIGN)]
+    return "\n".join([*lines, output.provenance(), ""])
 
 
 def as_csv(found: Found) -> str:
     """One line for each result, numbers with all their digits; the error is relative where it has no unit."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(("case", "quantity", "exact", "softrod", "error", "unit", "slope", "target", "met"))
-    for case, results in found:
-        for r in results:
-            numbers = ["" if n is None else f"{n:.17g}" for n in (r.exact, r.softrod, r.error)]
-            slope = "" if r.slope is None else f"{r.slope:.17g}"
-            met = str(r.met).lower() if r.target else ""
-            writer.writerow((case.key, r.quantity, *numbers, r.unit, slope, r.target, met))
-    return text.getvalue()
-
-
-def provenance(*more: str) -> str:
-    """What the results were computed with: processor, versions (also of `more` packages), date."""
-    versions = ", ".join(f"{name} {version(name)}" for name in ("softrod", "numpy", "numba", "scipy", *more))
-    today = datetime.date.today().isoformat()
-    return f"{_processor()}, {os.cpu_count()} cores; Python {platform.python_version()}, {versions}; {today}"
-
-
-def _processor() -> str:
-    """The processor's name, as far as the system tells it."""
-    try:
-        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-            if line.startswith("model name"):
-                return line.split(":", 1)[1].strip()
-    except OSError:
-        pass
-    return platform.processor() or platform.machine()
+    headings = ("case", "quantity", "exact", "softrod", "error", "unit", "slope", "target", "met")
+    rows = (
+        (
+            case.key, r.quantity, r.exact, r.softrod, r.error, r.unit, r.slope, r.target,
+            str(r.met).lower() if r.target else "",
+        )
+        for case, results in found
+        for r in results
+    )  # fmt: skip
+    return output.comma_separated(headings, rows)

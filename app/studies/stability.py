@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 from rich.console import Console
-from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from sim import Scene
@@ -17,8 +15,8 @@ from sim.ensemble import fixed_step_methods
 from sim.errors import InputError
 from sim.methods import METHODS
 
-from .output import make_folder, write
-from .report import provenance
+from . import output
+from .output import Watch, make_folder, provenance, write_figures, write_page, write_table
 from .stability_axes import AXES, released
 from .stability_map import ACCURATE, DAMPED_WRONGLY, ENDINGS, LOOKS, NEAR, UNSTABLE, Map, borders, compute
 
@@ -44,7 +42,7 @@ def stability(
     out: Path,
     console: Console,
 ) -> int:
-    """Compute maps and write `stability.csv`, `stability.md`, and PNG and SVG of each.
+    """Compute maps and write `stability.csv.gz`, `stability.md`, and a PNG of each.
 
     Ctrl-C ends it early; what is done by then is written.
 
@@ -75,26 +73,19 @@ def stability(
                 "the methods with a fixed step"
             )
     make_folder(out)
-    note = ""
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=console, transient=True) as progress:
-        task = progress.add_task("", total=1)
-        try:
-            for chart in charts:
-                title = f"{chart.x.key} × {chart.y.key}"
+    with Watch(console, 1) as watch:
+        for chart in charts:
 
-                def report(done: int, of: int, what: str, title: str = title) -> None:
-                    progress.update(task, completed=done, total=of, description=f"{title}: {what}")
+            def report(done: int, of: int, what: str, chart: Map = chart) -> None:
+                watch.say(f"{chart.x.key} × {chart.y.key}: {what}", done, of)
 
-                compute(moving, chart, methods, duration, report)
-                progress.console.print(summary(chart))
-                progress.console.print()
-        except KeyboardInterrupt:
-            note = "Interrupted: maps or cells are missing."
+            compute(moving, chart, methods, duration, report)
+            watch.print(summary(chart))
+    note = "Interrupted: maps or cells are missing." if watch.interrupted else ""
     begun = [chart for chart in charts if chart.endings]
     _draw(begun, scene.name, out)
-    write(out / "stability.csv", as_csv(begun).encode())
-    write(out / "stability.md", markdown(scene, moving, begun, duration, note).encode())
+    write_table(out / "stability.csv.gz", as_csv(begun))
+    write_page(out / "stability.md", markdown(scene, moving, begun, duration, note))
     console.print(f"{note} written to {out}".strip())
     return 130 if note else 0
 
@@ -111,13 +102,9 @@ def _chart(scene: Scene, pair: tuple[str, str], ranges: tuple[Range, Range], siz
 
 
 def _draw(charts: Sequence[Map], scene: str, out: Path) -> None:
-    from .figures import encoded
     from .stability_figures import draw
 
-    for chart in charts:
-        figure = draw(chart, scene)
-        for kind in ("png", "svg"):
-            write(out / f"{chart.name}.{kind}", encoded(figure, kind, dpi=100))
+    write_figures(out, {chart.name: (chart.name, partial(draw, chart, scene)) for chart in charts}, dpi=100)
 
 
 HEADINGS = ("integrator", "accurate", "damped wrongly", "unstable", "border / analytic limit")
@@ -139,22 +126,14 @@ def _lines(chart: Map) -> list[tuple[str, ...]]:
 
 def summary(chart: Map) -> Table:
     """How the cells of a map ended, for the terminal."""
-    title = f"{chart.x.label} × {chart.y.label}"
-    shown = Table(title=title, title_justify="left", title_style="bold", box=None, padding=(0, 2, 0, 0))
-    for heading in HEADINGS:
-        shown.add_column(heading, justify="left" if heading == HEADINGS[0] else "right")
-    for line in _lines(chart):
-        shown.add_row(*line)
-    return shown
+    return output.table(HEADINGS, _lines(chart), title=f"{chart.x.label} × {chart.y.label}")
 
 
 def as_csv(charts: Sequence[Map]) -> str:
     """A row for each cell: the two numbers, then ending, error and analytic limit of each integrator."""
     methods = list(charts[0].endings) if charts else []
     parts = [f"{method}{part}" for method in methods for part in ("", "_error", "_limit")]
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(("x", "y", "x_value", "y_value", *parts))
+    rows = []
     for chart in charts:
         for i, y in enumerate(chart.ys):
             for j, x in enumerate(chart.xs):
@@ -166,8 +145,8 @@ def as_csv(charts: Sequence[Map]) -> str:
                         cells += [f"{n:.2g}" if np.isfinite(n) else "" for n in numbers]
                     else:
                         cells += ["", "", ""]
-                writer.writerow((chart.x.key, chart.y.key, f"{x:.6g}", f"{y:.6g}", *cells))
-    return text.getvalue()
+                rows.append((chart.x.key, chart.y.key, f"{x:.6g}", f"{y:.6g}", *cells))
+    return output.comma_separated(("x", "y", "x_value", "y_value", *parts), rows)
 
 
 def markdown(scene: Scene, moving: Scene, charts: Sequence[Map], duration: float, note: str) -> str:
@@ -207,7 +186,5 @@ def markdown(scene: Scene, moving: Scene, charts: Sequence[Map], duration: float
             steps = chart.xs if chart.x.key == "dt" else chart.ys
             width = (steps[-1] / steps[0]) ** (1.0 / max(len(steps) - 1, 1)) - 1.0
             lines += [f"A cell is {100.0 * width:.0f} % of its step wide.", ""]
-        lines += ["| " + " | ".join(HEADINGS) + " |", "|---|--:|--:|--:|--:|"]
-        lines += ["| " + " | ".join(line) + " |" for line in _lines(chart)]
-        lines += [""]
+        lines += output.grid(HEADINGS, _lines(chart))
     return "\n".join([*lines, provenance(), ""])

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from rich.console import Console
-from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 import sim
 from sim import Scene
@@ -16,7 +15,7 @@ from sim.errors import InputError
 
 from . import study_report as report
 from .measure import SceneResults, explore, known
-from .output import make_folder, write
+from .output import Watch, make_folder, write_figures, write_page, write_table
 from .random_study import measure_bodies
 from .study_report import Study
 
@@ -89,39 +88,32 @@ def study(
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     make_folder(out)
     found = Study(errors)
+    with Watch(console, len(scenes) * len(integrators) + random) as watch:
+        for done, body in enumerate(measure_bodies(random), start=1):
+            found.bodies.append(body)
+            watch.say(f"random body {done} of {random}", done)
+        for name, scene in scenes:
+            _measure(found, name, scene, integrators, watch)
     note = ""
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=console, transient=True) as progress:
-        total = len(scenes) * len(integrators) + random
-        task = progress.add_task("", total=total)
-        try:
-            for done, body in enumerate(measure_bodies(random), start=1):
-                found.bodies.append(body)
-                progress.update(task, completed=done, description=f"random body {done} of {random}")
-            for name, scene in scenes:
-                _measure(found, name, scene, integrators, progress, task)
-        except KeyboardInterrupt:
-            done = f"{sum(results.complete for results in found.scenes)} of {len(scenes)} scenes"
-            note = f"Interrupted after {done} and {len(found.bodies)} of {random} random bodies."
+    if watch.interrupted:
+        done = f"{sum(results.complete for results in found.scenes)} of {len(scenes)} scenes"
+        note = f"Interrupted after {done} and {len(found.bodies)} of {random} random bodies."
     _report(found, note, out, console)
     return 130 if note else 0
 
 
-def _measure(
-    found: Study, name: str, scene: Scene, integrators: Sequence[str], progress: Progress, task: object
-) -> None:
+def _measure(found: Study, name: str, scene: Scene, integrators: Sequence[str], watch: Watch) -> None:
     results: SceneResults | None = None
     for so_far, what in explore(scene, name, integrators, found.errors):
         if results is None and so_far is not None:
             results = so_far
             found.scenes.append(results)
-        progress.update(task, description=f"{name}: {what}")  # type: ignore[arg-type]
-    progress.advance(task, len(integrators))  # type: ignore[arg-type]
+        watch.say(f"{name}: {what}")
+    watch.advance(len(integrators))
 
 
 def _report(found: Study, note: str, out: Path, console: Console) -> None:
     """Print and write."""
-    from .figures import encoded
     from .study_figures import figures
 
     for error in report.SHORT_HEADINGS:
@@ -129,12 +121,8 @@ def _report(found: Study, note: str, out: Path, console: Console) -> None:
         console.print()
     console.print(report.target_table(found))
     console.print(f"{report.summary(found)}. {note}".strip())
-    write(out / "study.csv", report.points_csv(found).encode())
-    write(out / "bodies.csv", report.bodies_csv(found).encode())
-    drawn = figures(found)
-    for name, (_, figure) in drawn.items():
-        for kind in ("png", "svg"):
-            write(out / f"{name}.{kind}", encoded(figure, kind))
-    captions = [(name, caption) for name, (caption, _) in drawn.items()]
-    write(out / "study.md", report.markdown(found, captions, note).encode())
+    write_table(out / "study.csv.gz", report.points_csv(found))
+    write_table(out / "bodies.csv.gz", report.bodies_csv(found))
+    drawn = write_figures(out, figures(found))
+    write_page(out / "study.md", report.markdown(found, drawn, note))
     console.print(f"written to {out}")

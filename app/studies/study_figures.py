@@ -9,6 +9,7 @@ import numpy as np
 
 from .figures import BLACK, BLUE, GREY, ORANGE, PURPLE, SKY, new_figure, tidy
 from .measure import FOLLOWED, Point, SceneResults, label
+from .output import Drawing
 from .random_study import CHAOTIC, TOLERANCE
 from .study_report import COARSE, Study
 
@@ -42,22 +43,22 @@ FLOOR = 1e-8
 """Errors that are drawn at least, px."""
 
 
-def figures(study: Study) -> dict[str, tuple[str, Figure]]:
-    """Caption and figure by name, of what there are results of."""
-    drawn: dict[str, tuple[str, Figure]] = {}
+def figures(study: Study) -> dict[str, Drawing]:
+    """The figures by name, of what there are results of."""
+    drawn: dict[str, Drawing] = {}
     if any(results.points for results in study.scenes):
         drawn["work-precision"] = (
             "Milliseconds of computing for a simulated second over the largest position error at the end, "
             "px; for each method the settings that none of its others beats. Full lines: softrod; broken: "
             f"SciPy and CVODE. The star is auto at a tolerance of {COARSE:g} px in one call, the open star "
             "in 60 calls.",
-            work_precision(study),
+            lambda: work_precision(study),
         )
     if any(not body.left_out for body in study.bodies):
         drawn["bodies"] = (
             f"Random bodies: the share that ends within so many tolerances (auto at {TOLERANCE:g} px), and "
             "the error over how much the body amplifies a nudge of its start.",
-            bodies(study),
+            lambda: bodies(study),
         )
     return drawn
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import csv
 import dataclasses
-import io
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from rich.table import Table
@@ -15,8 +13,8 @@ from sim.methods import METHODS
 
 from . import others, random_study
 from .measure import FOLLOWED, Point, SceneResults, label
+from .output import captioned, comma_separated, grid, provenance, table
 from .random_study import OTHER_TOLERANCES, BodyResult, Shares, shares, shares_by_tolerance
-from .report import provenance
 
 EULER = "symplectic_euler"
 
@@ -119,6 +117,8 @@ SHORT_HEADINGS: dict[float, tuple[str, ...]] = {
 }
 """Of the short tables, by the error."""
 
+TARGET_HEADINGS = ("target", "wanted", "found", "")
+
 
 def short_rows(study: Study, error: float) -> list[tuple[str, ...]]:
     """For each scene `auto` with an error as its tolerance, beside the best of the others within it."""
@@ -164,36 +164,22 @@ def _px(point: Point | None) -> str:
 def short_table(study: Study, error: float) -> Table:
     """A short table, for the terminal."""
     title = f"to {error:g} px: ms for a second; errors in px"
-    table = Table(title=title, title_justify="left", box=None, padding=(0, 2, 0, 0))
-    for i, heading in enumerate(SHORT_HEADINGS[error]):
-        table.add_column(heading, justify="right" if i else "left")
-    for row in short_rows(study, error):
-        table.add_row(*row)
-    return table
+    return table(SHORT_HEADINGS[error], short_rows(study, error), title=title)
 
 
 def target_table(study: Study) -> Table:
     """The targets, for the terminal."""
-    table = Table("target", "wanted", "found", "", box=None, padding=(0, 2, 0, 0))
-    for target in targets(study):
-        verdict = "met" if target.met else "missed"
-        table.add_row(
-            target.what, target.wanted, target.found, verdict, style="" if target.met else "bold red"
-        )
-    return table
+    return table(TARGET_HEADINGS, _target_rows(study), "llll")
+
+
+def _target_rows(study: Study) -> list[tuple[str, ...]]:
+    return [(t.what, t.wanted, t.found, "met" if t.met else "missed") for t in targets(study)]
 
 
 def summary(study: Study) -> str:
     """How many targets are met."""
     rows = targets(study)
     return f"{sum(row.met for row in rows)} of {len(rows)} targets met"
-
-
-def _grid(headings: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
-    """A table in Markdown, its first columns to the left."""
-    rule = ["---"] * left + ["--:"] * (len(headings) - left)
-    lines = [headings, rule, *([cell.replace("|", "\\|") for cell in row] for row in rows)]
-    return [f"| {' | '.join(line)} |" for line in lines] + [""]
 
 
 def _scene_rows(results: SceneResults, errors: Sequence[float]) -> list[list[str]]:
@@ -231,19 +217,18 @@ def markdown(study: Study, figures: Sequence[tuple[str, str]], note: str) -> str
     lines += [f"**{summary(study)}.**{' ' + note if note else ''}", ""]
     lines += [f"- Missed: {t.what}: {t.found} (target {t.wanted})" for t in missed]
     lines += [""] if missed else []
-    for name, caption in figures:
-        lines += [f"![{caption}]({name}.svg)", "", f"*{caption}*", ""]
+    lines += captioned(figures)
     if study.scenes:
         lines += ["## In short", "", _SHORT, ""]
         for error, headings in SHORT_HEADINGS.items():
-            lines += [f"To {error:g} px:", "", *_grid(headings, short_rows(study, error))]
-    rows = [(t.what, t.wanted, t.found, "met" if t.met else "missed") for t in targets(study)]
-    lines += ["## Targets", "", *_grid(("target", "wanted", "found", ""), rows, left=4)] if rows else []
+            lines += [f"To {error:g} px:", "", *grid(headings, short_rows(study, error))]
+    rows = _target_rows(study)
+    lines += ["## Targets", "", *grid(TARGET_HEADINGS, rows, "llll")] if rows else []
     for results in study.scenes:
         headings = ("integrator", *(f"{error:g} px" for error in study.errors), "failures")
         lines += [f"## {results.scene}", "", f"The references are {results.doubt:.1g} px apart.", ""]
         lines += ["Not complete.", ""] if not results.complete else []
-        lines += _grid(headings, _scene_rows(results, study.errors))
+        lines += grid(headings, _scene_rows(results, study.errors))
     lines += _bodies(study.bodies) if study.bodies else []
     return "\n".join([*lines, provenance(*(["scikit-sundae"] if others.has_cvode() else [])), ""])
 
@@ -306,7 +291,7 @@ def _bodies(bodies: Sequence[BodyResult]) -> list[str]:
         )
         for b in worst
     ]  # fmt: skip
-    return [*lines, *_grid(headings, cells, left=3)]
+    return [*lines, *grid(headings, cells, "lll")]
 
 
 def _share_grid(headings: Sequence[str], rows: dict[str, Shares]) -> list[str]:
@@ -319,7 +304,7 @@ def _share_grid(headings: Sequence[str], rows: dict[str, Shares]) -> list[str]:
         for what, found in rows.items()
         if found.counted
     ]  # fmt: skip
-    return _grid(headings, cells)
+    return grid(headings, cells)
 
 
 # ------------------------------------------------------------------------- CSV
@@ -327,7 +312,7 @@ def points_csv(study: Study) -> str:
     """One line for each setting, numbers with all their digits."""
     points = [point for results in study.scenes for point in results.points]
     names = [field.name for field in dataclasses.fields(Point)]
-    return _csv(names, ([getattr(point, name) for name in names] for point in points))
+    return comma_separated(names, ([getattr(point, name) for name in names] for point in points))
 
 
 def bodies_csv(study: Study) -> str:
@@ -335,13 +320,4 @@ def bodies_csv(study: Study) -> str:
     *names, others = (field.name for field in dataclasses.fields(BodyResult))
     headings = [*names, *(f"error_at_{tolerance:g}" for tolerance in OTHER_TOLERANCES)]
     values = ((*(getattr(body, name) for name in names), *getattr(body, others)) for body in study.bodies)
-    return _csv(headings, values)
-
-
-def _csv(headings: Sequence[str], rows: Iterable[Iterable[object]]) -> str:
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(headings)
-    for row in rows:
-        writer.writerow(f"{v:.17g}" if isinstance(v, float) else v for v in row)
-    return text.getvalue()
+    return comma_separated(headings, values)

@@ -5,10 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from rich.console import Console
-from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from . import energy, motion, report, statics
-from .output import make_folder, write
+from .output import Watch, make_folder, write_figures, write_page, write_table
 from .results import Case, Result
 
 CASES: tuple[Case, ...] = (*statics.CASES, *motion.CASES, *energy.CASES)
@@ -20,7 +19,7 @@ def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, 
     Ctrl-C ends it early; what is done by then is printed and written.
 
     Args:
-        out: folder for `validate.md`, `validate.csv` and the figures, or None; made if its parent exists.
+        out: folder for `validate.md`, `validate.csv.gz` and the figures, or None; made if its parent exists.
         fast: leave out what takes long.
         console: where the tables and the progress go.
         cases: what to run.
@@ -34,49 +33,34 @@ def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, 
     if out is not None:
         make_folder(out)
     found: list[tuple[Case, list[Result]]] = []
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     complete = 0
     figures: list[tuple[str, str]] = []
-    with Progress(*columns, console=console, transient=True) as progress:
-        try:
-            task = progress.add_task("", total=len(cases))
-            for case in cases:
-                progress.update(task, description=case.title)
-                results: list[Result] = []
-                found.append((case, results))
-                for result in case.run(fast):
-                    results.append(result)
-                    progress.update(task, description=f"{case.title}: {result.quantity}")
-                complete += 1
-                progress.advance(task)
-                progress.console.print(report.table(case, results))
-                progress.console.print()
-            if out is not None:
-                progress.update(task, description="figures")
-                figures = _draw(out)
-            note = ""
-        except KeyboardInterrupt:
-            note = "Interrupted: the figures are missing."
-            if complete < len(cases):
-                note = f"Interrupted after {complete} of {len(cases)} cases."
+    with Watch(console, len(cases)) as watch:
+        for case in cases:
+            watch.say(case.title)
+            results: list[Result] = []
+            found.append((case, results))
+            for result in case.run(fast):
+                results.append(result)
+                watch.say(f"{case.title}: {result.quantity}")
+            complete += 1
+            watch.advance()
+            watch.print(report.table(case, results))
+        if out is not None:
+            from .figures import FIGURES
+
+            watch.say("figures")
+            figures = write_figures(out, FIGURES)
+    note = "Interrupted: the figures are missing." if watch.interrupted else ""
+    if complete < len(cases):
+        note = f"Interrupted after {complete} of {len(cases)} cases."
     if complete < len(found):
         console.print(report.table(*found[-1]))
     console.print(f"{report.summary(found)}. {note}".strip())
     if out is not None:
-        write(out / "validate.csv", report.as_csv(found).encode())
-        write(out / "validate.md", report.markdown(found, figures, note).encode())
+        write_table(out / "validate.csv.gz", report.as_csv(found))
+        write_page(out / "validate.md", report.markdown(found, figures, note))
         console.print(f"written to {out}")
     if note:
         return 130
     return 0 if all(result.met for _, results in found for result in results) else 1
-
-
-def _draw(out: Path) -> list[tuple[str, str]]:
-    """Write the figures; the name and the caption of each."""
-    from .figures import FIGURES, encoded
-
-    for name, (_, draw) in FIGURES.items():
-        figure = draw()
-        for kind in ("png", "svg"):
-            write(out / f"{name}.{kind}", encoded(figure, kind))
-    return [(name, caption) for name, (caption, _) in FIGURES.items()]

@@ -110,6 +110,20 @@ def test_a_ghost_of_finer_steps_shows_how_wrong_the_body_s_are() -> None:
     assert "Euler, step / 10" in readouts.ghost_table(page.session)
 
 
+def test_a_reset_forgets_how_far_off_the_ghost_has_been() -> None:
+    page = Page(sim.load_scene("tutorial-3.3"))
+    page.frames(1, commands.Compare("symplectic_euler", "", 4))
+    ghost = page.session.ghost
+    assert ghost is not None
+    x, y = map(float, page.session.simulation.positions[0])
+    page.frames(30, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+    page.frames(30, commands.DragEnd())
+    assert 0.0 < ghost.distance <= ghost.worst
+    page.frames(1, commands.Play(False), commands.Reset())
+    assert page.session.ghost is ghost
+    assert (ghost.distance, ghost.worst) == (0.0, 0.0)
+
+
 def test_a_ghost_of_a_finer_tolerance() -> None:
     page = Page(sim.load_scene("study-w1"))
     page.frames(20, commands.Compare("adams", "conservative", 10))

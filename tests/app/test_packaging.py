@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
+import tomllib
 import zipfile
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).parents[2]
 LIST = "import sim; print(*(info.name for info in sim.list_scenes() if info.built_in)); print(sim.__file__)"
@@ -82,9 +87,55 @@ def test_presets_are_found_from_an_installed_tool(uv: str, tmp_path: Path) -> No
     assert "hair-tuft" in listed
 
 
+def test_the_solver_is_tested_without_the_page() -> None:
+    for path in (ROOT / "tests" / "sim").rglob("*.py"):
+        imports = re.findall(r"^\s*(?:from|import)\s+(\w+)", path.read_text(encoding="utf-8"), re.MULTILINE)
+        assert "app" not in imports, path
+
+
 def test_no_file_names_a_registry_or_a_lock() -> None:
     tracked = run("git", "ls-files", cwd=ROOT).split()
     assert "uv.lock" not in tracked
+
+
+def declared() -> dict[str, list[Requirement]]:
+    """What pyproject.toml asks for by name of the list, and its constraints."""
+    content = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    project, uv = content["project"], content["tool"]["uv"]
+    lists = {
+        "asked": [
+            *project["dependencies"],
+            *(word for extra in project["optional-dependencies"].values() for word in extra),
+            *(word for group in content["dependency-groups"].values() for word in group),
+        ],
+        "build": content["build-system"]["requires"],
+        "constraints": uv["constraint-dependencies"],
+        "build constraints": uv["build-constraint-dependencies"],
+    }
+    return {name: [Requirement(word) for word in words] for name, words in lists.items()}
+
+
+def test_every_dependency_is_bounded_and_constrained() -> None:
+    lists = declared()
+    for asked, constraints in (("asked", "constraints"), ("build", "build constraints")):
+        named = {canonicalize_name(constraint.name) for constraint in lists[constraints]}
+        for wanted in lists[asked]:
+            assert {s.operator for s in wanted.specifier} & {"<", "=="}, f"{wanted} has no upper bound"
+            assert canonicalize_name(wanted.name) in named, f"{wanted}: run: python tests/constrain.py"
+
+
+def test_what_is_installed_is_what_the_constraints_say() -> None:
+    checked = 0
+    for constraint in declared()["constraints"]:
+        if constraint.marker is not None and not constraint.marker.evaluate():
+            continue
+        try:
+            found = version(constraint.name)
+        except PackageNotFoundError:
+            continue  # of an extra that is not installed
+        assert constraint.specifier.contains(found), f"{constraint}, but {found} is installed; run: uv sync"
+        checked += 1
+    assert checked >= 30
 
 
 def test_the_schema_is_that_of_the_types() -> None:

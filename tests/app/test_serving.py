@@ -18,7 +18,7 @@ from app.serve import serving
 from app.session import Session
 from app.tab import Tab
 from app.ticker import Ticker
-from sim.compiling import ENTRY_POINTS, EntryPoint
+from sim.compiling import EntryPoint
 
 PATIENCE = 30.0
 

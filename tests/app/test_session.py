@@ -203,6 +203,14 @@ def test_opening_a_scene_starts_it_anew(page: Page) -> None:
     assert page.session.simulation.step_count > 0
 
 
+def test_opening_a_scene_goes_on_keeping_the_books(page: Page) -> None:
+    page.frames(1, commands.KeepBooks(True), commands.Open(tutorial_preset("ring")))
+    assert page.session.books
+    page.frames(30)
+    # Books that were opened only when they are asked for would know nothing of what was damped before.
+    assert page.session.simulation.energy().damping < 0.0
+
+
 def test_a_slow_machine_lags_and_never_spirals(page: Page) -> None:
     """With a budget for three steps a frame the clock falls behind, and says by how much."""
     session = page.session

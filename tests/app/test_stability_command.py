@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import math
 from pathlib import Path
@@ -31,6 +30,7 @@ from app.studies.stability_map import (
 from sim.ensemble import Member, Track, marks, run_ensemble
 from sim.methods import METHODS
 from sim.stability import largest_step
+from tests.app.results import read_table
 
 QUIET = Console(file=io.StringIO())
 EXPLICIT = ["symplectic_euler", "velocity_verlet", "rk4"]
@@ -140,10 +140,8 @@ def test_it_writes_a_report(tmp_path: Path) -> None:
     out = tmp_path / "map"
     status = stability(scene, ("mass_ratio", "dt"), (None, (1e-3, 1e-2)), 4, ["rk4"], 0.1, out, QUIET)
     assert status == 0
-    assert {p.name for p in out.iterdir()} == {
-        "stability.csv", "stability.md", "mass_ratio-dt.png", "mass_ratio-dt.svg"
-    }  # fmt: skip
-    rows = list(csv.DictReader((out / "stability.csv").read_text().splitlines()))
+    assert {p.name for p in out.iterdir()} == {"stability.csv.gz", "stability.md", "mass_ratio-dt.png"}
+    rows = read_table(out / "stability.csv.gz")
     assert len(rows) == 16
     assert {row["rk4"] for row in rows} <= {"accurate", "damped wrongly", "unstable"}
     assert {float(row["y_value"]) for row in rows} == {1e-3, 2.15443e-3, 4.64159e-3, 1e-2}
@@ -178,7 +176,7 @@ def test_an_interruption_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch, tmp
     scene = sim.load_scene("tutorial-3.1")
     assert stability(scene, None, (None, None), 3, ["rk4"], 0.1, tmp_path, QUIET) == 130
     assert "Interrupted" in (tmp_path / "stability.md").read_text()
-    rows = list(csv.DictReader((tmp_path / "stability.csv").read_text().splitlines()))
+    rows = read_table(tmp_path / "stability.csv.gz")
     assert [row["rk4"] for row in rows] == ["accurate"] + [""] * 8
     assert (tmp_path / "dt-stiffness.png").exists()
 
@@ -219,7 +217,7 @@ def test_what_it_refuses(
 # ------------------------------------------------------------------------- hard cases
 def test_hard_cases_are_reported(tmp_path: Path) -> None:
     assert hard_case_report(tmp_path, QUIET, ("plain", "masses 1:1000", "folded by 180 degrees")) == 0
-    rows = list(csv.DictReader((tmp_path / "hard-cases.csv").read_text().splitlines()))
+    rows = read_table(tmp_path / "hard-cases.csv.gz")
     found = {(row["case"], row["method"]): row for row in rows}
     assert len(found) == 3 * len(METHODS)
     assert float(found["plain", "rk4"]["error_in_tolerances"]) < 0.1

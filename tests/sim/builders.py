@@ -12,6 +12,8 @@ import numpy as np
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
 from sim.files import built_in_folder
+from sim.rope import fine_rope
+from sim.scene import Circle, ForceLaw, Method
 
 PRESETS = sorted(path.stem for path in built_in_folder().glob("*.json"))
 
@@ -29,6 +31,29 @@ def tutorial_rope(**changes: Any) -> Scene:
 def tutorial_preset(name: str) -> Scene:
     """A preset under the tutorial's law and method, whatever it says itself."""
     return msgspec.structs.replace(sim.load_scene(name), force_law="tutorial", integrator=euler())
+
+
+def rod(masses: int, law: ForceLaw = "conservative", **changes: Any) -> Scene:
+    """The tutorial's rope in so many pieces, horizontal, held at its left end."""
+    return fine_rope(masses, force_law=law, **changes)
+
+
+def led_rod(masses: int, method: Method = "auto", tolerance: float = 0.1) -> Scene:
+    """The rod under the tutorial's law, its first mass led in a circle twice a second."""
+    integrator = Integrator(method=method, dt=1.0 / 60.0, tolerance=tolerance)
+    return rod(
+        masses, "tutorial", integrator=integrator, circle=Circle(radius=200.0, frequency=2.0, ramp=0.1)
+    )
+
+
+def folded_rope() -> Scene:
+    """The tutorial's rope, its second half folded back by 180 degrees."""
+    scene = sim.rope(direction=(1.0, 0.0), start=(100.0, 100.0), driven=None)
+    spacing = 300.0 / 11.0
+    there = [100.0 + spacing * i for i in range(6)]
+    back = [there[5] - spacing * (i + 1) for i in range(6)]
+    pose = Pose(positions=tuple((x, 100.0) for x in (*there, *back)), velocities=((0.0, 0.0),) * 12)
+    return msgspec.structs.replace(scene, pose=pose)
 
 
 def chain(

@@ -9,11 +9,11 @@ import pytest
 from numpy.polynomial import Polynomial
 
 import sim
-from app.studies.hard_cases import hard_cases
 from sim import Integrator, Scene, Simulation
 from sim.kernels import adams as kernels
 from sim.kernels.tables import PAST, Adams, Floats
 from sim.multistep import adams
+from tests.sim.builders import folded_rope
 from tests.sim.inside import adams_degree
 
 REPLACE = msgspec.structs.replace
@@ -72,7 +72,7 @@ def test_what_is_smooth_is_followed_by_high_degrees(air_friction: float) -> None
 
 def test_what_is_rough_is_followed_by_low_degrees() -> None:
     # A rope that unfolds: joints turn over. And no kink counts under this tolerance.
-    assert mean_degree(hard_cases()["folded by 180 degrees"].scene, 1e-2) < 5.0
+    assert mean_degree(folded_rope(), 1e-2) < 5.0
 
 
 def growth(degree: int, part: float) -> float:

@@ -11,11 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from app.bench import frames
-from sim import Integrator, Scene, Simulation
+from sim import Integrator, Simulation
 from sim.hand import LONGEST_GLIDE, Hand
 from sim.methods import METHODS
 from sim.scene import ForceLaw
+from tests.sim.builders import led_rod, rod
 from tests.sim.inside import same_state
 
 REPLACE = msgspec.structs.replace
@@ -23,11 +23,6 @@ WAVE = 300.0 / 11.0 * 100.0
 """px/s: how fast a pull goes through the tutorial's rope, in however many pieces."""
 
 places = st.floats(-1e6, 1e6)
-
-
-def rod(masses: int, law: ForceLaw = "conservative") -> Scene:
-    """The tutorial's rope in so many pieces, horizontal, held at its left end."""
-    return REPLACE(frames.rod(masses, Integrator()), force_law=law)
 
 
 # ------------------------------------------------------------------------------------------ the hand alone
@@ -252,7 +247,7 @@ def test_a_slider_and_another_body_take_the_hand_over_and_a_reset_does_not() -> 
 
 
 def test_an_anchor_on_a_circle_goes_on_round() -> None:
-    simulation = Simulation(frames.led_rod(60, "auto", 0.1))
+    simulation = Simulation(led_rod(60))
     assert simulation.demanding
     simulation.follow(0, (150.0, 100.0))
     assert not simulation.behind
