@@ -18,7 +18,7 @@ from app.serve import serving
 from app.session import Session
 from app.tab import Tab
 from app.ticker import Ticker
-from sim.compiling import EntryPoint
+from sim.compiling import ENTRY_POINTS, EntryPoint
 
 PATIENCE = 30.0
 
@@ -267,6 +267,9 @@ def test_before_anything_is_compiled_every_preset_moves(monkeypatch: pytest.Monk
 
 
 def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    for point in ENTRY_POINTS.values():
+        point.load()
+    _pretend_nothing_is_compiled(monkeypatch)
     with (
         serving(sim.load_scene("ring"), "127.0.0.1", 0) as (server, ticker, _),
         Page(server.get_port()) as page,
@@ -278,8 +281,8 @@ def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytes
         session.post(commands.SetValue("linear_stiffness", 12345.0))
         session.post(commands.KeepBooks(True))
         session.post(commands.Compare("rodas4", ""))
-        page.wait_for(lambda m: "comes when it is compiled" in str(m))
         page.wait_for(lambda m: "is followed when it is compiled" in str(m))
+        page.wait_for(lambda m: "comes when it is compiled" in str(m))
         eventually(lambda: session.simulation.step_count > 10)
         steps, before = session.simulation.step_count, session.simulation.positions
         monkeypatch.undo()

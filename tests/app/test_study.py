@@ -232,13 +232,13 @@ def test_the_page_has_what_was_found() -> None:
     assert "below the doubt" in markdown(doubtful, [], "")
 
 
-def test_the_readme_has_the_short_tables_of_the_report() -> None:
+def test_the_page_on_performance_has_the_short_tables_of_the_report() -> None:
     root = Path(__file__).parents[2]
     page = (root / "docs" / "study" / "study.md").read_text().partition("## In short")[2].partition("## ")[0]
     tables = [line for line in page.splitlines() if line.startswith("|")]
     assert len(tables) == 2 * (2 + len(study_scenes()))
-    readme = (root / "README.md").read_text().splitlines()
-    assert [line for line in readme if line in tables] == tables
+    performance = (root / "docs" / "performance.md").read_text().splitlines()
+    assert [line for line in performance if line in tables] == tables
 
 
 def test_csv_has_all_digits() -> None:

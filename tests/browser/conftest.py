@@ -39,7 +39,7 @@ Serve = Callable[[str], Served]
 OpenPage = Callable[..., Desk]
 
 
-def _browser_path(playwright: Playwright) -> str:
+def browser_path(playwright: Playwright) -> str:
     """A Chromium or Chrome on this machine."""
     asked = os.environ.get("SOFTROD_BROWSER")
     if asked is not None:
@@ -58,7 +58,7 @@ def _browser_path(playwright: Playwright) -> str:
 def browser() -> Iterator[Browser]:
     """One browser for all tests; each has pages of its own."""
     with sync_playwright() as playwright:
-        path = _browser_path(playwright)
+        path = browser_path(playwright)
         browser = playwright.chromium.launch(executable_path=path, args=list(FLAGS), headless=True)
         yield browser
         browser.close()

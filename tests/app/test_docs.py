@@ -1,0 +1,74 @@
+"""What the README and the pages in docs/ say: links lead somewhere, and examples do what they promise."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from app.cli import main
+from sim.files import read_scene
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.glob("**/*.md"))]
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    """The fenced blocks of a page in one language."""
+    return re.findall(rf"^```{language}\n(.*?)^```$", page.read_text(), re.MULTILINE | re.DOTALL)
+
+
+def anchors(page: Path) -> set[str]:
+    """The names that a link can use for the headings of a page, made as GitHub makes them."""
+    text = re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+    headings = re.findall(r"^#+ (.+)$", text, re.MULTILINE)
+    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_relative_links_lead_somewhere(page: Path) -> None:
+    for target in re.findall(r"\]\(([^)\s]+)\)", page.read_text()):
+        if re.match(r"[a-z]+:", target):
+            continue  # another site
+        path, _, anchor = target.partition("#")
+        file = page.parent / path if path else page
+        assert file.exists(), f"{page.name} links to {target}"
+        if anchor:
+            assert anchor in anchors(file), f"{page.name} links to {target}"
+
+
+def test_the_reference_pages_are_linked_from_the_readme() -> None:
+    readme = (ROOT / "README.md").read_text()
+    pages = sorted(DOCS.glob("*.md"))
+    assert pages
+    for page in pages:
+        assert f"](docs/{page.name})" in readme, page.name
+
+
+def test_the_python_example_of_the_readme_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    (example,) = blocks(ROOT / "README.md", "python")
+    names: dict[str, object] = {}
+    exec(example, names)
+    time, *_ = capsys.readouterr().out.split()
+    assert float(time) == pytest.approx(2.0)
+
+
+def test_the_scenes_of_the_reference_are_valid(tmp_path: Path) -> None:
+    examples = blocks(DOCS / "scene-files.md", "json")
+    assert len(examples) == 2
+    for example in examples:
+        file = tmp_path / "example.json"
+        file.write_text(example)
+        read_scene(file)
+
+
+def test_the_input_log_of_the_reference_is_accepted(tmp_path: Path) -> None:
+    (example,) = blocks(DOCS / "command-line.md", "jsonl")
+    log, out = tmp_path / "log.jsonl", tmp_path / "out.csv"
+    log.write_text(example)
+    with pytest.raises(SystemExit) as ended:
+        main(["run", "tutorial-3.3", "--steps", "300", "--inputs", str(log), "--out", str(out)])
+    assert ended.value.code == 0
+    assert len(out.read_text().splitlines()) == 301
