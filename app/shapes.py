@@ -1,26 +1,12 @@
-"""The flat meshes that are drawn, one of each kind, to be instanced: in units of their own.
-
-They are made with trimesh, which takes half a second to import, and kept on the disk as arrays, so that a
-start need not wait for it. The file is named by a hash of this source; a changed shape is made anew.
-"""
+"""The flat meshes that are drawn, one of each kind, to be instanced: in units of their own."""
 
 from __future__ import annotations
 
-import contextlib
-import hashlib
-import io
 from collections.abc import Callable
 from functools import cache, partial
-from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-import platformdirs
-
-from sim.files import write_atomically
-
-if TYPE_CHECKING:
-    import trimesh
 
 
 class Mesh(NamedTuple):
@@ -32,35 +18,19 @@ class Mesh(NamedTuple):
 
 @cache
 def meshes() -> dict[str, Mesh]:
-    """All meshes by name: from the disk, or else made, and kept for the next start."""
-    digest = hashlib.sha256(Path(__file__).read_bytes()).hexdigest()[:20]
-    path = platformdirs.user_cache_path("softrod", appauthor=False) / f"meshes-{digest}.npz"
-    with contextlib.suppress(OSError, ValueError, KeyError), np.load(path) as kept:
-        return {name: Mesh(kept[f"{name}.vertices"], kept[f"{name}.faces"]) for name in _MAKERS}
-    made = {name: make() for name, make in _MAKERS.items()}
-    arrays = {}
-    for name, mesh in made.items():
-        arrays |= {f"{name}.vertices": mesh.vertices, f"{name}.faces": mesh.faces}
-    data = io.BytesIO()
-    np.savez(data, **arrays)
-    with contextlib.suppress(OSError):  # a start without a cache is only slower
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write_atomically(path, data.getvalue())
-    return {name: Mesh(np.array(mesh.vertices), np.array(mesh.faces)) for name, mesh in made.items()}
+    """All meshes by name."""
+    return {name: make() for name, make in _MAKERS.items()}
 
 
-def _flat(points: np.ndarray, faces: np.ndarray) -> trimesh.Trimesh:
+def _flat(points: np.ndarray, faces: np.ndarray) -> Mesh:
     """A mesh in the plane z = 0 (or near it), every face turned to the viewer at +z."""
-    import trimesh
-
     vertices = np.column_stack((points, np.zeros(len(points)))) if points.shape[1] == 2 else points
-    mesh = trimesh.Trimesh(vertices, faces, process=False)
-    away = mesh.face_normals[:, 2] < 0.0
-    mesh.faces[away] = mesh.faces[away][:, ::-1]
-    return mesh
+    one, two = (vertices[faces[:, k]] - vertices[faces[:, 0]] for k in (1, 2))
+    away = one[:, 0] * two[:, 1] < one[:, 1] * two[:, 0]
+    return Mesh(vertices, np.where(away[:, None], faces[:, ::-1], faces))
 
 
-def _disc(corners: int = 36) -> trimesh.Trimesh:
+def _disc(corners: int = 36) -> Mesh:
     """A disc of radius 1."""
     t = np.linspace(0.0, 2.0 * np.pi, corners, endpoint=False)
     rim = np.arange(corners)
@@ -68,7 +38,7 @@ def _disc(corners: int = 36) -> trimesh.Trimesh:
     return _flat(np.vstack(([[0.0, 0.0]], np.column_stack((np.cos(t), np.sin(t))))), faces)
 
 
-def _ring(inner: float = 0.82, corners: int = 48) -> trimesh.Trimesh:
+def _ring(inner: float = 0.82, corners: int = 48) -> Mesh:
     """A ring of outer radius 1."""
     t = np.linspace(0.0, 2.0 * np.pi, corners, endpoint=False)
     edge = np.column_stack((np.cos(t), np.sin(t)))
@@ -78,18 +48,18 @@ def _ring(inner: float = 0.82, corners: int = 48) -> trimesh.Trimesh:
     return _flat(np.vstack((edge * inner, edge)), faces)
 
 
-def _bar() -> trimesh.Trimesh:
+def _bar() -> Mesh:
     """A bar from (0, 0) to (1, 0), of width 1."""
     points = np.array([[0.0, -0.5], [1.0, -0.5], [1.0, 0.5], [0.0, 0.5]])
     return _flat(points, np.array([[0, 1, 2], [0, 2, 3]]))
 
 
-def _slice() -> trimesh.Trimesh:
+def _slice() -> Mesh:
     """A thin triangle with its tip at (0, 0) and its base, of width 1, at x = 1."""
     return _flat(np.array([[0.0, 0.0], [1.0, -0.5], [1.0, 0.5]]), np.array([[0, 1, 2]]))
 
 
-def _pin() -> trimesh.Trimesh:
+def _pin() -> Mesh:
     """A support: a triangle with its tip at (0, 0), on a base plate below."""
     points = np.array(
         [[0.0, 0.0], [-0.7, -1.15], [0.7, -1.15], [-1.0, -1.15], [1.0, -1.15], [1.0, -1.35], [-1.0, -1.35]]
@@ -97,7 +67,7 @@ def _pin() -> trimesh.Trimesh:
     return _flat(points, np.array([[0, 1, 2], [3, 4, 5], [3, 5, 6]]))
 
 
-def _coil(turns: int, slimness: float) -> trimesh.Trimesh:
+def _coil(turns: int, slimness: float) -> Mesh:
     """A coil spring seen from the side, from (0, 0) to (1, 0), of amplitude 1: one flat ribbon.
 
     The coil's wire loops, as a real one does; the front half of each turn lies a little nearer.
@@ -131,7 +101,7 @@ COILS = {"coil": 3.3, "coil of slim springs": 7.0, "coil of very slim springs": 
 """Coils by their slimness: one scene is drawn with one of them."""
 
 
-_MAKERS: dict[str, Callable[[], trimesh.Trimesh]] = {
+_MAKERS: dict[str, Callable[[], Mesh]] = {
     "disc": _disc,
     "ring": _ring,
     "bar": _bar,

@@ -126,9 +126,10 @@ class Tab:
         ready, of = self._compiler.progress
         text = ""
         if session.simulation.plain:
-            text = f"moves by NumPy until {METHODS[method].label} is compiled: {ready} of {of} parts ready"
+            label = METHODS[method].label
+            text = f"moves by NumPy until {label} is compiled: {ready} of {of} parts ready"
         elif ready < of:
-            text = f"{self._compiler.busy_with} is being compiled: {ready} of {of} parts ready"
+            text = f"preparing {self._compiler.busy_with}: {ready} of {of} parts ready"
         if text != session.preparing:
             session.preparing = text
             session.revision += 1

@@ -80,13 +80,15 @@ class EntryPoint:
 def _entry_points() -> dict[str, EntryPoint]:
     problem, drive = Problem.numba_type, Drive.numba_type
     run = (problem, drive, _FLOAT, _FLOAT, _INT)
+    # In the order in which they are wanted: what `auto` uses comes first.
+    methods = sorted(METHODS.values(), key=lambda method: method not in ARM_METHODS)
     points = [
         ("forces", accelerations, ACCELERATIONS.args),
-        *((method.label, method.kernel, run) for method in METHODS.values() if method.kernel is not None),
         ("the choice of methods", next_turn, (problem, _FLOAT, _FLOAT, _INT)),
         ("matrices", factorise_matrix, FACTORISE.args),
         ("linear systems", solve_matrix, SOLVE.args),
         ("the fallback step", run_rescue, (problem, drive, *[_FLOAT] * 5)),
+        *((method.label, method.kernel, run) for method in methods if method.kernel is not None),
         ("the work done in a step", tally_step, TALLY.args),
         ("energies", energies, (Body.numba_type, State.numba_type, FLOATS, _FLOAT, _FLOAT, *[FLOATS] * 3)),
     ]
@@ -204,7 +206,7 @@ class Compiler:
             return name
 
     def _new_helper(self) -> subprocess.Popen[str]:
-        words = [sys.executable, "-m", "sim.compiling"]
+        words = [sys.executable, "-m", "sim.precompile"]
         helper = subprocess.Popen(
             words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
         )
@@ -219,25 +221,3 @@ def _ask(helper: subprocess.Popen[str], name: str) -> None:
         helper.stdin.write(f"{name}\n")
         helper.stdin.flush()
         helper.stdout.readline()
-
-
-def compile_named(names: Iterable[str]) -> Iterable[str]:
-    """Compile entry points, mark them as kept on the disk, and give the name of each when that is done."""
-    for name in names:
-        point = ENTRY_POINTS[name]
-        point.load()
-        if point.marker is not None:
-            point.marker.touch()
-        yield name
-
-
-if __name__ == "__main__":
-    # Without arguments a helper, which is told names; otherwise everything that is named, or "all".
-    if len(sys.argv) == 1:
-        if hasattr(os, "nice"):
-            os.nice(5)
-        for done in compile_named(line.strip() for line in sys.stdin):
-            print(done, flush=True)
-    else:
-        for done in compile_named(ENTRY_POINTS if sys.argv[1:] == ["all"] else sys.argv[1:]):
-            print(done, flush=True)

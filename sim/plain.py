@@ -16,7 +16,7 @@ from .solver import UNLIMITED, Effort
 from .stability import damped_limit
 from .system import System, refresh
 
-_CAREFULLY = 0.4
+_CAREFULLY = 0.2
 """Length of a Verlet step beside the estimated stability limit, that of a body near its rest lengths."""
 
 

@@ -1,7 +1,8 @@
 """A bare viser app with as many nodes as softrod's page, moving at 60 Hz: what softrod is measured against.
 
 `python -m app.bench.bare MASSES` serves it and prints its port; `python -m app.bench.bare MASSES softrod`
-serves softrod's page of the same rope instead. At each line on standard input it prints the processor time
+serves softrod's page of the same rope instead, and `python -m app.bench.bare SCENE softrod` that of a preset.
+At each line on standard input it prints the processor time
 it has used so far; at the end of input it ends.
 """
 
@@ -79,19 +80,21 @@ def bare(masses: int) -> int:
     return server.get_port()
 
 
-def softrod(masses: int) -> tuple[int, contextlib.ExitStack]:
-    """Serve softrod's page with a rope of so many masses; returns the port and what ends it."""
+def softrod(shown: str) -> tuple[int, contextlib.ExitStack]:
+    """Serve softrod's page of a preset, or of a rope of so many masses; returns the port and what ends it."""
     import sim
     from sim.compiling import needed_by
 
     from ..serve import serving
 
     stack = contextlib.ExitStack()
-    # The tutorial's, which is compiled first. The joints turn all the time, so that every frame is drawn.
-    rope = sim.rope(
-        masses, length=300.0, force_law="tutorial", integrator=sim.Integrator(method="symplectic_euler")
-    )
-    scene = sim.set_value(rope, "rest_angle", 4.0)
+    if shown.isdigit():
+        # The joints turn all the time, so that every frame is drawn.
+        euler = sim.Integrator(method="symplectic_euler")
+        rope = sim.rope(int(shown), length=300.0, force_law="tutorial", integrator=euler)
+        scene = sim.set_value(rope, "rest_angle", 4.0)
+    else:
+        scene = sim.load_scene(shown)
     server, ticker, compiler = stack.enter_context(serving(scene, "127.0.0.1", 0))
 
     def compile_soon() -> None:
@@ -105,12 +108,11 @@ def softrod(masses: int) -> tuple[int, contextlib.ExitStack]:
 
 def main() -> None:
     """See the module's text."""
-    masses = int(sys.argv[1])
     stack = contextlib.ExitStack()
     if sys.argv[2:] == ["softrod"]:
-        port, stack = softrod(masses)
+        port, stack = softrod(sys.argv[1])
     else:
-        port = bare(masses)
+        port = bare(int(sys.argv[1]))
     print(port, flush=True)
     for _ in sys.stdin:
         print(time.process_time(), flush=True)

@@ -1,0 +1,222 @@
+"""Kernels are compiled one by one, kept on the disk, and ready only once their machine code is loaded."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import sim
+from sim.compiling import ENTRY_POINTS, Compiler, EntryPoint, is_ready, needed_by
+from sim.kernels import jit
+from sim.methods import METHODS
+
+ROOT = Path(sim.__file__).parent.parent
+QUICK = "next_turn"
+"""The entry point that is compiled the soonest of those that call no other."""
+
+
+def python(code: str, cache: Path, root: Path = ROOT) -> str:
+    """What a new process prints, whose machine code is kept in a folder."""
+    environment = {**os.environ, "XDG_CACHE_HOME": str(cache), "PYTHONPATH": str(root)}
+    words = [sys.executable, "-c", code]
+    return subprocess.run(
+        words, env=environment, capture_output=True, text=True, check=True, cwd=root
+    ).stdout.strip()
+
+
+# ------------------------------------------------------------------------- what is ready
+def test_every_method_has_an_entry_point_of_its_own() -> None:
+    kernels = {info.kernel for info in METHODS.values() if info.kernel is not None}
+    assert kernels == {point.kernel for point in ENTRY_POINTS.values() if point.name.startswith("run_")} - {
+        ENTRY_POINTS["run_rescue"].kernel
+    }
+    for method in METHODS:
+        assert set(needed_by(method)) <= set(ENTRY_POINTS)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_what_a_method_needs_is_all_that_its_first_step_calls(method: str, tmp_path: Path) -> None:
+    # In a process in which those are loaded, a step compiles nothing.
+    code = f"""
+import sim
+from numba.core import event
+from sim.compiling import ENTRY_POINTS, needed_by
+for name in needed_by({method!r}):
+    ENTRY_POINTS[name].load()
+with event.install_recorder("numba:compile") as compiled:
+    simulation = sim.Simulation(sim.rope(5), integrator={method!r}, wait=False)
+    assert not simulation.plain
+    assert simulation.step(3) == 3
+print(len(compiled.buffer))
+"""
+    words = [sys.executable, "-c", code]
+    run = subprocess.run(words, capture_output=True, text=True, cwd=ROOT, check=False)
+    assert run.stdout.strip() == "0", run.stderr
+
+
+def test_a_simulation_that_does_not_wait_moves_by_numpy_and_then_goes_on(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with monkeypatch.context() as patch:
+        patch.setattr(EntryPoint, "ready", property(lambda _: False))
+        simulation = sim.Simulation(sim.load_scene("tutorial-3.3"), wait=False)
+        assert simulation.plain
+        assert simulation.step(100) == 100
+        assert simulation.plain
+        assert simulation.effort().steps == 100
+        with pytest.raises(sim.InputError, match="energy: its kernels are still being compiled"):
+            simulation.energy()
+        assert not sim.Simulation(sim.load_scene("tutorial-3.3")).plain
+    for name in needed_by(simulation.method):
+        ENTRY_POINTS[name].load()
+    assert simulation.step(100) == 100
+    assert not simulation.plain
+    whole = sim.Simulation(sim.load_scene("tutorial-3.3"))
+    whole.step(200)
+    assert simulation.positions == pytest.approx(whole.positions, abs=1e-8)
+    assert (simulation.time, simulation.step_count) == (whole.time, whole.step_count)
+
+
+def test_auto_begins_with_what_is_there_and_takes_the_others_in(monkeypatch: pytest.MonkeyPatch) -> None:
+    # A stiff rope, for which `auto` takes an implicit method as soon as it can.
+    scene = sim.load_scene("study-w4")
+    ready = set(needed_by("auto"))
+    monkeypatch.setattr(EntryPoint, "ready", property(lambda point: point.name in ready))
+    for name in (*needed_by("auto"), *needed_by("rodas4")):
+        ENTRY_POINTS[name].load()
+    simulation = sim.Simulation(scene, wait=False)
+    simulation.step(10)
+    assert not simulation.plain
+    assert simulation.effort().matrices == 0
+    ready |= set(needed_by("rodas4"))
+    simulation.step(40)
+    assert simulation.effort().matrices > 0
+    whole = sim.Simulation(scene)
+    whole.step(50)
+    assert simulation.positions == pytest.approx(whole.positions, abs=2.0 * scene.integrator.tolerance)
+
+
+# ------------------------------------------------------------------------- helpers
+def test_the_compiler_loads_what_was_wanted_first() -> None:
+    for point in ENTRY_POINTS.values():
+        point.load()  # so that the disk has it, or nothing can be kept there
+    compiler = Compiler()
+    compiler.want(["run_alpha", "energies"])
+    assert compiler._waiting[:2] == ["run_alpha", "energies"]
+    compiler.start()
+    compiler.wait()
+    assert compiler.progress == (len(ENTRY_POINTS), len(ENTRY_POINTS))
+    assert is_ready(ENTRY_POINTS)
+
+
+COMPILE_ONE = f"""
+from sim.compiling import ENTRY_POINTS, Compiler
+compiler = Compiler()
+compiler._waiting = [{QUICK!r}]
+print(ENTRY_POINTS[{QUICK!r}].ready, end=" ")
+compiler.start()
+compiler.wait()
+point = ENTRY_POINTS[{QUICK!r}]
+print(point.ready, compiler.compiles, point.kernel.stats.cache_hits != {{}})
+"""
+
+
+def test_helpers_compile_once_for_all_later_starts(tmp_path: Path) -> None:
+    assert python(COMPILE_ONE, tmp_path) == "False True True True"
+    assert python(COMPILE_ONE, tmp_path) == "False True False True"
+
+
+def test_machine_code_that_has_gone_is_never_said_to_be_ready(tmp_path: Path) -> None:
+    python(COMPILE_ONE, tmp_path)
+    for kept in tmp_path.rglob("*.nbc"):
+        kept.unlink()
+    # What says that it is there is still there; it is compiled where it is wanted, and then it is ready.
+    assert list(tmp_path.rglob("*.compiled"))
+    assert python(COMPILE_ONE, tmp_path) == "False True False False"
+
+
+def test_a_second_checkout_does_not_take_the_first_ones_word(tmp_path: Path) -> None:
+    cache, other = tmp_path / "cache", tmp_path / "checkout"
+    shutil.copytree(ROOT / "sim", other / "sim", ignore=shutil.ignore_patterns("__pycache__"))
+    assert python(COMPILE_ONE, cache) == "False True True True"
+    assert python(COMPILE_ONE, cache, other) == "False True True True"
+    assert python(COMPILE_ONE, cache, other) == "False True False True"
+
+
+def test_a_helper_that_ends_too_soon_is_no_harm(tmp_path: Path) -> None:
+    broken = COMPILE_ONE.replace(
+        "compiler = Compiler()", "compiler = Compiler(); c.sys.executable = '/bin/false'"
+    )
+    assert python("import sim.compiling as c\n" + broken, tmp_path).startswith("False True True")
+
+
+# ------------------------------------------------------------------------- the cache of machine code
+@pytest.fixture
+def sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A copy of the kernels' sources, which the hashes are made of."""
+    jit.source_hash.cache_clear()
+    copy = tmp_path / "kernels"
+    shutil.copytree(ROOT / "sim" / "kernels", copy, ignore=shutil.ignore_patterns("__pycache__"))
+    before = jit.source_hash("verlet")
+    monkeypatch.setattr(jit, "_SOURCES", copy)
+    jit.source_hash.cache_clear()
+    assert jit.source_hash("verlet") == before
+    yield copy
+    jit.source_hash.cache_clear()
+
+
+def hashes(sources: Path) -> dict[str, str]:
+    jit.source_hash.cache_clear()
+    return {path.stem: jit.source_hash(path.stem) for path in sources.glob("*.py")}
+
+
+def test_an_edit_changes_the_hash_of_what_it_can_change_and_of_nothing_else(sources: Path) -> None:
+    before = hashes(sources)
+    for edited, users, others in (
+        ("verlet", {"verlet"}, {"adams", "alpha", "rosenbrock", "euler", "forces"}),
+        ("steps", {"steps", "verlet", "adams", "alpha"}, {"forces", "blocks", "drive"}),
+        ("tables", {"verlet", "forces", "drive", "auto"}, set[str]()),
+    ):
+        path = sources / f"{edited}.py"
+        text = path.read_bytes()
+        path.write_bytes(text + b"\n# changed\n")
+        after = hashes(sources)
+        changed = {name for name in after if after[name] != before[name]}
+        assert users <= changed
+        assert not others & changed
+        path.write_bytes(text)
+
+
+def test_the_hash_follows_the_versions_of_the_compiler(
+    sources: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = hashes(sources)
+    monkeypatch.setattr(jit.numba, "__version__", "0.0.0")
+    after = hashes(sources)
+    assert all(after[name] != before[name] for name in before)
+
+
+def test_what_nobody_used_for_a_month_is_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(jit.platformdirs, "user_cache_path", lambda *_, **__: tmp_path)
+    root = tmp_path / "kernels"
+    old, young = root / "old", root / "young"
+    for folder in (old, young):
+        folder.mkdir(parents=True)
+    month = 31 * 86400.0
+    os.utime(old, (time.time() - month, time.time() - month))
+    assert jit.cache_root.__wrapped__() == root
+    assert not old.exists()
+    assert young.exists()
+
+
+def test_no_cache_where_nothing_can_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").write_bytes(b"")
+    monkeypatch.setattr(jit.platformdirs, "user_cache_path", lambda *_, **__: tmp_path / "file")
+    assert jit.cache_root.__wrapped__() is None

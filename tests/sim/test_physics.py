@@ -1,0 +1,144 @@
+"""Every compiled path against `sim.physics`, the statement of the physics in NumPy."""
+
+from __future__ import annotations
+
+from typing import get_args
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Anchor, Circle, Integrator, Scene, Simulation
+from sim.physics import Physics
+from sim.plain import PlainSolver
+from sim.scene import ForceLaw, Method
+from sim.stepping import Stepper
+from tests.sim.bodies import SHAPES, body
+from tests.sim.inside import general
+
+REPLACE = msgspec.structs.replace
+LAWS: tuple[ForceLaw, ...] = get_args(ForceLaw)
+
+
+def plain(scene: Scene) -> Simulation:
+    """A simulation that moves by NumPy and goes on doing so."""
+    simulation = Simulation(scene)
+    solver = PlainSolver(simulation._scene, simulation._system, simulation._state)
+    simulation._stepper = Stepper(simulation._scene, simulation._system, simulation._state, solver)
+    simulation.take_compiled = lambda: False  # type: ignore[method-assign]
+    return simulation
+
+
+def lively(shape: str, law: ForceLaw, method: Method, seed: int) -> Scene:
+    """A body with damping everywhere, air, an anchor that goes round and keys that do something."""
+    scene = body(shape, law, seed)
+    anchors = tuple(REPLACE(a, circle=Circle(radius=5.0, frequency=2.0)) for a in scene.anchors[:1])
+    return REPLACE(
+        scene,
+        anchors=anchors + scene.anchors[1:],
+        arrow_keys=sim.ArrowKeys(),
+        integrator=Integrator(method=method, dt=2e-5),
+    )
+
+
+@pytest.mark.parametrize("path", ["own", "general"])
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet"])
+def test_a_run_by_numpy_is_that_of_the_kernels(method: Method, shape: str, law: ForceLaw, path: str) -> None:
+    scene = lively(shape, law, method, seed=3)
+    one, other = plain(scene), Simulation(scene)
+    if path == "general":
+        other = general(other)
+    start = one.positions
+    last = len(scene.masses) - 1
+    for simulation in (one, other):
+        simulation.step(30)
+        simulation.keys = {"up", "right"}
+        simulation.grab(last)
+        x, y = simulation.positions[last]
+        simulation.lead(last, (x + 2.0, y - 1.0))
+        simulation.step(30)
+        simulation.release(last)
+        simulation.keys = ()
+        simulation.step(40)
+    assert one.plain
+    assert np.abs(one.positions - start).max() > 0.1
+    assert one.positions == pytest.approx(other.positions, abs=1e-9)
+    assert one.velocities == pytest.approx(other.velocities, abs=1e-6)
+    assert one.rest_angles == pytest.approx(other.rest_angles, abs=1e-12)
+
+
+@pytest.mark.parametrize("law", ["conservative", "angle"])
+@pytest.mark.parametrize("shape", SHAPES)
+def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) -> None:
+    simulation = Simulation(REPLACE(body(shape, law, 5), integrator=Integrator(method="symplectic_euler")))
+    state = simulation._state
+    physics = Physics(simulation._body, state)
+    x, still = state.x + 1j * state.y, np.zeros(state.places, complex)
+    forces = physics.forces(x, still)
+    h = 1e-5
+    for place in range(1, len(simulation.scene.masses) + 1):
+        for direction, force in ((1.0, forces[place].real), (1j, forces[place].imag)):
+            ends = []
+            for step in (h, -h):
+                moved = x.copy()
+                moved[place] += step * direction
+                ends.append(sum(physics.energies(moved)))
+            slope = (ends[0] - ends[1]) / (2.0 * h)
+            assert force == pytest.approx(-slope, rel=1e-6, abs=1e-4 * float(np.abs(forces).max()))
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_springs_and_joints_exert_no_force_and_no_torque_on_the_whole(law: ForceLaw) -> None:
+    simulation = Simulation(body("girder", law, 1))
+    state = simulation._state
+    x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
+    forces = Physics(simulation._body, state).forces(x, v)
+    size = float(np.abs(forces).max())
+    assert abs(forces.sum()) < 1e-12 * size
+    assert abs((x.conj() * forces).imag.sum()) < 1e-12 * size * float(np.abs(x).max())
+
+
+def test_a_body_that_runs_away_from_its_fixed_step_stops_at_its_last_good_state() -> None:
+    scene = sim.set_value(sim.load_scene("tutorial-3.3"), "linear_stiffness", 1e6)
+    one, other = plain(scene), Simulation(scene)
+    done = [simulation.step(5000) for simulation in (one, other)]
+    assert done[0] == pytest.approx(done[1], abs=2)
+    assert one.divergence is not None
+    assert one.divergence.quantity == "speed"
+    assert np.abs(one.velocities).max() <= 1e6
+    assert np.isfinite(one.positions).all()
+
+
+def test_a_body_too_stiff_for_numpy_is_late_and_not_lost() -> None:
+    scene = sim.load_scene("study-w4")
+    simulation = plain(scene)
+    assert simulation.step(100, attempts=50) < 100
+    assert simulation.divergence is None
+    assert simulation.effort().steps == 50
+
+
+@pytest.mark.parametrize("name", [info.name for info in sim.list_scenes() if info.built_in])
+def test_every_preset_moves_by_numpy(name: str) -> None:
+    scene = sim.load_scene(name)
+    simulation = plain(scene)
+    assert simulation.step(40) == 40
+    assert simulation.time == pytest.approx(40 * scene.integrator.dt)
+    assert simulation.divergence is None
+    if len(scene.anchors) < len(scene.masses):
+        assert simulation.velocities.any()
+    exact = Simulation(scene)
+    exact.step(40)
+    assert simulation.positions == pytest.approx(exact.positions, abs=0.2)
+
+
+def test_all_masses_held_go_where_they_are_led() -> None:
+    scene = sim.load_scene("tutorial-3.1")
+    simulation = plain(scene)
+    simulation.lead(0, (250.0, 260.0))
+    assert simulation.step(4) == 4
+    assert simulation.positions[0].tolist() == [250.0, 260.0]
+    assert simulation.anchors == scene.anchors
+    assert isinstance(scene.anchors[0], Anchor)
