@@ -19,7 +19,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from .kernels.tables import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL, Body, State
+from .kernels.laws import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL
+from .kernels.tables import Body, State
 
 Vectors = NDArray[np.complex128]
 """One vector each, as complex numbers."""

@@ -15,6 +15,7 @@ from typing import Any, get_args
 import msgspec
 
 from .errors import SceneError, SettingError
+from .kernels.laws import LAWS
 from .methods import METHODS
 from .rope import with_rope
 from .scene import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template
@@ -328,7 +329,7 @@ CHOICES: dict[str, Choice] = {
     "force_law": Choice(
         "force_law",
         "Force law",
-        {"tutorial": "Tutorial", "conservative": "Conservative", "angle": "Angle itself"},
+        {name: law.label for name, law in LAWS.items()},
         lambda scene: scene.force_law,
         _replace("force_law"),
         _has_joints,

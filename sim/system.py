@@ -7,15 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .kernels.laws import LAWS, NO_JOINTS
 from .kernels.roots import LEAST
 from .kernels.tables import (
-    ANGLE,
-    CONSERVATIVE,
     CONTROL_SCALE,
     CONTROL_SHIFT,
-    NO_JOINTS,
     SHORTEST_SQUARED,
-    TUTORIAL,
     Body,
     Floats,
     Indices,
@@ -32,8 +29,6 @@ anything smaller; and at most, as a part of a typical spring's."""
 
 _ENDLESS = 1e30
 """What padding is softened by, px²: it is longer than any spring then; single precision still holds this."""
-
-_LAWS = {"tutorial": TUTORIAL, "conservative": CONSERVATIVE, "angle": ANGLE}
 
 
 @dataclass(frozen=True)
@@ -264,7 +259,7 @@ def _body(
         twisted=bool(resistance.any()),
         chain=in_order and not ring,
         ring=ring,
-        law=_LAWS[scene.force_law] if joint_a.size else NO_JOINTS,
+        law=LAWS[scene.force_law].code if joint_a.size else NO_JOINTS,
         softening=softening,
         softenings=softenings,
         spring_a=spring_a,

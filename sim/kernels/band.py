@@ -14,8 +14,8 @@ import numpy as np
 
 from .blocks import from_to, joint_blocks, minus, plus, scaled, spring_block
 from .jit import FAST, kernel
+from .laws import CONSERVATIVE, TUTORIAL, is_sine
 from .roots import inverse_root
-from .tables import ANGLE, CONSERVATIVE, TUTORIAL
 
 CHUNK, _VECTOR = 16, 8
 """Springs whose derivatives are taken before their rows are eliminated, and how many of them are a vector."""
@@ -121,7 +121,7 @@ def _derive_joints(body, state, q, v, g, law, twisted, definite, first, start, s
         if twisted:
             rate, rate_after = from_to(v, place, other), from_to(v, other, third)
             damping = body.couple_damping[place]
-        if law == ANGLE:
+        if not is_sine(law):
             rest = state.couple_rest[place]
         aa, ab, ba, bb = joint_blocks(
             law,

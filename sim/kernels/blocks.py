@@ -12,7 +12,8 @@ import math
 import numpy as np
 
 from .jit import FAST, kernel
-from .tables import CONSERVATIVE, SHORTEST_SQUARED, TUTORIAL
+from .laws import CONSERVATIVE, TUTORIAL, terms
+from .tables import SHORTEST_SQUARED
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -136,7 +137,7 @@ def joint_blocks(
         ba = outer(1.0, normal_b, by_a)
         bb = plus(outer(1.0, normal_b, by_b), scaled(couple, turn_b))
     else:
-        aa, ab, ba, bb = _angle_blocks(size, rest, a, b, inv_a, inv_b, softening)
+        aa, ab, ba, bb = blocks_of_law(law, size, rest, a, b, inv_a, inv_b, softening)
     if damping > 0.0:
         strength = damping * product
         # dV/dt is the turning rate of b less that of a; a spring turns at -normal . rate.
@@ -176,31 +177,32 @@ def joint_blocks(
 
 
 @kernel(fastmath=FAST)
-def _angle_blocks(size, rest, a, b, inv_a, inv_b, softening):
-    """As `joint_blocks`, for the law with the angle itself.
+def blocks_of_law(law, size, rest, a, b, inv_a, inv_b, softening):
+    """As `joint_blocks`, for any law with an energy, by its terms.
 
-    Its energy is K w(A) w(B) (V - r)² / 2 with the weight w(L) = L² / sqrt(L² + softening), since V has no
-    value where a spring has no length.
+    That is K w(A) w(B) F(V - r) with the weight w(L) = L² / sqrt(L² + softening), since V has no value where
+    a spring has no length.
     """
     off = deflection(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1], rest)
-    half = 0.5 * off * off
+    torque, energy, stiffness = terms(law, off)
     weight_a, slope_a, bend_a, normal_a, turn_a = _weight(a, inv_a, softening)
     weight_b, slope_b, bend_b, normal_b, turn_b = _weight(b, inv_b, softening)
-    aa = plus(outer(off, slope_a, normal_a), outer(off, normal_a, slope_a))
-    aa = plus(aa, plus(scaled(half, bend_a), outer(weight_a, normal_a, normal_a)))
-    aa = scaled(-size * weight_b, plus(aa, scaled(weight_a * off, turn_a)))
-    bb = plus(outer(-off, slope_b, normal_b), outer(-off, normal_b, slope_b))
-    bb = plus(bb, plus(scaled(half, bend_b), outer(weight_b, normal_b, normal_b)))
-    bb = scaled(-size * weight_a, minus(bb, scaled(weight_b * off, turn_b)))
-    ab = minus(outer(off * weight_b, slope_a, normal_b), outer(off * weight_a, normal_a, slope_b))
-    ab = plus(minus(ab, outer(half, slope_a, slope_b)), outer(weight_a * weight_b, normal_a, normal_b))
+    aa = plus(outer(torque, slope_a, normal_a), outer(torque, normal_a, slope_a))
+    aa = plus(aa, plus(scaled(energy, bend_a), outer(stiffness * weight_a, normal_a, normal_a)))
+    aa = scaled(-size * weight_b, plus(aa, scaled(weight_a * torque, turn_a)))
+    bb = plus(outer(-torque, slope_b, normal_b), outer(-torque, normal_b, slope_b))
+    bb = plus(bb, plus(scaled(energy, bend_b), outer(stiffness * weight_b, normal_b, normal_b)))
+    bb = scaled(-size * weight_a, minus(bb, scaled(weight_b * torque, turn_b)))
+    ab = minus(outer(torque * weight_b, slope_a, normal_b), outer(torque * weight_a, normal_a, slope_b))
+    both = outer(stiffness * weight_a * weight_b, normal_a, normal_b)
+    ab = plus(minus(ab, outer(energy, slope_a, slope_b)), both)
     ab = scaled(size, ab)
     return aa, ab, (ab[0], ab[2], ab[1], ab[3]), bb
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def _weight(vector, inv, softening):
-    """The weight of a spring under the angle's law, its gradient and its second derivatives; the gradient of
+    """The weight of a spring, its gradient and its second derivatives; the gradient of
     the spring's angle, with the sign of perp, and the derivatives of that."""
     square = vector[0] * vector[0] + vector[1] * vector[1]
     true = 1.0 / max(square, SHORTEST_SQUARED)

@@ -6,7 +6,7 @@ import math
 
 from .blocks import deflection, from_to, length_of
 from .jit import FAST, kernel
-from .tables import ANGLE
+from .laws import is_sine, terms
 
 KINETIC, LINEAR, ANGULAR, GRAVITY = 0, 1, 2, 3
 ANCHORS, DAMPING, AIR, LAW = 0, 1, 2, 3
@@ -49,8 +49,8 @@ def angular_energy(law, ax, ay, bx, by, rest, softening):
     square_a, square_b = ax * ax + ay * ay, bx * bx + by * by
     len_a, len_b = math.sqrt(square_a + softening), math.sqrt(square_b + softening)
     off = deflection(ax * by - ay * bx, ax * bx + ay * by, rest)
-    if law == ANGLE:
-        return 0.5 * (square_a / len_a) * (square_b / len_b) * off * off
+    if not is_sine(law):
+        return (square_a / len_a) * (square_b / len_b) * terms(law, off)[1]
     true = math.sqrt(square_a * square_b)
     sine = math.sin(0.5 * off)
     # |A||B| with softening, less that without it, without the difference of two large numbers.

@@ -29,9 +29,9 @@ import numpy as np
 from .blocks import deflection
 from .jit import FAST, kernel
 from .lanes import eight_at_a_time, whole_eights
+from .laws import CONSERVATIVE, TUTORIAL, terms
 from .links import is_linked, linked_accelerations
 from .roots import inverse_root
-from .tables import ANGLE, CONSERVATIVE, TUTORIAL
 
 
 @kernel(fastmath=FAST)
@@ -49,11 +49,11 @@ def spring_forces(body, state, work, x, y, vx, vy):
         if body.law == CONSERVATIVE:
             _at_springs(body, work.energy, work.draw, 1.0)
             _at_springs(body, work.dot, work.hold, 1.0)
-        elif body.law == ANGLE:
+        elif body.law != TUTORIAL:
             _at_springs(body, work.energy, work.draw, 1.0)
-            _hold_by_angle(whole_eights(hinged), body.softening, lx, ly, inverse, work.draw, work.hold)
+            _hold_by_energy(whole_eights(hinged), body.softening, lx, ly, inverse, work.draw, work.hold)
     tx, ty = work.tx, work.ty
-    if body.law == CONSERVATIVE or body.law == ANGLE:
+    if body.law != TUTORIAL and body.joints:
         _tensions_with_pull(
             springs, lx, ly, dvx, dvy, inverse, state.pull, body.stiffness, body.damping,
             work.turn, work.draw, work.hold, tx, ty,
@@ -111,9 +111,11 @@ def _joint_couples(body, state, work, lx, ly, inverse, couple, energy, dot):
             a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
             cross = lx[a] * ly[b] - ly[a] * lx[b]
             off = deflection(cross, lx[a] * lx[b] + ly[a] * ly[b], rest[j + 1])
+            torque_term, energy_term, _ = terms(body.law, off)
             weight = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
-            couple[j + 1] = size[j + 1] * weight * (inverse[a] * inverse[b]) * off
-            energy[j + 1] = 0.5 * couple[j + 1] * off
+            weight *= size[j + 1] * (inverse[a] * inverse[b])
+            couple[j + 1] = weight * torque_term
+            energy[j + 1] = weight * energy_term
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
@@ -139,7 +141,7 @@ def _at_springs(body, of_joint, of_spring, sign):
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
-def _hold_by_angle(springs, soft, lx, ly, inverse, draw, hold):
+def _hold_by_energy(springs, soft, lx, ly, inverse, draw, hold):
     eight_at_a_time()
     for s in range(springs):
         square = lx[s] * lx[s] + ly[s] * ly[s]

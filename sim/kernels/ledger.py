@@ -9,9 +9,8 @@ from .dissipation import gather_dampers, taken_away
 from .drive import drive_to, hand_speed
 from .forces import spring_forces
 from .jit import FAST, kernel
+from .laws import TUTORIAL, is_sine, terms
 from .tables import (
-    ANGLE,
-    TUTORIAL,
     WORK_AIR,
     WORK_ANCHORS,
     WORK_DAMPING,
@@ -174,9 +173,9 @@ def _power_of_keys(body, state, drive, x, y):
         ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
         off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.couple_rest[j + 1])
         aa, bb = ax * ax + ay * ay, bx * bx + by * by
-        if body.law == ANGLE:
-            off *= aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))
-        else:
-            off = math.sqrt(aa * bb) * math.sin(off)
-        power -= body.couple_size[j + 1] * off * math.radians(drive.turn)
+        weight = math.sqrt(aa * bb)
+        if not is_sine(body.law):
+            weight = aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))
+        torque = body.couple_size[j + 1] * weight * terms(body.law, off)[0]
+        power -= torque * math.radians(drive.turn)
     return power

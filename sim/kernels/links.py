@@ -17,14 +17,14 @@ import math
 from .bits import bits, from_bits
 from .jit import FAST, kernel
 from .lanes import eight_at_a_time, whole_eights
+from .laws import CONSERVATIVE, NO_JOINTS, TUTORIAL, is_sine
 from .roots import inverse_root_from_least
-from .tables import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL
 
 
 @kernel(forceinline=True)
 def is_linked(body):
     """Whether `linked_accelerations` can do a body."""
-    return (body.chain or body.ring) and body.law != ANGLE and not body.twisted
+    return (body.chain or body.ring) and is_sine(body.law) and not body.twisted
 
 
 @kernel(inline="always")

@@ -27,7 +27,7 @@ class Body(Table):
     twisted: bool  # any angular spring has damping
     chain: bool  # the springs run head to tail through all masses, in order
     ring: bool  # so they do, and back to the first
-    law: int  # NO_JOINTS, TUTORIAL, CONSERVATIVE or ANGLE
+    law: int  # see `laws`
     softening: float  # px²; the length of a spring with vector L is sqrt(L² + softening)
     softenings: Floats  # that of every spring, for `links`; of padding so much that it is never the shortest
     spring_a: Indices  # (S,) mass at the start of each spring
@@ -130,9 +130,6 @@ class Work(Table):
     fx: Floats  # (places)
     fy: Floats
 
-
-NO_JOINTS, TUTORIAL, CONSERVATIVE, ANGLE = 0, 1, 2, 3
-"""Values of `Body.law`."""
 
 CONTROL_SCALE, CONTROL_SHIFT = 0, 1
 SCALE_MIN, SCALE_MAX = 0.01, 100.0

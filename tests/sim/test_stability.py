@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 import math
 
@@ -10,10 +11,12 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Scene, Simulation
+from sim import Integrator, Scene, Simulation, limits
+from sim.methods import METHODS
 from sim.scene import ForceLaw
 from sim.stability import quick_limit
 from sim.system import build_system
+from sim.tableaux import explicit
 from tests.sim.amplification import dynamics, exact_limit, spectral_radius
 from tests.sim.bodies import LAWS, body
 from tests.sim.builders import chain, euler, row, tangle, tutorial_preset
@@ -229,3 +232,38 @@ def test_meter_only_reads() -> None:
         other.step(20)
     assert np.array_equal(simulation.positions, other.positions)
     assert np.array_equal(simulation.velocities, other.velocities)
+
+
+@pytest.mark.parametrize("law", ["tutorial", "conservative", "angle"])
+def test_the_stiffness_that_sets_the_limit_is_named_under_every_law(law: ForceLaw) -> None:
+    # Under the laws with an energy, joints also pull along the springs.
+    for linear, angular, cause in ((100.0, 1e6, "angular stiffness"), (1e6, 100.0, "linear stiffness")):
+        scene = sim.rope(masses=8, stiffness=linear, angular_stiffness=angular, damping=0.0, force_law=law)
+        scene = msgspec.structs.replace(scene, integrator=Integrator(method="symplectic_euler"))
+        assert Simulation(scene).stability().cause == cause
+
+
+def test_strong_dampers_of_joints_are_named() -> None:
+    scene = sim.rope(masses=8, angular_damping=5000.0, damping=0.0)
+    scene = msgspec.structs.replace(scene, integrator=Integrator(method="velocity_verlet"))
+    assert Simulation(scene).stability().cause == "angular damping"
+
+
+def test_a_row_brings_its_own_limit(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ralston's method of second order lets undamped motions grow by next to nothing: it is not unstable."""
+    table = explicit(rows=((), (2 / 3,)), weights=(1 / 4, 3 / 4), times=(0.0, 2 / 3))
+    row = dataclasses.replace(METHODS["rk4"], order=2, limit=limits.runge_kutta(table), table=table)
+    monkeypatch.setitem(METHODS, "rk4", row)
+    scene = msgspec.structs.replace(
+        sim.rope(masses=6, damping=0.0, air_friction=0.0, rest_angle=20.0),
+        integrator=Integrator(method="rk4", dt=2e-4),
+    )
+    simulation = Simulation(scene)
+    assert simulation.dt < simulation.stability().limit < np.inf
+    energy = simulation.energy().total
+    assert simulation.step(4000) == 4000
+    assert simulation.energy().total == pytest.approx(energy, rel=0.02, abs=2e3)
+    # Beyond it, it does run away.
+    far = Simulation(scene, dt=3.0 * simulation.stability().limit)
+    far.step(4000)
+    assert far.divergence is not None

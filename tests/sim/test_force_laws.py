@@ -1,0 +1,96 @@
+"""A force law is what its row and its terms say, in every kernel that reads them."""
+
+from __future__ import annotations
+
+from typing import get_args
+
+import numba
+import numpy as np
+import pytest
+
+from sim import Simulation
+from sim.kernels import laws
+from sim.kernels.blocks import blocks_of_law, joint_blocks
+from sim.kernels.energy import angular_energy
+from sim.kernels.laws import ANGLE, CONSERVATIVE, LAWS, TUTORIAL
+from sim.physics import LAWS as IN_NUMPY
+from sim.physics import Physics
+from sim.scene import ForceLaw
+from sim.settings import CHOICES
+from tests.sim.bodies import body
+from tests.sim.inside import spring_forces
+
+ANGLES = np.linspace(-3.0, 3.0, 13)
+
+
+@numba.njit
+def terms(law, deflection):
+    """A way in from Python."""
+    return laws.terms(law, deflection)
+
+
+@numba.njit
+def by_terms(law, size, rest, a, b, inv_a, inv_b):
+    return blocks_of_law(law, size, rest, a, b, inv_a, inv_b, 1e-300)
+
+
+@numba.njit
+def by_products(law, size, cos, sin, a, b, inv_a, inv_b):
+    zero = (0.0, 0.0)
+    return joint_blocks(law, size, cos, sin, 0.0, 0.0, a, b, inv_a, inv_b, 1e-300, zero, zero, 0.0, False)
+
+
+@numba.njit
+def energy(law, ax, ay, bx, by, rest):
+    return angular_energy(law, ax, ay, bx, by, rest, 1e-300)
+
+
+def test_scenes_pages_and_kernels_know_the_same_laws() -> None:
+    assert tuple(LAWS) == get_args(ForceLaw) == tuple(CHOICES["force_law"].options)
+    assert {law.code for law in LAWS.values()} <= set(IN_NUMPY)
+    assert len({law.code for law in LAWS.values()}) == len(LAWS)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_the_torque_is_the_slope_of_the_energy_and_its_own_slope_the_stiffness(name: ForceLaw) -> None:
+    code, h = LAWS[name].code, 1e-5
+    for angle in ANGLES:
+        torque, _, stiffness = terms(code, angle)
+        before, after = terms(code, angle - h), terms(code, angle + h)
+        assert torque == pytest.approx((after[1] - before[1]) / (2.0 * h), abs=1e-9)
+        assert stiffness == pytest.approx((after[0] - before[0]) / (2.0 * h), abs=1e-9)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_numpy_says_the_same(name: ForceLaw) -> None:
+    code = LAWS[name].code
+    torque, energies = IN_NUMPY[code](np.asarray(6.0 * np.exp(1j * ANGLES), complex))
+    for i, angle in enumerate(ANGLES):
+        assert (torque[i], energies[i]) == pytest.approx(
+            tuple(6.0 * t for t in terms(code, angle)[:2]), abs=1e-12
+        )
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_products_of_vectors_are_the_terms_of_the_sine(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    a, b = (tuple(pair) for pair in random.normal(size=(2, 2)) * 10.0)
+    rest, size = random.uniform(-3.0, 3.0), random.uniform(1.0, 5.0)
+    inverse = [1.0 / np.hypot(*vector) for vector in (a, b)]
+    found = by_products(CONSERVATIVE, size, size * np.cos(rest), size * np.sin(rest), a, b, *inverse)
+    expected = by_terms(CONSERVATIVE, size, rest, a, b, *inverse)
+    assert np.array(found) == pytest.approx(np.array(expected), rel=1e-9, abs=1e-9)
+    deflection = np.angle(complex(*a).conjugate() * complex(*b) * np.exp(-1j * rest))
+    for law in (TUTORIAL, CONSERVATIVE, ANGLE):
+        weight = terms(law, deflection)[1] / (inverse[0] * inverse[1])
+        found_energy: float = energy(law, a[0], a[1], b[0], b[1], rest)
+        assert found_energy == pytest.approx(weight, rel=1e-9)
+
+
+@pytest.mark.parametrize("shape", ["chain", "ring", "tree"])
+def test_an_unknown_law_is_an_error_and_not_a_body_without_joints(shape: str) -> None:
+    simulation = Simulation(body(shape, "conservative", 1))
+    simulation._body = simulation._body.replaced(law=99)
+    assert np.isnan(spring_forces(simulation)).any()
+    with pytest.raises(KeyError):
+        Physics(simulation._body, simulation._state)
