@@ -15,7 +15,7 @@ from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
 from sim.errors import InputError, SceneError, SettingError
-from sim.files import read_scene
+from sim.scene.files import read_scene
 from sim.settings import apply_assignments
 
 from . import headless
@@ -51,8 +51,8 @@ class Serve:
     def run(self) -> int:
         """Serve until told to stop."""
         # Here, not above: the other commands have no use for viser, which takes a second to import.
-        from .gate import GateError, PortBusy
-        from .serve import serve
+        from .gate.gate import GateError, PortBusy
+        from .server.serve import serve
 
         try:
             serve(_scene(self.scene, self.settings), self.host, self.port, self.open)

@@ -14,9 +14,9 @@ from rich.console import Console
 from rich.progress import Progress
 
 import sim
-from sim.books import ENERGY_FIELDS, EnergyBook
 from sim.errors import InputError
-from sim.files import write_atomically
+from sim.motion.energy import ENERGY_FIELDS, EnergyBook
+from sim.scene.files import write_atomically
 
 LONG_RUN = 200_000
 """Steps from which on a run shows its progress."""

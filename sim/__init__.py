@@ -10,12 +10,13 @@ Nothing here knows of the page; `import sim` is enough to use it in a script:
     print(simulation.positions)
 """
 
-from .books import EnergyBook
-from .equilibrium import Vibrations, equilibrium, vibrations
+from .analysis.equilibrium import Vibrations, equilibrium, vibrations
 from .errors import InputError, SceneError, SettingError
-from .files import list_scenes, load_scene, save_scene
-from .rope import rope
-from .scene import (
+from .motion.energy import EnergyBook
+from .motion.simulation import Divergence, Simulation
+from .scene.files import list_scenes, load_scene, save_scene
+from .scene.rope import rope
+from .scene.types import (
     Anchor,
     AngularSpring,
     ArrowKeys,
@@ -28,9 +29,8 @@ from .scene import (
     Scene,
     View,
 )
+from .scene.validate import validate
 from .settings import set_choice, set_value
-from .simulation import Divergence, Simulation
-from .validate import validate
 
 __all__ = [
     "Anchor",

@@ -19,8 +19,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from .kernels.laws import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL
-from .kernels.tables import Body, State
+from .kernels.core.tables import Body, State
+from .kernels.forces.laws import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL
 
 Vectors = NDArray[np.complex128]
 """One vector each, as complex numbers."""

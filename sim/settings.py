@@ -14,13 +14,13 @@ from typing import Any, get_args
 
 import msgspec
 
+from .body.system import joint_stiffness
 from .errors import SceneError, SettingError
-from .kernels.laws import LAWS
-from .methods import METHODS
-from .rope import with_rope
-from .scene import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template
-from .system import joint_stiffness
-from .validate import number_range, validate
+from .kernels.forces.laws import LAWS
+from .methods.registry import METHODS
+from .scene.rope import with_rope
+from .scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template
+from .scene.validate import number_range, validate
 
 TEMPLATES: tuple[int, ...] = get_args(Template)
 

@@ -46,7 +46,7 @@ echo "browser: $SOFTROD_BROWSER"
 
 # The methods' machine code is made once, while the linters run, and not again by each process of the tests.
 python=$(uv run python -c 'import sys; print(sys.executable)')
-"$python" -m sim.precompile all >/dev/null &
+"$python" -m sim.compiling.precompile all >/dev/null &
 compiling=$!
 trap 'kill "$compiling" 2>/dev/null || true' EXIT
 uv run ruff check .

@@ -83,9 +83,9 @@ def bare(masses: int) -> int:
 def softrod(shown: str) -> tuple[int, contextlib.ExitStack]:
     """Serve softrod's page of a preset, or of a rope of so many masses; returns the port and what ends it."""
     import sim
-    from sim.compiling import needed_by
+    from sim.compiling.compiler import needed_by
 
-    from ..serve import serving
+    from ..server.serve import serving
 
     stack = contextlib.ExitStack()
     if shown.isdigit():

@@ -17,8 +17,8 @@ from rich.table import Table
 
 import sim
 from sim import Integrator, Scene
-from sim.rope import fine_rope
-from sim.scene import Circle, Method
+from sim.scene.rope import fine_rope
+from sim.scene.types import Circle, Method
 
 SIZES = (12, 100, 1000, 3000, 10_000)
 """Masses."""

@@ -11,7 +11,7 @@ from rich.table import Table
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Scene
-from sim.scene import ForceLaw
+from sim.scene.types import ForceLaw
 
 SIZES = (10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000)
 """Masses. The largest are more than a scene's file may have."""

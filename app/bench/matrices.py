@@ -11,8 +11,8 @@ from rich.table import Table
 
 import sim
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
-from sim.pattern import fill, new_matrix
-from sim.system import build_system
+from sim.body.sparsity import fill, new_matrix
+from sim.body.system import build_system
 
 PRESETS = ("study-w4", "study-ring", "study-tree", "hair-tuft", "flag-pole", "study-cloth")
 SIDES = (10, 20, 30)

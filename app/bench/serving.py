@@ -75,7 +75,7 @@ def _start(kind: str, shown: str | int, cache: str) -> dict[str, float]:
 
 def _warm(cache: str) -> None:
     """Compile all kernels into a folder."""
-    words = [sys.executable, "-m", "sim.precompile", "all"]
+    words = [sys.executable, "-m", "sim.compiling.precompile", "all"]
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL, env={**os.environ, "XDG_CACHE_HOME": cache})
 
 

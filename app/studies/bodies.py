@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
-from sim.scene import ForceLaw
+from sim.scene.types import ForceLaw
 
 Point = tuple[float, float]
 

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 import sim
 from sim import Scene
-from sim.methods import METHODS
-from sim.solver import Solver
+from sim.methods.registry import METHODS
+from sim.motion.solver import Solver
 
 from . import others
 from .equations import Equations

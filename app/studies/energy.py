@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 import sim
-from sim.methods import METHODS, MethodInfo
-from sim.scene import Circle, Method, Scene
+from sim.methods.registry import METHODS, MethodInfo
+from sim.scene.types import Circle, Method, Scene
 
 from .results import Case, Result, converging
 

@@ -11,13 +11,13 @@ import numba
 import numpy as np
 
 import sim
-from sim.driving import Driver
-from sim.kernels.drive import drive_to
-from sim.kernels.forces import accelerations
-from sim.kernels.sparse import assemble
-from sim.kernels.table import Floats, Indices, Table
-from sim.kernels.tables import Body, Drive, Matrix, State, Work
-from sim.pattern import new_matrix
+from sim.body.sparsity import new_matrix
+from sim.kernels.core.table import Floats, Indices, Table
+from sim.kernels.core.tables import Body, Drive, Matrix, State, Work
+from sim.kernels.forces.drive import drive_to
+from sim.kernels.forces.forces import accelerations
+from sim.kernels.linear.sparse import assemble
+from sim.motion.driving import Driver
 
 Layout = Literal["dense", "banded", "sparse"]
 """A Jacobian as an (N, N) array; as diagonals, of which row `above` + i - j holds J[i, j] at column j; or as

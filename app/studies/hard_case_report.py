@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from rich.console import Console
 
 from sim import EnergyBook, Simulation
-from sim.methods import METHODS
+from sim.methods.registry import METHODS
 
 from .hard_cases import HardCase, hard_cases, long_rods
 from .output import Watch, comma_separated, grid, make_folder, provenance, write_page, write_table

@@ -10,8 +10,8 @@ import numpy as np
 
 import sim
 from sim import Integrator, Pose, Scene, Simulation
-from sim.rope import fine_rope
-from sim.scene import ForceLaw
+from sim.scene.rope import fine_rope
+from sim.scene.types import ForceLaw
 
 REPLACE = msgspec.structs.replace
 SPACING = 300.0 / 11.0

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import sim
 from sim import Scene
-from sim.methods import METHODS
+from sim.methods.registry import METHODS
 
 from . import others
 from .contenders import FRAMES, Contender, Ours, Reference, Run, Theirs, distance, reference

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 import sim
-from sim.methods import METHODS
+from sim.methods.registry import METHODS
 
 from . import bodies, exact
 from .results import Case, Result, converging

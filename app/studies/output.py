@@ -24,7 +24,7 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeEl
 from rich.table import Table
 
 from sim.errors import InputError
-from sim.files import write_atomically
+from sim.scene.files import write_atomically
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -10,7 +10,7 @@ import numpy as np
 
 import sim
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
-from sim.scene import Circle
+from sim.scene.types import Circle
 
 Places = list[tuple[float, float]]
 Pairs = list[tuple[int, int]]

@@ -11,9 +11,9 @@ from rich.console import Console
 from rich.table import Table
 
 from sim import Scene
-from sim.ensemble import fixed_step_methods
+from sim.analysis.ensemble import fixed_step_methods
 from sim.errors import InputError
-from sim.methods import METHODS
+from sim.methods.registry import METHODS
 
 from . import output
 from .output import Watch, make_folder, provenance, write_figures, write_page, write_table
@@ -173,9 +173,9 @@ def markdown(scene: Scene, moving: Scene, charts: Sequence[Map], duration: float
         "was put in: kinetic and elastic energy at the start, and the body's weight times its extent.",
         "",
         "The black line is the analytic limit of the step, that of small motions about the start "
-        "(`sim/stability.py`), which the meter in the page shows, too. The last column of the tables has the "
-        "step at which bodies turned unstable, in parts of that limit: the median over the map's lines, and "
-        "the range. A cell is as wide as the range in which a border cannot be told apart.",
+        "(`sim/motion/stability.py`), which the meter in the page shows, too. The last column of the tables "
+        "has the step at which bodies turned unstable, in parts of that limit: the median over the map's "
+        "lines, and the range. A cell is as wide as the range in which a border cannot be told apart.",
         "",
         *([f"**{note}**", ""] if note else []),
     ]

@@ -11,10 +11,10 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from sim.errors import InputError, SceneError
-from sim.rope import with_rope
-from sim.scene import Mass, Rope, Scene, expand_rope
+from sim.scene.rope import with_rope
+from sim.scene.types import Mass, Rope, Scene, expand_rope
+from sim.scene.validate import validate
 from sim.settings import SETTINGS
-from sim.validate import validate
 
 GOLDEN = math.pi * (3.0 - math.sqrt(5.0))
 """An angle (radians) whose multiples fall nowhere twice."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sim.methods import METHODS
+from sim.methods.registry import METHODS
 
 from .figures import BLACK, ORANGE, new_figure
 from .stability_axes import Axis

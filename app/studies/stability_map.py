@@ -13,9 +13,9 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from sim import Integrator, Scene, Simulation
-from sim.ensemble import Member, Track, marks, run_ensemble
-from sim.stability import largest_step
-from sim.system import joint_stiffness
+from sim.analysis.ensemble import Member, Track, marks, run_ensemble
+from sim.body.system import joint_stiffness
+from sim.motion.stability import largest_step
 
 from .stability_axes import Axis, extent, in_cell
 

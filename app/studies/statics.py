@@ -11,8 +11,8 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 import sim
-from sim.equilibrium import equilibrium, vibrations
-from sim.scene import ForceLaw
+from sim.analysis.equilibrium import equilibrium, vibrations
+from sim.scene.types import ForceLaw
 
 from . import bodies, exact
 from .results import Case, Result, compared, converging

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from rich.table import Table
 
-from sim.methods import METHODS
+from sim.methods.registry import METHODS
 
 from . import others, random_study
 from .measure import FOLLOWED, Point, SceneResults, label

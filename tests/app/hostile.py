@@ -16,8 +16,8 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 from websockets.typing import Origin, Subprotocol
 
-from app.gate import GatedServer, open_server
-from app.gate_messages import UPLOAD_PART_BYTES
+from app.gate.gate import GatedServer, open_server
+from app.gate.messages import UPLOAD_PART_BYTES
 
 PATIENCE = 20.0
 """Seconds to wait for what must happen; only a server that hangs makes a test wait this long."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import sim
-from app import commands
-from app.session import Session
+from app.session import commands
+from app.session.session import Session
 
 FRAME = 1.0 / 60.0
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from app.cli import main
-from sim.files import read_scene
+from sim.scene.files import read_scene
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"

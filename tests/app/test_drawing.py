@@ -7,10 +7,10 @@ import pytest
 import trimesh
 
 import sim
-from app.colors import LIGHT_GAIN, palette, rgb, sent
-from app.drawing import MANY, Mapping, Sketch, nice
-from app.shapes import COILS, meshes
-from app.view import Picture
+from app.page.colors import LIGHT_GAIN, palette, rgb, sent
+from app.page.drawing import MANY, Mapping, Sketch, nice
+from app.page.shapes import COILS, meshes
+from app.page.view import Picture
 
 PRESETS = [info.name for info in sim.list_scenes() if info.built_in]
 

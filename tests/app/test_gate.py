@@ -14,8 +14,8 @@ import websockets.datastructures
 import websockets.exceptions
 from websockets.exceptions import InvalidStatus
 
-from app import gate
-from app.gate import GateError, PortBusy, exposure, open_server
+from app.gate import gate
+from app.gate.gate import GateError, PortBusy, exposure, open_server
 from tests.app.hostile import HANDSHAKE, Sandbox, answer, eventually, status
 
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import pytest
 from viser import UploadedFile
 
-from app import gate
-from app.gate import MAX_UPLOAD_BYTES
-from app.gate_messages import UPLOAD_PART_BYTES
+from app.gate import gate
+from app.gate.gate import MAX_UPLOAD_BYTES
+from app.gate.messages import UPLOAD_PART_BYTES
 from tests.app.hostile import Sandbox, User, eventually, pack, uuid_of
 
 PART = UPLOAD_PART_BYTES

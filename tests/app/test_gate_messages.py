@@ -10,7 +10,7 @@ import pytest
 import viser._messages
 from viser.infra._messages import wire_field_names
 
-from app.gate_messages import MAX_FRAME_BYTES, MAX_MESSAGE_BYTES, PAGE_MESSAGES, PageMessage
+from app.gate.messages import MAX_FRAME_BYTES, MAX_MESSAGE_BYTES, PAGE_MESSAGES, PageMessage
 from tests.app.hostile import CAMERA, Sandbox, User, eventually, pack, uuid_of
 
 VECTOR = [0.5, 1, 2.5]

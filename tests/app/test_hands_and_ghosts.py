@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 import sim
-from app import commands, readouts
 from app.bench import frames
-from app.colors import palette
-from app.ghost import FINER
+from app.page import readouts
+from app.page.colors import palette
+from app.session import commands
+from app.session.ghost import FINER
 from tests.app.pages import FRAME, Page
 
 

@@ -9,8 +9,8 @@ from app.studies import hard_case_report
 from app.studies.hard_case_report import reference
 from app.studies.hard_cases import HardCase, hard_cases, with_method
 from sim import Simulation
-from sim.methods import METHODS
-from sim.scene import ForceLaw
+from sim.methods.registry import METHODS
+from sim.scene.types import ForceLaw
 
 CASES = hard_cases()
 FRAMES = 40

@@ -7,8 +7,8 @@ from rich.console import Console
 
 import sim
 from app.bench import matrices
-from sim.pattern import fill, new_matrix
-from sim.system import build_system
+from sim.body.sparsity import fill, new_matrix
+from sim.body.system import build_system
 
 
 def filled(scene: sim.Scene) -> tuple[int, int]:

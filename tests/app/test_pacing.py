@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from app.pacing import Pacer
-from sim.solver import Effort
+from app.session.pacing import Pacer
+from sim.motion.solver import Effort
 
 DT = 0.01
 FRAME = 0.05

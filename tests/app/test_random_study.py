@@ -9,7 +9,7 @@ import pytest
 from app.studies import random_study
 from app.studies.random_bodies import random_body
 from app.studies.random_study import measure_body, shares, shares_by_tolerance
-from sim.system import build_system
+from sim.body.system import build_system
 from tests.app.results import some_body
 
 

@@ -8,11 +8,12 @@ import msgspec
 import pytest
 
 import sim
-from app import commands, readouts, script
-from app.colors import palette
-from app.drawing import Mapping
-from app.session import Session
-from sim.methods import METHODS
+from app.page import readouts, script
+from app.page.colors import palette
+from app.page.drawing import Mapping
+from app.session import commands
+from app.session.session import Session
+from sim.methods.registry import METHODS
 
 MAPPING = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
 

@@ -11,14 +11,14 @@ import pytest
 import viser
 
 import sim
-from app import commands
 from app.bench.client import Page
-from app.commands import DragStart, Open
-from app.serve import serving
-from app.session import Session
-from app.tab import Tab
-from app.ticker import Ticker
-from sim.compiling import ENTRY_POINTS, EntryPoint
+from app.page.tab import Tab
+from app.server.serve import serving
+from app.server.ticker import Ticker
+from app.session import commands
+from app.session.commands import DragStart, Open
+from app.session.session import Session
+from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 
 PATIENCE = 30.0
 

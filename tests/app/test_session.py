@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import sim
-from app import commands
-from app.session import KEYS_FORGOTTEN_AFTER, MAX_QUEUE
+from app.session import commands
+from app.session.session import KEYS_FORGOTTEN_AFTER, MAX_QUEUE
 from tests.app.pages import FRAME, Page
 from tests.sim.builders import tutorial_preset
 

@@ -27,9 +27,9 @@ from app.studies.stability_map import (
     borders,
     compute,
 )
-from sim.ensemble import Member, Track, marks, run_ensemble
-from sim.methods import METHODS
-from sim.stability import largest_step
+from sim.analysis.ensemble import Member, Track, marks, run_ensemble
+from sim.methods.registry import METHODS
+from sim.motion.stability import largest_step
 from tests.app.results import read_table
 
 QUIET = Console(file=io.StringIO())

@@ -24,9 +24,9 @@ from app.studies.random_bodies import random_body
 from app.studies.study import parse_errors, parse_integrators, study, study_scenes
 from app.studies.study_figures import figures, front
 from app.studies.study_report import Study, markdown, points_csv, targets
+from sim.body.system import build_system
 from sim.errors import InputError
-from sim.scene import Circle
-from sim.system import build_system
+from sim.scene.types import Circle
 from tests.app.results import read_table, some_body
 
 ROPE = sim.rope(masses=4, length=90.0, direction=(1.0, 0.0), circle=Circle(radius=20.0, frequency=2.0))

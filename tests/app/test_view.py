@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import sim
-from app.view import STILL, Picture, View
+from app.page.view import STILL, Picture, View
 
 
 @pytest.fixture

@@ -13,8 +13,8 @@ import pytest
 from playwright.sync_api import Browser, Playwright, sync_playwright
 
 import sim
-from app.serve import serving
-from app.tab import Tab
+from app.page.tab import Tab
+from app.server.serve import serving
 from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.driver import ARTIFACTS, Desk, Served
 

@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page
 
-from app.commands import Command
-from app.session import Session
-from app.tab import Tab
-from app.ticker import Ticker
+from app.page.tab import Tab
+from app.server.ticker import Ticker
+from app.session.commands import Command
+from app.session.session import Session
 from tests.browser.between_frames import FRAME_LOCK, BetweenFrames
 
 T = TypeVar("T")

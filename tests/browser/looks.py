@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.colors import palette
+from app.page.colors import palette
 from tests.browser.driver import Desk
 
 PRESETS = ("box", "flag-pole", "hair-tuft", "ring", "tutorial-3.1", "tutorial-3.2", "tutorial-3.3")

@@ -20,9 +20,9 @@ from PIL import Image
 from playwright.sync_api import Browser, sync_playwright
 
 import sim
-from app import tab
-from app.serve import serving
-from app.session import FRAME, Session
+from app.page import tab
+from app.server.serve import serving
+from app.session.session import FRAME, Session
 from tests.browser.conftest import FLAGS, browser_path
 from tests.browser.driver import Desk, Point, Served
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app import commands
+from app.session import commands
 from sim.settings import SETTINGS
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 import sim
-from app import commands
-from sim import files
+from app.session import commands
+from sim.scene import files
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 from tests.browser.looks import assert_shown

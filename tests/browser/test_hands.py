@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app import commands
+from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Camera, Desk, Point
 from tests.browser.looks import assert_shown

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app import commands
-from app.readouts import KEYS_HELP
+from app.page.readouts import KEYS_HELP
+from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from app import commands
-from app.ghost import REFERENCE
-from app.solver_panel import REFERENCE_LABEL
+from app.page.solver_panel import REFERENCE_LABEL
+from app.session import commands
+from app.session.ghost import REFERENCE
 from tests.browser.between_frames import BetweenFrames
 from tests.browser.conftest import OpenPage
 from tests.browser.looks import assert_shown

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene, Simulation
-from sim.kernels.energy import ANGULAR, GRAVITY, LINEAR, energies
-from sim.kernels.forces import accelerations
-from sim.kernels.implicit import factorise_matrix, solve_matrix
-from sim.kernels.resist import add_resistance, remember_directions
-from sim.pattern import new_matrix
-from sim.solver import Solver
+from sim.body.sparsity import new_matrix
+from sim.kernels.energy.energies import ANGULAR, GRAVITY, LINEAR, energies
+from sim.kernels.forces.forces import accelerations
+from sim.kernels.linear.damping import add_resistance, remember_directions
+from sim.kernels.linear.implicit import factorise_matrix, solve_matrix
+from sim.motion.solver import Solver
 
 Floats = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
-from sim.scene import ForceLaw
+from sim.scene.types import ForceLaw
 from tests.sim.builders import euler
 
 LAWS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")

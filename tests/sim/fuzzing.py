@@ -12,7 +12,7 @@ import numpy as np
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
-from sim.scene import ArrowKeys, ForceLaw
+from sim.scene.types import ArrowKeys, ForceLaw
 from sim.settings import settings_of
 
 Places = list[tuple[float, float]]

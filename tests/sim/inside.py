@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene, Simulation
-from sim.kernels.forces import spring_forces as kernel_forces
-from sim.kernels.tables import CLOCK_DEGREE
-from sim.solver import Solver
-from sim.system import System
+from sim.body.system import System
+from sim.kernels.core.tables import CLOCK_DEGREE
+from sim.kernels.forces.forces import spring_forces as kernel_forces
+from sim.motion.solver import Solver
 
 Points = NDArray[np.float64]
 

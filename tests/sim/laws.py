@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from sim import Scene
-from sim.scene import Circle
-from sim.system import joint_stiffness
+from sim.body.system import joint_stiffness
+from sim.scene.types import Circle
 
 Complexes = NDArray[np.complex128]
 Points = NDArray[np.float64]

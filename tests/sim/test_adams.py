@@ -10,9 +10,9 @@ from numpy.polynomial import Polynomial
 
 import sim
 from sim import Integrator, Scene, Simulation
-from sim.kernels import adams as kernels
-from sim.kernels.tables import PAST, Adams, Floats
-from sim.multistep import adams
+from sim.kernels.core.tables import PAST, Adams, Floats
+from sim.kernels.integrators import adams as kernels
+from sim.methods.adams import adams
 from tests.sim.builders import folded_rope
 from tests.sim.inside import adams_degree
 

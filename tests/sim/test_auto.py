@@ -8,8 +8,8 @@ import pytest
 
 import sim
 from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
-from sim.scene import ForceLaw
-from sim.simulation import Effort
+from sim.motion.simulation import Effort
+from sim.scene.types import ForceLaw
 from tests.sim.amplification import dynamics, radius
 from tests.sim.bodies import LAWS
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from sim import Anchor, Integrator, SceneError, Simulation
-from sim.methods import METHODS
-from sim.scene import Circle, ForceLaw, Method
+from sim.methods.registry import METHODS
+from sim.scene.types import Circle, ForceLaw, Method
 from tests.sim.bodies import LAWS, body
 from tests.sim.fuzzing import STEPS, wild_scene
 from tests.sim.inside import same_state

@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from sim import Anchor, Integrator, Mass, Scene, Simulation
-from sim.scene import Circle, ForceLaw, Method
+from sim.scene.types import Circle, ForceLaw, Method
 from tests.sim.builders import chain, row
 
 REPLACE = msgspec.structs.replace

@@ -9,7 +9,7 @@ import pytest
 
 import sim
 from sim import AngularSpring, LinearSpring, Mass, Scene, Simulation
-from sim.scene import Method
+from sim.scene.types import Method
 
 REPLACE = msgspec.structs.replace
 STRENGTHS = [0.1, 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6]

@@ -8,8 +8,8 @@ import pytest
 
 import sim
 from sim import InputError, Simulation
-from sim.ensemble import Member, Track, fixed_step_methods, marks, run_ensemble
-from sim.scene import ForceLaw
+from sim.analysis.ensemble import Member, Track, fixed_step_methods, marks, run_ensemble
+from sim.scene.types import ForceLaw
 
 REPLACE = msgspec.structs.replace
 

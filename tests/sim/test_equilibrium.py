@@ -10,8 +10,8 @@ import pytest
 
 import sim
 from sim import Anchor, AngularSpring, InputError, Integrator, LinearSpring, Mass, Pose, Scene, Simulation
-from sim.equilibrium import equilibrium, vibrations
-from sim.scene import ForceLaw
+from sim.analysis.equilibrium import equilibrium, vibrations
+from sim.scene.types import ForceLaw
 from tests.sim.builders import PRESETS, chain, row, tangle
 from tests.sim.inside import Points, forces_of, is_chain
 

@@ -15,7 +15,7 @@ import pytest
 
 import sim
 from sim import ArrowKeys, Scene, SceneError, Simulation, list_scenes, load_scene, save_scene
-from sim.files import (
+from sim.scene.files import (
     MAX_FILE_BYTES,
     built_in_folder,
     decode_scene,
@@ -25,7 +25,7 @@ from sim.files import (
     save_user_scene,
     user_folder,
 )
-from sim.scene import Circle
+from sim.scene.types import Circle
 from tests.sim.builders import PRESETS, star, tangle
 
 REPLACE = msgspec.structs.replace

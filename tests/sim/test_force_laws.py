@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from sim import Simulation
-from sim.kernels import laws
-from sim.kernels.blocks import blocks_of_law, joint_blocks
-from sim.kernels.energy import angular_energy
-from sim.kernels.laws import ANGLE, CONSERVATIVE, LAWS, TUTORIAL
+from sim.kernels.energy.energies import angular_energy
+from sim.kernels.forces import laws
+from sim.kernels.forces.laws import ANGLE, CONSERVATIVE, LAWS, TUTORIAL
+from sim.kernels.linear.blocks import blocks_of_law, joint_blocks
 from sim.physics import LAWS as IN_NUMPY
 from sim.physics import Physics
-from sim.scene import ForceLaw
+from sim.scene.types import ForceLaw
 from sim.settings import CHOICES
 from tests.sim.bodies import body
 from tests.sim.inside import spring_forces

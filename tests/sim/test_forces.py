@@ -11,6 +11,7 @@ import pytest
 
 import sim
 from sim import AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.scene.types import Template
 from sim.settings import TEMPLATES
 from tests.sim import reference
 from tests.sim.builders import chain, row, star, tangle, tutorial_preset, tutorial_rope
@@ -25,7 +26,7 @@ def naive_forces(scene: Scene) -> Points:
     return np.array([(p.fx, p.fy) for p in body.points])
 
 
-def two_springs(v: float, rest: float, template: sim.scene.Template | None = None) -> Scene:
+def two_springs(v: float, rest: float, template: Template | None = None) -> Scene:
     """Two springs without linear forces, of different lengths, at an angle of v degrees."""
     turn = math.radians(v) + 0.3
     return Scene(
@@ -138,7 +139,7 @@ def test_couple_on_each_spring(v: float, rest: float) -> None:
 
 @pytest.mark.parametrize("template", TEMPLATES)
 def test_templates_are_the_general_law_and_the_diagonal_ones_are_stronger(
-    template: sim.scene.Template,
+    template: Template,
 ) -> None:
     factor = math.sqrt(2.0) if template in (135, 45, -45, -135) else 1.0
     for v in (-150.0, -45.0, 10.0, 60.0, 135.0):

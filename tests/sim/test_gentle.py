@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from sim import Anchor
-from sim.kernels.steps import is_gentle, shortest_of, stays_gentle
+from sim.kernels.integrators.steps import is_gentle, shortest_of, stays_gentle
 from tests.sim.arrays import Arrays
 
 STEP = 1e-3

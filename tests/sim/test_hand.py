@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 import sim
 from sim import Integrator, Simulation
-from sim.hand import LONGEST_GLIDE, Hand
-from sim.methods import METHODS
-from sim.scene import ForceLaw
+from sim.methods.registry import METHODS
+from sim.motion.drag import LONGEST_GLIDE, Hand
+from sim.scene.types import ForceLaw
 from tests.sim.builders import led_rod, rod
 from tests.sim.inside import same_state
 

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 import sim
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
-from sim.kernels.sparse import assemble
-from sim.kernels.twisted import inverse_pivots
-from sim.pattern import fill
-from sim.scene import ForceLaw
+from sim.body.sparsity import fill
+from sim.kernels.linear.sparse import assemble
+from sim.kernels.linear.two_sided_lu import inverse_pivots
+from sim.scene.types import ForceLaw
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import LAWS, SHAPES, body
 from tests.sim.builders import chain, row

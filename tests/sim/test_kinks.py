@@ -12,9 +12,9 @@ from scipy.integrate import solve_ivp
 
 import sim
 from sim import Integrator, Mass, Scene, Simulation
-from sim.kernels import kinks
-from sim.kernels.tables import PAST, SPARE
-from sim.multistep import adams
+from sim.kernels.core.tables import PAST, SPARE
+from sim.kernels.integrators import kinks
+from sim.methods.adams import adams
 
 PLACES = 32
 MASSES = range(1, PLACES - SPARE)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from sim import AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
-from sim.scene import ForceLaw
+from sim.scene.types import ForceLaw
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import LAWS, SHAPES, body
 from tests.sim.inside import forces_of, general, put, spring_forces, system_of

@@ -10,11 +10,11 @@ import pytest
 
 import sim
 from sim import Integrator, Scene, Simulation
-from sim.limits import stability_polynomial
-from sim.methods import METHODS
-from sim.scene import ForceLaw, Method
-from sim.stability import largest_step
-from sim.tableaux import RK4
+from sim.methods.limits import stability_polynomial
+from sim.methods.registry import METHODS
+from sim.methods.tableaux import RK4
+from sim.motion.stability import largest_step
+from sim.scene.types import ForceLaw, Method
 from tests.sim.amplification import STEPS, dynamics, radius
 from tests.sim.bodies import body
 from tests.sim.builders import chain, row

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sim import Simulation
-from sim.scene import Method
+from sim.scene.types import Method
 from tests.sim.builders import led_rod
 
 MASSES = 250

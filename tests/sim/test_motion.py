@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from sim import ArrowKeys, InputError, Integrator, Mass, Scene, Simulation
-from sim.scene import Method
+from sim.scene.types import Method
 from tests.sim.builders import chain, euler, row, tutorial_preset, tutorial_rope
 
 REPLACE = msgspec.structs.replace

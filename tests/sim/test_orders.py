@@ -12,10 +12,10 @@ import pytest
 
 import sim
 from sim import Anchor, ArrowKeys, Integrator, Scene, Simulation
-from sim.driving import Driver
-from sim.kernels.rosenbrock import run_rosenbrock
-from sim.methods import METHODS
-from sim.scene import Circle, ForceLaw, Method
+from sim.kernels.integrators.rosenbrock import run_rosenbrock
+from sim.methods.registry import METHODS
+from sim.motion.driving import Driver
+from sim.scene.types import Circle, ForceLaw, Method
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body
 from tests.sim.laws import Laws, Path

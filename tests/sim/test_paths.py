@@ -10,8 +10,8 @@ import pytest
 
 import sim
 from sim import Anchor, AngularSpring, ArrowKeys, Integrator, LinearSpring, Mass, Scene, Simulation
-from sim.kernels.forces import accelerations
-from sim.scene import ForceLaw, Method
+from sim.kernels.forces.forces import accelerations
+from sim.scene.types import ForceLaw, Method
 from tests.sim.arrays import Arrays
 from tests.sim.builders import chain, row
 from tests.sim.inside import general, is_chain, is_ring

@@ -10,10 +10,10 @@ import pytest
 
 import sim
 from sim import Anchor, Circle, Integrator, Scene, Simulation
+from sim.motion.plain import PlainSolver
+from sim.motion.stepping import Stepper
 from sim.physics import Physics
-from sim.plain import PlainSolver
-from sim.scene import ForceLaw, Method
-from sim.stepping import Stepper
+from sim.scene.types import ForceLaw, Method
 from tests.sim.bodies import SHAPES, body
 from tests.sim.inside import general
 

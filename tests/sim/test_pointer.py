@@ -10,8 +10,8 @@ import pytest
 
 import sim
 from sim import Anchor, InputError, Integrator, Simulation
-from sim.methods import METHODS
-from sim.scene import ForceLaw, Method
+from sim.methods.registry import METHODS
+from sim.scene.types import ForceLaw, Method
 from tests.sim.builders import askew, chain, row, tutorial_rope
 from tests.sim.inside import same_state
 

@@ -27,8 +27,8 @@ from sim import (
     Simulation,
     validate,
 )
-from sim.files import decode_scene, encode_scene
-from sim.scene import Circle, ForceLaw, Method
+from sim.scene.files import decode_scene, encode_scene
+from sim.scene.types import Circle, ForceLaw, Method
 from sim.settings import SETTINGS, TEMPLATES, set_value
 from tests.sim.builders import PRESETS
 

@@ -23,8 +23,8 @@ from sim import (
     View,
     validate,
 )
-from sim.scene import MAX_MASSES, MAX_SPRINGS, Circle
-from sim.validate import number_range
+from sim.scene.types import MAX_MASSES, MAX_SPRINGS, Circle
+from sim.scene.validate import number_range
 from tests.sim.walking import Route, routes, spelled, with_value
 
 REPLACE = msgspec.structs.replace

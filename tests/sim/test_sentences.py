@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from sim import View, validate
-from sim.files import decode_scene, encode_scene
+from sim.scene.files import decode_scene, encode_scene
 from tests.sim.test_files import minimal
 from tests.sim.test_files import refused as refused_file
 from tests.sim.test_scene import BODY, changed, refused

@@ -9,7 +9,8 @@ import pytest
 
 import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
-from sim.methods import METHODS
+from sim.body.system import joint_stiffness
+from sim.methods.registry import METHODS
 from sim.settings import (
     CHOICES,
     SETTINGS,
@@ -20,7 +21,6 @@ from sim.settings import (
     settings_of,
     shift_rest_angles,
 )
-from sim.system import joint_stiffness
 from tests.sim.builders import PRESETS, chain, row, star, tangle
 
 REPLACE = msgspec.structs.replace

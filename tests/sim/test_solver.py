@@ -10,10 +10,10 @@ import pytest
 
 import sim
 from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
-from sim.methods import METHODS
-from sim.scene import Circle, Method
-from sim.solver import LONG
-from sim.system import build_system
+from sim.body.system import build_system
+from sim.methods.registry import METHODS
+from sim.motion.solver import LONG
+from sim.scene.types import Circle, Method
 from tests.sim.bodies import body
 from tests.sim.inside import solver_of
 

@@ -11,12 +11,13 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Integrator, Scene, Simulation, limits
-from sim.methods import METHODS
-from sim.scene import ForceLaw
-from sim.stability import quick_limit
-from sim.system import build_system
-from sim.tableaux import explicit
+from sim import Integrator, Scene, Simulation
+from sim.body.system import build_system
+from sim.methods import limits
+from sim.methods.registry import METHODS
+from sim.methods.tableaux import explicit
+from sim.motion.stability import quick_limit
+from sim.scene.types import ForceLaw
 from tests.sim.amplification import dynamics, exact_limit, spectral_radius
 from tests.sim.bodies import LAWS, body
 from tests.sim.builders import chain, euler, row, tangle, tutorial_preset

@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from sim import Integrator, Scene, Simulation
-from sim.scene import ForceLaw
+from sim.scene.types import ForceLaw
 from tests.sim.builders import chain, euler, row
 from tests.sim.inside import same_state, system_of
 

@@ -14,10 +14,10 @@ from functools import cache
 import numpy as np
 import pytest
 
-from sim import tableaux
-from sim.kernels.tables import PAST, Adams, Rosenbrock, Tableau
-from sim.methods import METHODS
-from sim.multistep import adams
+from sim.kernels.core.tables import PAST, Adams, Rosenbrock, Tableau
+from sim.methods import tableaux
+from sim.methods.adams import adams
+from sim.methods.registry import METHODS
 
 Tree = tuple["Tree", ...]
 """A node, as the tuple of its children."""

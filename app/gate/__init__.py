@@ -1,0 +1,1 @@
+"""What stands between viser and the network."""

@@ -1,0 +1,391 @@
+"""The security gate in front of viser.
+
+viser itself accepts a connection from any web page, lets a client set any attribute of the handles it
+knows, stores uploads of any size and opens a public tunnel on request. The gate stands between viser and
+the network: it checks every request's Host and Origin, serves nothing but the page, and lets through only
+messages that the page has reason to send. Messages that come too fast are read more slowly, not lost.
+
+What remains to the caller: give each client handles of its own (``client.gui``, ``client.scene``), which
+other clients cannot reach, and clamp every value, since the limits of a slider live in the browser only.
+"""
+
+import asyncio
+import contextlib
+import dataclasses
+import functools
+import logging
+import socket
+import threading
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from http import HTTPStatus
+from typing import Any
+
+import viser
+import viser._messages
+import websockets.asyncio.server
+from websockets.asyncio.server import Server, ServerConnection
+from websockets.frames import Frame, Opcode
+from websockets.http11 import Request, Response
+from websockets.protocol import Event
+from websockets.server import ServerProtocol
+
+from app.gate.address import GateError, PortBusy, authorities, exposure, listen, own_authorities
+from app.gate.messages import (
+    MAX_FRAME_BYTES,
+    UPLOAD_PART_BYTES,
+    FileTransferPart,
+    FileTransferStartUpload,
+    GuiUpdateMessage,
+    PageMessage,
+    Reason,
+    Refused,
+    is_alike,
+)
+
+from . import messages as gate_messages
+
+__all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server"]
+
+VISER_VERSION = "1.1.1"
+"""The version of viser whose inside the gate knows."""
+
+MAX_UPLOAD_BYTES = 5 * 1024 * 1024
+MAX_TABS = 64
+
+MAX_UPLOADS_PER_TAB = 2
+MAX_UPLOADS = 16
+"""Uploads under way at once, which viser holds in memory: at most 80 MiB."""
+
+# A page sends at most some 300 messages a second: the pointer once per frame of a fast screen (240 Hz), the
+# camera and each slider at 20 Hz.
+MESSAGES_PER_SECOND = 1000.0
+MESSAGE_BURST = 2000.0
+# Every started 64 KiB counts as a message, so that large ones are paced by their bytes.
+BYTES_PER_MESSAGE = 64 * 1024
+
+# Pings, pongs and continuation frames never reach recv(), where messages are paced. A browser sends one
+# pong every 20 s, and cuts an upload part into a handful of frames.
+EXTRA_FRAMES_PER_SECOND = 200.0
+EXTRA_FRAME_BURST = 2000.0
+
+# Frames that wait for viser in memory; four upload parts of half a mebibyte keep an upload going.
+MAX_QUEUED_FRAMES = 4
+
+PAGE_PATHS = ("/", "/index.html")
+
+SAFETY_HEADERS = {
+    # No other site may show the page in a frame and steer clicks on it.
+    "Content-Security-Policy": "frame-ancestors 'none'",
+    "X-Frame-Options": "DENY",
+    "X-Content-Type-Options": "nosniff",
+    "Cross-Origin-Resource-Policy": "same-origin",
+}
+
+
+class _Budget:
+    """A token bucket: `burst` at first, then `rate` a second."""
+
+    def __init__(self, rate: float, burst: float) -> None:
+        self._rate = rate
+        self._burst = burst
+        self._left = burst
+        self._updated = time.monotonic()
+
+    def spend(self, amount: float) -> float:
+        """Take `amount` and return the seconds until the budget is no longer overdrawn."""
+        now = time.monotonic()
+        self._left = min(self._burst, self._left + (now - self._updated) * self._rate) - amount
+        self._updated = now
+        return max(0.0, -self._left / self._rate)
+
+
+class Tab(ServerConnection):
+    """A page's connection, from which viser receives only what the gate admits."""
+
+    def __init__(self, gate: "Gate", protocol: ServerProtocol, server: Server, **options: Any) -> None:
+        super().__init__(protocol, server, **options)
+        self.client: viser.ClientHandle | None = None
+        self._gate = gate
+        self._messages = _Budget(MESSAGES_PER_SECOND, MESSAGE_BURST)
+        self._extra_frames = _Budget(EXTRA_FRAMES_PER_SECOND, EXTRA_FRAME_BURST)
+        self._pause = 0.0
+
+    async def recv(self, decode: bool | None = None) -> Any:
+        """The next message for viser."""
+        while True:
+            # Pausing before the read, not after it: a cancelled recv() must not lose a message.
+            if self._pause:
+                await asyncio.sleep(self._pause)
+            data = await super().recv(decode)
+            self._pause = self._messages.spend(1 + len(data) // BYTES_PER_MESSAGE)
+            admitted = self._gate.admit(self, data)
+            if admitted is not None:
+                return admitted
+
+    def process_event(self, event: Event) -> None:
+        """Cut the connection if it sends endless frames that are no messages."""
+        super().process_event(event)
+        if not isinstance(event, Frame) or event.opcode in (Opcode.TEXT, Opcode.BINARY):
+            return
+        if self._extra_frames.spend(1) and not self.transport.is_closing():
+            self._gate.refused["frames"] += 1
+            self.transport.abort()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Forget the tab."""
+        super().connection_lost(exc)
+        self._gate.forget(self)
+
+
+@dataclasses.dataclass
+class _Upload:
+    tab: Tab
+    source_component_uuid: str
+    size_bytes: int
+    missing_parts: set[int]
+
+
+class Gate:
+    """Decides what reaches a viser server, and counts what does not."""
+
+    def __init__(self, hosts: frozenset[str], on_oversized: Callable[[int, str], None]) -> None:
+        self.refused: Counter[Reason] = Counter()
+        self._hosts = hosts
+        self._on_oversized = on_oversized
+        self._server: viser.ViserServer | None = None
+        self._tabs: set[Tab] = set()
+        self._uploads: dict[str, _Upload] = {}
+
+    def open(self, server: viser.ViserServer) -> None:
+        """Begin to admit; until now every request is refused."""
+        self._server = server
+
+    def answer(
+        self, viser_answer: Callable[..., Response | None], connection: Tab, request: Request
+    ) -> Response | None:
+        """Answer an HTTP request; None accepts a WebSocket connection."""
+        refusal = self._refusal(connection, request)
+        if refusal is not None:
+            reason, status, sentence = refusal
+            self.refused[reason] += 1
+            response = connection.respond(status, sentence + "\n")
+            if status is HTTPStatus.TEMPORARY_REDIRECT:
+                response.headers["Location"] = PAGE_PATHS[0]
+        else:
+            response = viser_answer(connection, request)
+        if response is None:
+            self._tabs.add(connection)
+        else:
+            response.headers.update(SAFETY_HEADERS)
+        return response
+
+    def _refusal(self, connection: Tab, request: Request) -> tuple[Reason, HTTPStatus, str] | None:
+        if self._server is None:
+            return "starting", HTTPStatus.SERVICE_UNAVAILABLE, "The server is starting."
+        hosts = [host.lower() for host in request.headers.get_all("Host")]
+        # A page of another site that points its own name at this machine sends that name.
+        if len(hosts) != 1 or not self._is_own(hosts[0], connection):
+            return "host", HTTPStatus.MISDIRECTED_REQUEST, "This is not the address of this page."
+        upgrade = request.headers.get_all("Upgrade")
+        if not upgrade:
+            path, query, _ = request.path.partition("?")
+            # viser's page would connect to whatever server a query names and run its scripts.
+            if query:
+                return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no parameters."
+            if path not in PAGE_PATHS:
+                return "path", HTTPStatus.NOT_FOUND, "There is no such page."
+            return None
+        if upgrade != ["websocket"]:
+            return "upgrade", HTTPStatus.BAD_REQUEST, "Only a WebSocket is served here."
+        origins = [origin.lower() for origin in request.headers.get_all("Origin")]
+        if origins != [f"http://{hosts[0]}"]:
+            return "origin", HTTPStatus.FORBIDDEN, "Only this server's own page may connect."
+        if len(self._tabs) >= MAX_TABS:
+            return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, "Too many tabs are open."
+        return None
+
+    def _is_own(self, host: str, connection: Tab) -> bool:
+        # The address the request came in at is this machine's, whichever network it belongs to.
+        address, port, *_ = connection.local_address
+        return host in self._hosts or host in authorities(address, port)
+
+    def forget(self, tab: Tab) -> None:
+        """Drop everything held for a tab that is gone."""
+        self._tabs.discard(tab)
+        for transfer_uuid in [key for key, upload in self._uploads.items() if upload.tab is tab]:
+            del self._uploads[transfer_uuid]
+
+    def admit(self, tab: Tab, data: str | bytes) -> bytes | None:
+        """Return the message for viser to read, or None if it must not see it."""
+        try:
+            if isinstance(data, str):
+                raise Refused("text")
+            message = gate_messages.read(data)
+            self._check(tab, message)
+        except Refused as refusal:
+            self.refused[refusal.reason] += 1
+            return None
+        return gate_messages.write(message)
+
+    def _check(self, tab: Tab, message: PageMessage) -> None:
+        match message:
+            case GuiUpdateMessage():
+                handle = self._input_handle(tab, message.uuid)
+                if handle is None or not is_alike(handle.value, message.updates.value):
+                    raise Refused("handle")
+            case FileTransferStartUpload():
+                self._start_upload(tab, message)
+            case FileTransferPart():
+                self._take_part(message, self._uploads.get(message.transfer_uuid), tab)
+
+    def _start_upload(self, tab: Tab, message: FileTransferStartUpload) -> None:
+        # viser would store an upload as the value of any handle: a slider's, say.
+        handle = self._input_handle(tab, message.source_component_uuid)
+        if not isinstance(handle, viser.GuiUploadButtonHandle):
+            raise Refused("handle")
+        if message.size_bytes > MAX_UPLOAD_BYTES:
+            self._turn_away(tab, message)
+            if tab.client is not None:
+                # By way of the event loop: an error in the callback must not close the connection.
+                tab.loop.call_soon(self._on_oversized, tab.client.client_id, message.filename)
+            raise Refused("oversized upload")
+        if (
+            message.part_count != -(-message.size_bytes // UPLOAD_PART_BYTES)
+            or message.transfer_uuid in self._uploads
+            or len(self._uploads) >= MAX_UPLOADS
+            or sum(upload.tab is tab for upload in self._uploads.values()) >= MAX_UPLOADS_PER_TAB
+        ):
+            self._turn_away(tab, message)
+            raise Refused("upload")
+        if message.part_count:
+            self._uploads[message.transfer_uuid] = _Upload(
+                tab, message.source_component_uuid, message.size_bytes, set(range(message.part_count))
+            )
+
+    def _take_part(self, message: FileTransferPart, upload: _Upload | None, tab: Tab) -> None:
+        offset = message.part_index * UPLOAD_PART_BYTES
+        if (
+            upload is None
+            or upload.tab is not tab
+            or upload.source_component_uuid != message.source_component_uuid
+            or message.part_index not in upload.missing_parts
+            or len(message.content) != min(UPLOAD_PART_BYTES, upload.size_bytes - offset)
+        ):
+            raise Refused("upload")
+        upload.missing_parts.remove(message.part_index)
+        if not upload.missing_parts:
+            del self._uploads[message.transfer_uuid]
+
+    def _turn_away(self, tab: Tab, message: FileTransferStartUpload) -> None:
+        """Free the page's upload button, which waits for the parts to be acknowledged."""
+        if tab.client is None:
+            return
+        # viser 1.1.1: a finished transfer frees the button; its notification must not call it a success.
+        source, transfer = message.source_component_uuid, message.transfer_uuid
+        queue = tab.client.gui._websock_interface.queue_message
+        queue(viser._messages.FileTransferPartAck(source, transfer, transferred_bytes=0, total_bytes=0))
+        queue(viser._messages.RemoveNotificationMessage(f"upload-{transfer}"))
+
+    def _input_handle(self, tab: Tab, uuid: str) -> Any:
+        """The GUI element that a tab's message reaches: one of its own or one shared by all."""
+        assert self._server is not None
+        if tab.client is None:
+            # viser 1.1.1: nothing public links a connection and its client.
+            live = self._server._websock_server._live_connections
+            clients = self._server.get_clients().items()
+            tab.client = next((client for key, client in clients if live.get(key) is tab), None)
+        shared = self._server.gui._gui_input_handle_from_uuid.get(uuid)
+        if shared is not None or tab.client is None:
+            return shared
+        return tab.client.gui._gui_input_handle_from_uuid.get(uuid)
+
+
+class GatedServer(viser.ViserServer):
+    """A viser server behind its gate."""
+
+    def __init__(self, gate: Gate, host: str, port: int, label: str | None) -> None:
+        self.gate = gate
+        super().__init__(host=host, port=port, label=label, verbose=False)
+
+
+_replacing = threading.Lock()
+
+
+def open_server(
+    host: str,
+    port: int,
+    *,
+    label: str | None = None,
+    on_oversized: Callable[[int, str], None] | None = None,
+    extra_hosts: Sequence[str] = (),
+) -> GatedServer:
+    """Serve viser's page on `host` and `port` (0 for any free port) behind the gate.
+
+    `on_oversized` is called on the event loop, where it must not block, with the client id and the file
+    name when a page tries to upload too large a file; the name is the browser's, so show it as plain text.
+    `extra_hosts` are further names the page is reached by, with their port if it is not `port`
+    (``"localhost:9000"`` for a forwarded one).
+
+    Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place.
+    """
+    if viser.__version__ != VISER_VERSION:
+        raise GateError(f"viser {VISER_VERSION} is needed, but {viser.__version__} is installed.")
+    listener = listen(host, port)
+    address, port = listener.getsockname()[:2]
+    hosts = own_authorities(address, host, port, extra_hosts)
+    gate = Gate(hosts, on_oversized or (lambda client_id, filename: None))
+    # The server gets a duplicate of the socket. This one holds the port until then, and is closed whatever
+    # happens.
+    with listener, _in_front_of_viser(gate, listener) as calls:
+        server = GatedServer(gate, host, port, label)
+        if len(calls) != 1:
+            server.stop()
+            raise GateError("viser did not start its server by way of the gate.")
+    gate.open(server)
+    return server
+
+
+@contextlib.contextmanager
+def _in_front_of_viser(gate: Gate, listener: socket.socket) -> Iterator[list[Any]]:
+    """Lead viser's call of `serve` through the gate; yields the list of such calls.
+
+    websockets' own module is changed meanwhile, for want of another way in.
+    """
+    module: Any = websockets.asyncio.server
+    calls: list[Any] = []
+
+    def gated_serve(handler: Any, *address: Any, process_request: Any = None, **options: Any) -> Any:
+        if getattr(handler, "__module__", None) != "viser.infra._infra":  # viser 1.1.1
+            # Someone else's server, started by chance at this moment.
+            return real_serve(handler, *address, process_request=process_request, **options)
+        calls.append(address)
+        options |= {
+            "sock": listener.dup(),
+            "process_request": functools.partial(gate.answer, process_request),
+            "create_connection": functools.partial(Tab, gate),
+            "max_size": MAX_FRAME_BYTES,
+            "max_queue": MAX_QUEUED_FRAMES,
+            "logger": _logger,
+        }
+        return real_serve(handler, **options)
+
+    with _replacing:
+        real_serve = module.serve
+        module.serve = gated_serve
+        try:
+            yield calls
+        finally:
+            module.serve = real_serve
+
+
+class _NoHandshakeErrors(logging.Filter):
+    """Silences the traceback that websockets logs for every request it cannot parse."""
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        return record.getMessage() != "opening handshake failed"
+
+
+_logger = logging.getLogger(__name__)
+_logger.addFilter(_NoHandshakeErrors())

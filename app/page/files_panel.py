@@ -1,0 +1,143 @@
+"""The Files tab: saving, loading, deleting, downloading and uploading scenes.
+
+Handlers run in viser's thread pool, since they touch the disk; the running simulation is never touched
+unless a scene was read and found valid.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import viser
+
+import sim
+from sim.errors import SceneError
+from sim.scene import files
+
+from ..session import commands
+from ..session.session import Notice, Session
+
+NOTHING_SAVED = "(none yet)"
+
+
+class FilesPanel:
+    """The controls of one page's Files tab.
+
+    Args:
+        client: the page.
+        session: its simulation.
+        notify: tells the user something.
+        changed: called when the list of saved scenes may have changed.
+    """
+
+    def __init__(
+        self,
+        client: viser.ClientHandle,
+        session: Session,
+        notify: Callable[[Notice], None],
+        changed: Callable[[], None],
+    ) -> None:
+        self._client = client
+        self._session = session
+        self._notify = notify
+        self._changed = changed
+        gui = client.gui
+        self._name = gui.add_text("Name", initial_value="my scene")
+        self._with_pose = gui.add_checkbox(
+            "With pose", initial_value=False, hint="save where every mass is now, too"
+        )
+        save = gui.add_button("Save", icon=viser.Icon.DEVICE_FLOPPY)
+        self._saved: viser.GuiDropdownHandle[str] = gui.add_dropdown("Saved", [NOTHING_SAVED])
+        load = gui.add_button("Load", icon=viser.Icon.FOLDER_OPEN)
+        delete = gui.add_button("Delete", icon=viser.Icon.TRASH, color="red")
+        gui.add_divider()
+        download = gui.add_button("Download as a file", icon=viser.Icon.DOWNLOAD, color="gray")
+        upload = gui.add_upload_button(
+            "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json"
+        )
+        self.refresh()
+        for button, action in (
+            (save, self._save),
+            (load, self._load),
+            (delete, self._ask),
+            (download, self._download),
+        ):
+
+            @button.on_click
+            def _(_: object, action: Callable[[], None] = action) -> None:
+                self._try(action)
+
+        @upload.on_upload
+        def _(event: viser.GuiEvent[Any]) -> None:
+            file = upload.value
+            self._try(lambda: self._open_bytes(file.content, file.name))
+
+    def refresh(self, choose: str | None = None) -> None:
+        """Show the scenes that are saved now."""
+        names = tuple(info.name for info in sim.list_scenes() if not info.built_in) or (NOTHING_SAVED,)
+        if self._saved.options != names:
+            self._saved.options = names
+        if choose is not None and choose in names and self._saved.value != choose:
+            self._saved.value = choose
+
+    # --------------------------------------------------------------------- inside
+    def _try(self, action: Callable[[], None]) -> None:
+        try:
+            action()
+        except SceneError as error:
+            self._notify(Notice("error", "That did not work", str(error)))
+
+    def _save(self) -> None:
+        name = files.safe_name(self._name.value)
+        scene = self._session.snapshot(name, self._with_pose.value)
+        if files.user_path(name).exists():
+            self._confirm(f"Replace the saved scene {name!r}?", "Replace", lambda: self._write(scene, name))
+        else:
+            self._write(scene, name)
+
+    def _write(self, scene: sim.Scene, name: str) -> None:
+        name = files.save_user_scene(scene, name)
+        self.refresh(choose=name)
+        self._changed()
+        self._notify(Notice("info", "Saved", f"The scene is saved as {name!r}."))
+
+    def _load(self) -> None:
+        if self._saved.value != NOTHING_SAVED:
+            self._session.post(commands.Open(files.read_scene(files.user_path(self._saved.value))))
+
+    def _ask(self) -> None:
+        name = self._saved.value
+        if name != NOTHING_SAVED:
+            self._confirm(
+                f"Delete the saved scene {name!r}? It cannot be undone.", "Delete", lambda: self._delete(name)
+            )
+
+    def _delete(self, name: str) -> None:
+        files.delete_user_scene(name)
+        self.refresh()
+        self._changed()
+        self._notify(Notice("info", "Deleted", f"The scene {name!r} is deleted."))
+
+    def _download(self) -> None:
+        scene = self._session.snapshot(self._session.scene.name, self._with_pose.value)
+        data = files.encode_scene(scene)
+        self._client.send_file_download(f"{scene.name}.json", data, save_immediately=True)
+
+    def _open_bytes(self, data: bytes, name: str) -> None:
+        self._session.post(commands.Open(files.decode_scene(data, name)))
+
+    def _confirm(self, question: str, verb: str, action: Callable[[], None]) -> None:
+        with self._client.gui.add_modal("Are you sure?") as modal:
+            self._client.gui.add_text("", initial_value=question, disabled=True, multiline=True)
+            yes = self._client.gui.add_button(verb, color="red")
+            no = self._client.gui.add_button("Cancel", color="gray")
+
+        @yes.on_click
+        def _(_: object) -> None:
+            modal.close()
+            self._try(action)
+
+        @no.on_click
+        def _(_: object) -> None:
+            modal.close()

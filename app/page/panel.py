@@ -1,0 +1,304 @@
+"""One page's control panel: viser's handles, which belong to that page alone.
+
+Handlers only hand commands on. A value that a page sends is checked and clamped where it is applied, since
+the limits of a slider live in the browser only. A value that the server sets fires the same handlers; those
+events have no client, and are ignored, so that nothing loops.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import viser
+
+from sim.methods.registry import METHODS
+from sim.scene.types import Scene
+from sim.settings import TEMPLATES, Setting, settings_of
+
+from ..session import commands
+from ..session.commands import Command
+from ..session.session import SPEEDS, Session
+from . import readouts, script
+from .colors import palette
+from .slider_box import Dial
+from .solver_panel import SolverPanel
+
+PANEL_WIDTH = 348
+SOLVER_DIALS = ("dt", "tolerance")
+"""Settings whose dials stand in the Solver tab."""
+
+_SPEED_MARKS = tuple((i, text) for i, text in enumerate(("⅛", "¼", "½", "1", "2", "4")))
+
+
+def _has_dial(setting: Setting, scene: Scene) -> bool:
+    """Whether a setting that a scene has a use for is shown: some are set by others."""
+    if setting.key == "rest_angle":
+        return scene.template is None
+    return setting.key != "dt" or not METHODS[scene.integrator.method].adaptive
+
+
+def set_theme(gui: viser.GuiApi, dark: bool) -> None:
+    """viser's own colours, without its logo and without the button that would share the page."""
+    red, green, blue = (int(part) for part in palette("softrod", dark).driven)
+    gui.configure_theme(
+        dark_mode=dark, show_logo=False, show_share_button=False, brand_color=(red, green, blue)
+    )
+
+
+def _id(handle: Any) -> str:
+    """The id that an element has in the page (viser 1.1.1 has no public name for it)."""
+    return handle._impl.uuid
+
+
+class Panel:
+    """The controls of one page, for the scene that it shows.
+
+    Args:
+        client: the page.
+        session: its simulation.
+        scenes: names for the chooser.
+        act: what the tab does beyond the session's commands: "open" a scene by its name, "theme", "gizmos",
+            "fit", "follow", "help".
+    """
+
+    def __init__(
+        self, client: viser.ClientHandle, session: Session, scenes: list[str], act: Callable[[str, Any], None]
+    ) -> None:
+        self._client = client
+        self._session = session
+        self._act = act
+        self._dials: list[Dial] = []
+        self._body: list[Any] = []
+        self._applicable: list[Setting] | None = None
+        self._template: Any = None
+        self._shown_revision = -1
+        gui = client.gui
+        gui.set_panel_label("softrod")
+        gui.main_panel.dock_right()
+        gui.main_panel.set_width(PANEL_WIDTH)
+        self.channel = gui.add_text("softrod", initial_value="", visible=False)
+        self._hud = gui.add_html("")
+        self._state = gui.add_html("")
+        self._style = gui.add_html("")
+        gui.add_html(script.script_html(_id(self.channel)))
+        self.tabs = gui.add_tab_group()
+        self._build_play(scenes)
+        self._body_tab = self.tabs.add_tab("Body")
+        self._solver_tab = self.tabs.add_tab("Solver")
+        with self._solver_tab:
+            self._solver = SolverPanel(client, session)
+        self.files_tab = self.tabs.add_tab("Files")
+        self._build_view()
+        self._add_palette_commands()
+
+    # --------------------------------------------------------------------- what stays
+    def _build_play(self, scenes: list[str]) -> None:
+        gui, post = self._client.gui, self._session.post
+        with self.tabs.add_tab("Play"):
+            self.chooser = gui.add_dropdown("Scene", tuple(scenes), initial_value=scenes[0])
+            self._about = gui.add_html("")
+            self._play = gui.add_button("Pause", icon=viser.Icon.PLAYER_PAUSE)
+            steps = gui.add_button_group("Clock", ("1 step", "10 steps", "Reset"))
+            self._speed = gui.add_slider(
+                "Speed",
+                min=0,
+                max=len(SPEEDS) - 1,
+                step=1,
+                initial_value=SPEEDS.index(1.0),
+                marks=_SPEED_MARKS,
+            )
+            self._follow = gui.add_checkbox("Follow pointer", initial_value=False, hint="key F")
+            self._readout = gui.add_html("")
+            self._pad = gui.add_html(readouts.PAD, visible=False)
+            help_button = gui.add_button("Help", icon=viser.Icon.HELP, color="gray")
+
+        @self.chooser.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                self._act("open", self.chooser.value)
+
+        @self._play.on_click
+        async def _(_: object) -> None:
+            post(commands.Play())
+
+        @steps.on_click
+        async def _(_: object) -> None:
+            choice = steps.value
+            post(
+                commands.Reset() if choice == "Reset" else commands.DoSteps(10 if choice == "10 steps" else 1)
+            )
+
+        @self._speed.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                post(commands.Speed(SPEEDS[min(max(int(self._speed.value), 0), len(SPEEDS) - 1)]))
+
+        @self._follow.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                post(commands.Follow(bool(self._follow.value)))
+
+        @help_button.on_click
+        async def _(_: object) -> None:
+            self._act("help", None)
+
+    def _build_view(self) -> None:
+        gui = self._client.gui
+        with self.tabs.add_tab("View"):
+            dark = gui.add_checkbox("Dark", initial_value=False)
+            gizmos = gui.add_checkbox("Gizmos", initial_value=True, hint="arrows to drag held masses by")
+            fit = gui.add_button("Show all", icon=viser.Icon.MAXIMIZE, color="gray", hint="key 0")
+
+        @dark.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                self._act("theme", bool(dark.value))
+
+        @gizmos.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                self._act("gizmos", bool(gizmos.value))
+
+        @fit.on_click
+        async def _(_: object) -> None:
+            self._act("fit", None)
+
+    def _add_palette_commands(self) -> None:
+        """The keys again, for the command palette; the page's script acts on the keys themselves."""
+        gui = self._client.gui
+        entries: tuple[tuple[str, str, Command | str], ...] = (
+            ("Play or pause", "Space", commands.Play()),
+            ("One step", "N", commands.DoSteps(1)),
+            ("Reset", "R", commands.Reset()),
+            ("Pause", "Esc", commands.Play(False)),
+            ("Follow the pointer, or stop", "F", "follow"),
+            ("Show the whole scene", "0", "fit"),
+            ("Every spring longer, shorter", "↑ ↓, held", "help"),
+            ("Every rest angle up, down", "→ ←, held", "help"),
+            ("Help", "", "help"),
+        )
+        for label, key, what in entries:
+            command = gui.add_command(label, description=f"key {key}" if key else None)
+
+            @command.on_trigger
+            async def _(_: object, what: Command | str = what) -> None:
+                if isinstance(what, str):
+                    self._act(what, None)
+                else:
+                    self._session.post(what)
+
+    # --------------------------------------------------------------------- what a scene needs
+    def build(self, name: str) -> None:
+        """Put up the controls that the session's scene has a use for.
+
+        Those that stay are kept: their user may be in the middle of moving one.
+        """
+        scene, gui = self._session.scene, self._client.gui
+        if name in self.chooser.options and self.chooser.value != name:
+            self.chooser.value = name
+        self._about.content = readouts.description(scene)
+        self._pad.visible = scene.arrow_keys is not None
+        self._follow.visible = self._session.driven is not None
+        self._shown_revision = -1
+        self._solver.build()
+        applicable = [setting for setting in settings_of(scene) if _has_dial(setting, scene)]
+        if self._applicable == applicable:
+            return
+        self._applicable = applicable
+        for dial in self._dials:
+            dial.retire()
+        for element in self._body:
+            element.remove()
+        self._body.clear()
+        self._dials.clear()
+        with self._body_tab:
+            for setting in applicable:
+                if setting.key == "template":
+                    self._add_templates()
+                elif setting.key not in SOLVER_DIALS:
+                    self._add_dial(setting)
+        with self._solver_tab:
+            for setting in applicable:
+                if setting.key in SOLVER_DIALS:
+                    self._add_dial(setting)
+        with self._body_tab:
+            if not applicable:
+                nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
+                self._body.append(gui.add_html(nothing))
+
+    def _add_dial(self, setting: Setting) -> None:
+        def post(value: float) -> None:
+            self._session.post(commands.SetValue(setting.key, round(value) if setting.integer else value))
+
+        dial = Dial(self._client, setting, setting.read(self._session.scene), post)
+        self._dials.append(dial)
+        self._body += [dial.slider, dial.box]
+
+    def _add_templates(self) -> None:
+        names = tuple(f"{angle}°" for angle in TEMPLATES)
+        choice = self._client.gui.add_dropdown("Angle template", names)
+        self._template = choice
+        self._body.append(choice)
+
+        @choice.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None and choice.value in names:
+                self._session.post(commands.SetValue("template", float(choice.value.rstrip("°"))))
+
+    # --------------------------------------------------------------------- what changes
+    def set_scenes(self, names: list[str], present: str) -> None:
+        """Offer other scenes in the chooser."""
+        options = tuple(names if present in names else [*names, present])
+        if self.chooser.options != options:
+            self.chooser.options = options
+        if self.chooser.value != present:
+            self.chooser.value = present
+
+    def refresh_controls(self) -> None:
+        """Show in the controls what keys, commands or other controls changed."""
+        session = self._session
+        scene = session.scene
+        if self._shown_revision != session.revision:
+            self._shown_revision = session.revision
+            self._solver.refresh_controls()
+            running = session.playing
+            label = "Pause" if running else "Play"
+            if self._play.label != label:
+                self._play.label = label
+                self._play.icon = viser.Icon.PLAYER_PAUSE if running else viser.Icon.PLAYER_PLAY
+            speed = SPEEDS.index(min(SPEEDS, key=lambda s: abs(s - session.pacer.speed)))
+            if self._speed.value != speed:
+                self._speed.value = speed
+        if self._follow.value != session.follow:
+            self._follow.value = session.follow
+        for dial in self._dials:
+            dial.show(dial.setting.read(scene))
+        template = f"{scene.template}°"
+        if self._template is not None and scene.template is not None and self._template.value != template:
+            self._template.value = template
+
+    def refresh_readouts(self, dark: bool, at_rest: bool) -> None:
+        """Show the clock, the meter, the angle and the rates as they are now."""
+        session = self._session
+        colors = palette(session.scene.view.colors, dark)
+        for element, content in (
+            (self._hud, readouts.hud(session, colors, at_rest)),
+            (self._readout, readouts.joint_table(session)),
+        ):
+            if element.content != content:
+                element.content = content
+        self._solver.refresh_readouts()
+
+    def set_state(self, scene: str) -> None:
+        """Tell the page's script about the scene and the follow switch."""
+        content = script.state_html(scene, self._session.scene.view.frame, self._session.follow)
+        if self._state.content != content:
+            self._state.content = content
+
+    def set_style(self, dark: bool) -> None:
+        """Colours of the page, and the boxes that are hidden in it."""
+        dials = [(_id(dial.slider), _id(dial.box)) for dial in self._dials]
+        content = script.style_html(palette("softrod", dark), dark, dials, _id(self._speed))
+        if self._style.content != content:
+            self._style.content = content

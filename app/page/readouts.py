@@ -1,0 +1,232 @@
+"""The texts that the page shows of a running simulation: pure functions from a session to HTML."""
+
+from __future__ import annotations
+
+import html
+import math
+
+import sim
+from sim.methods.registry import METHODS
+
+from ..session.session import Session
+from .colors import Palette
+
+_NAMES = {
+    "sine": "sine",
+    "cosine": "cosine",
+    "radians": "angle",
+    "degrees": "angle",
+    "rest_angle": "rest angle",
+}
+
+_BEHIND = 5.0
+"""px from which on it is said how far the hand of a demanding body is behind the pointer."""
+
+
+def short(value: float) -> str:
+    """A round number in as few letters as can be, for the ends of a slider."""
+    for size, letter in ((1e6, "M"), (1e3, "k")):
+        if abs(value) >= size:
+            return f"{value / size:g}{letter}"
+    return f"{value:g}"
+
+
+def hud(session: Session, colors: Palette, at_rest: bool) -> str:
+    """The head-up display over the canvas: the clock, whether it keeps up, the stability meter, the key."""
+    lines = [f"<b>t = {session.simulation.time:.2f} s</b>{_state(session, at_rest)}"]
+    rates = session.pacer.rates(session.now())
+    if rates.losing > 0.05:
+        lines.append(
+            f'<span class="softrod-lag">{rates.real_time_factor:.2g} × real time: the clock is '
+            f"{rates.behind:.1f} s behind</span>"
+        )
+    behind = max(session.simulation.behind.values(), default=0.0)
+    if behind > _BEHIND:
+        lines.append(
+            f'<span class="softrod-lag">the body cannot follow so fast: the hand is {behind:.0f} '
+            f"{html.escape(session.scene.view.unit)} behind</span>"
+        )
+    if session.preparing:
+        lines.append(f'<span class="softrod-quiet">{html.escape(session.preparing)}</span>')
+    if math.isfinite(session.stability.limit):  # methods that bear any step have none
+        lines.append(_meter(session.simulation.dt / session.stability.limit, session.stability.limit))
+    if len(session.simulation.anchors) < len(session.simulation.scene.masses):
+        gradient = ",".join(colors.css(name) for name in ("pushed", "rest", "pulled"))
+        lines.append(
+            f'pushed<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>pulled'
+        )
+    return f'<div class="softrod-hud">{"<br>".join(lines)}</div>'
+
+
+def _state(session: Session, at_rest: bool) -> str:
+    if session.simulation.divergence is not None:
+        return " · stopped"
+    if not session.playing:
+        return " · paused"
+    return " · at rest" if at_rest else ""
+
+
+def _meter(ratio: float, limit: float) -> str:
+    """A bar of the time step over the largest stable one."""
+    color = "#2f9e44" if ratio < 0.7 else "#e8a000" if ratio < 1.0 else "#e03131"
+    width = min(100.0, 100.0 * ratio)
+    words = "stable" if ratio < 0.7 else "near the limit" if ratio < 1.0 else "unstable"
+    return (
+        f'<span class="softrod-meter"><i style="width:{width:.0f}%;background:{color}"></i></span>'
+        f"step {100.0 * ratio:.0f} % of {1e3 * limit:.2g} ms: {words}"
+    )
+
+
+def joint_table(session: Session) -> str:
+    """The angle of the joint that is read out, in the ways that the scene asks for."""
+    simulation = session.simulation
+    angles = simulation.angles
+    if not len(angles):
+        return ""
+    angle = float(angles[session.joint])
+    radians = math.radians(angle)
+    values = {
+        "sine": f"{math.sin(radians):+.4f}",
+        "cosine": f"{math.cos(radians):+.4f}",
+        "radians": f"{radians:+.4f} rad",
+        "degrees": f"{angle:+.2f}°",
+        "rest_angle": f"{float(simulation.rest_angles[session.joint]):+.2f}°",
+    }
+    rows = [f"<tr><td>joint</td><td>{session.joint + 1} of {len(angles)}</td></tr>"]
+    rows += [
+        f"<tr><td>{_NAMES[key]}</td><td>{values[key]}</td></tr>" for key in simulation.scene.view.readouts
+    ]
+    return f'<table class="softrod-table">{"".join(rows)}</table>'
+
+
+def _table(rows: dict[str, str]) -> str:
+    cells = "".join(f"<tr><td>{name}</td><td>{value}</td></tr>" for name, value in rows.items())
+    return f'<table class="softrod-table">{cells}</table>'
+
+
+def rates_table(session: Session) -> str:
+    """How fast it runs."""
+    rates = session.pacer.rates(session.now())
+    rows = {
+        "real-time factor": f"{rates.real_time_factor:.2f}",
+        "steps per second": f"{rates.steps_per_second:.0f}",
+        "solver, per frame": f"{rates.solver_ms:.3f} ms",
+        "clock behind by": f"{rates.behind:.2f} s",
+    }
+    if METHODS[session.simulation.method].adaptive:
+        rows["rejected per second"] = f"{rates.rejected_per_second:.0f}"
+    if session.rescues:
+        rows["steps of last resort"] = f"{session.rescues}"
+    return _table(rows)
+
+
+def ghost_table(session: Session) -> str:
+    """How far the second body is from the first, and what it costs."""
+    ghost = session.ghost
+    if ghost is None:
+        return ""
+    if ghost.waits:
+        return _table({"ghost": f"{html.escape(ghost.label)}: comes when it is compiled"})
+    unit = html.escape(session.scene.view.unit)
+    rows = {
+        "ghost": html.escape(ghost.label),
+        "apart now": f"{ghost.distance:.3g} {unit}",
+        "apart at most": f"{ghost.worst:.3g} {unit}",
+        "ghost's solver, per frame": f"{1e3 * ghost.cost:.3f} ms",
+    }
+    if ghost.simulation.divergence is not None:
+        rows["ghost stopped"] = "it ran away"
+    return _table(rows)
+
+
+_ENERGY_NAMES = {
+    "kinetic": "kinetic",
+    "linear": "linear springs",
+    "angular": "angular springs",
+    "gravity": "height",
+    "anchors": "work of moved anchors",
+    "damping": "lost to damping",
+    "air": "lost to air",
+    "law": "made by the tutorial's law",
+    "keys": "work of the keys",
+    "changes": "changes of settings",
+    "rescues": "lost in last resort",
+    "residual": "residual: the method's error",
+}
+
+
+def energy_table(session: Session) -> str:
+    """The energies and what has changed them; what has never been anything is left out."""
+    if not session.books:
+        return ""
+    if not session.simulation.keep_books(True):
+        return _table({"energy": "is followed when it is compiled"})
+    book = session.simulation.energy()
+    rows = {}
+    for key, name in _ENERGY_NAMES.items():
+        value = getattr(book, key)
+        if key in ("damping", "air", "rescues"):
+            value = -value
+        if value or key in ("kinetic", "residual"):
+            rows[name] = f"{value:.4g}"
+    return _table(rows)
+
+
+def description(scene: sim.Scene) -> str:
+    """A scene's description, which may come from anyone's file."""
+    return (
+        f'<div class="softrod-text softrod-about">{html.escape(scene.description)}</div>'
+        if scene.description
+        else ""
+    )
+
+
+def joint_of_mass(scene: sim.Scene, mass: int) -> int | None:
+    """The joint to read out when a mass is clicked: the first one whose springs share it."""
+    for j, joint in enumerate(scene.angular_springs):
+        a, b = scene.linear_springs[joint.a], scene.linear_springs[joint.b]
+        if mass in {a.a, a.b} & {b.a, b.b}:
+            return j
+    return None
+
+
+PAD = (
+    '<div class="softrod-pad">'
+    + "".join(
+        f'<button type="button" data-softrod-key="{key}" aria-label="{name}" '
+        f'style="grid-area:{place}">{sign}</button>'
+        for key, name, place, sign in (
+            ("U", "longer", "1 / 2", "▲"),
+            ("L", "rest angle down", "2 / 1", "◀"),
+            ("D", "shorter", "2 / 2", "▼"),
+            ("R", "rest angle up", "2 / 3", "▶"),
+        )
+    )
+    + "</div>"
+)
+"""The arrow keys as buttons, for touch screens; the page's script holds them."""
+
+KEYS_HELP = (
+    ("Space", "play or pause"),
+    ("N", "one step"),
+    ("R", "reset"),
+    ("Esc", "pause"),
+    ("F", "the ringed mass follows the pointer, or stops following"),
+    ("0", "show the whole scene"),
+    ("↑ ↓", "held: every spring longer, shorter"),
+    ("→ ←", "held: every rest angle up, down"),
+    ("Ctrl K", "all commands"),
+)
+
+
+def help_html() -> str:
+    """The help panel."""
+    rows = "".join(f"<tr><td><kbd>{key}</kbd></td><td>{what}</td></tr>" for key, what in KEYS_HELP)
+    return (
+        '<div class="softrod-text"><p><b>Drag any mass</b>, or the arrows of a held one. Held masses stay '
+        "where you leave them; free ones fall. Drag the paper to move it, scroll or pinch to zoom. Click a "
+        f"mass to read the angle of its joint.</p><table>{rows}</table>"
+        "<p>A coil turns red where it is pulled and blue where it is pushed. A wedge shows how far a joint "
+        "is from its rest angle. The bar at the top left compares the time step with the largest stable "
+        "one.</p></div>"
+    )

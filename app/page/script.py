@@ -1,0 +1,102 @@
+"""The page's script and styles, and the messages that the script sends.
+
+viser puts the content of an HTML element into the page as it is, so an image that cannot be loaded runs
+the script. Only softrod's own text ever goes into such an element; what comes from users is escaped.
+"""
+
+from __future__ import annotations
+
+import base64
+import html
+import math
+import re
+from functools import cache
+from pathlib import Path
+
+from ..session import commands
+from ..session.commands import Command
+from .colors import Palette
+from .drawing import WORLD_SIZE, Mapping
+
+_FOLDER = Path(__file__).parent / "static"
+_KEYS = {"U": "up", "D": "down", "L": "left", "R": "right"}
+_NUMBER = r"-?\d{1,7}(?:\.\d{1,6})?"
+_MESSAGE = re.compile(
+    rf"\d{{1,15}}\|(?:keys\|([UDLR]{{0,4}})|at\|({_NUMBER}),({_NUMBER})|do\|([a-z]{{1,10}}))"
+)
+
+ONCE: dict[str, Command] = {
+    "play": commands.Play(),
+    "pause": commands.Play(False),
+    "step": commands.DoSteps(1),
+    "reset": commands.Reset(),
+}
+"""Commands that the script sends by a word; `follow` is the tab's, which knows the switch."""
+
+
+@cache
+def _text(name: str) -> str:
+    return (_FOLDER / name).read_text(encoding="utf-8")
+
+
+def script_html(channel: str) -> str:
+    """The element that starts the script; `channel` is the id of the hidden text element it sends through."""
+    code = base64.b64encode(_text("page.js").replace("%CHANNEL%", channel).encode()).decode()
+    return f"""<img alt="" style="display:none" src="data:," onerror="(0,eval)(atob('{code}'))">"""
+
+
+def style_html(colors: Palette, dark: bool, dials: list[tuple[str, str]], bare: str) -> str:
+    """The styles in a palette's colours.
+
+    Args:
+        colors: the palette.
+        dark: whether the page is dark.
+        dials: ids of sliders, each with that of the number box that stands in place of the slider's own.
+        bare: id of a slider without any box.
+    """
+    sliders = ",".join(f'div:has(>[id="{slider}"])' for slider, _ in dials)
+    boxes = ",".join(f'.mantine-NumberInput-root:has([id="{box}"])' for _, box in dials)
+    own = ",".join(
+        f'div:has(>[id="{slider}"])>.mantine-InputWrapper-root' for slider in (bare, *(s for s, _ in dials))
+    )
+    hide = f"{own}{{display:none}}"
+    if dials:
+        hide += f"{sliders}{{padding-right:5.6em}}{boxes}{{width:5.2em;margin:-1.75em 0 0 auto;z-index:4}}"
+    root = {
+        "text": colors.css("text"),
+        "line": colors.css("grid_major"),
+        "brand": colors.css("driven"),
+        "key": "#1a2230" if dark else "#f6f8fb",
+        "warn": "#ff922b" if dark else "#c2410c",
+    }
+    variables = ";".join(f"--softrod-{name}:{value}" for name, value in root.items())
+    return f"<style>:root{{{variables}}}{_text('page.css')}{hide}</style>"
+
+
+def state_html(scene: str, frame: tuple[float, float, float, float], follow: bool) -> str:
+    """What the script has to know: which scene it is, the size of its frame in the world, who follows."""
+    size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
+    width, height = (frame[2] - frame[0]) * size, (frame[3] - frame[1]) * size
+    return (
+        f'<div id="softrod-state" hidden data-scene="{html.escape(scene)}" data-width="{width:.6f}" '
+        f'data-height="{height:.6f}" data-follow="{int(follow)}"></div>'
+    )
+
+
+def parse(message: object, mapping: Mapping) -> Command | str | None:
+    """A message of the script as a command, "follow" for the switch, or None for nonsense.
+
+    Args:
+        message: the value of the hidden text element, which any client can set to anything.
+        mapping: from the page's world to px.
+    """
+    match = _MESSAGE.fullmatch(message) if isinstance(message, str) else None
+    if match is None:
+        return None
+    keys, x, y, word = match.groups()
+    if keys is not None:
+        return commands.HoldKeys(frozenset(_KEYS[key] for key in keys))
+    if word is not None:
+        return word if word == "follow" else ONCE.get(word)
+    point = mapping.to_scene(float(x), float(y))
+    return commands.Point(*point) if all(map(math.isfinite, point)) else None

@@ -1,0 +1,232 @@
+"""One browser tab: its session, its picture and its panel, tied together.
+
+All of it is the ticker's: it is made, drawn and thrown away in the ticker's thread. Handlers, which run on
+viser's event loop or in its pool, only post commands and requests.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import Any, Literal
+
+import viser
+
+import sim
+from sim.compiling.compiler import Compiler, needed_by
+from sim.methods.registry import METHODS
+
+from ..session import commands
+from ..session.session import Notice, Session
+from . import readouts, script
+from .drawing import Mapping
+from .files_panel import FilesPanel
+from .panel import Panel, set_theme
+from .view import Picture, Touch, View
+
+READOUTS_EVERY = 0.1
+"""Seconds between two updates of texts and sliders; faster would only flicker."""
+
+RESTING_AFTER = 0.5
+"""Seconds without a visible movement after which the body counts as at rest."""
+
+_COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
+
+
+class Tab:
+    """One page.
+
+    Args:
+        client: viser's handle of it.
+        scene: what it shows first.
+        compiler: makes kernels ready in the background.
+    """
+
+    def __init__(self, client: viser.ClientHandle, scene: sim.Scene, compiler: Compiler) -> None:
+        self.client = client
+        self._compiler = compiler
+        self._requests: deque[tuple[str, Any]] = deque(maxlen=100)
+        self._notices: deque[Notice] = deque(maxlen=100)
+        self._dark = False
+        self._gizmos = True
+        self._generation = -1
+        self._fits = 0
+        self._readouts_due = 0.0
+        self._moved_at = 0.0
+        self._was_at_rest = False
+        self._last_revision = -1
+        self._was_playing = True
+        self._wanted = ""
+        self._first = scene
+        self._view = View(client, self._touched, self._clicked)
+        self._session: Session | None = None
+        self._mapping = Mapping.of(scene)
+        self._view.build(scene, self._dark)
+        self._view.draw(Picture.at_start(scene))
+
+    # --------------------------------------------------------------------- handlers, any thread
+    def request(self, what: str, argument: Any) -> None:
+        """Ask the ticker for something that is not the session's."""
+        self._requests.append((what, argument))
+
+    def notify(self, notice: Notice) -> None:
+        """Have the user told something."""
+        self._notices.append(notice)
+
+    def _touched(self, touch: Touch) -> None:
+        if self._session is None:
+            return
+        if touch.phase == "start":
+            self._session.post(commands.DragStart(touch.mass, touch.x, touch.y, touch.by_gizmo))
+        elif touch.phase == "update":
+            self._session.post(commands.DragTo(touch.x, touch.y))
+        else:
+            self._session.post(commands.DragEnd())
+
+    def _clicked(self, mass: int) -> None:
+        self.request("joint", mass)
+
+    # --------------------------------------------------------------------- the ticker's
+    def frame(self, budget: float) -> None:
+        """One frame: `budget` seconds of computing may go into it."""
+        session = self._session or self._begin()
+        self._serve_requests(session)
+        session.drain()
+        if session.generation != self._generation:
+            self._rebuild(session)
+        self._prepare(session)
+        session.tick(budget)
+        self._show(session)
+        self._tell(session)
+
+    def _begin(self) -> Session:
+        """The session and the panel, which are made after the first picture has been sent."""
+        session = Session(self._first, wait=False)
+        self._panel = Panel(self.client, session, self._scene_names(self._first.name), self.request)
+        with self._panel.files_tab:
+            self._files = FilesPanel(self.client, session, self.notify, lambda: self.request("scenes", None))
+
+        @self._panel.channel.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is None:
+                return
+            message = script.parse(self._panel.channel.value, self._mapping)
+            if message == "follow":
+                self.request("follow", None)
+            elif message is not None and not isinstance(message, str):
+                session.post(message)
+
+        self._session = session
+        return session
+
+    def _prepare(self, session: Session) -> None:
+        """Have compiled first what the session waits for, and say what it is and how far it is."""
+        method = session.simulation.method
+        if session.simulation.plain and method != self._wanted:
+            self._wanted = method
+            self._compiler.want(needed_by(method))
+        ready, of = self._compiler.progress
+        text = ""
+        if session.simulation.plain:
+            label = METHODS[method].label
+            text = f"moves by NumPy until {label} is compiled: {ready} of {of} parts ready"
+        elif ready < of:
+            text = f"preparing {self._compiler.busy_with}: {ready} of {of} parts ready"
+        if text != session.preparing:
+            session.preparing = text
+            session.revision += 1
+
+    def _rebuild(self, session: Session) -> None:
+        """Another body: other nodes and other controls."""
+        scene = session.scene
+        self._mapping = Mapping.of(scene)
+        self._view.build(scene, self._dark)
+        self._view.show_gizmos(self._gizmos)
+        self._panel.build(scene.name)
+        self._panel.set_scenes(self._scene_names(scene.name), scene.name)
+        self._panel.set_style(self._dark)
+        self._moved_at = session.now()
+        self._generation = session.generation
+
+    def _show(self, session: Session) -> None:
+        """Send the picture, the texts and the controls, as far as they changed."""
+        now = session.now()
+        running = session.playing and session.simulation.divergence is None
+        # A change of the controls, or the end of a run, is drawn exactly; a moving body only when it shows.
+        changed = session.revision != self._last_revision or running != self._was_playing
+        self._last_revision, self._was_playing = session.revision, running
+        ghost = session.ghost
+        if self._view.draw(
+            Picture.of(session.simulation, ghost.simulation if ghost and not ghost.waits else None),
+            force=changed or not running,
+        ):
+            self._moved_at = now
+        at_rest = now - self._moved_at > RESTING_AFTER
+        self._panel.set_state(f"{self._generation}.{self._fits}")
+        if changed or (now >= self._readouts_due and not (at_rest and self._was_at_rest)):
+            self._readouts_due = now + READOUTS_EVERY
+            self._was_at_rest = at_rest
+            with self.client.atomic():
+                self._panel.refresh_controls()
+                self._panel.refresh_readouts(self._dark, at_rest)
+
+    def _serve_requests(self, session: Session) -> None:
+        while self._requests:
+            what, argument = self._requests.popleft()
+            if what == "open":
+                self._open(session, argument)
+            elif what == "theme":
+                self._dark = argument
+                set_theme(self.client.gui, dark=argument)
+                self._generation = -1
+            elif what == "gizmos":
+                self._gizmos = argument
+                self._view.show_gizmos(argument)
+            elif what == "fit":
+                self._fits += 1
+            elif what == "follow":
+                session.post(commands.Follow(not session.follow))
+                session.revision += 1
+            elif what == "joint":
+                joint = readouts.joint_of_mass(session.scene, argument)
+                if joint is not None:
+                    session.post(commands.SelectJoint(joint))
+                    session.revision += 1
+            elif what == "scenes":
+                self._panel.set_scenes(self._scene_names(session.scene.name), session.scene.name)
+            elif what == "help":
+                self._help()
+
+    def _open(self, session: Session, name: str) -> None:
+        try:
+            scene = sim.load_scene(name)
+        except sim.SceneError as error:
+            self.notify(Notice("error", "That scene cannot be opened", str(error)))
+            self._panel.set_scenes(self._scene_names(session.scene.name), session.scene.name)
+            return
+        session.post(commands.Open(scene))
+
+    def _help(self) -> None:
+        with self.client.gui.add_modal("How to use softrod") as modal:
+            self.client.gui.add_html(readouts.help_html())
+            close = self.client.gui.add_button("Close")
+
+        @close.on_click
+        async def _(_: object) -> None:
+            modal.close()
+
+    def _tell(self, session: Session) -> None:
+        self._notices.extend(session.notices)
+        session.notices.clear()
+        while self._notices:
+            notice = self._notices.popleft()
+            self.client.add_notification(
+                notice.title,
+                notice.text,
+                color=_COLORS[notice.kind],
+                auto_close_seconds=None if notice.kind == "error" else 5.0,
+            )
+
+    @staticmethod
+    def _scene_names(present: str) -> list[str]:
+        names = [info.name for info in sim.list_scenes() if not info.group]
+        return names if present in names else [*names, present]

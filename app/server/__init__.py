@@ -1,0 +1,1 @@
+"""Serving pages, and the one thread that runs them."""

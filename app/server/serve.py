@@ -1,0 +1,120 @@
+"""`softrod [SCENE]`: serves the page until it is told to stop."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import math
+import signal
+import threading
+import time
+import warnings
+import webbrowser
+from collections.abc import Iterator
+
+import viser
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+import sim
+from sim.compiling.compiler import Compiler, needed_by
+
+from ..gate.gate import exposure, open_server
+from ..page.colors import LIGHT_GAIN
+from ..page.panel import set_theme
+from ..page.tab import Tab
+from ..session.session import Notice
+from .ticker import Ticker
+
+
+@contextlib.contextmanager
+def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.ViserServer, Ticker, Compiler]]:
+    """The server behind its gate, ticking, for as long as the context lasts; the compiler is not started.
+
+    Raises:
+        GateError: the gate could not be put in place; nothing is served.
+        PortBusy: something else listens on the port.
+    """
+    compiler = Compiler()
+    ticker = Ticker(lambda client: Tab(client, scene, compiler))
+
+    def oversized(client_id: int, name: str) -> None:
+        tab = ticker.tabs.get(client_id)
+        if tab is not None:
+            tab.notify(Notice("error", "That file is too large", f"{name}: a scene file has at most 5 MB."))
+
+    # A page can go away in the middle of a frame; the rest of that frame has nobody to go to.
+    warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
+    # viser prints an address panel of its own.
+    with contextlib.redirect_stdout(io.StringIO()):
+        server = open_server(host, port, label="softrod", on_oversized=oversized)
+    try:
+        _set_stage(server)
+        ticker.attach(server)
+        yield server, ticker, compiler
+    finally:
+        compiler.stop()
+        ticker.stop()
+        with contextlib.redirect_stdout(io.StringIO()):
+            server.stop()
+
+
+def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
+    """Serve until Ctrl-C or SIGTERM.
+
+    Raises:
+        GateError, PortBusy: as `serving`.
+    """
+    console = Console()
+    signals: list[int] = []
+    for number in (signal.SIGINT, signal.SIGTERM):
+        # Only an append: a second signal can come in the middle of this handler, and must find no lock.
+        signal.signal(number, lambda number, _: signals.append(number))
+    with serving(scene, host, port) as (server, ticker, compiler):
+        shown = "127.0.0.1" if host in ("0.0.0.0", "::") else f"[{host}]" if ":" in host else host
+        address = f"http://{shown}:{server.get_port()}"
+        console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
+        warning = exposure(host)
+        if warning:
+            console.print(f"[yellow]{warning}[/yellow]", highlight=False)
+        if open_browser:
+            webbrowser.open(address)
+        # The first page is drawn first, if it comes soon: both want the interpreter.
+        ticker.drawn.wait(timeout=0.5)
+        compiler.want(needed_by(scene.integrator.method))
+        compiler.start()
+        threading.Thread(target=_show_progress, args=(compiler, console), daemon=True).start()
+        while not signals:
+            time.sleep(0.1)
+    console.print("softrod has ended.")
+
+
+def _set_stage(server: viser.ViserServer) -> None:
+    """What every page has: flat light, a flat camera far away, no axes."""
+    scene = server.scene
+    with server.atomic():
+        scene.set_up_direction("+y")
+        scene.world_axes.visible = False
+        scene.configure_default_lights(enabled=False, cast_shadow=False)
+        scene.configure_environment_map(None)
+        scene.add_light_ambient("/light", intensity=math.pi * LIGHT_GAIN)
+    # The page's script fits the distance to the window; there is no orthographic camera.
+    camera = server.initial_camera
+    camera.fov, camera.near, camera.far, camera.up = 0.1, 1.0, 2000.0, (0.0, 1.0, 0.0)
+    camera.position, camera.look_at = (0.0, 0.0, 62.0), (0.0, 0.0, 0.0)
+    set_theme(server.gui, dark=False)
+
+
+def _show_progress(compiler: Compiler, console: Console) -> None:
+    """A progress bar, where anything has to be compiled."""
+    compiler.wait(timeout=2.0)
+    ready, of = compiler.progress
+    if ready == of or not compiler.compiles:
+        return
+    columns = (TextColumn("compiling {task.description}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=console, transient=True) as progress:
+        task = progress.add_task("the solver (once)", total=of)
+        while ready < of and compiler.busy_with:
+            progress.update(task, completed=ready, description=compiler.busy_with)
+            compiler.wait(timeout=0.5)
+            ready, of = compiler.progress

@@ -1,0 +1,139 @@
+"""How much simulated time a frame gets, and what the page says of it.
+
+Time is owed as it passes on the wall. Where the machine cannot pay it all, the rest is dropped and counted
+as lag: the clock falls behind, and the next frame is not asked for more than its own share.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import dataclass
+
+from sim.motion.solver import Effort
+
+LONGEST_FRAME = 0.1
+"""Seconds of wall time that one frame can owe; after a longer silence (a stalled machine, a suspended
+laptop) the body goes on from where it was instead of leaping."""
+
+_FEWEST_ATTEMPTS = 8
+"""Steps that a method may try in any frame: a body too heavy for the budget still moves."""
+
+_WINDOW = 1.0
+"""Seconds over which the rates are averaged."""
+
+
+@dataclass(frozen=True)
+class Rates:
+    """How well the clock keeps up, over the last second.
+
+    Attributes:
+        real_time_factor: simulated seconds per second.
+        steps_per_second: steps of the method done per second.
+        rejected_per_second: steps tried in vain per second.
+        solver_ms: time in the solver per frame, ms.
+        behind: simulated seconds that the clock has lost since it was started.
+        losing: simulated seconds that it lost in the last second.
+    """
+
+    real_time_factor: float = 0.0
+    steps_per_second: float = 0.0
+    rejected_per_second: float = 0.0
+    solver_ms: float = 0.0
+    behind: float = 0.0
+    losing: float = 0.0
+
+
+class Pacer:
+    """Grants steps against the wall clock and a budget of computing time."""
+
+    def __init__(self) -> None:
+        self.speed = 1.0
+        self.behind = 0.0
+        self._last: float | None = None
+        self._owed = 0.0
+        self._step_cost = 0.0
+        self._lost = 0.0
+        self._attempt_cost = 0.0
+        self._frames: deque[tuple[float, float, int, int, float, float]] = deque()
+
+    def restart(self) -> None:
+        """Owe nothing and forget the rates, as after a pause."""
+        self._last = None
+        self._owed = 0.0
+        self.behind = 0.0
+        self._frames.clear()
+
+    def grant(self, now: float, dt: float, budget: float) -> int:
+        """Steps that this frame may do.
+
+        Args:
+            now: wall time, s.
+            dt: time step, s.
+            budget: seconds of computing that the frame may take; infinite for a method that is held to it
+                by its attempts.
+        """
+        elapsed = 0.0 if self._last is None else max(0.0, now - self._last)
+        self._last = now
+        lost = max(0.0, elapsed - LONGEST_FRAME) * self.speed
+        self._owed += min(elapsed, LONGEST_FRAME) * self.speed
+        wanted = int(self._owed / dt + 1e-9)
+        # One step always, so that a body too heavy for the budget still moves, and its cost is measured.
+        affordable = max(1, min(wanted, 64))
+        if budget == math.inf:
+            affordable = wanted
+        elif self._step_cost:
+            affordable = max(1, int(budget / self._step_cost))
+        steps = min(wanted, affordable)
+        self._owed -= steps * dt
+        if wanted > steps:
+            # A fraction of a step stays owed; the whole ones are lost.
+            rest = math.fmod(self._owed, dt)
+            lost += self._owed - rest
+            self._owed = rest
+        self.behind += lost
+        self._lost = lost
+        return steps
+
+    def attempts(self, budget: float) -> int:
+        """How many steps a method that chooses them itself may try in a budget of seconds."""
+        return max(_FEWEST_ATTEMPTS, int(budget / self._attempt_cost)) if self._attempt_cost else 1000
+
+    def record(self, now: float, dt: float, steps: int, seconds: float, effort: Effort, missed: int) -> None:
+        """Note what a frame did.
+
+        Args:
+            now: wall time, s.
+            dt: time step, s.
+            steps: time steps done.
+            seconds: what they took.
+            effort: what the method did for them.
+            missed: time steps that were granted and not reached.
+        """
+        if steps:
+            self._step_cost = _smoothed(self._step_cost, seconds / steps)
+        tried = effort.steps + effort.rejected
+        if tried:
+            self._attempt_cost = _smoothed(self._attempt_cost, seconds / tried)
+        self.behind += missed * dt
+        lost = self._lost + missed * dt
+        self._frames.append((now, steps * dt, effort.steps, effort.rejected, seconds, lost))
+        while self._frames and self._frames[0][0] < now - _WINDOW:
+            self._frames.popleft()
+
+    def rates(self, now: float) -> Rates:
+        """The rates over the last second, or since the restart."""
+        if len(self._frames) < 2:
+            return Rates(behind=self.behind)
+        # The first frame's work was done before the window began.
+        span = max(now - self._frames[0][0], 1e-3)
+        sums = [sum(column) for column in zip(*self._frames, strict=True)]
+        simulated, steps, rejected = (sums[i] - self._frames[0][i] for i in (1, 2, 3))
+        busy, losing = sums[4] / len(self._frames), sums[5]
+        return Rates(
+            simulated / span, steps / span, rejected / span, busy * 1e3, behind=self.behind, losing=losing
+        )
+
+
+def _smoothed(before: float, now: float) -> float:
+    return now if not before else 0.8 * before + 0.2 * now

@@ -1,0 +1,1 @@
+"""From a scene to the read-only tables of the kernels."""

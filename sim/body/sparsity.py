@@ -1,0 +1,191 @@
+"""Where the matrix of an implicit step has blocks, and in which order masses are best eliminated."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..kernels.core.tables import Body, Floats, Indices, Matrix
+from ..kernels.linear.two_sided_lu import room_for
+from .system import slab
+
+_NONE, _NOWHERE = np.zeros(0), np.zeros(0, np.int64)
+NO_MATRIX = Matrix(
+    blocks=_NONE,
+    parts=_NONE,
+    ux=_NONE,
+    uy=_NONE,
+    inverse=_NONE,
+    damping=_NONE,
+    walk=_NOWHERE,
+    parent=_NOWHERE,
+    order=_NOWHERE,
+    row_start=_NOWHERE,
+    column=_NOWHERE,
+    diagonal=_NOWHERE,
+    slot=_NOWHERE,
+    spring_target=_NOWHERE,
+    joint_target=_NOWHERE,
+    straight=False,
+)
+"""For methods that solve no linear systems."""
+
+
+def new_matrix(body: Body, held: np.ndarray) -> Matrix:
+    """Room for the matrix of a body. For any topology but a chain the pattern is found here, once.
+
+    The order is SuperLU's minimum degree, through SciPy; the pattern of the factors follows by
+    elimination on the graph of masses, in which a spring joins its two masses and a joint all of its three
+    or four.
+    """
+    room = body.stiffness.size
+    springs = slab([(room + 1, 1)] * 4, page_offset=1024)
+    springs[3][1:] = body.damping
+    trees = forest(body, held)
+    if body.chain:
+        factors = slab([(count, 0) for count in room_for(body.masses)], page_offset=0)
+        walk, parent = trees
+        straight = bool(((parent[walk] == walk - 1) | (parent[walk] == 0)).all())
+        names = ("blocks", "parts", "ux", "uy", "inverse", "damping")
+        tables = dict(zip(names, (*factors, *springs), strict=True))
+        return NO_MATRIX.replaced(walk=walk, parent=parent, straight=straight, **tables)
+    n = body.masses
+    a, b = body.spring_a - 1, body.spring_b - 1
+    ja, jb = body.joint_a, body.joint_b
+    ends = np.array([b, a]).T  # (S, 2)
+    spring_pairs = _pairs(ends, ends)
+    of_joint = [_pairs(ends[s], ends[t]) for s in (ja, jb) for t in (ja, jb)]
+    joint_pairs = np.concatenate(of_joint, 1) if len(ja) else np.zeros((0, 16, 2), np.int64)
+    neighbours: list[set[int]] = [set() for _ in range(n)]
+    for pairs in (spring_pairs, joint_pairs):
+        for row, column in np.unique(pairs.reshape(-1, 2), axis=0).tolist():
+            neighbours[row].add(column)
+    for i in range(n):
+        neighbours[i].add(i)
+    order = _minimum_degree(neighbours)
+    position = np.empty(n, np.int64)
+    position[order] = np.arange(n)
+    rows = _fill(neighbours, order, position)
+    row_start = np.concatenate(([0], np.cumsum([len(row) for row in rows]))).astype(np.int64)
+    column = np.concatenate([np.array(row, np.int64) for row in rows])
+    # A block's number, from its row and column: keys are ascending, so a search finds it.
+    keys = np.repeat(np.arange(n), np.diff(row_start)) * n + column
+
+    def targets(pairs: Indices) -> Indices:
+        return np.searchsorted(keys, (position[pairs[..., 0]] * n + position[pairs[..., 1]]).ravel())
+
+    ux, uy, inverse, damping = springs
+    walk, parent = trees
+    return Matrix(
+        blocks=np.zeros(4 * column.size),
+        parts=np.zeros(0),
+        ux=ux,
+        uy=uy,
+        inverse=inverse,
+        damping=damping,
+        walk=walk,
+        parent=parent,
+        order=order + 1,
+        row_start=row_start,
+        column=column,
+        diagonal=np.searchsorted(keys, np.arange(n) * n + np.arange(n)),
+        slot=np.zeros(n, np.int64),
+        spring_target=targets(spring_pairs),
+        joint_target=targets(joint_pairs),
+        straight=False,
+    )
+
+
+def fill(body: Body, matrix: Matrix) -> tuple[int, int]:
+    """(blocks of the matrix, blocks of its factors): how much elimination fills in."""
+    if body.chain:
+        n = body.masses
+        width = 2 if body.joints else 1
+        band = sum(n - abs(k) for k in range(-width, width + 1) if abs(k) < n)
+        return band, band
+    used = np.unique(np.concatenate((matrix.spring_target, matrix.joint_target, matrix.diagonal)))
+    return int(used.size), int(matrix.column.size)
+
+
+def _pairs(rows: Indices, columns: Indices) -> Indices:
+    """(k, 4, 2) the (row, column) of each combination of ends: first with first, first with second, ..."""
+    return np.stack([np.stack((rows[:, i], columns[:, j]), 1) for i in (0, 1) for j in (0, 1)], 1).astype(
+        np.int64
+    )
+
+
+def _minimum_degree(neighbours: list[set[int]]) -> Indices:
+    # Only bodies that are no chains, under an implicit method, pay for the import.
+    from scipy.sparse import csc_matrix
+    from scipy.sparse.linalg import splu
+
+    n = len(neighbours)
+    start = np.concatenate(([0], np.cumsum([len(row) for row in neighbours])))
+    index = np.concatenate([np.fromiter(sorted(row), np.int64) for row in neighbours])
+    # Any diagonally dominant numbers: only the pattern matters.
+    value: Floats = np.full(index.size, -1.0)
+    value[index == np.repeat(np.arange(n), np.diff(start))] = n + 1.0
+    factors = splu(
+        csc_matrix((value, index, start), (n, n)),
+        permc_spec="MMD_AT_PLUS_A",
+        diag_pivot_thresh=0.0,
+        options={"SymmetricMode": True},
+    )
+    order = np.empty(n, np.int64)
+    order[factors.perm_c] = np.arange(n)
+    return order
+
+
+def _fill(neighbours: list[set[int]], order: Indices, position: Indices) -> list[list[int]]:
+    """The columns of each row of the factors, in the order of elimination.
+
+    Eliminating a mass joins its later neighbours; it is enough to hand them on to the first of those.
+    """
+    n = len(neighbours)
+    upper: list[set[int]] = [
+        {int(p) for p in position[list(neighbours[m])] if p > i} for i, m in enumerate(order)
+    ]
+    rows: list[list[int]] = [[] for _ in range(n)]
+    for i in range(n):
+        later = sorted(upper[i])
+        if later:
+            upper[later[0]].update(later[1:])
+        for j in later:
+            rows[j].append(i)
+        rows[i].append(i)
+        rows[i].extend(later)
+    return rows
+
+
+def forest(body: Body, held: np.ndarray) -> tuple[Indices, Indices]:
+    """(walk, parent): see `Matrix`. A held mass, or the first of a part that has none, hangs on nothing."""
+    n = body.masses
+    parent = np.zeros(body.stiffness.size + 3, np.int64)
+    ends = list(zip(body.spring_a.tolist(), body.spring_b.tolist(), strict=True))
+    neighbours: list[list[int]] = [[] for _ in range(n + 1)]
+    for a, b in ends:
+        neighbours[a].append(b)
+        neighbours[b].append(a)
+    seen = [False] * (n + 1)
+    walk: list[int] = []
+    roots = [*(np.flatnonzero(held) + 1).tolist(), *range(1, n + 1)]
+    # All held masses are roots before any other mass is reached from one of them.
+    queue: list[int] = (np.flatnonzero(held) + 1).tolist()
+    for m in queue:
+        seen[m] = True
+    starts = iter(roots)
+    at = 0
+    while True:
+        while at < len(queue):
+            m = queue[at]
+            at += 1
+            walk.append(m)
+            for o in neighbours[m]:
+                if not seen[o]:
+                    seen[o] = True
+                    parent[o] = m
+                    queue.append(o)
+        free = next((m for m in starts if not seen[m]), None)
+        if free is None:
+            return np.array(walk, np.int64), parent
+        seen[free] = True
+        queue.append(free)

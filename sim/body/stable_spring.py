@@ -1,0 +1,73 @@
+"""The stable spring: every spring as stiff as symplectic Euler bears, and no stiffer.
+
+After M. Nissen, "Towards a simpler, stiffer and more stable spring" (2014): a spring between masses m1 and m2
+with f = -(m_red / dt²) C_k x - (m_red / dt) C_d v, m_red = m1 m2 / (m1 + m2), cannot explode for C_k, C_d up
+to 1, divided among the springs that share a mass. Here a spring keeps the stiffness and the damping that its
+scene gives it as long as they are below that. A joint is treated alike: what stands for the reduced mass is
+the inertia that its angle has, at rest lengths.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..kernels.core.tables import Body, Floats
+
+
+def weakened(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> Body:
+    """The tables with every spring and joint as stiff as a step of `dt` seconds bears.
+
+    Args:
+        body: the tables of the scene.
+        inverse_mass: (n,) 1/kg, in the order of places.
+        held: (n,) whether a mass is held.
+        dt: the step, s.
+    """
+    free = np.concatenate(([0.0], np.where(held, 0.0, inverse_mass)))
+    a, b, springs = body.spring_a, body.spring_b, body.springs
+    at_mass = np.bincount(np.concatenate((a, b)), minlength=body.masses + 1)
+    share = np.maximum(at_mass[a], at_mass[b])
+    softness = free[a] + free[b]  # 1 / m_red; zero between two held masses
+    with np.errstate(divide="ignore"):
+        reduced = 1.0 / (softness * share)
+    stiffness, damping = body.stiffness.copy(), body.damping.copy()
+    stiffness[:springs] = np.minimum(stiffness[:springs], reduced / dt**2)
+    damping[:springs] = np.minimum(damping[:springs], reduced / dt)
+    joint_stiffness = body.joint_stiffness.copy()
+    size, resistance = body.couple_size.copy(), body.couple_damping.copy()
+    if body.joints:
+        limit = _joint_limit(body, free)
+        joint_stiffness = np.minimum(joint_stiffness, limit / dt**2)
+        size[1 : body.joints + 1] = joint_stiffness
+        size[0] = joint_stiffness[-1] if body.ring else 0.0
+        resistance[1 : body.joints + 1] = np.minimum(resistance[1 : body.joints + 1], limit / dt)
+    for table in (stiffness, damping, joint_stiffness, size, resistance):
+        table.setflags(write=False)  # like the others: a kernel is compiled once
+    return body.replaced(
+        stiffness=stiffness,
+        damping=damping,
+        joint_stiffness=joint_stiffness,
+        couple_size=size,
+        couple_damping=resistance,
+    )
+
+
+def _joint_limit(body: Body, free: Floats) -> Floats:
+    """(J,) the stiffness that each joint may have, times dt²."""
+    p, q = body.joint_a, body.joint_b
+    ends = np.stack((body.spring_a[p], body.spring_b[p], body.spring_a[q], body.spring_b[q]), 1)
+    lengths = np.maximum(body.rest_length, 1e-9)
+    la, lb = lengths[p], lengths[q]
+    # How fast the angle answers to an impulse at each end, springs in line: the shared mass gets both.
+    slopes = np.stack((-1.0 / la, 1.0 / la, 1.0 / lb, -1.0 / lb), 1)
+    softness = np.zeros(len(p))
+    for i in range(4):
+        together = (slopes * (ends == ends[:, i : i + 1])).sum(1)
+        first = (ends[:, :i] != ends[:, i : i + 1]).all(1)
+        softness += np.where(first, together**2 * free[ends[:, i]], 0.0)
+    at_mass = np.zeros(body.masses + 1, np.int64)
+    for j in range(len(p)):
+        at_mass[np.unique(ends[j])] += 1
+    share = at_mass[ends].max(1)
+    with np.errstate(divide="ignore"):
+        return 1.0 / (softness * la * lb * share)

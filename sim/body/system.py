@@ -1,0 +1,346 @@
+"""From a scene to the read-only tables of the kernels."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..kernels.core.roots import LEAST
+from ..kernels.core.tables import (
+    CONTROL_SCALE,
+    CONTROL_SHIFT,
+    SHORTEST_SQUARED,
+    Body,
+    Floats,
+    Indices,
+    State,
+    Work,
+    padded,
+)
+from ..kernels.forces.laws import LAWS, NO_JOINTS
+from ..methods.registry import METHODS
+from ..scene.types import Scene
+
+_SOFT_IN_TOLERANCES, _SOFT_AT_MOST = 0.02, 1e-4
+"""The length below which a spring has no direction to speak of, in tolerances, since no method could follow
+anything smaller; and at most, as a part of a typical spring's."""
+
+_ENDLESS = 1e30
+"""What padding is softened by, px²: it is longer than any spring then; single precision still holds this."""
+
+
+@dataclass(frozen=True)
+class System:
+    """The kernels' tables for one scene.
+
+    Attributes:
+        body: the tables; masses and springs are numbered as the kernels visit them.
+        mass_order: (n,) scene index of the mass at place 1, 2, ..., n.
+        mass_place: (n,) the place, from 1 on, of each mass of the scene.
+        joint_order: (J,) the kernels' joint for each angular spring of the scene.
+        inverse_mass: (n,) 1/kg, in the order of places, also of held masses.
+        held: (n,) whether a mass is held, in the order of places.
+        start: (4, n) x, y, vx, vy at the start, in the order of places.
+    """
+
+    body: Body
+    mass_order: Indices
+    mass_place: Indices
+    joint_order: Indices
+    inverse_mass: Floats
+    held: np.ndarray
+    start: Floats
+
+
+def build_system(scene: Scene) -> System:
+    """Build the tables of a valid scene.
+
+    A chain is a body whose springs run head to tail through all masses, and whose angular springs each
+    hold a spring and the next one; its masses and springs may be listed in any order. A ring is one that
+    comes back to where it began.
+    """
+    order = _order_along(scene)
+    n = len(scene.masses)
+    mass_order, spring_order = order or (list(range(n)), _hinged_first(scene))
+    mass_place = np.empty(n, np.int64)
+    mass_place[mass_order] = np.arange(1, n + 1)
+    spring_place = np.empty(len(spring_order), np.int64)
+    spring_place[spring_order] = np.arange(len(spring_order))
+    body, joint_order = _body(scene, mass_place, spring_order, spring_place, order is not None)
+    held = np.zeros(n, np.bool_)
+    for anchor in scene.anchors:
+        held[mass_place[anchor.mass] - 1] = True
+    if scene.pose is not None:
+        positions, velocities = scene.pose.positions, scene.pose.velocities
+    else:
+        positions = tuple(m.position for m in scene.masses)
+        velocities = tuple(m.velocity for m in scene.masses)
+    start = np.array([*np.array(positions, float).T, *np.array(velocities, float).T])[:, mass_order]
+    start[2:, held] = 0.0
+    return System(
+        body=body,
+        mass_order=np.array(mass_order, np.int64),
+        mass_place=mass_place,
+        joint_order=joint_order,
+        inverse_mass=1.0 / np.array([scene.masses[i].mass for i in mass_order], float),
+        held=held,
+        start=np.ascontiguousarray(start),
+    )
+
+
+def same_topology(old: Scene, new: Scene) -> bool:
+    """Whether the masses, springs and angular springs of both join the same, so that a state carries over."""
+    return (
+        len(old.masses) == len(new.masses)
+        and [(s.a, s.b) for s in old.linear_springs] == [(s.a, s.b) for s in new.linear_springs]
+        and [(j.a, j.b) for j in old.angular_springs] == [(j.a, j.b) for j in new.angular_springs]
+    )
+
+
+def joint_stiffness(scene: Scene) -> list[float]:
+    """The stiffness of each angular spring; the tutorial's diagonal templates are sqrt(2) stronger."""
+    factor = math.sqrt(2.0) if scene.template is not None and scene.template % 90 else 1.0
+    return [joint.stiffness * factor for joint in scene.angular_springs]
+
+
+def slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
+    """Zeroed arrays behind each other in one block of memory.
+
+    Each is given as (count, first): its length, and the element that is to stand at a multiple of 64 bytes,
+    because loops start there.
+
+    Where arrays lie decides how fast a short chain is: a vector that crosses two cache lines is slower, and a
+    load must wait for a store of the same address but for multiples of 4096 bytes. Left to chance, that
+    makes a fifth between one run and the next. The block starts `page_offset` bytes behind such a multiple.
+    """
+    strides = [-(-(first % 8 + count + 8) // 8) * 8 for count, first in sizes]
+    block = np.zeros(sum(strides) + 512)
+    start = (page_offset - block.ctypes.data) % 4096 // 8
+    arrays = []
+    for (count, first), stride in zip(sizes, strides, strict=True):
+        begin = start + (-first) % 8
+        arrays.append(block[begin : begin + count])
+        start += stride
+    return arrays
+
+
+def new_state(system: System) -> State:
+    """A state with room for the system's masses; `Simulation` fills it."""
+    body = system.body
+    # The chain's loops look one place back and, from the last spring, three ahead; and loops over flat
+    # vectors should have no scalar rest.
+    last = body.stiffness.size if body.chain or body.ring else padded(body.masses)
+    places = padded(last + 3)  # so that both halves of a flat vector begin alike
+    joints = max(body.joints, body.stiffness.size) + 1
+    sizes = {
+        "q": (2 * places, 1),
+        "v": (2 * places, 1),
+        "controls": (2, 0),
+        "pull": (body.stiffness.size, 1),
+        "couple_cos": (joints, 1),
+        "couple_sin": (joints, 1),
+        "couple_rest": (joints, 0),
+    }
+    arrays = slab([sizes.get(field, (places, 1)) for field in State.fields], page_offset=0)
+    state = State(**dict(zip(State.fields, arrays, strict=True)))
+    state.controls[0] = 1.0
+    return state
+
+
+def refresh(body: Body, state: State) -> None:
+    """Compute anew what depends on the scale of rest lengths and the shift of rest angles."""
+    scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
+    springs, joints = slice(body.springs), slice(1, body.joints + 1)
+    state.pull[springs] = body.stiffness[springs] * (body.rest_length[springs] * scale)
+    rest = np.radians(180.0 - (180.0 - (body.joint_rest + shift)) % 360.0)
+    state.couple_rest[joints] = rest
+    state.couple_cos[joints] = body.joint_stiffness * np.cos(rest)
+    state.couple_sin[joints] = body.joint_stiffness * np.sin(rest)
+    if body.ring and body.joints:
+        state.couple_cos[0], state.couple_sin[0] = (
+            state.couple_cos[body.joints],
+            state.couple_sin[body.joints],
+        )
+
+
+def new_work(system: System) -> Work:
+    """Scratch arrays for the system."""
+    room = max(system.body.stiffness.size, system.body.joints) + 3
+    first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # the places that loops over springs and masses start at
+    # Behind the arrays of a short chain's `State`.
+    arrays = slab([(room, first.get(field, 0)) for field in Work.fields], page_offset=2560)
+    return Work(**dict(zip(Work.fields, arrays, strict=True)))
+
+
+def _order_along(scene: Scene) -> tuple[list[int], list[int]] | None:
+    """(masses, springs) as they follow each other, or None where the body is neither a chain nor a ring."""
+    n, springs = len(scene.masses), scene.linear_springs
+    closed = len(springs) == n
+    if n < (3 if closed else 2) or not (closed or len(springs) == n - 1):
+        return None
+    leaving = {spring.a: s for s, spring in enumerate(springs)}
+    entered = {spring.b for spring in springs}
+    if len(leaving) != len(springs) or len(entered) != len(springs):
+        return None
+    mass = 0 if closed else (set(range(n)) - entered).pop()
+    mass_order, spring_order = [mass], []
+    while mass in leaving and len(mass_order) < n:
+        s = leaving[mass]
+        mass = springs[s].b
+        spring_order.append(s)
+        mass_order.append(mass)
+    if len(set(mass_order)) != n:
+        return None  # a ring beside something else
+    if closed:
+        spring_order.append(leaving[mass])
+    place = {s: i for i, s in enumerate(spring_order)}
+    if any(place[joint.b] != (place[joint.a] + 1) % n for joint in scene.angular_springs):
+        return None
+    return mass_order, spring_order
+
+
+def _hinged_first(scene: Scene) -> list[int]:
+    """The springs, those that angular springs hold before the others."""
+    hinged = {s for joint in scene.angular_springs for s in (joint.a, joint.b)}
+    return sorted(range(len(scene.linear_springs)), key=lambda s: s not in hinged)
+
+
+def _body(
+    scene: Scene, mass_place: Indices, spring_order: list[int], spring_place: Indices, in_order: bool
+) -> tuple[Body, Indices]:
+    n, springs = len(scene.masses), [scene.linear_springs[s] for s in spring_order]
+    ring = in_order and len(springs) == n
+    # As many springs as masses at least, since the chain's loops over masses look at as many, and one ahead.
+    room = padded(max(len(springs), n)) + 1
+    couples = max(room, len(scene.angular_springs)) + 1
+    stiffness, damping, rest, couple_size, softenings = slab(
+        [(room, 1)] * 3 + [(couples, 1), (room, 1)], page_offset=1536
+    )
+    for s, spring in enumerate(springs):
+        stiffness[s], damping[s], rest[s] = spring.stiffness, spring.damping, spring.rest_length
+    softening = _softening(scene)
+    # The loop round a ring comes by its first spring again.
+    softenings[:], softenings[: len(springs) + ring] = _ENDLESS, max(softening, LEAST)
+    spring_a = mass_place[np.array([spring.a for spring in springs], np.int64)]
+    spring_b = mass_place[np.array([spring.b for spring in springs], np.int64)]
+    joint_a = spring_place[np.array([joint.a for joint in scene.angular_springs], np.int64)]
+    joint_b = spring_place[np.array([joint.b for joint in scene.angular_springs], np.int64)]
+    strength = np.array(joint_stiffness(scene), float)
+    rest_angle = np.array([joint.rest_angle for joint in scene.angular_springs], float)
+    resistance = np.array([joint.damping for joint in scene.angular_springs], float)
+    joint_order = np.arange(joint_a.size)
+    hinged = np.union1d(joint_a, joint_b).size
+    if in_order and joint_a.size:
+        joint_order = joint_a
+        joints = n if ring else n - 2
+        by_place = np.zeros((3, joints))
+        by_place[:, joint_a] = strength, rest_angle, resistance
+        strength, rest_angle, resistance = by_place.copy()
+        joint_a, joint_b = np.arange(joints), (np.arange(joints) + 1) % len(springs)
+        hinged = len(springs)
+    joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
+        joint_b, joint_a, len(springs), first=1, nothing=0
+    )
+    layers = _layers(spring_b, spring_a, n + 1)
+    spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = _slots(
+        spring_b, spring_a, n + 1, first=0, nothing=room, layers=layers
+    )
+    couple_damping = np.zeros(max(joint_a.size, room) + 1)
+    couple_size[1 : joint_a.size + 1], couple_damping[1 : joint_a.size + 1] = strength, resistance
+    if ring and joint_a.size:
+        couple_size[0] = strength[-1]
+    body = Body(
+        masses=n,
+        springs=len(springs),
+        joints=joint_a.size,
+        damped=bool(damping.any()),
+        twisted=bool(resistance.any()),
+        chain=in_order and not ring,
+        ring=ring,
+        law=LAWS[scene.force_law].code if joint_a.size else NO_JOINTS,
+        softening=softening,
+        softenings=softenings,
+        spring_a=spring_a,
+        spring_b=spring_b,
+        stiffness=stiffness,
+        damping=damping,
+        rest_length=rest,
+        joint_a=joint_a,
+        joint_b=joint_b,
+        joint_stiffness=np.ascontiguousarray(strength),
+        joint_rest=np.ascontiguousarray(rest_angle),
+        couple_size=couple_size,
+        couple_damping=couple_damping,
+        hinged=hinged,
+        joint_in=joint_in,
+        joint_out=joint_out,
+        more_joint=more_joint,
+        more_joint_spring=more_joint_spring,
+        more_joint_sign=more_joint_sign,
+        layers=layers,
+        spring_in=spring_in,
+        spring_out=spring_out,
+        more_spring=more_spring,
+        more_spring_mass=more_spring_mass,
+        more_spring_sign=more_spring_sign,
+    )
+    for _, array in body.arrays():
+        array.setflags(write=False)
+    return body, joint_order
+
+
+def _softening(scene: Scene) -> float:
+    """`Body.softening`, px²: next to none for a method with a fixed step, the tutorial's among them."""
+    if not METHODS[scene.integrator.method].adaptive:
+        return SHORTEST_SQUARED
+    lengths = np.array([spring.rest_length for spring in scene.linear_springs])
+    if not lengths.any():
+        at = np.array([mass.position for mass in scene.masses])
+        ends = np.array([(spring.a, spring.b) for spring in scene.linear_springs], np.int64).reshape(-1, 2)
+        lengths = np.hypot(*(at[ends[:, 1]] - at[ends[:, 0]]).T)
+    lengths = lengths[lengths > 0.0]
+    typical = float(np.median(lengths)) if lengths.size else 1.0
+    soft = min(_SOFT_IN_TOLERANCES * scene.integrator.tolerance, _SOFT_AT_MOST * typical)
+    return max(soft * soft, SHORTEST_SQUARED)
+
+
+def _slots(
+    plus: Indices, minus: Indices, owners: int, first: int, nothing: int, layers: int = 1
+) -> tuple[Indices, Indices, Indices, Indices, Floats]:
+    """In each layer one thing that acts on each owner with plus and one with minus, and lists of the others.
+
+    `plus[i]` and `minus[i]` are the owners that thing i acts on. Things are numbered from `first` on, and
+    `nothing` fills the empty slots.
+    """
+    slots = np.full((2, layers, owners), nothing, np.int64)
+    more: list[tuple[int, int, float]] = []
+    for slot, owner_of, sign in ((slots[0], plus, 1.0), (slots[1], minus, -1.0)):
+        taken = np.zeros(owners, np.int64)
+        for thing, owner in enumerate(owner_of, start=first):
+            if taken[owner] < layers:
+                slot[taken[owner], owner] = thing
+                taken[owner] += 1
+            else:
+                more.append((thing, int(owner), sign))
+    thing, owner, sign = (list(column) for column in zip(*more, strict=True)) if more else ([], [], [])
+    return (
+        slots[0].ravel(),
+        slots[1].ravel(),
+        np.array(thing, np.int64),
+        np.array(owner, np.int64),
+        np.array(sign, float),
+    )
+
+
+def _layers(plus: Indices, minus: Indices, owners: int) -> int:
+    """How many layers of slots are worth it: each but the first has things for half of the owners at least.
+
+    A layer is gathered in vectors, empty slots and all; the lists are gone through one by one.
+    """
+    counts = np.stack((np.bincount(plus, minlength=owners), np.bincount(minus, minlength=owners)))
+    layers = 1
+    while 2 * int((counts > layers).sum()) >= owners:
+        layers += 1
+    return layers

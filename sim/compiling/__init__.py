@@ -1,0 +1,1 @@
+"""Which kernels are ready, and compiling them in the background."""

@@ -1,0 +1,223 @@
+"""Which kernels are ready, and compiling them in the background, in processes of their own.
+
+Every kernel that is called from Python, or through its address, is an entry point with one signature. It is
+compiled and kept on disk by itself. It is ready once its machine code is loaded in this process, and not
+because a file says so.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import llvmlite.binding
+import numba
+from numba import types
+
+from ..kernels.core.jit import cache_folder, module_of
+from ..kernels.core.shared import ACCELERATIONS, FACTORISE, FLOATS, SOLVE, TALLY
+from ..kernels.core.tables import Body, Drive, Problem, State
+from ..kernels.energy.energies import energies
+from ..kernels.energy.work import tally_step
+from ..kernels.forces.forces import accelerations
+from ..kernels.integrators.auto import next_turn
+from ..kernels.integrators.fallback import run_rescue
+from ..kernels.linear.implicit import factorise_matrix, solve_matrix
+from ..methods.registry import ARM_METHODS, METHODS
+
+_FLOAT, _INT = types.float64, types.int64
+_MOST_HELPERS = 2
+"""Processes that compile at a time: two are nearly twice as fast as one, if there are two cores."""
+
+
+@dataclass(frozen=True)
+class EntryPoint:
+    """A kernel that is called from Python or through its address.
+
+    Attributes:
+        name: of the kernel.
+        label: what it is, for people.
+        kernel: numba's dispatcher of it.
+        signature: the types of its arguments.
+    """
+
+    name: str
+    label: str
+    kernel: Any
+    signature: tuple[types.Type, ...]
+
+    @property
+    def ready(self) -> bool:
+        """Whether its machine code is loaded."""
+        return self.signature in self.kernel.overloads
+
+    def load(self) -> None:
+        """Load its machine code from the disk, or compile it where it is not there."""
+        self.kernel.compile(self.signature)
+
+    @property
+    def marker(self) -> Path | None:
+        """A file that is there if the machine code probably is on the disk; None where nothing is kept."""
+        function = self.kernel.py_func
+        folder = cache_folder(module_of(function))
+        if folder is None:
+            return None
+        # What numba's own files depend on, beside the folder.
+        processor = numba.config.CPU_NAME or llvmlite.binding.get_host_cpu_name()  # type: ignore[attr-defined]
+        kept_for = hashlib.sha256(f"{function.__code__.co_filename} {processor}".encode()).hexdigest()[:12]
+        return folder / f"{self.name}-{kept_for}.compiled"
+
+
+def _entry_points() -> dict[str, EntryPoint]:
+    problem, drive = Problem.numba_type, Drive.numba_type
+    run = (problem, drive, _FLOAT, _FLOAT, _INT)
+    # In the order in which they are wanted: what `auto` uses comes first.
+    methods = sorted(METHODS.values(), key=lambda method: method not in ARM_METHODS)
+    points = [
+        ("forces", accelerations, ACCELERATIONS.args),
+        ("the choice of methods", next_turn, (problem, _FLOAT, _FLOAT, _INT)),
+        ("matrices", factorise_matrix, FACTORISE.args),
+        ("linear systems", solve_matrix, SOLVE.args),
+        ("the fallback step", run_rescue, (problem, drive, *[_FLOAT] * 5)),
+        *((method.label, method.kernel, run) for method in methods if method.kernel is not None),
+        ("the work done in a step", tally_step, TALLY.args),
+        ("energies", energies, (Body.numba_type, State.numba_type, FLOATS, _FLOAT, _FLOAT, *[FLOATS] * 3)),
+    ]
+    found: dict[str, EntryPoint] = {}
+    for label, kernel, signature in points:
+        name = kernel.py_func.__name__
+        found.setdefault(name, EntryPoint(name, label, kernel, signature))
+    return found
+
+
+ENTRY_POINTS = _entry_points()
+"""By name."""
+
+FOR_RESCUE = ("factorise_matrix", "solve_matrix", "run_rescue")
+"""Entry points that a step of last resort takes."""
+
+FOR_ENERGY = ("energies", "tally_step")
+"""Entry points that following the energy takes."""
+
+
+def needed_by(method: str) -> tuple[str, ...]:
+    """Names of what has to be ready before a method can run; `auto` begins with the first that it tries."""
+    info = METHODS[method]
+    if info.kernel is None:
+        return "accelerations", ARM_METHODS[0].kernel.py_func.__name__, "next_turn"
+    implicit = FOR_RESCUE if info.implicit else ()
+    return "accelerations", *implicit, info.kernel.py_func.__name__
+
+
+def is_ready(names: Iterable[str]) -> bool:
+    """Whether all these entry points can be called without waiting for a compilation."""
+    return all(ENTRY_POINTS[name].ready for name in names)
+
+
+class Compiler:
+    """Makes all entry points ready, one after another, without keeping the caller waiting.
+
+    What is on the disk is loaded. The rest is compiled by helpers, processes that keep their results on the
+    disk, so that this one has its interpreter for itself.
+
+    Attributes:
+        compiles: whether anything had to be compiled, and not only loaded.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._waiting = list(ENTRY_POINTS)
+        self._busy: list[str] = []
+        self._helpers: list[subprocess.Popen[str]] = []
+        self._threads: list[threading.Thread] = []
+        self._stopped = False
+        self.compiles = False
+
+    @property
+    def progress(self) -> tuple[int, int]:
+        """(how many entry points are ready, how many there are)."""
+        return sum(point.ready for point in ENTRY_POINTS.values()), len(ENTRY_POINTS)
+
+    @property
+    def busy_with(self) -> str:
+        """What is being compiled, for people; empty when nothing is."""
+        busy = self._busy[:1]
+        return ENTRY_POINTS[busy[0]].label if busy else ""
+
+    def want(self, names: Iterable[str]) -> None:
+        """Have these entry points before all others."""
+        first = list(names)
+        with self._lock:
+            self._waiting.sort(key=lambda name: first.index(name) if name in first else len(first))
+
+    def start(self) -> None:
+        """Begin; entry points become ready from now on."""
+        helpers = min(_MOST_HELPERS, os.cpu_count() or 1)
+        self._threads = [threading.Thread(target=self._work, daemon=True) for _ in range(helpers)]
+        for thread in self._threads:
+            thread.start()
+
+    def wait(self, timeout: float | None = None) -> None:
+        """Wait until everything is ready, or until `stop`, or for some seconds."""
+        end = None if timeout is None else time.monotonic() + timeout
+        for thread in self._threads:
+            thread.join(None if end is None else max(0.0, end - time.monotonic()))
+
+    def stop(self) -> None:
+        """Compile no more: nobody will use it."""
+        self._stopped = True
+        for helper in self._helpers:
+            helper.terminate()
+
+    def _work(self) -> None:
+        """Take one entry point after another, with a helper where something has to be compiled."""
+        helper: subprocess.Popen[str] | None = None
+        while not self._stopped and (name := self._take()) is not None:
+            point = ENTRY_POINTS[name]
+            marker = point.marker
+            if marker is not None and not marker.exists():
+                self.compiles = True
+                helper = helper or self._new_helper()
+                _ask(helper, name)
+            if not self._stopped:
+                point.load()
+            with self._lock:
+                self._busy.remove(name)
+        if helper is not None and helper.stdin is not None:
+            with contextlib.suppress(OSError):
+                helper.stdin.close()
+            helper.wait()
+
+    def _take(self) -> str | None:
+        with self._lock:
+            if not self._waiting:
+                return None
+            name = self._waiting.pop(0)
+            self._busy.append(name)
+            return name
+
+    def _new_helper(self) -> subprocess.Popen[str]:
+        words = [sys.executable, "-m", "sim.compiling.precompile"]
+        helper = subprocess.Popen(
+            words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+        )
+        self._helpers.append(helper)
+        return helper
+
+
+def _ask(helper: subprocess.Popen[str], name: str) -> None:
+    """Have a helper compile an entry point, and wait until it is done or the helper has ended."""
+    assert helper.stdin is not None and helper.stdout is not None
+    with contextlib.suppress(OSError):  # it has ended: then this process compiles
+        helper.stdin.write(f"{name}\n")
+        helper.stdin.flush()
+        helper.stdout.readline()

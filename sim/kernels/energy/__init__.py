@@ -1,0 +1,1 @@
+"""Energies, and the work that changes them."""

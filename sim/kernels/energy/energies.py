@@ -1,0 +1,58 @@
+"""Energies, and the power of everything that changes their sum."""
+
+from __future__ import annotations
+
+import math
+
+from ..core.jit import FAST, kernel
+from ..core.vectors import deflection, from_to, length_of
+from ..forces.laws import is_sine, terms
+
+KINETIC, LINEAR, ANGULAR, GRAVITY = 0, 1, 2, 3
+ANCHORS, DAMPING, AIR, LAW = 0, 1, 2, 3
+
+
+@kernel(fastmath=FAST)
+def energies(body, state, mass, gravity_x, gravity_y, q, v, out):
+    """Kinetic, linear, angular and gravity's energy (kg px²/s²), the last from height 0, into `out`.
+
+    The masses that are held count neither for the first nor for the last. Under the tutorial's law, the
+    angular energy is that of the conservative law.
+    """
+    places, soft = q.size // 2, body.softening
+    kinetic, linear, angular, height = 0.0, 0.0, 0.0, 0.0
+    for i in range(1, body.masses + 1):
+        if state.inverse_mass[i] > 0.0:
+            kinetic += 0.5 * mass[i] * (v[i] * v[i] + v[places + i] * v[places + i])
+            height -= mass[i] * (gravity_x * q[i] + gravity_y * q[places + i])
+    for s in range(body.springs):
+        a, b = body.spring_a[s], body.spring_b[s]
+        x, y = from_to(q, a, b)
+        length = length_of(x, y, soft)
+        if body.stiffness[s] > 0.0:
+            off = length - state.pull[s] / body.stiffness[s]
+            linear += 0.5 * body.stiffness[s] * off * off
+    for j in range(body.joints):
+        s, r = body.joint_a[j], body.joint_b[j]
+        a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
+        ax, ay = from_to(q, a0, a1)
+        bx, by = from_to(q, b0, b1)
+        angular += body.couple_size[j + 1] * angular_energy(
+            body.law, ax, ay, bx, by, state.couple_rest[j + 1], soft
+        )
+    out[KINETIC], out[LINEAR], out[ANGULAR], out[GRAVITY] = kinetic, linear, angular, height
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def angular_energy(law, ax, ay, bx, by, rest, softening):
+    """The energy of a joint of stiffness one; for the tutorial's law that of the conservative one."""
+    square_a, square_b = ax * ax + ay * ay, bx * bx + by * by
+    len_a, len_b = math.sqrt(square_a + softening), math.sqrt(square_b + softening)
+    off = deflection(ax * by - ay * bx, ax * bx + ay * by, rest)
+    if not is_sine(law):
+        return (square_a / len_a) * (square_b / len_b) * terms(law, off)[1]
+    true = math.sqrt(square_a * square_b)
+    sine = math.sin(0.5 * off)
+    # |A||B| with softening, less that without it, without the difference of two large numbers.
+    more = softening * (square_a + square_b + softening) / (len_a * len_b + true)
+    return 2.0 * true * sine * sine + more

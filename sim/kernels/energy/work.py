@@ -1,0 +1,175 @@
+"""What has changed a body's energy: the books of a step."""
+
+from __future__ import annotations
+
+import math
+
+from ..core.jit import FAST, kernel
+from ..core.tables import WORK_AIR, WORK_ANCHORS, WORK_DAMPING, WORK_KEYS, WORK_LAW
+from ..core.vectors import deflection, length_of
+from ..forces.drive import drive_to, hand_speed
+from ..forces.forces import spring_forces
+from ..forces.laws import TUTORIAL, is_sine, terms
+from .dissipation import gather_dampers, taken_away
+
+# Gauss-Legendre nodes and weights on (0, 1), of order six.
+_NODES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
+_WEIGHTS = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
+
+
+@kernel(fastmath=FAST)
+def between(h, u, q0, v0, a0, q1, v1, a1, q, v):
+    """Positions and velocities at the part u of a step h, into q and v: the quintic through both its ends.
+
+    It meets positions, velocities and accelerations there (Hermite), so that positions are exact to h⁶.
+    """
+    for j in range(q.size):
+        # Of the polynomial q0 + h v0 u + h² a0 u²/2 + u³ (c3 + c4 u + c5 u²).
+        d = q1[j] - q0[j] - h * v0[j] - 0.5 * h * h * a0[j]
+        e = h * (v1[j] - v0[j]) - h * h * a0[j]
+        f = h * h * (a1[j] - a0[j])
+        c3 = 10.0 * d - 4.0 * e + 0.5 * f
+        c4 = -15.0 * d + 7.0 * e - f
+        c5 = 6.0 * d - 3.0 * e + 0.5 * f
+        q[j] = q0[j] + u * (h * v0[j] + u * (0.5 * h * h * a0[j] + u * (c3 + u * (c4 + u * c5))))
+        v[j] = v0[j] + u * (h * a0[j] + u * (3.0 * c3 + u * (4.0 * c4 + u * 5.0 * c5)) / h)
+
+
+@kernel(fastmath=FAST)
+def _is_smooth(h, q0, v0, a0, q1, v1, a1):
+    """Whether the accelerations at the ends of a step fit what it did.
+
+    Those of an implicit step over something stiff do not: they are small differences of large forces, and
+    their quintic would swing far beyond both ends.
+    """
+    off, way = 0.0, 0.0
+    for j in range(q0.size):
+        d = 6.0 * (q1[j] - q0[j])
+        off = max(off, abs(h * h * a0[j] - d + h * (4.0 * v0[j] + 2.0 * v1[j])))
+        off = max(off, abs(h * h * a1[j] + d - h * (2.0 * v0[j] + 4.0 * v1[j])))
+        way = max(way, h * abs(v0[j]), h * abs(v1[j]))
+    return off < 0.5 * way
+
+
+@kernel(fastmath=FAST)
+def _roughly_between(h, u, q0, v0, q1, v1, q, v):
+    """As `between`, by the cubic through positions and velocities at both ends."""
+    for j in range(q0.size):
+        d = q1[j] - q0[j] - h * v0[j]
+        e = h * (v1[j] - v0[j])
+        c2, c3 = 3.0 * d - e, e - 2.0 * d
+        q[j] = q0[j] + u * (h * v0[j] + u * (c2 + u * c3))
+        v[j] = v0[j] + u * (2.0 * c2 + u * 3.0 * c3) / h
+
+
+@kernel(fastmath=FAST)
+def tally_step(problem, drive, t, q1, v1, a1, h):
+    """Add the work of a step of length h from the state in `flow`, at time t, to q1, v1, a1."""
+    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
+    q, v, still = ledger.rows[0], ledger.rows[1], ledger.rows[2]
+    smooth = _is_smooth(h, state.q, state.v, flow.a, q1, v1, a1)
+    ledger.dampers[:] = 0.0
+    for i in range(3):
+        u = _NODES[i]
+        if smooth:
+            between(h, u, state.q, state.v, flow.a, q1, v1, a1, q, v)
+        else:
+            _roughly_between(h, u, state.q, state.v, q1, v1, q, v)
+        if drive.moving:
+            drive_to(body, state, drive, t + u * h, q, v)
+        _tally_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v, still)
+        gather_dampers(body, q, v, _WEIGHTS[i], ledger.dampers)
+    ledger.work[WORK_DAMPING] -= taken_away(body, state.inverse_mass, state.q, state.v, h, ledger.dampers)
+    if drive.pressed:
+        drive_to(body, state, drive, t + h, q, v)
+
+
+@kernel(fastmath=FAST)
+def _tally_powers(problem, drive, t, h, q, v, still):
+    """Add h times the powers at a state at time t. `still` is all zeros."""
+    body, state, work, ledger = problem.body, problem.state, problem.work, problem.ledger
+    places = q.size // 2
+    x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
+    sums, mass = ledger.work, ledger.mass
+    fx, fy, free = work.fx, work.fy, state.inverse_mass
+    # The force of the springs and joints, and then that of the dampers alone, which is linear in v.
+    spring_forces(body, state, work, x, y, still[:places], still[places:])
+    for i in range(drive.mass.size):
+        m = drive.mass[i]
+        # Its true velocity; `v` may have it standing still.
+        ux, uy = hand_speed(drive, i, t)
+        tx, ty = vx[m] + (1.0 - drive.hand[i]) * ux, vy[m] + (1.0 - drive.hand[i]) * uy
+        sums[WORK_ANCHORS] -= h * (fx[m] * tx + fy[m] * ty)
+    for i in range(1, body.masses + 1):
+        if free[i] > 0.0:
+            drag = state.air[i] * mass[i]
+            sums[WORK_AIR] -= h * drag * (vx[i] * vx[i] * abs(vx[i]) + vy[i] * vy[i] * abs(vy[i]))
+    if (body.damped or body.twisted) and drive.mass.size > 0:
+        for i in range(drive.mass.size):
+            m = drive.mass[i]
+            sums[WORK_ANCHORS] += h * (fx[m] * vx[m] + fy[m] * vy[m])
+        spring_forces(body, state, work, x, y, vx, vy)
+        for i in range(drive.mass.size):
+            m = drive.mass[i]
+            sums[WORK_ANCHORS] -= h * (fx[m] * vx[m] + fy[m] * vy[m])
+    if body.law == TUTORIAL:
+        sums[WORK_LAW] += h * _power_of_law(body, state, x, y, vx, vy, drive, t)
+    if drive.pressed:
+        sums[WORK_KEYS] += h * _power_of_keys(body, state, drive, x, y)
+
+
+@kernel(fastmath=FAST)
+def _power_of_law(body, state, x, y, vx, vy, drive, t):
+    """The power of what the tutorial's law lacks to be a gradient: U (|A|'/|A| + |B|'/|B|) of each joint."""
+    power = 0.0
+    for j in range(body.joints):
+        s, r = body.joint_a[j], body.joint_b[j]
+        a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
+        ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
+        aa, bb = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
+        size, cos, sin = body.couple_size[j + 1], state.couple_cos[j + 1], state.couple_sin[j + 1]
+        # The rate of the conservative law's energy, and the power of the tutorial's couple.
+        ux, uy = _true(drive, t, a0, a1, vx, vy)
+        wx, wy = _true(drive, t, b0, b1, vx, vy)
+        couple = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
+        power += size * bb / aa * (ax * ux + ay * uy) + size * aa / bb * (bx * wx + by * wy)
+        power -= ux * (cos * bx + sin * by) + uy * (cos * by - sin * bx)
+        power -= wx * (cos * ax - sin * ay) + wy * (cos * ay + sin * ax)
+        power -= couple * ((ay * ux - ax * uy) / (aa * aa) - (by * wx - bx * wy) / (bb * bb))
+    return power
+
+
+@kernel(fastmath=FAST)
+def _true(drive, t, a, b, vx, vy):
+    """The rate of a spring's vector from mass a to b at time t, also where a hand seems to stand still."""
+    ux, uy = vx[b] - vx[a], vy[b] - vy[a]
+    for i in range(drive.mass.size):
+        sign = (1.0 - drive.hand[i]) * ((drive.mass[i] == b) - (drive.mass[i] == a))
+        if sign != 0.0:
+            hx, hy = hand_speed(drive, i, t)
+            ux, uy = ux + sign * hx, uy + sign * hy
+    return ux, uy
+
+
+@kernel(fastmath=FAST)
+def _power_of_keys(body, state, drive, x, y):
+    """The power of rest lengths and rest angles that change."""
+    power = 0.0
+    for s in range(body.springs):
+        if body.stiffness[s] > 0.0:
+            a, b = body.spring_a[s], body.spring_b[s]
+            length = length_of(x[b] - x[a], y[b] - y[a], body.softening)
+            stretch = body.stiffness[s] * length - state.pull[s]
+            power -= stretch * drive.growth * state.pull[s] / body.stiffness[s]
+    for j in range(body.joints):
+        s, r = body.joint_a[j], body.joint_b[j]
+        a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
+        ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
+        off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.couple_rest[j + 1])
+        aa, bb = ax * ax + ay * ay, bx * bx + by * by
+        weight = math.sqrt(aa * bb)
+        if not is_sine(body.law):
+            weight = aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))
+        torque = body.couple_size[j + 1] * weight * terms(body.law, off)[0]
+        power -= torque * math.radians(drive.turn)
+    return power

@@ -1,0 +1,1 @@
+"""What springs and joints do, and what leads masses."""

@@ -1,0 +1,126 @@
+"""The accelerations of a chain or a ring in one loop over its masses.
+
+What a spring does to the mass at its b end, its tension, takes the vectors of both its neighbours. So the
+loop is two places ahead of the mass whose acceleration it finds, and carries from round to round what is not
+yet done with. Nothing is stored but accelerations: what one loop stores and the next one loads at a place
+beside, a short chain waits for longer than its arithmetic takes. LLVM does eight rounds at a time all the
+same, and shuffles what is carried into place. No round asks whether its spring is padding: that has no
+stiffness, and a length beside which all others are short.
+
+The forces are those of `forces`, under the tutorial's law, the conservative one, or without joints.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ..core.bits import bits, from_bits
+from ..core.jit import FAST, kernel
+from ..core.lanes import eight_at_a_time, whole_eights
+from ..core.roots import inverse_root_from_least
+from .laws import CONSERVATIVE, NO_JOINTS, TUTORIAL, is_sine
+
+
+@kernel(forceinline=True)
+def is_linked(body):
+    """Whether `linked_accelerations` can do a body."""
+    return (body.chain or body.ring) and is_sine(body.law) and not body.twisted
+
+
+@kernel(inline="always")
+def _nothing():
+    """What is carried from a mass that no spring ends at."""
+    return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+
+
+@kernel(inline="always")
+def _along(law, alone, carried, bx, by, bu, bv, cos, sin, size, pull, stiffness, damping, soft):
+    """Go on along a spring to the mass at its b end.
+
+    Args:
+        law: TUTORIAL, CONSERVATIVE or NO_JOINTS.
+        alone: whether this is no round of a loop, in which eight are done at a time.
+        carried: from the mass at its a end.
+        bx, by, bu, bv: the spring's vector, px, and how fast that changes, px/s.
+        cos, sin, size: stiffness of the joint with the spring before, kg/s², times the cosine and the sine of
+            its rest angle; and itself.
+        pull, stiffness, damping: of the spring, as in `State` and `Body`.
+        soft: of the spring, px², see `Body.softenings`.
+
+    Returns:
+        1 / length, the tension of the spring before, and what is carried on.
+    """
+    ax, ay, along, part, known, in_x, in_y = carried
+    square = bx * bx + by * by + soft
+    inv = 1.0 / math.sqrt(square) if alone else inverse_root_from_least(square)
+    inv2 = inv * inv
+    rate = bx * bu + by * bv
+    to_along = pull * inv - stiffness - damping * rate * inv2
+    to_part, to_known, to_x, to_y = 0.0, 0.0, 0.0, 0.0
+    if law == CONSERVATIVE:
+        # K (R(r) A + R(-r) C) - K (|A| + |C|) u on a spring between A and C: the gradient of both energies,
+        # without their difference.
+        length = square * inv
+        along -= size * length * part
+        tx = along * ax + in_x + (cos * bx + sin * by)
+        ty = along * ay + in_y + (cos * by - sin * bx)
+        to_x, to_y = cos * ax - sin * ay, sin * ax + cos * ay
+        to_along -= size * known * inv
+        to_part, to_known = inv, length
+    elif law == TUTORIAL:
+        couple = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
+        across = (known - couple) * part
+        tx, ty = along * ax + across * ay, along * ay - across * ax
+        to_part, to_known = inv2, couple
+    else:
+        tx, ty = along * ax, along * ay
+    return inv, tx, ty, (bx, by, to_along, to_part, to_known, to_x, to_y)
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def linked_accelerations(body, state, work, x, y, vx, vy, ax, ay):
+    """Accelerations of the masses of a chain or a ring, zero where one is held.
+
+    Of a ring, the last mass stands at place 0, too, and the first two behind the last one.
+    `work.inverse[0]` becomes 1 / length of the shortest spring.
+    """
+    eight_at_a_time()
+    if body.law == CONSERVATIVE:
+        _accelerate(CONSERVATIVE, body, state, work, x, y, vx, vy, ax, ay)
+    elif body.law == TUTORIAL:
+        _accelerate(TUTORIAL, body, state, work, x, y, vx, vy, ax, ay)
+    else:
+        _accelerate(NO_JOINTS, body, state, work, x, y, vx, vy, ax, ay)
+
+
+@kernel(inline="always")
+def _accelerate(law, body, state, work, x, y, vx, vy, ax, ay):
+    n, soft = body.masses, body.softenings
+    cos, sin, size = state.couple_cos, state.couple_sin, body.couple_size
+    pull, stiffness, damping = state.pull, body.stiffness, body.damping
+    w, air, gx, gy = state.inverse_mass, state.air, state.gx, state.gy
+    carried = _nothing()
+    if body.ring:
+        for s in (n - 2, n - 1):
+            a, b = (n - 1, 0) if s < n - 1 else (0, 1)
+            _, _, _, carried = _along(
+                law, True, carried, x[b] - x[a], y[b] - y[a], vx[b] - vx[a], vy[b] - vy[a],
+                cos[s], sin[s], size[s], pull[s], stiffness[s], damping[s], soft[s],
+            )  # fmt: skip
+    inv, before_x, before_y, carried = _along(
+        law, True, carried, x[2] - x[1], y[2] - y[1], vx[2] - vx[1], vy[2] - vy[1],
+        cos[0], sin[0], size[0], pull[0], stiffness[0], damping[0], soft[0],
+    )  # fmt: skip
+    short = bits(inv)
+    for m in range(1, whole_eights(n) + 1):
+        a, b = m + 1, m + 2
+        inv, tx, ty, carried = _along(
+            law, False, carried, x[b] - x[a], y[b] - y[a], vx[b] - vx[a], vy[b] - vy[a],
+            cos[m], sin[m], size[m], pull[m], stiffness[m], damping[m], soft[m],
+        )  # fmt: skip
+        short = max(short, bits(inv))
+        u, v = vx[m], vy[m]
+        ax[m] = (before_x - tx) * w[m] - air[m] * (u * abs(u)) + gx[m]
+        ay[m] = (before_y - ty) * w[m] - air[m] * (v * abs(v)) + gy[m]
+        before_x, before_y = tx, ty
+    work.inverse[0] = from_bits(short)

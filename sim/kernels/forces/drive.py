@@ -1,0 +1,99 @@
+"""Where held masses are at any time, and what held keys have done until then."""
+
+from __future__ import annotations
+
+import math
+
+from ..core.jit import kernel
+from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN
+
+
+@kernel(internal=True)
+def wrap(angle):
+    """Wrap once into (-180, 180] degrees, as the tutorial does."""
+    if angle > 180.0:
+        return angle - 360.0
+    if angle <= -180.0:
+        return angle + 360.0
+    return angle
+
+
+@kernel(internal=True)
+def refresh(body, state):
+    """Recompute what depends on the scale of rest lengths and the shift of rest angles."""
+    scale = state.controls[CONTROL_SCALE]
+    shift = state.controls[CONTROL_SHIFT]
+    for s in range(body.springs):
+        state.pull[s] = body.stiffness[s] * (body.rest_length[s] * scale)
+    for j in range(body.joints):
+        rest = math.radians(wrap(body.joint_rest[j] + shift))
+        state.couple_cos[j + 1] = body.joint_stiffness[j] * math.cos(rest)
+        state.couple_sin[j + 1] = body.joint_stiffness[j] * math.sin(rest)
+        state.couple_rest[j + 1] = rest
+    if body.ring:
+        state.couple_cos[0] = state.couple_cos[body.joints]
+        state.couple_sin[0] = state.couple_sin[body.joints]
+
+
+@kernel(internal=True)
+def circle_at(t, radius, omega, ramp):
+    """How far an anchor on a circle is off its place at time t, and how fast it is: x, y, vx, vy."""
+    fade = math.exp(-t / ramp)
+    phase, rate = omega * (t - ramp * (1.0 - fade)), omega * (1.0 - fade)
+    sine, cosine = math.sin(phase), math.cos(phase)
+    return radius * sine, radius * (1.0 - cosine), radius * cosine * rate, radius * sine * rate
+
+
+@kernel(forceinline=True)
+def hand_speed(drive, i, t):
+    """The velocity at time t with which the mass of a number is led by hand, px/s."""
+    since = t - drive.start
+    return (
+        drive.vx[i] + since * (drive.ax[i] + 0.5 * since * drive.jx[i]),
+        drive.vy[i] + since * (drive.ay[i] + 0.5 * since * drive.jy[i]),
+    )
+
+
+@kernel(forceinline=True)
+def drive_to(body, state, drive, t, q, v):
+    """Put the held masses where they are at time t, in q and v, and set rest lengths and angles."""
+    lead_to(drive, t, q, v)
+    if drive.pressed:
+        since = t - drive.start
+        scale, shift = drive.scale * math.exp(drive.growth * since), drive.shift + drive.turn * since
+        set_controls(body, state, scale, shift)
+
+
+@kernel(forceinline=True)
+def press(body, state, drive, h):
+    """Let held keys act for h seconds more; unlike by `drive_to`, the same however many steps a call has."""
+    if drive.pressed:
+        scale = state.controls[CONTROL_SCALE] * math.exp(drive.growth * h)
+        set_controls(body, state, scale, state.controls[CONTROL_SHIFT] + drive.turn * h)
+
+
+@kernel(internal=True)
+def set_controls(body, state, scale, shift):
+    """Set the scale of rest lengths, within its range, and the shift of rest angles, wrapped, in degrees."""
+    state.controls[CONTROL_SCALE] = min(max(scale, SCALE_MIN), SCALE_MAX)
+    state.controls[CONTROL_SHIFT] = 180.0 - (180.0 - shift) % 360.0
+    refresh(body, state)
+
+
+@kernel(forceinline=True)
+def lead_to(drive, t, q, v):
+    """Put the held masses where they are at time t, in q and v."""
+    places = q.size // 2
+    # A hand goes no further than to where it is to be, whatever rounding makes of the time.
+    since = min(t - drive.start, drive.duration)
+    for i in range(drive.mass.size):
+        m = drive.mass[i]
+        x = drive.x[i] + since * (drive.vx[i] + since * (0.5 * drive.ax[i] + since / 6.0 * drive.jx[i]))
+        y = drive.y[i] + since * (drive.vy[i] + since * (0.5 * drive.ay[i] + since / 6.0 * drive.jy[i]))
+        vx, vy = hand_speed(drive, i, t)
+        vx, vy = vx * drive.hand[i], vy * drive.hand[i]
+        if drive.radius[i] > 0.0:
+            dx, dy, du, dv = circle_at(t, drive.radius[i], drive.omega[i], drive.ramp[i])
+            x, y, vx, vy = x + dx, y + dy, vx + du, vy + dv
+        q[m], q[places + m] = x, y
+        v[m], v[places + m] = vx, vy

@@ -1,0 +1,260 @@
+"""What the springs do to the masses: forces on any topology, and accelerations.
+
+With L the vector of a spring and perp(L) = (L.y, -L.x), a joint that holds springs A and B has a couple G
+and, under a law with an energy, that energy U. Its force on the b end of its first spring is -dU/dA, which is
+-G perp(A) / |A|² and a part along A; that on the b end of its second spring +G perp(B) / |B|² and a part
+along B. With V the angle from A to B and r the rest angle, the laws are
+
+- tutorial: G = K |A||B| sin(V - r), without the parts along the springs;
+- conservative: the same G, U = K |A||B| (1 - cos(V - r)) = K (|A||B| - A . R(-r) B);
+- angle: G = K |A||B| (V - r), U = K |A||B| (V - r)² / 2;
+
+and none but the last needs more trigonometry than cos r and sin r, which are in the tables. Angular
+damping adds C |A||B| dV/dt to G.
+
+A spring that shrinks to a point would have a force that jumps there, and a body may want to stay just there.
+So a length is sqrt(L² + softening), in the energies, too, with a softening far too small to be seen; none for
+methods with a fixed step. A . R(-r) B is without it, and in the angle's law |L| becomes
+L² / sqrt(L² + softening), since V means nothing at a point.
+
+Loops that gather through indices are kept apart from loops over the springs in order, so that the latter,
+which hold the square root, the division and most of the arithmetic, are vectorised. Each is a function of its
+own whose arrays share no memory, or LLVM would have to look for that at the start of every loop.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..core.jit import FAST, kernel
+from ..core.lanes import eight_at_a_time, whole_eights
+from ..core.roots import inverse_root
+from ..core.vectors import deflection
+from .chain import is_linked, linked_accelerations
+from .laws import CONSERVATIVE, TUTORIAL, terms
+
+
+@kernel(fastmath=FAST)
+def spring_forces(body, state, work, x, y, vx, vy):
+    """Forces of all springs and joints on all masses, into `work.fx` and `work.fy`."""
+    lx, ly, dvx, dvy, inverse = work.lx, work.ly, work.dvx, work.dvy, work.inverse
+    springs, hinged = whole_eights(body.springs), body.hinged  # padded
+    _differences(body.springs, body.spring_a, body.spring_b, x, y, lx, ly)
+    if body.damped or body.twisted:
+        _differences(body.springs, body.spring_a, body.spring_b, vx, vy, dvx, dvy)
+    _inverse_lengths(springs, body.softening, lx, ly, inverse)
+    if body.joints:
+        _joint_couples(body, state, work, lx, ly, inverse, work.couple, work.energy, work.dot)
+        _at_springs(body, work.couple, work.turn, -1.0)
+        if body.law == CONSERVATIVE:
+            _at_springs(body, work.energy, work.draw, 1.0)
+            _at_springs(body, work.dot, work.hold, 1.0)
+        elif body.law != TUTORIAL:
+            _at_springs(body, work.energy, work.draw, 1.0)
+            _hold_by_energy(whole_eights(hinged), body.softening, lx, ly, inverse, work.draw, work.hold)
+    tx, ty = work.tx, work.ty
+    if body.law != TUTORIAL and body.joints:
+        _tensions_with_pull(
+            springs, lx, ly, dvx, dvy, inverse, state.pull, body.stiffness, body.damping,
+            work.turn, work.draw, work.hold, tx, ty,
+        )  # fmt: skip
+    else:
+        _tensions(
+            springs, lx, ly, dvx, dvy, inverse, state.pull, body.stiffness, body.damping, work.turn, tx, ty
+        )
+    if body.twisted:
+        _joint_friction(body, lx, ly, dvx, dvy, inverse, work.turning, work.friction)
+        _at_springs(body, work.friction, work.brake, -1.0)
+        _add_across(whole_eights(hinged), lx, ly, inverse, work.brake, tx, ty)
+    none = body.stiffness.size  # stands for no spring; the chain's loops have other numbers there
+    tx[none], ty[none] = 0.0, 0.0
+    _at_masses(body, tx, ty, work.fx, work.fy)
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _differences(springs, spring_a, spring_b, x, y, lx, ly):
+    # Unsigned indices: numba otherwise tests each one for being negative.
+    for s in range(springs):
+        a, b = np.uint64(spring_a[s]), np.uint64(spring_b[s])
+        lx[s] = x[b] - x[a]
+        ly[s] = y[b] - y[a]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _inverse_lengths(springs, soft, lx, ly, inverse):
+    eight_at_a_time()
+    for s in range(springs):
+        inverse[s] = inverse_root(lx[s] * lx[s] + ly[s] * ly[s] + soft)
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _joint_couples(body, state, work, lx, ly, inverse, couple, energy, dot):
+    """The couple and, where the law has one, the energy of every joint, at place j + 1."""
+    joint_a, joint_b = body.joint_a, body.joint_b
+    cosine, sine, size, rest = state.couple_cos, state.couple_sin, body.couple_size, state.couple_rest
+    if body.law == TUTORIAL:
+        for j in range(body.joints):
+            a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
+            cross = lx[a] * ly[b] - ly[a] * lx[b]
+            along = lx[a] * lx[b] + ly[a] * ly[b]
+            couple[j + 1] = cosine[j + 1] * cross - sine[j + 1] * along
+    elif body.law == CONSERVATIVE:
+        for j in range(body.joints):
+            a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
+            cross = lx[a] * ly[b] - ly[a] * lx[b]
+            along = lx[a] * lx[b] + ly[a] * ly[b]
+            couple[j + 1] = cosine[j + 1] * cross - sine[j + 1] * along
+            energy[j + 1] = size[j + 1] / (inverse[a] * inverse[b])
+            dot[j + 1] = cosine[j + 1] * along + sine[j + 1] * cross
+    else:
+        for j in range(body.joints):
+            a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
+            cross = lx[a] * ly[b] - ly[a] * lx[b]
+            off = deflection(cross, lx[a] * lx[b] + ly[a] * ly[b], rest[j + 1])
+            torque_term, energy_term, _ = terms(body.law, off)
+            weight = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
+            weight *= size[j + 1] * (inverse[a] * inverse[b])
+            couple[j + 1] = weight * torque_term
+            energy[j + 1] = weight * energy_term
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _joint_friction(body, lx, ly, dvx, dvy, inverse, turning, friction):
+    """The couple of every joint's damping."""
+    for s in range(body.hinged):
+        turning[s] = (lx[s] * dvy[s] - ly[s] * dvx[s]) * (inverse[s] * inverse[s])
+    for j in range(body.joints):
+        a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
+        rate = turning[b] - turning[a]
+        friction[j + 1] = body.couple_damping[j + 1] / (inverse[a] * inverse[b]) * rate
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _at_springs(body, of_joint, of_spring, sign):
+    """Add up at every spring what its joints do: `sign` times where it is the first spring of a joint."""
+    joint_in, joint_out = body.joint_in, body.joint_out
+    for s in range(body.hinged):
+        of_spring[s] = of_joint[np.uint64(joint_in[s])] + sign * of_joint[np.uint64(joint_out[s])]
+    for i in range(body.more_joint.size):
+        j, s = np.uint64(body.more_joint[i]), np.uint64(body.more_joint_spring[i])
+        of_spring[s] += (1.0 if body.more_joint_sign[i] > 0.0 else sign) * of_joint[j]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _hold_by_energy(springs, soft, lx, ly, inverse, draw, hold):
+    eight_at_a_time()
+    for s in range(springs):
+        square = lx[s] * lx[s] + ly[s] * ly[s]
+        hold[s] = -draw[s] * (square + 2.0 * soft) * inverse[s] * inverse[s]
+        draw[s] = 0.0
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _tensions_with_pull(
+    springs, lx, ly, dvx, dvy, inverse, pull, stiffness, damping, turn, draw, hold, tx, ty
+):  # fmt: skip
+    """The force on the b end of every spring under a law with an energy, which also pulls along springs."""
+    eight_at_a_time()
+    for s in range(springs):
+        inv2 = inverse[s] * inverse[s]
+        true = inverse_root(lx[s] * lx[s] + ly[s] * ly[s])
+        true *= true
+        rate = lx[s] * dvx[s] + ly[s] * dvy[s]
+        along = pull[s] * inverse[s] - stiffness[s] - (damping[s] * rate + draw[s]) * inv2 + hold[s] * true
+        across = turn[s] * true
+        tx[s] = along * lx[s] + across * ly[s]
+        ty[s] = along * ly[s] - across * lx[s]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _tensions(springs, lx, ly, dvx, dvy, inverse, pull, stiffness, damping, turn, tx, ty):
+    """The force on the b end of every spring under the tutorial's law, or without joints."""
+    eight_at_a_time()
+    for s in range(springs):
+        inv2 = inverse[s] * inverse[s]
+        rate = lx[s] * dvx[s] + ly[s] * dvy[s]
+        along = pull[s] * inverse[s] - stiffness[s] - damping[s] * rate * inv2
+        across = turn[s] * inv2
+        tx[s] = along * lx[s] + across * ly[s]
+        ty[s] = along * ly[s] - across * lx[s]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _add_across(springs, lx, ly, inverse, turn, tx, ty):
+    eight_at_a_time()
+    for s in range(springs):
+        across = turn[s] * inverse[s] * inverse[s]
+        tx[s] += across * ly[s]
+        ty[s] -= across * lx[s]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _at_masses(body, tx, ty, fx, fy):
+    """Add up at every mass the tensions of its springs."""
+    spring_in, spring_out = body.spring_in, body.spring_out
+    for i in range(1, body.masses + 1):
+        a, b = np.uint64(spring_in[i]), np.uint64(spring_out[i])
+        fx[i] = tx[a] - tx[b]
+        fy[i] = ty[a] - ty[b]
+    for layer in range(1, body.layers):
+        below = layer * (body.masses + 1)
+        more_in, more_out = spring_in[below:], spring_out[below:]
+        for i in range(1, body.masses + 1):
+            a, b = np.uint64(more_in[i]), np.uint64(more_out[i])
+            fx[i] += tx[a] - tx[b]
+            fy[i] += ty[a] - ty[b]
+    for i in range(body.more_spring.size):
+        m, s = np.uint64(body.more_spring_mass[i]), np.uint64(body.more_spring[i])
+        fx[m] += body.more_spring_sign[i] * tx[s]
+        fy[m] += body.more_spring_sign[i] * ty[s]
+
+
+@kernel(noalias=True, fastmath=FAST)
+def accelerations(body, state, work, q, v, a):
+    """Accelerations of all masses at positions q and velocities v; zero where a mass is held.
+
+    q, v and a are flat: x of every place, then y of every place.
+    """
+    eight_at_a_time()
+    places = q.size // 2
+    x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
+    if is_linked(body):
+        if body.ring:
+            _close_ring(body.masses, q)
+            _close_ring(body.masses, v)
+        linked_accelerations(body, state, work, x, y, vx, vy, a[:places], a[places:])
+        if body.ring:
+            _open_ring(body.masses, q)
+            _open_ring(body.masses, v)
+    else:
+        any_accelerations(body, state, work, x, y, vx, vy, a)
+
+
+@kernel(forceinline=True)
+def _close_ring(masses, flat):
+    """Let the last mass of a ring stand before the first, and the first two behind the last."""
+    for x in (0, flat.size // 2):
+        behind = x + masses + 1
+        flat[x], flat[behind], flat[behind + 1] = flat[behind - 1], flat[x + 1], flat[x + 2]
+
+
+@kernel(forceinline=True)
+def _open_ring(masses, flat):
+    """Make those padding again: what is solved for, and how far off it is, is asked of all places alike."""
+    for x in (0, flat.size // 2):
+        behind = x + masses + 1
+        flat[x] = flat[behind] = flat[behind + 1] = 0.0
+
+
+@kernel(internal=True, fastmath=FAST)
+def any_accelerations(body, state, work, x, y, vx, vy, a):
+    """`accelerations` of any body, under any law."""
+    eight_at_a_time()
+    places = x.size
+    spring_forces(body, state, work, x, y, vx, vy)
+    fx, fy, ax, ay = work.fx, work.fy, a[:places], a[places:]
+    w, air, gx, gy = state.inverse_mass, state.air, state.gx, state.gy
+    for i in range(1, body.masses + 1):
+        ax[i] = fx[i] * w[i] - air[i] * (vx[i] * abs(vx[i])) + gx[i]
+    for i in range(1, body.masses + 1):
+        ay[i] = fy[i] * w[i] - air[i] * (vy[i] * abs(vy[i])) + gy[i]

@@ -1,0 +1,1 @@
+"""A kernel for each method, and what they share."""

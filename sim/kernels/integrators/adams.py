@@ -1,0 +1,323 @@
+"""Adams' methods: a polynomial through the last accelerations, and two evaluations of the forces a step.
+
+Positions and velocities are integrals of the polynomial; it is continued to predict them, and corrected with
+the accelerations there (predict, evaluate, correct, evaluate: Shampine & Gordon, 1975). Past accelerations
+are kept as they are, at equal distances in time, and interpolated anew where the step changes. High degrees
+are the best for what is smooth, and worse than low ones for what is rough, as where joints fold: so where a
+step fails, and now and then, the degrees beside the present one are weighed. Kinks of air friction are kept
+out of the past where they matter, see `kinks`.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ..core.bits import from_bits, size_bits
+from ..core.jit import FAST, kernel
+from ..core.lanes import eight_at_a_time
+from ..core.shared import accelerate, tally
+from ..core.tables import (
+    CLOCK_DEGREE,
+    CLOCK_HEAD,
+    CLOCK_KNOWN,
+    CLOCK_MOST,
+    CLOCK_PAST,
+    CLOCK_SINCE,
+    CLOCK_SPACING,
+    CLOCK_STEP,
+    CLOCK_TIME,
+    COUNT_FORCES,
+    COUNT_REJECTED,
+    COUNT_STEPS,
+    COUNT_WHAT,
+    PAST,
+    SPARE,
+)
+from ..forces.drive import drive_to
+from .guard import GOOD, STUCK, sound
+from .kinks import ago, any_turns, kinks_matter, turn_past, with_kinks, without_kinks
+from .steps import (
+    HOPELESS,
+    SHORTEST_STEP,
+    WORTH_SHORTENING,
+    first_step,
+    freshen,
+    replace_state,
+    shortest_of,
+    stays_gentle,
+)
+
+_EVENLY = 4
+"""Steps before the end of a call that are made equally long."""
+
+_SPAN = 1e-3
+"""Seconds whose share of the tolerance a step may use up after one that failed. What no short step makes
+smooth, as a jump of the forces, is an error once, and not one per second."""
+
+_SHORT = 8.0
+"""How many times a step that span is at most. With more, velocities could be off by anything."""
+
+_LONGER, _MUCH_LONGER, _FIRST_LONGER = 1.25, 2.0, 4.0
+"""The least change of a step that is worth interpolating for; the largest, and that of the first steps."""
+
+_PATIENCE = 4
+"""Steps after a change before the next one to a longer step."""
+
+_LITTLE, _MUCH = 0.06, 0.6
+"""Errors, in tolerances, above and below which the step is about right."""
+
+_LEAST, _WEIGHED = 3, 16
+"""The least degree that is gone on with; and the steps since a change after which the degrees beside the
+present one are weighed."""
+
+_UNSTEADY, _STEADY = 0.61, 6
+"""The part of `near_limit` from which on the highest degree is left out; and the highest one then. Vibrations
+that nothing damps grow under degree 7 in steps that are .25 to .47 of Verlet's limit, by 5e-4 a step at most,
+and error control keeps them small by keeping steps there. Under degree 6 they fade in steps of .34 to .62."""
+
+
+@kernel(fastmath=FAST)
+def run_adams(problem, drive, end, tolerance, attempts):
+    """Go on to `end` under a tolerance; arguments as those of `run_explicit` and `run_verlet`."""
+    freshen(problem, drive)
+    body, state, work, flow, ledger = problem.body, problem.state, problem.work, problem.flow, problem.ledger
+    method, near_limit = problem.adams, problem.near_limit
+    clock, count = flow.clock, flow.counts
+    q, v, past, rows = state.q, state.v, flow.past, flow.rows
+    to_q, to_v, to_a, ahead = rows[0], rows[1], rows[2], rows[3]
+    t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
+    degree, most, known, head, since, spacing = 0, method.degree, 1, 0, 0, 0.0
+    if clock[CLOCK_PAST] == t:
+        degree, head, since = int(clock[CLOCK_DEGREE]), int(clock[CLOCK_HEAD]), int(clock[CLOCK_SINCE])
+        most, known, spacing = int(clock[CLOCK_MOST]), int(clock[CLOCK_KNOWN]), clock[CLOCK_SPACING]
+    else:
+        for j in range(1, q.size - SPARE):
+            past[0, j] = flow.a[j]
+        first = first_step(flow, drive, 0.01 * tolerance)
+        h = min(h, first) if h > 0.0 else first
+    kinks = kinks_matter(state.air, past[head], h, method.error[degree], tolerance)
+    farthest, fastest = flow.limits[0], flow.limits[1]
+    failures, tries, steps, swaps, shortest = 0, 0, 0, 0, 0.0
+    while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
+        tries += 1
+        step, rest = h, end - t
+        if rest < (_EVENLY + 1e-6) * h:
+            step = rest / max(math.ceil(rest / h - 1e-6), 1)
+        top = _STEADY if step > _UNSTEADY * near_limit else method.degree
+        most = min(most, top)
+        degree = min(degree, most)
+        if degree > 0 and abs(step - spacing) > 1e-9 * spacing:
+            _space(past, head, method, degree, step / spacing, rows)
+            known = degree + 1
+            kinks = kinks_matter(state.air, past[head], step, method.error[degree], tolerance)
+        spacing = step
+        _predict(q, v, past, head, method, degree, step, to_q, to_v, ahead)
+        if drive.moving:
+            drive_to(body, state, drive, t + step, to_q, to_v)
+        accelerate(problem, to_q, to_v, to_a)
+        if kinks and any_turns(v, to_v):
+            without_kinks(state.air, v, to_v, to_a)
+        by_q, by_v = step * step * method.to_position[degree], step * method.to_velocity[degree]
+        change, far, fast, moved = _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
+        turns = kinks and any_turns(v, to_v)
+        if turns:
+            with_kinks(state.air, v, past[head], to_a, step, to_q, to_v)
+        span = max(step, min(_SPAN, _SHORT * step)) if failures > 0 else step
+        scale = step * step / (span * tolerance)
+        error = scale * method.error[degree] * from_bits(change)
+        if not error < HOPELESS:
+            error = HOPELESS
+        good = error <= 1.0
+        if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
+            good = good and sound(body, flow, to_q, to_v, step < WORTH_SHORTENING)
+        if good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest):
+            if degree == most and since % _WEIGHED == _WEIGHED - 1:
+                most, error = _best_degree(past, head, known, method, degree, top, scale, error, to_a)
+            # The oldest of the past is not asked again.
+            head = (head - 1) & (PAST - 1)
+            known = min(known + 1, PAST)
+            accelerate(problem, to_q, to_v, past[head])
+            if turns:
+                turn_past(state.air, v, to_v, past, head, known, method.back, step)
+            shortest = shortest_of(body, work)
+            steps += 1
+            if ledger.active:
+                tally(problem, drive, t, to_q, to_v, past[head], step)
+                replace_state(state.q, state.v, flow.a, to_q, to_v, past[head])
+            else:
+                # Change places instead of copying.
+                q, to_q, v, to_v = to_q, q, to_v, v
+                swaps += 1
+            t = end if step == rest else t + step
+            since, failures = since + 1, 0
+            degree = min(degree, most)
+            rising = degree < most
+            factor = 1.0
+            if rising or error > _MUCH or (error < _LITTLE and since > _PATIENCE):  # powers take time
+                factor = min(
+                    0.9 * max(error, 1e-12) ** (-1.0 / (degree + 2.0)),
+                    _FIRST_LONGER if rising else _MUCH_LONGER,
+                )
+            degree += rising
+            if rising or factor < 0.95 or factor > _LONGER:
+                since = 0
+                # A step that was cut short says little about longer ones.
+                h = max(h, step * factor) if step < 0.999 * h else step * factor
+        else:
+            if drive.pressed:
+                drive_to(body, state, drive, t, q, v)
+            since, failures = 0, failures + 1
+            if degree == most and error > 1.0:
+                most, error = _best_degree(past, head, 0, method, degree, top, scale, error, to_a)
+                degree = most
+            h = step * min(0.5, max(0.2, 0.9 * max(error, 2.0) ** (-1.0 / (degree + 2.0))))
+            if failures > 2:
+                degree, known = 0, 1  # the past tells nothing of what is to come
+            if h < SHORTEST_STEP:
+                count[COUNT_WHAT] = STUCK
+    if swaps % 2:
+        replace_state(state.q, state.v, flow.a, q, v, past[head])
+    else:
+        for j in range(1, q.size - SPARE):
+            flow.a[j] = past[head, j]
+    count[COUNT_FORCES] += tries + steps
+    count[COUNT_STEPS] += steps
+    count[COUNT_REJECTED] += tries - steps
+    clock[CLOCK_TIME], clock[CLOCK_STEP] = t, h
+    clock[CLOCK_PAST], clock[CLOCK_SPACING] = t, spacing
+    clock[CLOCK_DEGREE], clock[CLOCK_HEAD], clock[CLOCK_SINCE] = degree, head, since
+    clock[CLOCK_MOST], clock[CLOCK_KNOWN] = most, known
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
+    """Positions, velocities and accelerations a step ahead, by the polynomial."""
+    eight_at_a_time()
+    hh = h * h
+    # All at once: in one pass, everything stays in registers. One row less is a tenth of the arithmetic.
+    x, u, w = method.position[degree], method.velocity[degree], method.ahead[degree]
+    x0, x1, x2, x3 = hh * x[0], hh * x[1], hh * x[2], hh * x[3]
+    x4, x5, x6, x7 = hh * x[4], hh * x[5], hh * x[6], hh * x[7]
+    u0, u1, u2, u3 = h * u[0], h * u[1], h * u[2], h * u[3]
+    u4, u5, u6, u7 = h * u[4], h * u[5], h * u[6], h * u[7]
+    w0, w1, w2, w3, w4, w5, w6, w7 = w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]
+    a0, a1, a2, a3 = past[head], past[ago(head, 1)], past[ago(head, 2)], past[ago(head, 3)]
+    a4, a5, a6, a7 = past[ago(head, 4)], past[ago(head, 5)], past[ago(head, 6)], past[ago(head, 7)]
+    if degree == PAST - 1:
+        for j in range(1, q.size - SPARE):
+            r0, r1, r2, r3, r4, r5, r6, r7 = a0[j], a1[j], a2[j], a3[j], a4[j], a5[j], a6[j], a7[j]
+            by_x = x0 * r0 + x1 * r1 + x2 * r2 + x3 * r3 + (x4 * r4 + x5 * r5 + x6 * r6 + x7 * r7)
+            by_u = u0 * r0 + u1 * r1 + u2 * r2 + u3 * r3 + (u4 * r4 + u5 * r5 + u6 * r6 + u7 * r7)
+            to_q[j], to_v[j] = q[j] + h * v[j] + by_x, v[j] + by_u
+            ahead[j] = w0 * r0 + w1 * r1 + w2 * r2 + w3 * r3 + (w4 * r4 + w5 * r5 + w6 * r6 + w7 * r7)
+    else:
+        for j in range(1, q.size - SPARE):
+            r0, r1, r2, r3, r4, r5, r6 = a0[j], a1[j], a2[j], a3[j], a4[j], a5[j], a6[j]
+            by_x = x0 * r0 + x1 * r1 + x2 * r2 + x3 * r3 + (x4 * r4 + x5 * r5 + x6 * r6)
+            by_u = u0 * r0 + u1 * r1 + u2 * r2 + u3 * r3 + (u4 * r4 + u5 * r5 + u6 * r6)
+            to_q[j], to_v[j] = q[j] + h * v[j] + by_x, v[j] + by_u
+            ahead[j] = w0 * r0 + w1 * r1 + w2 * r2 + w3 * r3 + (w4 * r4 + w5 * r5 + w6 * r6)
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _correct(q, by_q, by_v, to_a, ahead, to_q, to_v):
+    """Correct a prediction; (by how much the acceleration was off, coordinate, speed and move, the largest,
+    as bits)."""
+    eight_at_a_time()
+    change, far, fast, moved = 0, 0, 0, 0
+    for j in range(1, q.size - SPARE):
+        off = to_a[j] - ahead[j]
+        place, speed = to_q[j] + by_q * off, to_v[j] + by_v * off
+        to_q[j], to_v[j] = place, speed
+        change = max(change, size_bits(off))
+        far = max(far, size_bits(place))
+        fast = max(fast, size_bits(speed))
+        moved = max(moved, size_bits(place - q[j]))
+    return change, far, fast, moved
+
+
+@kernel(fastmath=FAST)
+def _best_degree(past, head, known, method, degree, top, scale, error, to_a):
+    """(degree, error): of the present one and those beside it, the one whose steps could be the longest.
+
+    Args:
+        known: rows of the past that a higher degree could go by.
+        top: the highest degree that may be chosen.
+        scale: what turns a difference of accelerations into an error.
+        error: of this step, with the present degree.
+        to_a: the accelerations that were expected.
+    """
+    best, least, stride = degree, error, _stride(error, degree)
+    if degree > _LEAST:
+        lower = scale * method.error[degree - 1] * _off(past, head, method, degree - 1, to_a)
+        if _stride(lower, degree - 1) > stride:
+            best, least, stride = degree - 1, lower, _stride(lower, degree - 1)
+    if degree < top and known > degree + 1:
+        higher = scale * method.error[degree + 1] * _off(past, head, method, degree + 1, to_a)
+        if _stride(higher, degree + 1) > stride:
+            best, least = degree + 1, higher
+    return best, least
+
+
+@kernel(forceinline=True)
+def _stride(error, degree):
+    """How many times its length a step would have the error of the tolerance."""
+    return max(error, 1e-12) ** (-1.0 / (degree + 2.0))
+
+
+@kernel(noalias=True, fastmath=FAST)
+def _off(past, head, method, degree, to_a):
+    """By how much an acceleration is off at most that a degree expects."""
+    eight_at_a_time()
+    w, largest = method.ahead[degree], 0
+    w0, w1, w2, w3, w4, w5, w6, w7 = w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]
+    a0, a1, a2, a3 = past[head], past[ago(head, 1)], past[ago(head, 2)], past[ago(head, 3)]
+    a4, a5, a6, a7 = past[ago(head, 4)], past[ago(head, 5)], past[ago(head, 6)], past[ago(head, 7)]
+    for j in range(1, to_a.size - SPARE):
+        low = w0 * a0[j] + w1 * a1[j] + w2 * a2[j] + w3 * a3[j]
+        off = to_a[j] - low - (w4 * a4[j] + w5 * a5[j] + w6 * a6[j] + w7 * a7[j])
+        largest = max(largest, size_bits(off))
+    return from_bits(largest)
+
+
+@kernel(noalias=True, fastmath=FAST)
+def _space(past, head, method, degree, ratio, rows):
+    """Interpolate the past accelerations, for another step: `ratio` is that of the new one to the old one.
+
+    By Lagrange's formula. Its products of all distances but one are those of the distances before that one,
+    times those behind it: so nothing is divided by.
+    """
+    eight_at_a_time()
+    parts, size = method.barycentric[degree], past.shape[1]
+    a0, a1, a2, a3 = past[head], past[ago(head, 1)], past[ago(head, 2)], past[ago(head, 3)]
+    a4, a5, a6, a7 = past[ago(head, 4)], past[ago(head, 5)], past[ago(head, 6)], past[ago(head, 7)]
+    for m in range(1, degree + 1):
+        at, out = ratio * m, rows[3 + m]
+        d1, d2 = at - 1.0, at - 2.0 if degree > 1 else 1.0
+        d3, d4 = at - 3.0 if degree > 2 else 1.0, at - 4.0 if degree > 3 else 1.0
+        d5, d6 = at - 5.0 if degree > 4 else 1.0, at - 6.0 if degree > 5 else 1.0
+        d7 = at - 7.0 if degree > 6 else 1.0
+        before2 = at * d1
+        before3, behind4 = before2 * d2, d5 * d6 * d7
+        before4, behind3 = before3 * d3, d4 * behind4
+        before5, behind2 = before4 * d4, d3 * behind3
+        before6, behind1 = before5 * d5, d2 * behind2
+        w0, w1, w2, w3 = (
+            parts[0] * d1 * behind1,
+            parts[1] * at * behind1,
+            parts[2] * before2 * behind2,
+            parts[3] * before3 * behind3,
+        )
+        w4, w5, w6, w7 = (
+            parts[4] * before4 * behind4,
+            parts[5] * before5 * (d6 * d7),
+            parts[6] * before6 * d7,
+            parts[7] * before6 * d6,
+        )
+        for j in range(1, size - SPARE):
+            low = w0 * a0[j] + w1 * a1[j] + w2 * a2[j] + w3 * a3[j]
+            out[j] = low + (w4 * a4[j] + w5 * a5[j] + w6 * a6[j] + w7 * a7[j])
+    for m in range(1, degree + 1):
+        row, out = past[ago(head, m)], rows[3 + m]
+        for j in range(1, size - SPARE):
+            row[j] = out[j]

@@ -1,0 +1,111 @@
+"""Symplectic Euler: v += h a(x, v), then x += h v, as the tutorial has it; also for the stable spring."""
+
+from __future__ import annotations
+
+from ..core.jit import FUSED, kernel
+from ..core.lanes import eight_at_a_time
+from ..core.shared import accelerate, tally
+from ..core.tables import (
+    CLOCK_TIME,
+    CONTROL_SCALE,
+    CONTROL_SHIFT,
+    COUNT_FORCES,
+    COUNT_FRESH,
+    COUNT_STEPS,
+    COUNT_WHAT,
+    SPARE,
+)
+from ..forces.drive import lead_to, press, set_controls
+from .guard import GOOD, sound
+
+CHECK_EVERY = 64
+"""Steps between two looks at the state. Bad ones are undone and done again one at a time, so that a body that
+runs away stops at its very last good state."""
+
+
+@kernel(fastmath=FUSED)
+def run_euler(problem, drive, end, tolerance, attempts):
+    """Go on to `end` by steps of `problem.fixed` seconds; arguments as those of `run_verlet`.
+
+    Within a step, led masses and held keys come first, then the forces: so forces see them where they are at
+    its end, as in the tutorial.
+    """
+    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
+    clock, count, h = flow.clock, flow.counts, problem.fixed
+    q, v, a, kept_q, kept_v = state.q, state.v, flow.a, flow.rows[0], flow.rows[1]
+    start = clock[CLOCK_TIME]
+    wanted = int((end - start) / h + 0.5)
+    steps = min(wanted, attempts)
+    count[COUNT_FRESH] = 0  # `a` is never that of the state
+    free = _any_free(state.inverse_mass)
+    done, stride = 0, CHECK_EVERY
+    while done < steps and count[COUNT_WHAT] == GOOD:
+        batch = 1 if ledger.active else min(stride, steps - done)
+        scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
+        _copy(q, v, kept_q, kept_v)
+        if ledger.active:
+            _step_with_balance(problem, drive, start + done * h)
+        else:
+            for step in range(done + 1, done + batch + 1):
+                lead_to(drive, start + step * h, q, v)
+                press(body, state, drive, h)
+                if free:
+                    accelerate(problem, q, v, a)
+                    _kick_and_drift(q, v, a, h)
+                    lead_to(drive, start + step * h, q, v)  # their velocity has moved them
+        if sound(body, flow, q, v, batch == 1):
+            done += batch
+        else:
+            _copy(kept_q, kept_v, q, v)
+            if drive.pressed:
+                set_controls(body, state, scale, shift)
+            stride = 1
+    count[COUNT_STEPS] += done
+    count[COUNT_FORCES] += done
+    clock[CLOCK_TIME] = end if done == wanted else start + done * h
+
+
+@kernel(fastmath=FUSED)
+def _step_with_balance(problem, drive, t):
+    """One step, with its work entered: the accelerations at both its ends are needed for that."""
+    body, state, flow, h = problem.body, problem.state, problem.flow, problem.fixed
+    q, v = state.q, state.v
+    to_q, to_v, to_a = flow.rows[2], flow.rows[3], flow.rows[4]
+    lead_to(drive, t, q, v)
+    accelerate(problem, q, v, flow.a)
+    _copy(q, v, to_q, to_v)
+    press(body, state, drive, h)
+    scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
+    lead_to(drive, t + h, to_q, to_v)
+    accelerate(problem, to_q, to_v, to_a)
+    _kick_and_drift(to_q, to_v, to_a, h)
+    lead_to(drive, t + h, to_q, to_v)
+    accelerate(problem, to_q, to_v, to_a)
+    tally(problem, drive, t, to_q, to_v, to_a, h)
+    _copy(to_q, to_v, q, v)
+    if drive.pressed:
+        set_controls(body, state, scale, shift)
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FUSED)
+def _kick_and_drift(q, v, a, h):
+    eight_at_a_time()
+    for j in range(1, q.size - SPARE):
+        u = v[j] + h * a[j]
+        v[j] = u
+        q[j] += h * u
+
+
+@kernel(noalias=True, forceinline=True)
+def _copy(q, v, to_q, to_v):
+    eight_at_a_time()
+    for j in range(1, q.size - SPARE):
+        to_q[j], to_v[j] = q[j], v[j]
+
+
+@kernel(forceinline=True)
+def _any_free(inverse_mass):
+    count = 0
+    for w in inverse_mass:
+        count += w > 0.0
+    return count > 0

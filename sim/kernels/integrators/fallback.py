@@ -1,0 +1,115 @@
+"""The step of last resort, for states that no method can leave, such as a spring of no length at all.
+
+One linearly implicit Euler step (Baraff & Witkin 1998), with a matrix that is positive definite whatever the
+state, springs of some length, and no mass moved further than a spring is long. What energy it would add, it
+leaves out: the step is shortened until there is no more than before, or the body stops.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ..core.jit import FAST, kernel
+from ..core.shared import accelerate, factorise, solve
+from ..core.tables import (
+    CLOCK_LAST,
+    CLOCK_LAST_BUT_ONE,
+    CLOCK_STEP,
+    CLOCK_TIME,
+    COUNT_FRESH,
+    COUNT_MATRICES,
+    COUNT_RESCUES,
+    COUNT_WHAT,
+    WORK_ANCHORS,
+    WORK_RESCUE,
+)
+from ..core.vectors import from_to
+from ..energy.energies import energies
+from ..forces.drive import drive_to
+from ..linear.damping import add_resistance, remember_directions
+from .guard import GOOD, sound
+from .steps import biggest
+
+
+@kernel(fastmath=FAST)
+def run_rescue(problem, drive, gravity_x, gravity_y, h, shortest, reach):
+    """One step of h seconds from a state that the integrators are stuck in.
+
+    Args:
+        gravity_x, gravity_y: px/s².
+        shortest: length that a spring is given if it is shorter, px.
+        reach: how far a mass moves at most, px.
+    """
+    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
+    matrix = problem.matrix
+    places = state.q.size // 2
+    clock, q, v, rows = flow.clock, state.q, state.v, flow.rows
+    to_q, to_v, a, move, four = rows[0], rows[1], rows[2], rows[3], rows[4][:4]
+    kept_q, kept_v = rows[5], rows[6]
+    for j in range(q.size):
+        kept_q[j], kept_v[j] = q[j], v[j]
+    t = clock[CLOCK_TIME]
+    mass = ledger.mass
+    energies(body, state, mass, gravity_x, gravity_y, q, v, four)
+    first = four[0] + four[1] + four[2] + four[3]
+    if drive.moving:
+        drive_to(body, state, drive, t + h, q, v)
+    for s in range(body.springs):
+        i, k = body.spring_a[s], body.spring_b[s]
+        if state.inverse_mass[k] == 0.0:
+            i, k = k, i
+        if state.inverse_mass[k] > 0.0:
+            x, y = from_to(q, i, k)
+            if math.sqrt(x * x + y * y) < shortest:
+                # Some direction of its own for each spring, so that no two fall on one another.
+                far = flow.limits[0]
+                q[k] = min(max(q[i] + shortest * math.cos(1.0 + s), -far), far)
+                q[places + k] = min(max(q[places + i] + shortest * math.sin(1.0 + s), -far), far)
+    energies(body, state, mass, gravity_x, gravity_y, q, v, four)
+    before = four[0] + four[1] + four[2] + four[3]
+    accelerate(problem, q, v, a)
+    g = 1.0 / h
+    factorise(problem, q, v, g * g, g, True)
+    remember_directions(body, matrix, q)
+    for j in range(q.size):
+        move[j] = a[j] + g * v[j]
+    for i in range(drive.mass.size):
+        m = drive.mass[i]
+        move[m], move[places + m] = 0.0, 0.0
+    add_resistance(body, state, matrix, v, v, -1.0, move)
+    solve(problem, move)
+    for m in range(1, body.masses + 1):
+        size = math.sqrt(move[m] * move[m] + move[places + m] * move[places + m])
+        if not size <= reach:
+            factor = reach / size if size < 1e300 else 0.0
+            move[m] = move[m] * factor if factor > 0.0 else 0.0
+            move[places + m] = move[places + m] * factor if factor > 0.0 else 0.0
+    part, after = 1.0, before
+    for attempt in range(10):
+        if attempt == 9:
+            part = 0.0
+        for j in range(q.size):
+            to_q[j] = q[j] + part * move[j]
+            to_v[j] = part * move[j] * g
+        if drive.moving:
+            drive_to(body, state, drive, t + h, to_q, to_v)
+        energies(body, state, mass, gravity_x, gravity_y, to_q, to_v, four)
+        after = four[0] + four[1] + four[2] + four[3]
+        if after <= before and biggest(to_q) <= flow.limits[0] and biggest(to_v) <= flow.limits[1]:
+            break
+        part *= 0.5
+    if not sound(body, flow, to_q, to_v, True):
+        for j in range(q.size):  # what is driven has left all bounds
+            q[j], v[j] = kept_q[j], kept_v[j]
+        return
+    for j in range(q.size):
+        q[j], v[j] = to_q[j], to_v[j]
+    # Springs that were given a length, and anchors that were moved, did work of their own.
+    ledger.work[WORK_ANCHORS] += before - first
+    ledger.work[WORK_RESCUE] += after - before
+    clock[CLOCK_TIME] = t + h
+    clock[CLOCK_STEP] = clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0
+    flow.counts[COUNT_FRESH] = 0
+    flow.counts[COUNT_WHAT] = GOOD
+    flow.counts[COUNT_RESCUES] += 1
+    flow.counts[COUNT_MATRICES] += 1

@@ -1,0 +1,239 @@
+"""Generalized-alpha, for long and stiff bodies: one implicit force a step, solved for by Newton's method.
+
+The method is that of Chung & Hulbert (1993), written for the end of the step: the force there is unknown, the
+one at its start is carried along. A long rod turns by much in a step while it hardly stretches, which is
+anything but linear in positions. So predictor and Newton's updates turn and stretch each spring of a
+spanning forest, and positions follow from those.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ..core.jit import FAST, kernel
+from ..core.shared import accelerate, factorise, solve, tally
+from ..core.tables import (
+    CLOCK_BEGUN,
+    CLOCK_CONTRACTION,
+    CLOCK_CUBE,
+    CLOCK_LAST,
+    CLOCK_LAST_BUT_ONE,
+    CLOCK_SOLVABLE,
+    CLOCK_STEP,
+    CLOCK_TIME,
+    COUNT_FORCES,
+    COUNT_MATRICES,
+    COUNT_REJECTED,
+    COUNT_STEPS,
+    COUNT_WHAT,
+    SPARE,
+)
+from ..forces.drive import drive_to
+from .guard import GOOD, sound
+from .steps import (
+    HOPELESS,
+    SHORTEST_STEP,
+    WORTH_SHORTENING,
+    biggest,
+    biggest_difference,
+    first_step,
+    freshen,
+    is_gentle,
+    step_after,
+)
+from .turning import predict, remember, turn_and_stretch
+
+_RHO = 0.8
+"""What is left of the fastest motions after each step (the spectral radius at infinity)."""
+
+_AM, _AF = (2.0 * _RHO - 1.0) / (_RHO + 1.0), _RHO / (_RHO + 1.0)
+_BETA = 0.25 * (1.0 - _AM + _AF) ** 2
+_ALPHA = _AM, _AF, 0.5 - _AM + _AF, _BETA, 0.5 - _BETA
+_EULER = 0.0, 0.0, 1.0, 1.0, 0.0
+"""Of a step: alpha_m, alpha_f, gamma, beta, and the weight of the acceleration at its start in positions; and
+those of the implicit Euler method, which does not look at that acceleration."""
+
+_CALMING = 2
+"""Steps of the implicit Euler method that the method begins with."""
+
+_ITERATIONS = 8
+_SURVEY = 8
+_SLIGHT = 0.4
+"""With exact derivatives, Newton's method converges quadratically: how large a second move would be follows
+from the first, and from what it was in the steps before (Hairer & Wanner, "Solving Ordinary Differential
+Equations II", IV.8). So it is left out where it would be slight: a position that is off by d makes an
+acceleration that is off by some d / h², and that goes on for many steps. One step in so many is solved with
+it, to know."""
+
+_SPAN = 2.5e-3
+"""A step's error is held to the tolerance of so many seconds, however long it is: an error per second of it
+would have this method, of second order, take steps that are too short to pay."""
+
+_LEFT, _WORTH = 0.75, 1.25
+"""What is left of a step whose error was too large, at most: to halve it would be too much, since the error
+grows smoothly. And how much longer the next step has to be for it to be worth the change."""
+
+_SOLVED, _RAISE, _RAISE_FIXED = 0.7, 1.06, 1.3
+"""How long a step is beside one for which Newton's method failed; and how much longer than the last one each
+may be from then on: to fail takes longer than to succeed. What is to be a fixed step is so again soon."""
+
+_ERROR = 0.1
+"""The error of a step as a part of the distance between prediction and solution, found by trying."""
+
+
+@kernel(fastmath=FAST)
+def run_alpha(problem, drive, end, tolerance, attempts):
+    """Go on to `end`; arguments as those of `run_verlet`."""
+    freshen(problem, drive)
+    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
+    matrix, fixed = problem.matrix, problem.fixed
+    clock, count = flow.clock, flow.counts
+    q, v, rows = state.q, state.v, flow.rows
+    start, to_q, to_v, speed, move, guess, force, pull = (
+        rows[0],
+        rows[1],
+        rows[2],
+        rows[3],
+        rows[4],
+        rows[5],
+        rows[6],
+        rows[8],
+    )
+    late, missed = flow.history[0], flow.history[3]  # late: the method's own acceleration
+    if clock[CLOCK_BEGUN] == 0.0:
+        clock[CLOCK_CUBE] = 0.0
+        for j in range(1, q.size - SPARE):
+            late[j] = flow.a[j]
+    precision = 0.05 * _SPAN * tolerance if fixed == 0.0 else 1e-9
+    t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
+    if fixed > 0.0:
+        h = fixed
+    elif h <= 0.0:
+        h = 4.0 * first_step(flow, drive, _SPAN * tolerance)
+    failed = False
+    for _ in range(attempts):
+        if not (t < end and count[COUNT_WHAT] == GOOD):
+            break
+        # Equal steps up to the end: what is carried along is of first order only where steps change.
+        step = (end - t) / max(math.ceil((end - t) / h - 1e-6), 1)
+        # What is too fast for the steps to come shows in the accelerations first: forget those.
+        calming = fixed == 0.0 and clock[CLOCK_BEGUN] < _CALMING
+        am, af, gamma, beta, kept = _EULER if calming else _ALPHA
+        weight = 1.0 / (1.0 - af)
+        inverse = 1.0 / (beta * step * step)
+        # At positions q the velocity is speed + g1 (q - start), and the force to be g2 (q - start) - pull.
+        g2 = weight * (1.0 - am) * inverse
+        g1 = gamma / (beta * step)
+        # It is that of a moment a part of the step off, which goes with the step (Jay & Negrut, 2007).
+        ratio = min(step / clock[CLOCK_LAST], 2.0) if clock[CLOCK_LAST] > 0.0 else 1.0
+        for j in range(1, q.size - SPARE):
+            own = flow.a[j] + ratio * (late[j] - flow.a[j])
+            start[j] = q[j] + step * v[j] + step * step * kept * own
+            to_q[j] = q[j] + step * v[j] + 0.5 * step * step * own
+            speed[j] = v[j] + step * (1.0 - gamma) * own
+            pull[j] = weight * (af * flow.a[j] - am * own)
+        if drive.moving:
+            drive_to(body, state, drive, t + step, to_q, to_v)
+        predict(problem, step, to_q, rows[7])
+        # What the last prediction, a polynomial of time, was wrong by, this one will be wrong by, too.
+        h1, h0 = clock[CLOCK_LAST], clock[CLOCK_LAST_BUT_ONE]
+        cube = step * (step + h1) * (step + h1 + h0) if h0 > 0.0 else 0.0
+        again = cube / clock[CLOCK_CUBE] if clock[CLOCK_CUBE] > 0.0 else 0.0
+        if again > 8.0:
+            again = 0.0
+        for j in range(1, q.size - SPARE):
+            guess[j] = to_q[j]
+            to_q[j] += again * missed[j]
+        converged = False
+        surveyed = fixed == 0.0 and clock[CLOCK_CONTRACTION] > 0.0 and int(clock[CLOCK_BEGUN]) % _SURVEY > 0
+        last = 1e300
+        for iteration in range(_ITERATIONS):
+            for j in range(1, q.size - SPARE):
+                to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
+            if drive.moving:
+                drive_to(body, state, drive, t + step, to_q, to_v)
+            accelerate(problem, to_q, to_v, force)
+            for j in range(1, q.size - SPARE):
+                move[j] = force[j] - (g2 * (to_q[j] - start[j]) - pull[j])
+            _rest(drive, move)
+            # The second iteration is close enough to the first to do with its matrix.
+            if iteration != 1 or last > 10.0 * _SPAN * tolerance:
+                factorise(problem, to_q, to_v, g2, g1, False)
+                count[COUNT_MATRICES] += 1
+            solve(problem, move)
+            count[COUNT_FORCES] += 1
+            size = biggest(move)
+            if not size < 1e8 or (iteration >= 3 and size > 0.5 * last):
+                break
+            turn_and_stretch(matrix, state.inverse_mass, to_q, move, rows[7])
+            if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
+                converged = True
+            elif iteration == 0 and surveyed:
+                converged = clock[CLOCK_CONTRACTION] * size * size < _SLIGHT * tolerance * step * step
+            if iteration == 1:
+                clock[CLOCK_CONTRACTION] = max(size / (last * last), 0.5 * clock[CLOCK_CONTRACTION])
+            if converged:
+                break
+            last = size
+        error = HOPELESS
+        if converged:
+            for j in range(1, q.size - SPARE):
+                to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
+            if drive.moving:
+                drive_to(body, state, drive, t + step, to_q, to_v)
+            error = 0.0
+            if fixed == 0.0:
+                part = _ERROR if clock[CLOCK_LAST_BUT_ONE] > 0.0 else 0.3 * _ERROR
+                error = (1.0 if calming else part) * biggest_difference(to_q, guess) / (_SPAN * tolerance)
+        good = error <= 1.5 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
+        if good and fixed == 0.0:
+            good = is_gentle(body, state, q, to_q, step)
+        if good:
+            if ledger.active:
+                for j in range(1, q.size - SPARE):
+                    force[j] = g2 * (to_q[j] - start[j]) - pull[j]
+                _rest(drive, force)
+                tally(problem, drive, t, to_q, to_v, force, step)
+            t = end if step == end - t else t + step
+            remember(problem, step, 0.0)
+            for j in range(1, q.size - SPARE):
+                late[j] = (to_q[j] - start[j]) * inverse
+                flow.a[j] = g2 * (to_q[j] - start[j]) - pull[j]
+                q[j], v[j], missed[j] = to_q[j], to_v[j], to_q[j] - guess[j]
+            _rest(drive, late)
+            _rest(drive, flow.a)
+            clock[CLOCK_CUBE] = 0.0 if calming else cube
+            clock[CLOCK_BEGUN] += 1.0
+            count[COUNT_STEPS] += 1
+        else:
+            error = max(error, 2.0)
+            count[COUNT_REJECTED] += 1
+            if drive.pressed:
+                drive_to(body, state, drive, t, q, v)
+        after = step_after(flow, h, step, error, 3, good, failed, _LEFT)
+        if not good and error >= HOPELESS:
+            clock[CLOCK_SOLVABLE] = after = _SOLVED * step
+        elif clock[CLOCK_SOLVABLE] > 0.0:
+            clock[CLOCK_SOLVABLE] *= _RAISE if fixed == 0.0 else _RAISE_FIXED
+            after = min(after, clock[CLOCK_SOLVABLE])
+        if not good or after > _WORTH * h or after < 0.8 * h:
+            h = after
+        failed = not good
+        if fixed > 0.0:
+            h = min(h, fixed)
+        elif not good and h < 1e-6 and h > SHORTEST_STEP:
+            # Perhaps it is what was carried along that is no good.
+            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_BEGUN] = clock[CLOCK_CUBE] = 0.0
+            accelerate(problem, q, v, flow.a)
+            for j in range(1, q.size - SPARE):
+                late[j] = flow.a[j]
+    clock[CLOCK_TIME] = t
+    clock[CLOCK_STEP] = h
+
+
+@kernel(forceinline=True)
+def _rest(drive, a):
+    """Nothing accelerates a mass that is in a hand."""
+    for k in range(drive.mass.size):
+        m = drive.mass[k]
+        a[m], a[a.size // 2 + m] = 0.0, 0.0

@@ -1,0 +1,50 @@
+"""A state that has run away never gets out of a kernel."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..core.bits import from_bits, size_bits
+from ..core.jit import FAST, kernel
+from ..core.tables import COUNT_MASS, COUNT_WHAT
+
+GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED, STUCK = 0, 1, 2, 3, 4
+"""What is wrong with a state; STUCK: no step from it is short enough."""
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def sound(body, flow, q, v, shortened):
+    """Whether a state is one to keep; what is wrong with it goes into `flow.counts`.
+
+    Unless `shortened`: then a shorter step is worth a try first, and it is only not kept.
+    """
+    farthest, fastest = flow.limits[0], flow.limits[1]
+    far, fast = 0, 0
+    for j in range(q.size):
+        far = max(far, size_bits(q[j]))
+        fast = max(fast, size_bits(v[j]))
+    if from_bits(far) <= farthest and from_bits(fast) <= fastest:
+        return True
+    if shortened:
+        _blame(body, flow, q, v)
+    return False
+
+
+@kernel(fastmath=FAST)
+def _blame(body, flow, q, v):
+    """Enter in `flow.counts` which mass shows what is wrong."""
+    farthest, fastest = flow.limits[0], flow.limits[1]
+    places = q.size // 2
+    for i in range(1, body.masses + 1):
+        for j in (i, places + i):
+            what = GOOD
+            if not (np.isfinite(q[j]) and np.isfinite(v[j])):
+                what = BAD_NUMBER
+            elif abs(q[j]) > farthest:
+                what = BAD_POSITION
+            elif abs(v[j]) > fastest:
+                what = BAD_SPEED
+            if what != GOOD:
+                flow.counts[COUNT_WHAT] = what
+                flow.counts[COUNT_MASS] = i
+                return

@@ -1,0 +1,231 @@
+"""What all integrators but the tutorial's share: where a step ends, and how long the next one is."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ..core.bits import from_bits, size_bits
+from ..core.jit import FAST, kernel
+from ..core.lanes import eight_at_a_time, whole_eights
+from ..core.shared import accelerate
+from ..core.tables import CLOCK_PAST, CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT, SPARE
+from ..core.vectors import from_to
+from ..forces.chain import is_linked
+from ..forces.drive import drive_to
+from .guard import STUCK
+
+SHORTEST_STEP = 1e-12
+"""A step (s) that is not worth shortening any more."""
+
+WORTH_SHORTENING = 1e-9
+"""A step (s) so short that one that is still bad tells of the body, and not of the step."""
+
+SHORTEST_SPAN = 1e-7
+"""Seconds whose share of the tolerance any step may use up. Where a spring shrinks to a point and is turned
+round in no time, the error of a step, per second of it, is small only in steps too short for anything."""
+
+_SHORTEST_TURN = 1e-7
+"""A step (s) that is kept however far springs turn in it."""
+
+_SURE, _BOTH_ENDS = 0.6, 2.83
+"""What part of a spring's length its ends may move, both together, so that it has not turned far: the sine
+of the angle, less what softening adds; and how far they do, at most, beside a coordinate of one."""
+
+HOPELESS = 1e30
+"""An error estimate (in tolerances) that stands for infinities and NaN."""
+
+
+@kernel(fastmath=FAST)
+def freshen(problem, drive):
+    """Make sure that the held masses are where they are to be, and that `flow.a` is of the present state."""
+    body, state, flow = problem.body, problem.state, problem.flow
+    if flow.counts[COUNT_FRESH] == 0:
+        if drive.moving:
+            drive_to(body, state, drive, flow.clock[CLOCK_TIME], state.q, state.v)
+        accelerate(problem, state.q, state.v, flow.a)
+        flow.counts[COUNT_FORCES] += 1
+        flow.counts[COUNT_FRESH] = 1
+        flow.clock[CLOCK_PAST] = -1.0
+
+
+@kernel(forceinline=True)
+def is_gentle(body, state, q, to_q, step):
+    """Whether no spring has turned by more than 60 degrees in a step.
+
+    Where one has, as when its ends pass each other, the forces in between were not seen; positions may still
+    be right to the tolerance, while the wrong impulse of each such step adds to the energy.
+    """
+    if step < _SHORTEST_TURN:
+        return True
+    if body.chain:
+        return _chain_is_gentle(body, state.inverse_mass, q, to_q)
+    return _any_is_gentle(body, state.inverse_mass, q, to_q)
+
+
+@kernel(noalias=True, fastmath=FAST)
+def _chain_is_gentle(body, inverse_mass, q, to_q):
+    places = q.size // 2
+    qx, qy, to_qx, to_qy = q[:places], q[places:], to_q[:places], to_q[places:]
+    turned = 0
+    for s in range(whole_eights(body.springs)):
+        x, y, to_x, to_y = (
+            qx[s + 2] - qx[s + 1],
+            qy[s + 2] - qy[s + 1],
+            to_qx[s + 2] - to_qx[s + 1],
+            to_qy[s + 2] - to_qy[s + 1],
+        )
+        free = s < body.springs and inverse_mass[s + 1] + inverse_mass[s + 2] > 0.0
+        turned += free and _has_turned(x, y, to_x, to_y, body.softening)
+    return turned == 0
+
+
+@kernel(fastmath=FAST)
+def _any_is_gentle(body, inverse_mass, q, to_q):
+    for s in range(body.springs):
+        a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
+        x, y = from_to(q, a, b)
+        to_x, to_y = from_to(to_q, a, b)
+        free = inverse_mass[a] + inverse_mass[b] > 0.0
+        # No sum as for chains: gathering the ends of eight springs at a time is slower than one by one.
+        if free and _has_turned(x, y, to_x, to_y, body.softening):
+            return False
+    return True
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _has_turned(x, y, to_x, to_y, softening):
+    """Whether a spring's vector has turned by more than 60 degrees, if it had any direction."""
+    size = (x * x + y * y) * (to_x * to_x + to_y * to_y)
+    along = x * to_x + y * to_y
+    return size > softening * softening and along * abs(along) < 0.25 * size
+
+
+@kernel(forceinline=True)
+def stays_gentle(body, state, q, to_q, step, moved, shortest):
+    """`is_gentle`, which is looked into only where it may be in doubt.
+
+    Args:
+        moved: the largest change of a coordinate in the step, px.
+        shortest: the length of every spring at the start, px, at most.
+    """
+    return _BOTH_ENDS * moved < _SURE * shortest or is_gentle(body, state, q, to_q, step)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def shortest_of(body, work):
+    """The length of the shortest spring at the positions that forces were last asked for, px."""
+    eight_at_a_time()
+    if is_linked(body):
+        return 1.0 / max(work.inverse[0], 1e-300)
+    short = 0
+    for s in range(whole_eights(body.springs)):
+        short = max(short, size_bits(work.inverse[s]) if s < body.springs else 0)
+    return 1.0 / max(from_bits(short), 1e-300)
+
+
+@kernel(forceinline=True)
+def fitting_step(t, end, h):
+    """The step to try: not beyond the end, and without leaving a sliver."""
+    rest = end - t
+    if h >= 0.999999 * rest:
+        return rest
+    if 2.0 * h > rest:
+        return 0.5 * rest
+    return h
+
+
+@kernel(fastmath=FAST)
+def first_step(flow, drive, tolerance):
+    """A first step, s: the time in which the accelerations move a mass by the tolerance."""
+    h = math.sqrt(tolerance / max(biggest(flow.a), 1e-9))
+    for i in range(drive.mass.size):
+        if drive.radius[i] > 0.0:
+            h = min(h, 0.25 * drive.ramp[i])
+    return h
+
+
+@kernel(forceinline=True)
+def step_after(flow, h, step, error, order, good, after_failure, left=0.5):
+    """The step to try next, s.
+
+    Args:
+        h: the step that the error control had in mind.
+        step: the step that was tried, which the end of a call may have cut short.
+        error: its error estimate, in tolerances.
+        order: power of the step that the estimate goes with.
+        good: whether it was kept.
+        after_failure: whether the one before it was not.
+        left: what part of a step that was not kept is left, at most.
+    """
+    factor = 5.0
+    if error > 1e-12:
+        factor = min(5.0, max(0.2, 0.9 / _root(error, order)))
+    if not good:
+        h = step * min(factor, left)
+        if h < SHORTEST_STEP:
+            flow.counts[COUNT_WHAT] = STUCK
+        return h
+    return step_after_good(h, step, factor, after_failure)
+
+
+@kernel(forceinline=True)
+def step_after_good(h, step, factor, after_failure):
+    """The step to try after one that was kept, s; `factor`: the ratio of both, by errors alone."""
+    if after_failure:
+        factor = min(factor, 1.0)
+    # A step that was cut short says little about longer ones.
+    return max(h, step * factor) if step < 0.999 * h else step * factor
+
+
+@kernel(forceinline=True)
+def _root(number, order):
+    """A root of a number; the usual ones in a tenth of the time that a power takes."""
+    if order == 2:
+        return math.sqrt(number)
+    if order == 4:
+        return math.sqrt(math.sqrt(number))
+    return number ** (1.0 / order)
+
+
+@kernel(noalias=True, forceinline=True)
+def replace_state(q, v, a, to_q, to_v, to_a):
+    """Take over the state at the end of a step."""
+    eight_at_a_time()
+    for j in range(1, q.size - SPARE):
+        q[j], v[j], a[j] = to_q[j], to_v[j], to_a[j]
+
+
+@kernel(fastmath=FAST)
+def biggest(values):
+    """The largest size of the values; NaN if one is."""
+    eight_at_a_time()
+    most = 0
+    for j in range(1, values.size - SPARE):
+        most = max(most, size_bits(values[j]))
+    return from_bits(most)
+
+
+@kernel(fastmath=FAST)
+def biggest_difference(one, other):
+    """The largest size of the differences of two; NaN if one is."""
+    eight_at_a_time()
+    most = 0
+    for j in range(1, one.size - SPARE):
+        most = max(most, size_bits(one[j] - other[j]))
+    return from_bits(most)
+
+
+@kernel(noalias=True, fastmath=FAST)
+def largest_sum(weights, rows, count, scratch):
+    """The largest size in a weighted sum of the first `count` rows; NaN if one is."""
+    eight_at_a_time()
+    for j in range(1, scratch.size - SPARE):
+        scratch[j] = 0.0
+    for i in range(0, count, 4):
+        w0, w1, w2, w3 = weights[i], weights[i + 1], weights[i + 2], weights[i + 3]
+        k0, k1, k2, k3 = rows[i], rows[i + 1], rows[i + 2], rows[i + 3]
+        for j in range(1, scratch.size - SPARE):
+            scratch[j] += w0 * k0[j] + w1 * k1[j] + w2 * k2[j] + w3 * k3[j]
+    return biggest(scratch)

@@ -1,0 +1,184 @@
+"""Positions by the turning and stretching of springs, along a spanning forest: see `Matrix.walk`.
+
+A long rod turns by much in a step while it hardly stretches, which is anything but linear in positions. In
+complex numbers, a vector becomes vector * (1 + z), whatever the turn.
+
+Along a chain each mass hangs on the one before it. There all vectors are found in loops that are vectorised,
+and only their sum goes from mass to mass: that takes half of the time. Indices there are unsigned: numba
+otherwise tests each one for being negative.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..core.jit import FAST, kernel
+from ..core.tables import CLOCK_LAST, CLOCK_LAST_BUT_ONE, SPARE
+
+_LEAST = 1e-100
+"""The square of a length that is divided by, px², at least."""
+
+
+@kernel(internal=True, fastmath=FAST)
+def remember(problem, step, least):
+    """Shift the history of the springs' vectors by a step; called before the state is replaced.
+
+    Steps that together are shorter than `least`, s, count as one, since the next step is much longer.
+    """
+    matrix, flow, q = problem.matrix, problem.flow, problem.state.q
+    clock, places = flow.clock, q.size // 2
+    if 0.0 < clock[CLOCK_LAST] < least:
+        clock[CLOCK_LAST] += step
+        return
+    last, older = flow.history[1], flow.history[2]
+    for j in range(1, q.size - SPARE):
+        older[j] = last[j]
+    if matrix.straight:
+        for j in range(1, q.size):
+            last[j] = q[j] - q[j - 1]
+    else:
+        for i in range(matrix.walk.size):
+            m = matrix.walk[i]
+            p = matrix.parent[m]
+            last[m], last[places + m] = q[m] - q[p], q[places + m] - q[places + p]
+    clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_LAST]
+    clock[CLOCK_LAST] = step
+
+
+@kernel(internal=True, fastmath=FAST)
+def predict(problem, step, to_q, vector):
+    """Extrapolate how each spring of the forest turned and stretched in the last two steps.
+
+    z, less its square's half, is extrapolated as a polynomial of time. The masses without a parent, or in a
+    hand, are where they are in `to_q` already; `vector` is scratch.
+    """
+    matrix, flow, q = problem.matrix, problem.flow, problem.state.q
+    clock, places = flow.clock, q.size // 2
+    last, older = flow.history[1], flow.history[2]
+    h1, h0 = clock[CLOCK_LAST], clock[CLOCK_LAST_BUT_ONE]
+    if h1 == 0.0:
+        return
+    c1, c0 = step / h1, 0.0
+    if h0 > 0.0:
+        ratio = (h1 + step) / (h0 + h1)
+        c1, c0 = c1 * (1.0 + ratio), -step / h0 * ratio
+    n = matrix.walk.size
+    if matrix.straight:
+        x, y, to_x, to_y = q[:places], q[places:], vector[:places], vector[places:]
+        x1, y1, x0, y0 = last[:places], last[places:], older[:places], older[places:]
+        for s in range(n - 1):
+            dx, dy = _extrapolated(
+                x[s + 2] - x[s + 1], y[s + 2] - y[s + 1], x1[s + 2], y1[s + 2], x0[s + 2], y0[s + 2], c1, c0
+            )
+            to_x[s + 2] = dx
+            to_y[s + 2] = dy
+    else:
+        for i in range(n):
+            m = matrix.walk[i]
+            p, k = matrix.parent[m], places + m
+            vector[m], vector[k] = _extrapolated(
+                q[m] - q[p], q[k] - q[places + p], last[m], last[k], older[m], older[k], c1, c0
+            )
+    _add_up(matrix, problem.state.inverse_mass, vector, to_q)
+
+
+@kernel(internal=True, fastmath=FAST)
+def turn_and_stretch(matrix, inverse_mass, q, move, vector):
+    """Apply an update to the positions q, turning and stretching each spring; `vector` is scratch."""
+    places, n = q.size // 2, matrix.walk.size
+    if matrix.straight:
+        x, y, to_x, to_y = q[:places], q[places:], vector[:places], vector[places:]
+        by_x, by_y = move[:places], move[places:]
+        for s in range(n - 1):
+            dx, dy = _updated(
+                x[s + 2] - x[s + 1],
+                y[s + 2] - y[s + 1],
+                by_x[s + 2] - by_x[s + 1],
+                by_y[s + 2] - by_y[s + 1],
+            )
+            to_x[s + 2] = dx
+            to_y[s + 2] = dy
+        for place in range(1, n + 1):  # not with a branch: that would not be vectorised
+            m = np.uint64(place)
+            apart = (matrix.parent[m] == 0) | (inverse_mass[m] == 0.0)
+            x[m] += by_x[m] if apart else 0.0
+            y[m] += by_y[m] if apart else 0.0
+    else:
+        for i in range(n):
+            m = matrix.walk[i]
+            p, k = matrix.parent[m], places + m
+            vector[m], vector[k] = _updated(
+                q[m] - q[p], q[k] - q[places + p], move[m] - move[p], move[k] - move[places + p]
+            )
+        for i in range(n):
+            m = matrix.walk[i]
+            if matrix.parent[m] == 0 or inverse_mass[m] == 0.0:
+                q[m] += move[m]
+                q[places + m] += move[places + m]
+    _add_up(matrix, inverse_mass, vector, q)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _add_up(matrix, inverse_mass, vector, q):
+    """Place all masses by the vectors to them, but those without a parent or in a hand."""
+    places = q.size // 2
+    if matrix.straight:
+        x, y = q[1], q[places + 1]
+        for place in range(2, matrix.walk.size + 1):
+            m, k = np.uint64(place), np.uint64(places + place)
+            if matrix.parent[m] == 0 or inverse_mass[m] == 0.0:
+                x, y = q[m], q[k]
+            else:
+                x, y = x + vector[m], y + vector[k]
+                q[m], q[k] = x, y
+    else:
+        for i in range(matrix.walk.size):
+            m = matrix.walk[i]
+            p = matrix.parent[m]
+            if not (p == 0 or inverse_mass[m] == 0.0):
+                q[m], q[places + m] = q[p] + vector[m], q[places + p] + vector[places + m]
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _extrapolated(x, y, x1, y1, x0, y0, c1, c0):
+    """A vector that was (x1, y1) a step ago and (x0, y0) two ago; itself where that would be wild."""
+    square1, square0 = max(x1 * x1 + y1 * y1, _LEAST), max(x0 * x0 + y0 * y0, _LEAST)
+    both = 1.0 / (square1 * square0)  # one division instead of two
+    re1, im1 = _logarithm(x, y, x1, y1, square0 * both)
+    re0, im0 = _logarithm(x1, y1, x0, y0, square1 * both)
+    stretch, turn = 1.0 + c1 * re1 + c0 * re0, c1 * im1 + c0 * im0
+    turned_x, turned_y = _turned(x, y, stretch, turn)
+    tame = _is_tame(stretch, turn)
+    return turned_x if tame else x, turned_y if tame else y
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _updated(x, y, dx, dy):
+    """A vector to which (dx, dy) is to be added, turned and stretched as that asks for at first order."""
+    inverse = 1.0 / max(x * x + y * y, _LEAST)
+    stretch, turn = 1.0 + (x * dx + y * dy) * inverse, (x * dy - y * dx) * inverse
+    turned_x, turned_y = _turned(x, y, stretch, turn)
+    tame = _is_tame(stretch, turn)
+    return turned_x if tame else x + dx, turned_y if tame else y + dy
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _logarithm(x, y, x0, y0, inverse):
+    """Of (x + iy) / (x0 + iy0), to second order in the turn; `inverse` is 1 / (x0² + y0²)."""
+    re, im = (x * x0 + y * y0) * inverse - 1.0, (y * x0 - x * y0) * inverse
+    return re + 0.5 * im * im, im
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _turned(x, y, stretch, turn):
+    """A vector turned (by Cayley's map, without trigonometry) and stretched."""
+    half = 0.5 * turn
+    scale = stretch / (1.0 + half * half)
+    cos, sin = (1.0 - half * half) * scale, 2.0 * half * scale
+    return cos * x - sin * y, sin * x + cos * y
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _is_tame(stretch, turn):
+    # Not `and`: a loop with branches is not vectorised.
+    return (stretch > 0.4) & (stretch < 2.5) & (turn > -1.4) & (turn < 1.4)

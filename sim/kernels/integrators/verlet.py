@@ -1,0 +1,179 @@
+"""Velocity Verlet: one evaluation of the forces a step."""
+
+from __future__ import annotations
+
+from ..core.bits import from_bits, size_bits
+from ..core.jit import FAST, kernel
+from ..core.lanes import eight_at_a_time
+from ..core.shared import accelerate, tally
+from ..core.tables import (
+    CLOCK_CAP,
+    CLOCK_HELD,
+    CLOCK_STEP,
+    CLOCK_TIME,
+    COUNT_FORCES,
+    COUNT_REJECTED,
+    COUNT_STEPS,
+    COUNT_WHAT,
+    SPARE,
+)
+from ..forces.drive import drive_to
+from .guard import GOOD, sound
+from .steps import (
+    HOPELESS,
+    SHORTEST_SPAN,
+    WORTH_SHORTENING,
+    first_step,
+    fitting_step,
+    freshen,
+    replace_state,
+    shortest_of,
+    stays_gentle,
+    step_after,
+)
+
+_ROOMY = 0.8
+"""An error, in tolerances, that leaves the step as long as it is."""
+
+_STRICTLY = 0.27
+"""The part of the tolerance that steps hold which are not near the stability limit. Near it, only the hardest
+moments make errors as large as they may be; elsewhere all steps are as long as errors let them be, so that
+they add up."""
+
+_PAST = 0.25
+"""The part of the acceleration before in what predicts velocities near the stability limit."""
+
+_SINK, _RAISE = 0.93, 1.002
+"""What a step that failed leaves of the limit, and how fast that rises again, per step."""
+
+
+@kernel(fastmath=FAST)
+def run_verlet(problem, drive, end, tolerance, attempts):
+    """Go on to `end` by x += h v + h²/2 a, v += h/2 (a + a'); arguments as those of `run_explicit`.
+
+    Forces that depend on velocities take v + h a for the new ones, which keeps the second order, but under
+    damping has a lower limit than symplectic Euler, see `sim.stability`. Under error control, steps that
+    `near_limit` says are near it take v + h (3 a + b) / 4, with b the acceleration before a: also of second
+    order, with larger errors and Euler's limit. Steps shorter than that hold a part of the tolerance.
+
+    The error of a step is taken to be h² |a' - a| / 12. Near the limit that says nothing for a while and then
+    everything at once, so a step that failed is remembered as a limit, which is raised slowly. That the next
+    one fails as well, half as long, tells of the vibration that is left, and not of the limit.
+    """
+    freshen(problem, drive)
+    body, state, work, flow, ledger = problem.body, problem.state, problem.work, problem.flow, problem.ledger
+    fixed, near_limit = problem.fixed, problem.near_limit
+    clock, count = flow.clock, flow.counts
+    q, v, a, rows = state.q, state.v, flow.a, flow.rows
+    to_q, to_v, to_a, driven, slope, to_slope = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]
+    places = q.size // 2
+    farthest, fastest = flow.limits[0], flow.limits[1]
+    t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
+    if fixed > 0.0:
+        h = fixed
+    elif h <= 0.0:
+        h = 0.5 * first_step(flow, drive, 0.01 * tolerance)
+        clock[CLOCK_CAP] = 1e9
+    cap = clock[CLOCK_CAP]
+    for j in range(a.size):
+        slope[j] = a[j]
+    failures = 0  # one after another
+    steps, tries, held, swaps, shortest = 0, 0, 0, 0, 0.0
+    while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
+        tries += 1
+        step = fitting_step(t, end, h)
+        half = 0.5 * step
+        near = fixed == 0.0 and h >= near_limit
+        _predict(q, v, a, slope, step, to_q, to_v)
+        if drive.moving:
+            drive_to(body, state, drive, t + step, to_q, to_v)
+            for k in range(drive.mass.size):
+                m = drive.mass[k]
+                driven[m], driven[places + m] = to_v[m], to_v[places + m]
+        accelerate(problem, to_q, to_v, to_a)
+        past = _PAST if near else 0.0
+        change, far, fast, moved = _correct(q, v, a, to_a, half, past, to_q, to_v, to_slope)
+        for k in range(drive.mass.size):
+            m = drive.mass[k]
+            for j in (m, places + m):
+                to_v[j] = driven[j]
+                fast = max(fast, size_bits(driven[j]))
+        error = 0.0
+        if fixed == 0.0:
+            error = from_bits(change) * step * step / (12.0 * max(step, SHORTEST_SPAN) * tolerance)
+            if not near:
+                error *= 1.0 / _STRICTLY
+            if not error < HOPELESS:
+                error = HOPELESS
+        good = error <= 1.0
+        if good and fixed == 0.0:
+            good = stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest)
+        if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
+            good = good and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
+        if not good:
+            if fixed == 0.0:
+                if failures != 1:
+                    cap = _SINK * step
+                h = min(step_after(flow, h, step, max(error, 2.0), 2, False, failures > 0), cap)
+                failures += 1
+            continue
+        shortest = shortest_of(body, work)  # before the books, which ask for forces elsewhere
+        if ledger.active:
+            tally(problem, drive, t, to_q, to_v, to_a, step)
+            replace_state(state.q, state.v, flow.a, to_q, to_v, to_a)
+        else:
+            # Change places instead of copying.
+            q, to_q, v, to_v, a, to_a = to_q, q, to_v, v, to_a, a
+            swaps += 1
+        slope, to_slope = to_slope, slope
+        t = end if step == end - t else t + step
+        steps += 1
+        if fixed == 0.0:
+            cap *= _RAISE
+            if failures == 0 and error * cap * cap < _ROOMY * step * step and cap < 2.0 * step:
+                # The limit decides, whatever the error exactly is: so the next step need not wait for it.
+                h = cap
+                held += 1
+            else:
+                h = step_after(flow, h, step, error, 2, True, failures > 0)
+                if h > cap:
+                    h = cap
+                    held += 1
+            failures = 0
+    if swaps % 2:
+        replace_state(state.q, state.v, flow.a, q, v, a)
+    count[COUNT_FORCES] += tries
+    count[COUNT_STEPS] += steps
+    count[COUNT_REJECTED] += tries - steps
+    clock[CLOCK_TIME], clock[CLOCK_STEP], clock[CLOCK_CAP] = t, h, cap
+    clock[CLOCK_HELD] = held / max(tries, 1)
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _predict(q, v, a, slope, step, to_q, to_v):
+    """Positions at the end of a step, and velocities for the forces there."""
+    eight_at_a_time()
+    half = 0.5 * step
+    for j in range(1, q.size - SPARE):
+        to_q[j] = q[j] + step * (v[j] + half * a[j])
+        to_v[j] = v[j] + step * slope[j]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _correct(q, v, a, to_a, half, past, to_q, to_v, to_slope):
+    """Correct velocities, and find what predicts the next ones, with the part `past` of `a` in it.
+
+    Returns:
+        The largest change of an acceleration, coordinate, speed and move, as bits.
+    """
+    eight_at_a_time()
+    change, far, fast, moved = 0, 0, 0, 0
+    for j in range(1, v.size - SPARE):
+        new = v[j] + half * (a[j] + to_a[j])
+        to_v[j] = new
+        to_slope[j] = to_a[j] + past * (a[j] - to_a[j])
+        change = max(change, size_bits(to_a[j] - a[j]))
+        far = max(far, size_bits(to_q[j]))
+        fast = max(fast, size_bits(new))
+        moved = max(moved, size_bits(to_q[j] - q[j]))
+    return change, far, fast, moved

@@ -1,0 +1,200 @@
+"""The matrix of an implicit step on a chain, by rows.
+
+The matrix is a I - g Jv - Jx, with Jx and Jv the derivatives of the accelerations by positions and by
+velocities: velocity is eliminated, so there are two unknowns a mass. On a chain it has five diagonals of two
+by two blocks; `twisted` factorises it.
+
+Rows have to be eliminated one after the other. All that comes before, the derivatives of the forces and the
+rows that follow from them, is done here for a chunk of springs at a time, in loops that are vectorised.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..core.jit import FAST, kernel
+from ..core.roots import inverse_root
+from ..core.vectors import from_to
+from ..forces.laws import CONSERVATIVE, TUTORIAL, is_sine
+from .blocks import joint_blocks, minus, plus, scaled, spring_block
+
+CHUNK, _VECTOR = 16, 8
+"""Springs whose derivatives are taken before their rows are eliminated, and how many of them are a vector."""
+_STRIDE = _VECTOR + CHUNK + _VECTOR
+"""Of each kind of number there is room for a chunk, and on both sides of it for the end of the last one."""
+
+_OWN, _AA, _AB, _BA, _BB, _KINDS = 0, 4, 8, 12, 16, 20
+"""The derivatives of the tension of a spring by its own vector; those that the joint between it and the next
+spring adds, as `joint_blocks` names them; and how many numbers these are."""
+L2, L1, D, U1, U2, _ALL = 36, 40, 44, 48, 52, 56
+"""The five blocks of the row of the mass that each spring begins at. They are 4 kB from what they are built
+from: LLVM does not vectorise a loop that might load, a little later, parts of what it stored."""
+
+PARTS = _ALL * _STRIDE
+"""Numbers in one half of `Matrix.parts`: of each kind in turn, those of a chunk side by side."""
+
+_ZERO = (0.0, 0.0, 0.0, 0.0)
+_ONE = (1.0, 0.0, 0.0, 1.0)
+
+
+@kernel(forceinline=True)
+def begin(parts, k):
+    """Before the first chunk: there are no springs k and k + 1, on one side of it."""
+    for kind in range(_KINDS):
+        parts[at(kind, k)], parts[at(kind, k + 1)] = 0.0, 0.0
+
+
+@kernel(forceinline=True)
+def hand_on(parts, k, to):
+    """Make springs k and k + 1 of this chunk springs `to` and `to` + 1 of the next."""
+    for kind in range(_KINDS):
+        parts[at(kind, to)], parts[at(kind, to + 1)] = parts[at(kind, k)], parts[at(kind, k + 1)]
+
+
+@kernel(forceinline=True)
+def put_empty_row(parts, k):
+    """Make the chunk's row k one of the unit matrix."""
+    for kind in (L2, L1, U1, U2):
+        put(parts, at(kind, k), _ZERO)
+    put(parts, at(D, k), _ONE)
+
+
+@kernel(internal=True, fastmath=FAST)
+def put_rows(body, state, q, v, a, g, definite, first, start, stop, offset, parts):
+    """Put into `parts` the rows of a chunk, which begins at row `first` of all.
+
+    Args:
+        body, state: as for `factorise_chain`, as are q, v, a, g and definite.
+        first: row of all that is the chunk's row 0.
+        start, stop: springs of the chunk that are to be derived; the two beyond its end are at hand.
+        offset: which of them the first row to be built is: 0 if those before it, 2 if those behind it are
+            from the chunk before.
+        parts: half of `Matrix.parts`.
+    """
+    _derive_springs(body, state, q, v, g, definite, first, start, stop, parts)
+    if body.joints:
+        if definite:
+            _derive_joints(body, state, q, v, g, CONSERVATIVE, True, True, first, start, stop, parts)
+        elif body.law == TUTORIAL and not body.twisted:
+            _derive_joints(body, state, q, v, g, TUTORIAL, False, False, first, start, stop, parts)
+        elif body.law == CONSERVATIVE and not body.twisted:
+            _derive_joints(body, state, q, v, g, CONSERVATIVE, False, False, first, start, stop, parts)
+        else:
+            _derive_joints(body, state, q, v, g, body.law, True, False, first, start, stop, parts)
+    # There is no spring n - 1, nor a joint before it.
+    n = body.masses
+    for s in range(max(n - 2, first + start), min(n, first + stop)):
+        for kind in range(_AA if s == n - 2 else _OWN, _KINDS):
+            parts[at(kind, s - first)] = 0.0
+    _build_rows(state, v, a, g, first, start + offset, stop + offset, parts)
+
+
+@kernel(inline="always")
+def at(kind, k):
+    """Where `Matrix.parts` has a number of the chunk's spring k; two beyond its ends are of the last.
+
+    Inlined by numba, or every constant `kind` would make another copy of whatever is called with it.
+    """
+    return np.uint64(_STRIDE * kind + _VECTOR + k)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _derive_springs(body, state, q, v, g, definite, first, start, stop, parts):
+    for k in range(start, stop):
+        s = np.uint64(first + k)
+        one, other = first + k + 1, first + k + 2
+        vector, rate = from_to(q, one, other), from_to(v, one, other)
+        inv = _inverse_of(vector, body.softening)
+        block = spring_block(
+            body.stiffness[s], body.damping[s], state.pull[s], inv, vector, rate, g, definite
+        )
+        put(parts, at(_OWN, k), block)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _derive_joints(body, state, q, v, g, law, twisted, definite, first, start, stop, parts):
+    """The law, whether joints have damping, and `definite`, are constants where it is called: a loop each."""
+    soft = body.softening
+    for k in range(start, stop):
+        place, other, third = np.uint64(first + k + 1), first + k + 2, first + k + 3
+        vector, after = from_to(q, place, other), from_to(q, other, third)
+        rate, rate_after, damping, rest = (0.0, 0.0), (0.0, 0.0), 0.0, 0.0
+        if twisted:
+            rate, rate_after = from_to(v, place, other), from_to(v, other, third)
+            damping = body.couple_damping[place]
+        if not is_sine(law):
+            rest = state.couple_rest[place]
+        aa, ab, ba, bb = joint_blocks(
+            law,
+            body.couple_size[place],
+            state.couple_cos[place],
+            state.couple_sin[place],
+            rest,
+            damping,
+            vector,
+            after,
+            _inverse_of(vector, soft),
+            _inverse_of(after, soft),
+            soft,
+            rate,
+            rate_after,
+            g,
+            definite,
+        )
+        put(parts, at(_AA, k), aa)
+        put(parts, at(_AB, k), ab)
+        put(parts, at(_BA, k), ba)
+        put(parts, at(_BB, k), bb)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _inverse_of(vector, softening):
+    """1 / the length of a spring's vector; of many at a time."""
+    return inverse_root(vector[0] * vector[0] + vector[1] * vector[1] + softening)
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def put(parts, i, block):
+    """Make a block what the four numbers from place i on are, each a stride after the other."""
+    stride = np.uint64(_STRIDE)
+    parts[i] = block[0]
+    parts[i + stride] = block[1]
+    parts[i + stride + stride] = block[2]
+    parts[i + stride + stride + stride] = block[3]
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def part(parts, i):
+    """The block that `put` puts."""
+    stride = np.uint64(_STRIDE)
+    return parts[i], parts[i + stride], parts[i + stride + stride], parts[i + stride + stride + stride]
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _build_rows(state, v, a, g, first, start, stop, parts):
+    """From how each spring answers to its own vector and to those of the two beside it."""
+    places = v.size // 2
+    for k in range(start, stop):
+        m = np.uint64(first + k + 1)
+        w, drag = state.inverse_mass[m], 2.0 * state.air[m] * g
+        last_back, back = part(parts, at(_BA, k - 2)), part(parts, at(_BA, k - 1))
+        last_ahead, ahead = part(parts, at(_AB, k - 1)), part(parts, at(_AB, k))
+        last_own, own = _whole(parts, k - 1), _whole(parts, k)
+        diagonal = scaled(-w, minus(plus(last_own, own), plus(last_ahead, back)))
+        diagonal = (
+            diagonal[0] + a + drag * abs(v[m]),
+            diagonal[1],
+            diagonal[2],
+            diagonal[3] + a + drag * abs(v[np.uint64(places) + m]),
+        )
+        put(parts, at(L2, k), scaled(w, last_back))
+        put(parts, at(L1, k), scaled(w, minus(last_own, plus(last_back, back))))
+        put(parts, at(D, k), diagonal)
+        put(parts, at(U1, k), scaled(w, minus(own, plus(last_ahead, ahead))))
+        put(parts, at(U2, k), scaled(w, ahead))
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _whole(parts, k):
+    """How a spring answers to its own vector, with what the joints at both its ends add."""
+    return plus(part(parts, at(_OWN, k)), plus(part(parts, at(_AA, k)), part(parts, at(_BB, k - 1))))

@@ -1,0 +1,145 @@
+"""The matrix of an implicit step on any topology: block-sparse LU with a pattern that is found once.
+
+`sim.pattern` finds an order of the masses that fills in little, and where blocks will be. Rows are stored one
+after the other, columns ascending, in that order; here they are filled, and eliminated row by row.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..core.jit import FAST, kernel
+from ..core.vectors import from_to, inverse_of
+from .blocks import inverted, joint_blocks, spring_block
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _add(blocks, target, sign, block):
+    i = 4 * target
+    blocks[i] += sign * block[0]
+    blocks[i + 1] += sign * block[1]
+    blocks[i + 2] += sign * block[2]
+    blocks[i + 3] += sign * block[3]
+
+
+@kernel(fastmath=FAST)
+def assemble(body, state, matrix, q, v, g, definite):
+    """Sum the derivatives of the forces (not the accelerations), Jx + g Jv without air, into the pattern."""
+    blocks, soft = matrix.blocks, body.softening
+    for i in range(blocks.size):
+        blocks[i] = 0.0
+    for s in range(body.springs):
+        a, b = body.spring_a[s], body.spring_b[s]
+        vector, rate = from_to(q, a, b), from_to(v, a, b)
+        inv = inverse_of(vector[0], vector[1], soft)
+        block = spring_block(
+            body.stiffness[s], body.damping[s], state.pull[s], inv, vector, rate, g, definite
+        )
+        t = matrix.spring_target
+        # The force acts on b, and its opposite on a; the vector is b less a.
+        _add(blocks, t[4 * s], 1.0, block)
+        _add(blocks, t[4 * s + 1], -1.0, block)
+        _add(blocks, t[4 * s + 2], -1.0, block)
+        _add(blocks, t[4 * s + 3], 1.0, block)
+    for j in range(body.joints):
+        s, r = body.joint_a[j], body.joint_b[j]
+        a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
+        vector_a, vector_b = from_to(q, a0, a1), from_to(q, b0, b1)
+        rate_a, rate_b = from_to(v, a0, a1), from_to(v, b0, b1)
+        aa, ab, ba, bb = joint_blocks(
+            body.law,
+            body.couple_size[j + 1],
+            state.couple_cos[j + 1],
+            state.couple_sin[j + 1],
+            state.couple_rest[j + 1],
+            body.couple_damping[j + 1],
+            vector_a,
+            vector_b,
+            inverse_of(vector_a[0], vector_a[1], soft),
+            inverse_of(vector_b[0], vector_b[1], soft),
+            soft,
+            rate_a,
+            rate_b,
+            g,
+            definite,
+        )
+        t = matrix.joint_target
+        i = 16 * j
+        for block in (aa, ab, ba, bb):
+            _add(blocks, t[i], 1.0, block)
+            _add(blocks, t[i + 1], -1.0, block)
+            _add(blocks, t[i + 2], -1.0, block)
+            _add(blocks, t[i + 3], 1.0, block)
+            i += 4
+
+
+@kernel(internal=True, fastmath=FAST)
+def factorise_sparse(body, state, matrix, q, v, a, g, definite):
+    """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
+    places = q.size // 2
+    assemble(body, state, matrix, q, v, g, definite)
+    blocks, start, column, diagonal = matrix.blocks, matrix.row_start, matrix.column, matrix.diagonal
+    slot = matrix.slot
+    regular = True
+    for i in range(body.masses):
+        m = matrix.order[i]
+        w = -state.inverse_mass[m]
+        drag = 2.0 * state.air[m] * g
+        for p in range(start[i], start[i + 1]):
+            slot[column[p]] = p
+        for p in range(4 * start[i], 4 * start[i + 1]):
+            blocks[p] *= w
+        d = 4 * diagonal[i]
+        blocks[d] += a + drag * abs(v[m])
+        blocks[d + 3] += a + drag * abs(v[places + m])
+        for p in range(start[i], diagonal[i]):
+            k = column[p]
+            e = 4 * diagonal[k]
+            o = 4 * p
+            l0 = blocks[o] * blocks[e] + blocks[o + 1] * blocks[e + 2]
+            l1 = blocks[o] * blocks[e + 1] + blocks[o + 1] * blocks[e + 3]
+            l2 = blocks[o + 2] * blocks[e] + blocks[o + 3] * blocks[e + 2]
+            l3 = blocks[o + 2] * blocks[e + 1] + blocks[o + 3] * blocks[e + 3]
+            blocks[o], blocks[o + 1], blocks[o + 2], blocks[o + 3] = l0, l1, l2, l3
+            for u in range(diagonal[k] + 1, start[k + 1]):
+                t = 4 * slot[np.uint64(column[u])]
+                c = 4 * u
+                blocks[t] -= l0 * blocks[c] + l1 * blocks[c + 2]
+                blocks[t + 1] -= l0 * blocks[c + 1] + l1 * blocks[c + 3]
+                blocks[t + 2] -= l2 * blocks[c] + l3 * blocks[c + 2]
+                blocks[t + 3] -= l2 * blocks[c + 1] + l3 * blocks[c + 3]
+        inverse = inverted((blocks[d], blocks[d + 1], blocks[d + 2], blocks[d + 3]))
+        blocks[d], blocks[d + 1], blocks[d + 2], blocks[d + 3] = inverse
+        if not abs(inverse[0]) + abs(inverse[1]) + abs(inverse[2]) + abs(inverse[3]) < 1e300:
+            regular = False
+    return regular
+
+
+@kernel(internal=True, fastmath=FAST)
+def solve_sparse(body, matrix, b):
+    """Solve in place; b is flat, x of every place, then y."""
+    places = b.size // 2
+    r, start, column, diagonal, order = (
+        matrix.blocks,
+        matrix.row_start,
+        matrix.column,
+        matrix.diagonal,
+        matrix.order,
+    )
+    for i in range(body.masses):
+        m = order[i]
+        x, y = b[m], b[places + m]
+        for p in range(start[i], diagonal[i]):
+            o = order[column[p]]
+            x -= r[4 * p] * b[o] + r[4 * p + 1] * b[places + o]
+            y -= r[4 * p + 2] * b[o] + r[4 * p + 3] * b[places + o]
+        b[m], b[places + m] = x, y
+    for i in range(body.masses - 1, -1, -1):
+        m = order[i]
+        x, y = b[m], b[places + m]
+        for p in range(diagonal[i] + 1, start[i + 1]):
+            o = order[column[p]]
+            x -= r[4 * p] * b[o] + r[4 * p + 1] * b[places + o]
+            y -= r[4 * p + 2] * b[o] + r[4 * p + 3] * b[places + o]
+        d = 4 * diagonal[i]
+        b[m], b[places + m] = r[d] * x + r[d + 1] * y, r[d + 2] * x + r[d + 3] * y

@@ -1,0 +1,94 @@
+"""Why a simulation stopped."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from ..body.system import System
+from ..kernels.core.tables import State
+from ..kernels.integrators import guard
+from ..scene.types import MAX_COORDINATE, RUNAWAY_SPEED
+from .stability import StabilityEstimate, StabilityMeter
+
+# A body that leaves the range of a scene file has run away; so whatever the kernels let out can be saved.
+FARTHEST = MAX_COORDINATE
+FASTEST = RUNAWAY_SPEED
+
+Quantity = Literal["number", "position", "speed", "step"]
+
+LIMITS: dict[int, tuple[Quantity, float]] = {
+    guard.BAD_NUMBER: ("number", math.inf),
+    guard.BAD_POSITION: ("position", FARTHEST),
+    guard.BAD_SPEED: ("speed", FASTEST),
+    guard.STUCK: ("step", 0.0),
+}
+
+
+@dataclass(frozen=True)
+class Divergence:
+    """Why a simulation stopped; the state is the last good one.
+
+    Attributes:
+        mass: the mass that showed it first.
+        step: number of the step that was not done, counted from the start.
+        quantity: "position" or "speed" passed its limit, or a "number" became NaN or infinite.
+        limit: the limit passed, px or px/s; infinite for "number".
+        dt: the time step used, s.
+        stability: the stability limit to blame: that of the body as it was at its start, or, if that
+            was stable, in its last good shape.
+        adaptive: whether the method has a tolerance, and no time step to blame.
+        driven: whether the force law has no energy and the method a tolerance, so that it is the law, and not
+            the method, that drove the body ever faster.
+    """
+
+    mass: int
+    step: int
+    quantity: Quantity
+    limit: float
+    dt: float
+    stability: StabilityEstimate
+    adaptive: bool = False
+    driven: bool = False
+
+    def __str__(self) -> str:
+        what = {
+            "number": f"mass {self.mass} would get a position or velocity that is not a finite number",
+            "position": f"mass {self.mass} would pass the position limit of {self.limit:g} px",
+            "step": "no step from here is short enough",
+            "speed": f"mass {self.mass} would pass the speed limit of {self.limit:g} px/s",
+        }[self.quantity]
+        return f"stopped before step {self.step}: {what}; {self.reason}"
+
+    @property
+    def reason(self) -> str:
+        """The likely cause, in words."""
+        if self.stability.cause is not None and self.dt > self.stability.limit:
+            return (
+                f"time step {self.dt:.4g} s is above the stability limit {self.stability.limit:.2g} s, "
+                f"which the {self.stability.cause} sets"
+            )
+        if self.driven:
+            return "the tutorial's force law has no energy and can drive a body ever faster; others cannot"
+        violently = "the body was moved or set up too violently"
+        return violently if self.adaptive else f"{violently} for this time step"
+
+
+def limit_to_blame(
+    system: System, state: State, method: str, dt: float, air_friction: float
+) -> StabilityEstimate:
+    """The stability limit to blame for a divergence.
+
+    The last good state is torn apart already, so the body is looked at as it was before it moved; if
+    that was stable, in its last shape. Speeds are left out: an exploding body is fast for that reason.
+    """
+    masses = slice(1, system.body.masses + 1)
+    rest = state.copied()
+    rest.vx[:] = rest.vy[:] = 0.0
+    rest.x[masses], rest.y[masses] = system.start[:2]
+    estimate = StabilityMeter(system, method).update(rest, air_friction)
+    if estimate.limit < dt:
+        return estimate
+    rest.x[masses], rest.y[masses] = state.x[masses], state.y[masses]
+    return StabilityMeter(system, method).update(rest, air_friction)

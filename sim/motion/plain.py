@@ -1,0 +1,154 @@
+"""Moves any body without a compiler, by `sim.physics` alone: until the kernels of its method are compiled."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+
+import numpy as np
+
+from ..body.system import System, refresh
+from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN, Drive, State
+from ..kernels.integrators import guard
+from ..methods.registry import METHODS
+from ..physics import Physics, Vectors, euler_step, verlet_step
+from ..scene.types import MAX_COORDINATE, RUNAWAY_SPEED, Scene
+from .solver import UNLIMITED, Effort
+from .stability import damped_limit
+
+_CAREFULLY = 0.2
+"""Length of a Verlet step beside the estimated stability limit, that of a body near its rest lengths."""
+
+
+class PlainSolver:
+    """Has the face of a `Solver`. Symplectic Euler where that is the method, otherwise velocity Verlet.
+
+    Args:
+        scene: a valid scene.
+        system: its tables.
+        state: positions, velocities and parameters that change.
+
+    Attributes:
+        time: simulated time, s.
+        place: the place of the mass that shows what is wrong.
+        fastest: speed that a good state has at most, px/s.
+        tries: steps tried since `effort` was last asked.
+    """
+
+    def __init__(self, scene: Scene, system: System, state: State) -> None:
+        self.time, self.place, self.tries = 0.0, -1, 0
+        self.fastest = RUNAWAY_SPEED
+        self._body, self._state = system.body, state
+        self._physics = Physics(system.body, state)
+        method, dt = METHODS[scene.integrator.method], scene.integrator.dt
+        # The tutorial's step is the scene's. Verlet stands in for methods that bear any: it takes its own.
+        self._euler = method.order == 1
+        self._longest = dt if self._euler else min(dt, _CAREFULLY * damped_limit(system))
+        self._a: Vectors | None = None  # of the present state
+
+    def load(self, time: float) -> None:
+        """The state has come from elsewhere, at a time, s."""
+        self.time, self._a = time, None
+
+    @property
+    def keeps_books(self) -> bool:
+        """It is never followed what changes the energy."""
+        return False
+
+    def touch(self) -> None:
+        """Say that the state or what acts on it has changed from outside."""
+        self._a = None
+
+    def effort(self) -> Effort:
+        """What was done since the last call of this."""
+        effort, self.tries = Effort(steps=self.tries, forces=self.tries), 0
+        return effort
+
+    def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
+        """Go on to a time, as far as the attempts lead.
+
+        A body that runs away from Verlet's steps is left where it was: its own method may bear more.
+
+        Returns:
+            guard.GOOD, or what is wrong with the state that the next step would lead to.
+        """
+        state, span = self._state, until - self.time
+        steps = max(1, math.ceil(span / self._longest - 1e-6))
+        h = self._longest if self._euler else span / steps
+        x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
+        a = self._a
+        if a is None:
+            self._drive_to(drive, self.time, x, v)
+            a = self._physics.accelerations(x, v)
+        for _ in range(min(steps, attempts)):
+            before = x, v, state.controls.copy()
+            t = self.time + h
+            lead = partial(self._drive_to, drive, t)
+            if self._euler:
+                # Masses that are led and keys come first, as in the tutorial.
+                x, v = x.copy(), v.copy()
+                lead(x, v)
+                x, v = euler_step(self._physics, x, v, h)
+            else:
+                x, v, a = verlet_step(self._physics, x, v, a, h, lead)
+            lead(x, v)  # their velocity has moved them
+            self.tries += 1
+            what = self._verdict(x, v)
+            if what != guard.GOOD:
+                x, v, state.controls[:] = before
+                refresh(self._body, state)
+                self._keep(x, v, None)
+                return what if self._euler else guard.GOOD
+            self.time = t
+        if self.time > until - 1e-9 * span:
+            self.time = until
+        self._keep(x, v, None if self._euler else a)
+        return guard.GOOD
+
+    def _keep(self, x: Vectors, v: Vectors, a: Vectors | None) -> None:
+        state, self._a = self._state, a
+        state.x[:], state.y[:], state.vx[:], state.vy[:] = x.real, x.imag, v.real, v.imag
+
+    def _drive_to(self, drive: Drive, t: float, x: Vectors, v: Vectors) -> None:
+        """Put the held masses where they are at time t, and set rest lengths and angles."""
+        if not drive.moving:
+            return
+        since = t - drive.start
+        led = min(since, drive.duration)
+        speed, acceleration, jerk = (
+            drive.vx + 1j * drive.vy,
+            drive.ax + 1j * drive.ay,
+            drive.jx + 1j * drive.jy,
+        )
+        fade = np.exp(-t / drive.ramp)
+        turn = np.exp(1j * drive.omega * (t - drive.ramp * (1.0 - fade)))
+        # A circle's centre is a quarter turn from where it starts: i r - i r exp(ip) = r (sin p, 1 - cos p).
+        circle = 1j * drive.radius * (1.0 - turn)
+        x[drive.mass] = (
+            drive.x + 1j * drive.y + circle
+            + led * (speed + led * (0.5 * acceleration + led / 6.0 * jerk))
+        )  # fmt: skip
+        v[drive.mass] = (
+            drive.hand * (speed + since * (acceleration + 0.5 * since * jerk))
+            + drive.radius * drive.omega * (1.0 - fade) * turn
+        )  # fmt: skip
+        if drive.pressed:
+            controls = self._state.controls
+            scale = drive.scale * math.exp(drive.growth * since)
+            controls[CONTROL_SCALE] = min(max(scale, SCALE_MIN), SCALE_MAX)
+            controls[CONTROL_SHIFT] = 180.0 - (180.0 - (drive.shift + drive.turn * since)) % 360.0
+            refresh(self._body, self._state)
+
+    def _verdict(self, x: Vectors, v: Vectors) -> int:
+        far = np.maximum(abs(x.real), abs(x.imag))
+        fast = np.maximum(abs(v.real), abs(v.imag))
+        with np.errstate(invalid="ignore"):
+            for what, bad in (
+                (guard.BAD_NUMBER, ~(np.isfinite(far) & np.isfinite(fast))),
+                (guard.BAD_POSITION, far > MAX_COORDINATE),
+                (guard.BAD_SPEED, fast > self.fastest),
+            ):
+                if bad.any():
+                    self.place = int(np.argmax(bad))
+                    return what
+        return guard.GOOD

@@ -1,0 +1,434 @@
+"""A scene in motion."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from typing import Literal
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from ..body.stable_spring import weakened
+from ..body.system import build_system, new_state, new_work, refresh, same_topology
+from ..compiling.compiler import FOR_ENERGY, is_ready, needed_by
+from ..errors import InputError
+from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
+from ..kernels.integrators import guard
+from ..methods.registry import METHODS
+from ..scene.types import MAX_SPEED, Anchor, Pose, Scene
+from ..scene.validate import validate
+from ..settings import shift_rest_angles
+from .divergence import LIMITS, Divergence, limit_to_blame
+from .drag import Hands, within_bounds
+from .energy import Books, EnergyBook
+from .plain import PlainSolver
+from .solver import UNLIMITED, Effort, Solver
+from .stability import StabilityEstimate, StabilityMeter
+from .stepping import Outcome, Stepper, presses_of
+
+Key = Literal["up", "down", "left", "right"]
+KEYS: frozenset[str] = frozenset(("up", "down", "left", "right"))
+
+
+class Simulation:
+    """Steps a scene.
+
+    Args:
+        scene: a valid scene.
+        dt: time step, 1e-6..1 s; None for the scene's own.
+        integrator: name of a method (`sim.methods`); None for the scene's own.
+        wait: whether the first step may wait until the method's kernels are compiled, which takes seconds
+            where they are not on the disk. Otherwise the body moves by NumPy until someone has compiled them,
+            see `sim.compiling`, and `plain` says so.
+
+    Attributes:
+        keys: the arrow keys held, a set of "up", "down", "left", "right"; they act in every step.
+        divergence: why it stopped, or None. A stopped simulation does no steps until it is reset or its
+            scene replaced.
+
+    Raises:
+        SceneError: the scene, the time step or the method is not valid.
+    """
+
+    def __init__(
+        self, scene: Scene, dt: float | None = None, integrator: str | None = None, wait: bool = True
+    ) -> None:
+        self._wait = wait
+        self._overrides = {
+            key: value for key, value in (("dt", dt), ("method", integrator)) if value is not None
+        }
+        self._keys: frozenset[str] = frozenset()
+        self.divergence: Divergence | None = None
+        self._install(self._with_overrides(scene))
+        self.reset()
+
+    # --------------------------------------------------------------------- reading
+    @property
+    def scene(self) -> Scene:
+        """The scene as it is now: what the arrow keys changed is in it, the motion is not."""
+        scale, shift = map(float, self._state.controls)
+        if (scale, shift) != self._folded[0]:
+            scene = msgspec.structs.replace(self._scene, rest_length_scale=scale)
+            self._folded = (scale, shift), shift_rest_angles(scene, shift) if shift else scene
+        return self._folded[1]
+
+    @property
+    def anchors(self) -> tuple[Anchor, ...]:
+        """The scene's anchors."""
+        return self._scene.anchors
+
+    @property
+    def step_count(self) -> int:
+        """Steps done since the start or the last reset."""
+        return self._steps
+
+    @property
+    def time(self) -> float:
+        """Simulated time since the start or the last reset, s."""
+        return self._time
+
+    @property
+    def method(self) -> str:
+        """Name of the method of integration."""
+        return self._scene.integrator.method
+
+    @property
+    def dt(self) -> float:
+        """Time step, s."""
+        return self._scene.integrator.dt
+
+    @property
+    def positions(self) -> NDArray[np.float64]:
+        """(n, 2) positions in px; a copy."""
+        return self._read(self._state.x, self._state.y)
+
+    @property
+    def velocities(self) -> NDArray[np.float64]:
+        """(n, 2) velocities in px/s, zero where a mass is held; a copy."""
+        return self._read(self._state.vx, self._state.vy)
+
+    @property
+    def angles(self) -> NDArray[np.float64]:
+        """(J,) the present angle of each angular spring, in degrees in (-180, 180]."""
+        positions = self.positions
+        a, b = (positions[ends[:, 1]] - positions[ends[:, 0]] for ends in self._joint_ends)
+        cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+        return np.degrees(np.arctan2(cross, (a * b).sum(1)))
+
+    @property
+    def rest_angles(self) -> NDArray[np.float64]:
+        """(J,) the present rest angle of each angular spring, in degrees in (-180, 180]."""
+        angles = self._body.joint_rest[self._system.joint_order] + self._state.controls[CONTROL_SHIFT]
+        return 180.0 - (180.0 - angles) % 360.0
+
+    @property
+    def rest_length_scale(self) -> float:
+        """The present factor of all rest lengths."""
+        return float(self._state.controls[CONTROL_SCALE])
+
+    def pose(self) -> Pose:
+        """The present positions and velocities, as a scene can carry them."""
+        return Pose(
+            positions=tuple((x, y) for x, y in self.positions.tolist()),
+            velocities=tuple((x, y) for x, y in self.velocities.tolist()),
+        )
+
+    @property
+    def plain(self) -> bool:
+        """Whether it moves by NumPy, because the kernels of its method are not compiled yet."""
+        return isinstance(self._stepper.solver, PlainSolver)
+
+    @property
+    def demanding(self) -> bool:
+        """Whether its masses are too many, and its springs too stiff, to follow any hand, see `follow`."""
+        return self._hands.demanding
+
+    @property
+    def behind(self) -> dict[int, float]:
+        """How far masses that `follow` leads, or that are being stopped, still have to go, px, by mass."""
+        return self._hands.behind
+
+    def stability(self) -> StabilityEstimate:
+        """The method's estimated stability limit at the present state; each call refines it a little."""
+        if self._meter is None:
+            self._meter = StabilityMeter(self._system, self.method)
+        return self._meter.update(self._state, self._scene.air_friction)
+
+    def effort(self) -> Effort:
+        """What the method did since the last call of this."""
+        return self._stepper.effort()
+
+    def energy(self) -> EnergyBook:
+        """The energies, and what has changed them since this was first called, or since the last reset.
+
+        Raises:
+            InputError: the kernels for that are still being compiled, see `keep_books`.
+        """
+        self.keep_books(True)
+        if self._books is None:
+            raise InputError("energy: its kernels are still being compiled")
+        return self._books.read()
+
+    def keep_books(self, on: bool) -> bool:
+        """Whether what changes the energy is followed from now on, which takes time in every step.
+
+        It cannot be as long as a simulation that does not `wait` lacks the kernels for that.
+        """
+        solver = self._stepper.solver
+        if not on:
+            self._books = None
+            if isinstance(solver, Solver):
+                solver.close_ledger()
+        elif self._books is None and isinstance(solver, Solver) and (self._wait or is_ready(FOR_ENERGY)):
+            self._books = self._new_books()
+        return self._books is not None
+
+    # --------------------------------------------------------------------- acting
+    @property
+    def keys(self) -> frozenset[str]:
+        """The arrow keys held."""
+        return self._keys
+
+    @keys.setter
+    def keys(self, keys: Iterable[str]) -> None:
+        held = frozenset(keys)
+        unknown = sorted(map(str, held - KEYS))
+        if unknown:
+            raise InputError(f"keys: {unknown[0]!r} is not one of up, down, left, right")
+        self._keys = held
+
+    def move(self, mass: int, to: tuple[float, float]) -> None:
+        """Put a held mass somewhere at once; the forces of the next step find it there.
+
+        Raises:
+            InputError: the mass does not exist or is not held, or the place is not within ±1e6 px.
+        """
+        place, (x, y) = self._held_mass(mass), within_bounds(to)
+        self._hands.leave(place)
+        with self._by_hand():
+            self._state.x[place], self._state.y[place] = x, y
+        self._moved = True
+
+    def lead(self, mass: int, to: tuple[float, float]) -> None:
+        """Lead a held mass somewhere: in a straight line, over all steps of the next call of `step`.
+
+        Raises:
+            InputError: as `move`.
+        """
+        self._hands.lead(self._held_mass(mass), within_bounds(to))
+
+    def follow(self, mass: int, to: tuple[float, float]) -> None:
+        """Lead a held mass somewhere as fast as the body can follow, in this and later calls of `step`.
+
+        Most bodies can in one call. In one that is `demanding` the hand stays `behind`.
+
+        Raises:
+            InputError: as `move`.
+        """
+        if self.demanding and not any(a.mass == mass and a.circle is not None for a in self.anchors):
+            self._hands.lead_gently(self._held_mass(mass), within_bounds(to))
+        else:
+            self.lead(mass, to)
+
+    def grab(self, mass: int) -> None:
+        """Hold a mass that is free, as a hand does, until `release`; a held mass may be grabbed too.
+
+        It is stopped at once, or in a `demanding` body as fast as that can follow.
+        """
+        self._hands.grab(self._existing_mass(mass))
+        with self._by_hand():
+            self._weigh()
+
+    def release(self, mass: int) -> None:
+        """Let go of a grabbed mass: it is free, and at rest, or held again, as the scene says.
+
+        One that is held again still comes to where it was to follow.
+        """
+        self._hands.release(self._existing_mass(mass))
+        with self._by_hand():
+            self._weigh()
+
+    def take_compiled(self) -> bool:
+        """Go on with the kernels of the method if they are ready by now; whether it does."""
+        if self.plain and is_ready(needed_by(self.method)):
+            self._stepper = self._new_stepper()  # the state is in the same arrays
+            self._moved = True
+        return not self.plain
+
+    def step(self, n: int = 1, attempts: int | None = None) -> int:
+        """Go on by n time steps, and return how many were done.
+
+        They are fewer when the body runs away, see `divergence`, and where `attempts` do not suffice: a
+        method that chooses its own steps may try that many. Then `time` has come as far as they led.
+        """
+        if n < 0:
+            raise InputError(f"step: {n} is not a number of steps")
+        if self.divergence is not None or n == 0:
+            return 0
+        if self.plain:
+            self.take_compiled()
+        if self._moved:
+            self._stepper.begin(self._time)
+            self._moved = False
+        outcome = self._go(n, attempts)
+        self._time = self._stepper.time
+        self._steps += outcome.steps
+        self._hands.settle()
+        if outcome.what != guard.GOOD:
+            self.divergence = self._explain(outcome)
+        return outcome.steps
+
+    def advance(self, seconds: float) -> int:
+        """Do as many steps as fit into the seconds, the rest being kept for the next call.
+
+        Returns:
+            The steps done.
+        """
+        if not 0.0 <= seconds <= 1e9:
+            raise InputError(f"advance: {seconds:g} is not in the range 0..1e+09 s")
+        self._owed += seconds
+        # A hair more, so that ten times 0.0025 s are ten steps whatever the rounding.
+        n = int(self._owed / self.dt + 1e-9)
+        self._owed = max(0.0, self._owed - n * self.dt)
+        return self.step(n)
+
+    def reset(self) -> None:
+        """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
+        state = self._state
+        for field, row in zip((state.x, state.y, state.vx, state.vy), self._system.start, strict=True):
+            field[self._masses] = row
+        self._steps = 0
+        self._time = self._owed = 0.0
+        self._hands.clear()
+        self._restart()
+
+    def take_state(self, other: Simulation) -> None:
+        """Take over positions, velocities, time and held masses of a simulation of the same topology."""
+        self._adopt(other.positions, other.velocities)
+        self._time, self._steps, self._owed = other._time, other._steps, other._owed
+        self._hands.take_over(other._hands)
+        self._keys = other._keys
+        self._restart()
+
+    def replace(self, scene: Scene) -> None:
+        """Go on with another scene. Where it joins the same masses in the same way, positions, velocities and
+        time go on from where they are; otherwise it starts from its own beginning.
+
+        Raises:
+            SceneError: the scene is not valid; nothing has changed.
+        """
+        scene = self._with_overrides(scene)
+        if not same_topology(self._scene, scene):
+            self._install(scene)
+            self.reset()
+            return
+        positions, velocities = self.positions, self.velocities
+        hands, books = self._hands, self._books
+        if books is not None:
+            books.close()
+        self._install(scene)
+        self._adopt(positions, velocities)
+        self._hands.take_over(hands)
+        self._restart()
+        if books is not None:
+            self._books = self._new_books()
+            self._books.take_over(books)
+
+    # --------------------------------------------------------------------- inside
+    @contextmanager
+    def _by_hand(self) -> Iterator[None]:
+        """Enter what a hand changes at once into the books, if there are any."""
+        before = self._books.total() if self._books else 0.0
+        yield
+        if self._books:
+            self._books.moved(before)
+
+    def _new_books(self) -> Books:
+        assert isinstance(self._stepper.solver, Solver)
+        return Books(self._scene, self._system, self._state, self._stepper.solver)
+
+    def _with_overrides(self, scene: Scene) -> Scene:
+        if isinstance(scene, Scene) and self._overrides:
+            integrator = msgspec.structs.replace(scene.integrator, **self._overrides)
+            scene = msgspec.structs.replace(scene, integrator=integrator)
+        return validate(scene)
+
+    def _install(self, scene: Scene) -> None:
+        """Build tables and room for a valid scene; the state is still to be filled in."""
+        self._scene = scene
+        system = build_system(scene)
+        if scene.integrator.method == "stable_spring":
+            body = weakened(system.body, system.inverse_mass, system.held, scene.integrator.dt)
+            system = dataclasses.replace(system, body=body)
+        self._system = system
+        self._body = system.body
+        self._masses = slice(1, system.body.masses + 1)
+        self._state: State = new_state(system)
+        self._work = new_work(system)
+        self._stepper = self._new_stepper()
+        springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
+        joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
+        self._joint_ends = springs[joints[:, 0]], springs[joints[:, 1]]
+        self._meter: StabilityMeter | None = None
+        self._books: Books | None = None
+        self._hands = Hands(system, self._state, METHODS[scene.integrator.method].adaptive)
+
+    def _new_stepper(self) -> Stepper:
+        scene, system, state = self._scene, self._system, self._state
+        if self._wait or is_ready(needed_by(self.method)):
+            solver = Solver(scene, system, state, self._work, self._wait)
+        else:
+            solver = PlainSolver(scene, system, state)
+        return Stepper(scene, system, state, solver)
+
+    def _adopt(self, positions: NDArray[np.float64], velocities: NDArray[np.float64]) -> None:
+        order = self._system.mass_order
+        self._state.x[self._masses], self._state.y[self._masses] = positions[order].T
+        self._state.vx[self._masses], self._state.vy[self._masses] = velocities[order].T
+
+    def _restart(self) -> None:
+        self.divergence = None
+        self._state.controls[:] = self._scene.rest_length_scale, 0.0
+        self._folded = (self._scene.rest_length_scale, 0.0), self._scene
+        refresh(self._body, self._state)
+        self._weigh()
+        if self._books is not None:
+            self._books = self._new_books()
+
+    def _weigh(self) -> None:
+        """Say what forces do to each mass: nothing where it is held."""
+        self._all_held = self._hands.weigh(self._scene)
+        self._moved = True
+
+    def _go(self, n: int, attempts: int | None) -> Outcome:
+        limit = UNLIMITED if attempts is None else attempts
+        presses = presses_of(self._scene, self._keys)
+        return self._stepper.step(n, self._hands, presses, self._all_held, limit)
+
+    def _explain(self, outcome: Outcome) -> Divergence:
+        quantity, limit = LIMITS[outcome.what]
+        adaptive = METHODS[self.method].adaptive
+        limit = MAX_SPEED if quantity == "speed" and adaptive else limit
+        driven = adaptive and self._scene.force_law == "tutorial" and self._body.joints > 0
+        mass = int(self._system.mass_order[outcome.place - 1]) if outcome.place > 0 else 0
+        blame = limit_to_blame(self._system, self._state, self.method, self.dt, self._scene.air_friction)
+        return Divergence(mass, self._steps, quantity, limit, self.dt, blame, adaptive, driven)
+
+    def _existing_mass(self, mass: int) -> int:
+        whole = isinstance(mass, (int, np.integer)) and not isinstance(mass, bool)
+        if not (whole and 0 <= mass < self._body.masses):
+            raise InputError(f"mass {mass} does not exist (0..{self._body.masses - 1})")
+        return int(mass)
+
+    def _held_mass(self, mass: int) -> int:
+        place = int(self._system.mass_place[self._existing_mass(mass)])
+        if not self._hands.hold(mass):
+            raise InputError(f"mass {mass} is not held, so it cannot be moved")
+        return place
+
+    def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+        place = self._system.mass_place
+        return np.column_stack((x[place], y[place]))

@@ -1,0 +1,355 @@
+"""Runs any method over a stretch of time: the tables of a body, and the kernels that work on them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..body.sparsity import NO_MATRIX, new_matrix
+from ..body.system import System, slab
+from ..compiling.compiler import FOR_RESCUE, is_ready, needed_by
+from ..kernels.core.shared import ACCELERATIONS, FACTORISE, SOLVE, TALLY, address_of
+from ..kernels.core.tables import (
+    ARM_ADAMS,
+    ARM_ALPHA,
+    ARM_ROSENBROCK,
+    ARM_VERLET,
+    ARMS,
+    AUTO_NEW,
+    CLOCK_BEGUN,
+    CLOCK_CONTRACTION,
+    CLOCK_LAST,
+    CLOCK_LAST_BUT_ONE,
+    CLOCK_TIME,
+    CLOCKS,
+    CONTROL_SCALE,
+    COUNT_FORCES,
+    COUNT_FRESH,
+    COUNT_MASS,
+    COUNT_MATRICES,
+    COUNT_REJECTED,
+    COUNT_RESCUES,
+    COUNT_STEPS,
+    COUNT_WHAT,
+    COUNTS,
+    PAST,
+    WORKS,
+    Adams,
+    Drive,
+    Floats,
+    Flow,
+    Ledger,
+    Matrix,
+    Problem,
+    Rosenbrock,
+    State,
+    Tableau,
+    Work,
+)
+from ..kernels.energy.dissipation import DAMPER_ROWS
+from ..kernels.energy.work import tally_step
+from ..kernels.forces.forces import accelerations
+from ..kernels.integrators import guard
+from ..kernels.integrators.auto import next_turn
+from ..kernels.integrators.fallback import run_rescue
+from ..kernels.linear.implicit import factorise_matrix, solve_matrix
+from ..methods.registry import ARM_METHODS, METHODS, MethodInfo
+from ..methods.tableaux import RK4
+from ..scene.types import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Scene
+from .stability import quick_limit
+
+_ROWS, _HISTORY = 24, 4
+_NEW = np.array(AUTO_NEW)
+
+LOW_TOLERANCE = 3e-3
+"""Tolerance, px, below which `auto` chooses from methods of high order, too."""
+
+LONG = 200
+"""Masses from which on `auto` tries generalized-alpha, too: what it is good at is long rods."""
+
+_NEAR_LIMIT = 0.6
+"""The part of the stability limit from which on a step counts as near it."""
+
+_COARSEST, _FINER = 1e-3, 0.03
+"""The part of a body's size up to which `auto` takes Rosenbrock methods by their word, since they see too
+little of the error of a stiff body's long steps; and the least part of the tolerance that it asks of them."""
+
+_LARGEST, _SENSIBLE = 0.01, 0.1
+"""The part of a body's size that `auto` takes for the tolerance, at most, and px that it takes all the same:
+within more than that, velocities of the lightest masses could be anything."""
+
+_ADAMS_LOW, _ADAMS_HIGH = 0.5, 1.6
+"""What it multiplies the tolerance of Adams' methods by, down to `LOW_TOLERANCE` and below. Found by trying:
+so, about the same share of random bodies ends within large tolerances and within small ones."""
+
+RESCUE_STEP = 1e-3
+"""Length of a step of last resort, s."""
+
+UNLIMITED = 2**62
+
+
+@dataclass
+class Effort:
+    """What a method did since its counters were last taken.
+
+    Attributes:
+        steps, rejected: steps kept and steps tried in vain.
+        forces, matrices: evaluations of the accelerations, and matrices factorised.
+        rescues: steps of last resort.
+    """
+
+    steps: int = 0
+    rejected: int = 0
+    forces: int = 0
+    matrices: int = 0
+    rescues: int = 0
+
+
+class Solver:
+    """A body's tables, and the methods that move it on.
+
+    Args:
+        scene: a valid scene.
+        system: its tables.
+        state: positions, velocities and parameters that change.
+        work: scratch.
+        wait: whether it may wait for kernels to be compiled.
+    """
+
+    def __init__(self, scene: Scene, system: System, state: State, work: Work, wait: bool = True) -> None:
+        self._wait = wait
+        self.scene, self.system, self.state, self.work = scene, system, state, work
+        self.places = state.q.size // 2
+        wide = state.q.size
+        self._info = METHODS[scene.integrator.method]
+        auto = self._info.name == "auto"
+        remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
+        past, history = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
+        count = history + (_HISTORY if remembers else 0)
+        (room,) = slab([(count * wide, 1)], page_offset=2560)
+        rows = room.reshape(-1, wide)  # a whole number of cache lines each
+        self.flow = Flow(
+            a=rows[0],
+            clock=np.zeros(CLOCKS),
+            limits=np.array([MAX_COORDINATE, MAX_SPEED if self._info.adaptive else RUNAWAY_SPEED]),
+            counts=np.zeros(COUNTS, np.int64),
+            rows=rows[1:past],
+            mind=_NEW.copy(),
+            history=rows[history:],
+            past=rows[past:history],
+        )
+        no_rows = np.zeros((1, 0))
+        self.ledger = Ledger(
+            active=False, work=np.zeros(WORKS), mass=np.zeros(self.places), rows=no_rows, dampers=no_rows
+        )
+        self.ledger.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
+        self._matrix: Matrix | None = None
+        self._problem: Problem | None = None
+        self._costs: Floats | None = None  # of a step of each method, see `Problem`
+        self._missing: set[int] = set()  # methods that `auto` cannot choose from yet
+
+    @property
+    def matrix(self) -> Matrix:
+        """What implicit steps need; made when it is first asked for."""
+        if self._matrix is None:
+            self._matrix = new_matrix(self.system.body, self.system.held)
+        return self._matrix
+
+    @property
+    def time(self) -> float:
+        """Simulated time, s."""
+        return float(self.flow.clock[CLOCK_TIME])
+
+    def load(self, time: float) -> None:
+        """The state has come from elsewhere, at a time; what was carried from step to step is forgotten."""
+        flow = self.flow
+        flow.clock[:] = 0.0
+        flow.mind[:] = _NEW
+        flow.clock[CLOCK_TIME] = time
+        flow.counts[:] = 0
+
+    def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
+        """Go on to a time by the scene's method, as far as the attempts lead.
+
+        Returns:
+            guard.GOOD, or what is wrong with the state that the next step would lead to.
+        """
+        left = attempts - self._run(until, drive, attempts)
+        counts = self.flow.counts
+        what = int(counts[COUNT_WHAT])
+        can_rescue = self._info.implicit and (self._wait or is_ready(FOR_RESCUE))
+        while what == guard.STUCK and can_rescue and left > 0 and self.time < until:
+            self.rescue(until, drive)
+            left -= self._run(until, drive, left)
+            what = int(counts[COUNT_WHAT])
+        if what == guard.STUCK and self._info.implicit:
+            what = guard.GOOD  # no more than late: the next call begins with a step of last resort
+        return what
+
+    def _run(self, until: float, drive: Drive, attempts: int) -> int:
+        """As `run`, without steps of last resort; returns the steps tried."""
+        info, integrator = self._info, self.scene.integrator
+        if self._missing:
+            self._take_in()
+        if info.kernel is not None:
+            before = self.tries
+            problem = self._problem or self._bind(info.implicit)
+            info.kernel(problem, drive, until, max(integrator.tolerance * info.strictness, 1e-13), attempts)
+            return self.tries - before
+        problem, left = self._problem or self._bind(False), attempts
+        while True:
+            arm, limit, tolerance, tried = next_turn(problem, until, integrator.tolerance, left)
+            left -= tried
+            if arm < 0:
+                return attempts - left
+            method = ARM_METHODS[arm]
+            if method.implicit and not problem.factorise:
+                problem = self._bind(True)
+            method.kernel(problem, drive, until, tolerance, limit)
+
+    def _bind(self, implicit: bool) -> Problem:
+        """All tables in one; `implicit`: with what linear systems need."""
+        info, integrator = self._info, self.scene.integrator
+        auto = info.kernel is None
+        low = auto and integrator.tolerance >= LOW_TOLERANCE
+        rodas = METHODS["rodas4" if low else "rodas5p"]
+        arms = [rodas if arm == ARM_ROSENBROCK else method for arm, method in enumerate(ARM_METHODS)]
+        own, adams = info.table, METHODS["adams"].table
+        rosenbrock = own if isinstance(own, Rosenbrock) else rodas.table
+        assert isinstance(rosenbrock, Rosenbrock)
+        assert isinstance(adams, Adams)
+        if auto and self._costs is None:
+            self._costs = self._costs_of_steps(low)
+            self._missing = set(np.flatnonzero(self._costs).tolist())
+            self._take_in()
+        costs = np.zeros(ARMS) if self._costs is None else self._costs.copy()
+        costs[list(self._missing)] = 0.0
+        self._problem = Problem(
+            body=self.system.body,
+            state=self.state,
+            work=self.work,
+            matrix=self.matrix if implicit else NO_MATRIX,
+            flow=self.flow,
+            ledger=self.ledger,
+            accelerations=address_of(accelerations, ACCELERATIONS),
+            tally=address_of(tally_step, TALLY) if self.ledger.active else 0,
+            factorise=address_of(factorise_matrix, FACTORISE) if implicit else 0,
+            solve=address_of(solve_matrix, SOLVE) if implicit else 0,
+            fixed=0.0 if info.adaptive else integrator.dt,
+            near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,
+            explicit=own if isinstance(own, Tableau) else RK4,
+            implicit=rosenbrock,
+            adams=adams,
+            costs=costs,
+            strictness=self._strictness(arms, low) if auto else np.ones(ARMS),
+        )
+        return self._problem
+
+    def _take_in(self) -> None:
+        """Let `auto` choose from the methods that have become ready, too; from all where it may wait."""
+        ready = {
+            arm
+            for arm in self._missing
+            if self._wait or arm == ARM_VERLET or is_ready(needed_by(ARM_METHODS[arm].name))
+        }
+        if ready:
+            self._missing -= ready
+            self._problem = None
+
+    def _strictness(self, arms: list[MethodInfo], low: bool) -> Floats:
+        """See `Problem.strictness`."""
+        strictness = np.array([arm.strictness for arm in arms])
+        strictness[ARM_ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
+        size = max(
+            *np.ptp([mass.position for mass in self.scene.masses], axis=0),
+            *(spring.rest_length for spring in self.scene.linear_springs),
+        )
+        tolerance = self.scene.integrator.tolerance
+        strictness[ARM_ROSENBROCK] *= min(max(_COARSEST * size / tolerance, _FINER), 1.0)
+        return strictness * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
+
+    def _costs_of_steps(self, low: bool) -> Floats:
+        """See `Problem.costs`; measured in ns on chains, elsewhere in proportion to operations."""
+        body, matrix = self.system.body, self.matrix
+        n = body.masses
+        force, factors = 3.3 * n, 400.0 + 16.0 * n
+        blocks = 1.8 * n
+        if not (body.chain or body.ring):
+            force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
+        if not body.chain:
+            later = matrix.row_start[1:] - matrix.diagonal - 1
+            products = float((later * (later + 1)).sum())
+            factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * products
+            blocks = float(matrix.column.size)
+        stages = 6 if low else 8
+        costs = np.zeros(ARMS)
+        costs[ARM_VERLET] = 60.0 + force
+        costs[ARM_ADAMS] = 80.0 + 2.0 * force + 4.0 * n
+        costs[ARM_ROSENBROCK] = factors + stages * (force + 2.0 * blocks + 4.0 * n)
+        if low and n >= LONG:
+            costs[ARM_ALPHA] = 1.2 * (factors + force + 2.0 * blocks) + 16.0 * n
+        return costs / costs[ARM_VERLET]
+
+    def rescue(self, until: float, drive: Drive) -> None:
+        """Leave a state that no method can leave, by a step of last resort; as `run`."""
+        body, flow = self.system.body, self.flow
+        lengths = body.rest_length[: body.springs] * self.state.controls[CONTROL_SCALE]
+        typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
+        h = min(RESCUE_STEP, until - self.time)
+        problem = self._problem
+        if problem is None or not problem.factorise:
+            problem = self._bind(True)
+        run_rescue(problem, drive, *self.scene.gravity, h, 1e-6 * typical, typical)
+        flow.mind[:] = _NEW
+        flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_BEGUN, CLOCK_CONTRACTION]] = 0.0
+
+    def open_ledger(self) -> None:
+        """Keep books from now on of what changes the energy."""
+        body = self.system.body
+        rows, dampers = np.zeros((3, 2 * self.places)), np.zeros((DAMPER_ROWS, body.springs + body.joints))
+        self.ledger = self.ledger.replaced(active=True, rows=rows, dampers=dampers)
+        self.ledger.work[:] = 0.0
+        self._problem = None
+
+    def close_ledger(self) -> None:
+        """Keep books no more."""
+        self.ledger = self.ledger.replaced(active=False)
+        self._problem = None
+
+    @property
+    def fastest(self) -> float:
+        """Speed that a good state has at most, px/s."""
+        return float(self.flow.limits[1])
+
+    @fastest.setter
+    def fastest(self, speed: float) -> None:
+        self.flow.limits[1] = speed
+
+    @property
+    def keeps_books(self) -> bool:
+        """Whether it is followed what changes the energy."""
+        return bool(self.ledger.active)
+
+    def touch(self) -> None:
+        """Say that the state or what acts on it has changed from outside."""
+        self.flow.counts[COUNT_FRESH] = 0
+
+    @property
+    def tries(self) -> int:
+        """Steps tried since the counters were last taken."""
+        counts = self.flow.counts
+        return int(counts[COUNT_STEPS] + counts[COUNT_REJECTED])
+
+    @property
+    def place(self) -> int:
+        """The place of the mass that shows what is wrong."""
+        return int(self.flow.counts[COUNT_MASS])
+
+    def effort(self) -> Effort:
+        """What was done since the last call of this."""
+        counts = self.flow.counts
+        places = (COUNT_STEPS, COUNT_REJECTED, COUNT_FORCES, COUNT_MATRICES, COUNT_RESCUES)
+        effort = Effort(*(int(counts[i]) for i in places))
+        counts[list(places)] = 0
+        return effort

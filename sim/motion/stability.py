@@ -1,0 +1,254 @@
+"""How large a time step a method bears, estimated from the forces alone.
+
+Linearised about the present state, M a = -K x - C v. What a step makes of that differs by method:
+
+- A step of symplectic Euler has an eigenvalue -1, the border of stability, exactly when some w has
+  (dt² K + 2 dt C) w = 4 M w. So the largest stable step is the one at which the largest eigenvalue of
+  M^-1 (dt² K + 2 dt C) is 4; for one damped mode that is the textbook omega dt < 2 (sqrt(1 + zeta²) - zeta).
+- Velocity Verlet as it is done here takes v + dt a for the velocities in the new forces. At an eigenvalue -1,
+  v is zero and a is -4 x / dt², which gives (dt² K + 4 dt C) w = 4 M w: Euler's limit without damping, and a
+  lower one with it, omega dt < 2 (sqrt(1 + 4 zeta²) - 2 zeta). No other eigenvalue leaves the circle before.
+- Runge-Kutta 4 multiplies a motion exp(lambda t) by its stability polynomial R(dt lambda): a step is stable
+  while |R| <= 1 for all lambda of lambda² + lambda M^-1 C + M^-1 K; without damping, omega dt < sqrt(8).
+- Generalized-alpha bears any step in linear theory (Chung & Hulbert 1993): it has no limit. How far it can be
+  trusted is a question of nonlinearity, of how far springs turn in a step.
+- The stable spring is symplectic Euler on the tables that `weaken` makes for its step, and has that limit, of
+  that body. The springs' part of dt² K is then M at most, and that of dt C, too; the joints' likewise while
+  springs that are joined have the proportions of their rest lengths. So hardly any body has a limit.
+
+K w and C w are differences of two evaluations of the kernels' forces, so any topology and law will do, and no
+matrix is built: K and C are projected on a Krylov space (Arnoldi), and the small problem that is left is
+solved as a quadratic eigenvalue problem in 1/dt, or in lambda.
+"""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from ..body.stable_spring import weakened
+from ..body.system import System, build_system, new_state, refresh
+from ..kernels.core.tables import Floats, State
+from ..methods.limits import StabilityLimit
+from ..methods.registry import METHODS
+from ..physics import Physics, Vectors
+from ..scene.types import Scene
+
+Cause = Literal["linear stiffness", "angular stiffness", "linear damping", "angular damping", "air friction"]
+
+_FIRST_SIZE, _SIZE = 40, 12
+"""Dimension of the Krylov space at first, and later, when it starts from the stiffest motion found before."""
+
+
+@dataclass(frozen=True)
+class StabilityEstimate:
+    """What `StabilityMeter.update` found.
+
+    Attributes:
+        limit: largest stable time step, s; infinite where nothing pulls.
+        cause: what sets it, or None where nothing does.
+    """
+
+    limit: float
+    cause: Cause | None
+
+
+class StabilityMeter:
+    """Follows the stability limit of a moving body under a method.
+
+    The estimate concerns small motions about the present state. It approaches the true limit from above
+    and is within a per cent of it. It is infinite where nothing pulls, and for methods that have no limit:
+    those that choose their steps, and generalized-alpha.
+
+    Args:
+        system: the tables; under the stable spring, the weakened ones.
+        method: as scenes have it.
+    """
+
+    def __init__(self, system: System, method: str) -> None:
+        self._system = system
+        self._rule: StabilityLimit | None = METHODS[method].limit
+        self._probe = new_state(system)
+        n = system.body.masses
+        self._here = slice(1, n + 1)  # the places of the masses
+        # Alternating signs are close to the stiffest mode of a chain, and no mode is orthogonal to noise.
+        noise = np.random.default_rng(1).normal(size=(2, n))
+        self._start = noise + 3.0 * (-1.0) ** np.arange(n)
+        self._limit = 0.0
+
+    def update(self, state: State, air_friction: float) -> StabilityEstimate:
+        """The limit at the state in `state` (which is only read).
+
+        Args:
+            state: the state; masses whose `inverse_mass` is zero count as held.
+            air_friction: kg/px.
+        """
+        if self._rule is None:
+            return StabilityEstimate(np.inf, None)
+        body, probe = self._system.body, self._probe
+        n = body.masses
+        here = self._here
+        weight = self._rule.damping
+        free = state.inverse_mass[here] > 0.0
+        for field in ("q", "v", "controls"):
+            getattr(probe, field)[:] = getattr(state, field)
+        refresh(body, probe)
+        physics = Physics(body, probe)
+        air = 2.0 * air_friction * np.abs(np.array([state.vx[here], state.vy[here]]))
+        # In coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
+        root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
+        size = min(_SIZE if self._limit else _FIRST_SIZE, 2 * int(free.sum()))
+        basis, k_basis, c_basis = [], [], []
+        q = self._start * free
+        scale = self._limit or 1e-3
+        for _ in range(size):
+            for _ in range(2):  # twice is enough to be orthogonal to rounding
+                for other in basis:
+                    q = q - (other * q).sum() * other
+            norm = float(np.sqrt((q * q).sum()))
+            if not 1e-12 < norm < np.inf:
+                break
+            basis.append(q / norm)
+            w = basis[-1] * root
+            k_basis.append(self._by_positions(physics, w) * root)
+            c_basis.append((self._by_velocities(physics, w) + air * w) * root)
+            q = scale * scale * k_basis[-1] + weight * scale * c_basis[-1]
+            q = q / max(float(np.sqrt((q * q).sum())), 1e-300)
+        if not basis:
+            return StabilityEstimate(np.inf, None)
+        flat = np.array(basis).reshape(len(basis), -1)
+        k = flat @ np.array(k_basis).reshape(len(basis), -1).T
+        c = flat @ np.array(c_basis).reshape(len(basis), -1).T
+        if not (np.isfinite(k).all() and np.isfinite(c).all()):
+            return StabilityEstimate(np.inf, None)
+        limit, mode = self._rule.solve(k, c)
+        if limit == np.inf:
+            return StabilityEstimate(np.inf, None)
+        self._limit = limit
+        self._start = (mode @ flat).reshape(2, n)
+        return StabilityEstimate(limit, self._cause(physics, self._start * root, limit, air))
+
+    def _by_positions(self, physics: Physics, w: Floats) -> Floats:
+        """K w, as a difference of forces."""
+        x, v = self._flat(self._probe.q), self._flat(self._probe.v)
+        return self._difference(lambda step: physics.forces(x + step, v), w)
+
+    def _by_velocities(self, physics: Physics, w: Floats) -> Floats:
+        """C w without the air, likewise: damping forces are linear in the velocities."""
+        if not (self._system.body.damped or self._system.body.twisted):
+            return np.zeros_like(w)
+        x, v = self._flat(self._probe.q), self._flat(self._probe.v)
+        return self._difference(lambda step: physics.forces(x, v + step), w)
+
+    def _difference(self, forces: Callable[[Vectors], Vectors], w: Floats) -> Floats:
+        """Minus the derivative of forces along w; (2, n), as w is."""
+        # Small beside the springs, large beside the rounding of coordinates.
+        size = 1e-6 * (1.0 + float(np.abs(self._probe.q).max()))
+        step = size / max(float(np.abs(w).max()), 1e-300)
+        along = np.zeros(self._probe.places, complex)
+        along[self._here] = step * (w[0] + 1j * w[1])
+        change = ((forces(-along) - forces(along)) / (2.0 * step))[self._here]
+        return np.array([change.real, change.imag])
+
+    def _flat(self, flat: Floats) -> Vectors:
+        """A flat vector as complex numbers, one for each place."""
+        return flat[: self._probe.places] + 1j * flat[self._probe.places :]
+
+    def _cause(self, physics: Physics, w: Floats, limit: float, air: Floats) -> Cause:
+        """Which law contributes most to the stiffest motion."""
+        assert self._rule is not None
+        rate = self._rule.damping * limit
+        linear = copy.copy(physics)
+        linear.joint_stiffness = np.zeros_like(physics.joint_stiffness)
+        linear.joint_damping = np.zeros_like(physics.joint_damping)
+        stiffness, linear_stiffness, damping, linear_damping = (
+            float((w * product(kind, w)).sum())
+            for product in (self._by_positions, self._by_velocities)
+            for kind in (physics, linear)
+        )
+        parts: dict[Cause, float] = {
+            "linear stiffness": limit * limit * linear_stiffness,
+            "angular stiffness": limit * limit * (stiffness - linear_stiffness),
+            "linear damping": rate * linear_damping,
+            "angular damping": rate * (damping - linear_damping),
+            "air friction": rate * float((w * air * w).sum()),
+        }
+        return max(parts, key=lambda cause: parts[cause])
+
+
+def quick_limit(system: System) -> float:
+    """A step (s) that symplectic Euler and Verlet nearly bear, at the cost of one look at each spring.
+
+    It is 2 / omega with a bound of omega² by the rows of M^-1 K (Gershgorin), of a body without damping that
+    is as long as its springs at rest and straight. Infinite where nothing pulls.
+    """
+    fastest = float(_row_sums(system, system.body.stiffness, system.body.joint_stiffness).max())
+    return 2.0 / np.sqrt(fastest) if fastest > 0.0 else np.inf
+
+
+def damped_limit(system: System) -> float:
+    """As `quick_limit`, of velocity Verlet and with damping: the least root of dt² k + 4 dt c = 4, s."""
+    body = system.body
+    k = _row_sums(system, body.stiffness, body.joint_stiffness)
+    c = _row_sums(system, body.damping, body.couple_damping[1 : body.joints + 1])
+    with np.errstate(divide="ignore"):
+        return float((2.0 / (c + np.sqrt(c * c + k))).min())
+
+
+def _row_sums(system: System, of_spring: Floats, of_joint: Floats) -> Floats:
+    """(n,) the most that a row of M^-1 K can sum up to, 1/s², or of M^-1 C, 1/s."""
+    body = system.body
+    sums = np.zeros(body.masses + 1)
+    for ends in (body.spring_a, body.spring_b):
+        sums += np.bincount(ends, 2.0 * of_spring[: body.springs], sums.size)
+        # A joint of two springs in line bends by x1 - 2 x2 + x3.
+        for spring in (body.joint_a, body.joint_b):
+            sums += np.bincount(ends[spring], 4.0 * of_joint, sums.size)
+    return sums[1:] * np.where(system.held, 0.0, system.inverse_mass)
+
+
+def largest_step(scene: Scene, method: str) -> float:
+    """The largest stable step of a method with a fixed step about a scene's start, s; infinite where none is.
+
+    The stable spring's body depends on the step: dt² K and dt C grow with it, until every spring is as stiff
+    as the step bears. So there is one step up to which it is stable; at most a second is asked for.
+    """
+    system = build_system(scene)
+    if method != "stable_spring":
+        return _limit_of(scene, system, method)
+
+    def bears(dt: float) -> bool:
+        body = weakened(system.body, system.inverse_mass, system.held, dt)
+        return _limit_of(scene, dataclasses.replace(system, body=body), method) > dt
+
+    low, high = 1e-6, 1.0
+    if bears(high):
+        return np.inf
+    while high > 1.001 * low:
+        middle = (low * high) ** 0.5
+        low, high = (middle, high) if bears(middle) else (low, middle)
+    return low
+
+
+def _limit_of(scene: Scene, system: System, method: str) -> float:
+    state = start_of(scene, system)
+    meter = StabilityMeter(system, method)
+    meter.update(state, scene.air_friction)
+    return meter.update(state, scene.air_friction).limit
+
+
+def start_of(scene: Scene, system: System) -> State:
+    """The state at a scene's start, with what springs and masses are there."""
+    state = new_state(system)
+    state.controls[0] = scene.rest_length_scale
+    refresh(system.body, state)
+    here = slice(1, system.body.masses + 1)
+    for field, row in zip((state.x, state.y, state.vx, state.vy), system.start, strict=True):
+        field[here] = row
+    state.inverse_mass[here] = np.where(system.held, 0.0, system.inverse_mass)
+    return state

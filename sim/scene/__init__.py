@@ -1,0 +1,1 @@
+"""Scenes: what users edit and save. Types with ranges, validation, files, the recipe of a rope."""

@@ -1,0 +1,310 @@
+"""Scenes as files: reading, writing, and the two folders they are kept in.
+
+Built-in presets ship with softrod and are never written to. A user's own scenes live in the data folder
+of the platform (`platformdirs`).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import tempfile
+import unicodedata
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import platformdirs
+
+from ..errors import SceneError
+from .sentences import sentence
+from .types import BODY_FIELDS, FORMAT_VERSION, Scene
+from .validate import consistent, plain, validate
+
+MAX_FILE_BYTES = 5_000_000
+"""Largest scene file that is read or written."""
+
+_TEXT_OR_NUMBERS = re.compile(rb'"(?:[^"\\]|\\.)*"|\[\s+[-+.\deE]+(?:,\s+[-+.\deE]+)*\s+\]')
+"""A text, which is left alone, or an array of numbers, which the indented file has on one line."""
+
+
+@dataclass(frozen=True)
+class SceneInfo:
+    """One entry of `list_scenes()`.
+
+    Attributes:
+        name, description: of the scene.
+        path: of its file.
+        built_in: whether it ships with softrod.
+        group: the folder of presets that it is in, such as "study", or empty.
+    """
+
+    name: str
+    description: str
+    path: Path
+    built_in: bool
+    group: str = ""
+
+
+def built_in_folder() -> Path:
+    """Where the presets are: inside the package once installed, beside it in a checkout."""
+    installed = Path(__file__).parents[1] / "presets"
+    return installed if installed.is_dir() else Path(__file__).parents[2] / "presets"
+
+
+def built_in_files() -> list[Path]:
+    """The presets: those for the page first, then groups of others, each in a folder of its own."""
+    folder = built_in_folder()
+    return [*sorted(folder.glob("*.json")), *sorted(folder.glob("*/*.json"))]
+
+
+def user_folder() -> Path:
+    """Where the user's own scenes are kept; it need not exist yet."""
+    return platformdirs.user_data_path("softrod", appauthor=False) / "scenes"
+
+
+# ------------------------------------------------------------------------- bytes and scenes
+def encode_scene(scene: Scene) -> bytes:
+    """The scene as an indented JSON file; a body that comes from a recipe is left to its recipe.
+
+    Raises:
+        SceneError: the scene is not valid.
+    """
+    validate(scene)
+    fields = plain(scene)
+    if scene.rope is not None:
+        for field in BODY_FIELDS:
+            fields.pop(field, None)
+    text = msgspec.json.format(msgspec.json.encode({**fields, "format": FORMAT_VERSION}), indent=2) + b"\n"
+    return _TEXT_OR_NUMBERS.sub(_on_one_line, text)
+
+
+def _on_one_line(match: re.Match[bytes]) -> bytes:
+    found = match[0]
+    return found if found.startswith(b'"') else b"[" + b" ".join(found[1:-1].split()) + b"]"
+
+
+def decode_scene(data: bytes, source: str) -> Scene:
+    """The scene in a JSON file's bytes.
+
+    Args:
+        data: the whole file.
+        source: what to call it in an error, usually the file's name.
+
+    Raises:
+        SceneError: one sentence, `source: field: reason`.
+    """
+    if len(data) > MAX_FILE_BYTES:
+        raise SceneError(
+            f"{source}: {len(data)} bytes are more than the {MAX_FILE_BYTES} that a scene may have"
+        )
+    try:
+        raw = msgspec.json.decode(data)
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
+        raise SceneError(f"{source}: this is not a JSON file ({error})") from None
+    if not isinstance(raw, dict):
+        raise SceneError(f"{source}: a scene is a JSON object, with fields such as name and masses")
+    version = raw.get("format")
+    if isinstance(version, int) and version > FORMAT_VERSION:
+        raise SceneError(
+            f"{source}: format: version {version} is newer than {FORMAT_VERSION}, the newest that this "
+            "softrod reads; a newer softrod can open it"
+        )
+    if version == 1 and not isinstance(version, bool):
+        raw = _from_format_1(raw)
+    raw = _with_present_method(raw)
+    try:
+        return consistent(msgspec.convert(raw, Scene))
+    except msgspec.ValidationError as error:
+        # A field's name in the file may have line breaks in it; the sentence has none.
+        raise SceneError(" ".join(f"{source}: {sentence(error, raw)}".split())) from None
+    except SceneError as error:
+        raise SceneError(f"{source}: {error}") from None
+
+
+RETIRED = {"dopri5": "adams", "dop853": "adams"}
+"""Methods that there were once, and the one that takes their place."""
+
+
+def _from_format_1(raw: dict[str, Any]) -> dict[str, Any]:
+    """Format 1 knew the tutorial's law and its step only, so it did not say so."""
+    integrator = raw.get("integrator", {})
+    if isinstance(integrator, dict):
+        integrator = {"method": "symplectic_euler", **integrator}
+    return {"force_law": "tutorial", **raw, "format": FORMAT_VERSION, "integrator": integrator}
+
+
+def _with_present_method(raw: dict[str, Any]) -> dict[str, Any]:
+    """Files may name methods that there were once."""
+    integrator = raw.get("integrator")
+    if isinstance(integrator, dict) and isinstance(name := integrator.get("method"), str) and name in RETIRED:
+        return {**raw, "integrator": {**integrator, "method": RETIRED[name]}}
+    return raw
+
+
+# ------------------------------------------------------------------------- files
+def read_scene(path: Path) -> Scene:
+    """The scene in a file.
+
+    Raises:
+        SceneError: the file cannot be read, or what is in it is not a valid scene.
+    """
+    try:
+        with path.open("rb") as file:
+            data = file.read(MAX_FILE_BYTES + 1)
+    except (OSError, ValueError) as error:  # ValueError: no file can have that name
+        reason = getattr(error, "strerror", None) or error
+        raise SceneError(f"{str(path)!r}: the file cannot be read ({reason})") from None
+    if len(data) > MAX_FILE_BYTES:
+        raise SceneError(f"{path}: the file is larger than the {MAX_FILE_BYTES} bytes that a scene may have")
+    return decode_scene(data, str(path))
+
+
+def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
+    """A scene by its name (a built-in preset, or one saved in the page) or by its file's path.
+
+    Raises:
+        SceneError: there is none, or it is not valid.
+    """
+    text = os.fspath(name_or_path)
+    path = Path(text)
+    if path.suffix == ".json" or path.name != text:
+        return read_scene(path)
+    for path in built_in_files():
+        if path.stem == text:
+            return read_scene(path)
+    with contextlib.suppress(OSError, ValueError):  # a name that no file can have
+        candidate = user_folder() / f"{text}.json"
+        if candidate.is_file():
+            return read_scene(candidate)
+    known = ", ".join(info.name for info in list_scenes())
+    raise SceneError(f"there is no scene called {text!r}; there are {known}")
+
+
+def save_scene(scene: Scene, path: str | os.PathLike[str]) -> None:
+    """Write the scene to a file; whoever reads that path meanwhile sees the old file or the new, whole.
+
+    Raises:
+        SceneError: the scene is not valid or the file cannot be written; what was there is untouched.
+    """
+    data = encode_scene(scene)
+    if len(data) > MAX_FILE_BYTES:
+        raise SceneError(f"{path}: the scene takes {len(data)} bytes, more than the {MAX_FILE_BYTES} allowed")
+    try:
+        write_atomically(Path(path), data)
+    except OSError as error:
+        raise SceneError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+
+
+def write_atomically(path: Path, data: bytes) -> None:
+    """Write to a temporary file in the same folder, sync it, and rename it over the path.
+
+    Raises:
+        OSError: nothing was changed.
+    """
+    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".tmp")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        # mkstemp makes files that only their owner can read; a scene is as readable as any new file.
+        mask = os.umask(0)
+        os.umask(mask)
+        Path(temporary).chmod(0o666 & ~mask)
+        Path(temporary).replace(path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            Path(temporary).unlink()
+        raise
+    if hasattr(os, "O_DIRECTORY"):
+        # So that the rename itself survives a power cut; where that cannot be had, the file is written still.
+        with contextlib.suppress(OSError):
+            folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
+            try:
+                os.fsync(folder)
+            finally:
+                os.close(folder)
+
+
+def list_scenes() -> list[SceneInfo]:
+    """All scenes that `load_scene` finds by name: built-in presets first, then the user's own.
+
+    A file that is not a valid scene is left out; `softrod check` says what is wrong with it.
+    """
+    presets, own = built_in_files(), user_folder()
+    saved = (
+        [path for path in sorted(own.glob("*.json")) if not is_built_in(path.stem)] if own.is_dir() else []
+    )
+    found = []
+    for path in (*presets, *saved):
+        try:
+            scene = read_scene(path)
+        except SceneError:
+            continue
+        built_in = path in presets
+        group = path.parent.name if built_in and path.parent != built_in_folder() else ""
+        found.append(SceneInfo(path.stem, scene.description, path, built_in, group))
+    return found
+
+
+# ------------------------------------------------------------------------- the user's own scenes
+def safe_name(name: str) -> str:
+    """The name as it can stand in a file's name on any system: letters, digits, spaces, - and _.
+
+    Raises:
+        SceneError: nothing usable is left of it, or a built-in preset has that name.
+    """
+    text = re.sub(r"(?i)\.json$", "", unicodedata.normalize("NFKC", name).strip())
+    text = re.sub(r"[^\w\-. ]+", "-", text).strip(" .-_")[:60].rstrip(" .-_")
+    if not text or re.fullmatch(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?", text):
+        raise SceneError(f"{name!r} cannot be the name of a scene; use letters, digits, spaces, - and _")
+    if len(text.encode()) > 200:
+        raise SceneError(f"{name!r} is too long for the name of a scene")
+    if is_built_in(text):
+        raise SceneError(f"{text!r} is a built-in preset, which cannot be overwritten; choose another name")
+    return text
+
+
+def is_built_in(name: str) -> bool:
+    """Whether a preset that ships with softrod has that name, in any mix of upper and lower case."""
+    return any(path.stem.casefold() == name.casefold() for path in built_in_files())
+
+
+def user_path(name: str) -> Path:
+    """Where the user's own scene of that name is, or would be.
+
+    Raises:
+        SceneError: as `safe_name`.
+    """
+    return user_folder() / f"{safe_name(name)}.json"
+
+
+def save_user_scene(scene: Scene, name: str) -> str:
+    """Save under a name in the user's folder, and return the name as it was made safe.
+
+    Raises:
+        SceneError: the name is not usable, the scene not valid, or the file cannot be written.
+    """
+    path = user_path(name)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise SceneError(f"{path.parent}: the folder cannot be made ({error.strerror or error})") from None
+    save_scene(msgspec.structs.replace(scene, name=path.stem), path)
+    return path.stem
+
+
+def delete_user_scene(name: str) -> None:
+    """Delete one of the user's own scenes.
+
+    Raises:
+        SceneError: it is built in, does not exist, or cannot be deleted.
+    """
+    path = user_path(name)
+    try:
+        path.unlink()
+    except OSError as error:
+        raise SceneError(f"{name!r} cannot be deleted ({error.strerror or error})") from None

@@ -1,0 +1,126 @@
+"""What msgspec complains about in a scene, in one sentence: the field, what it has, and what it may have."""
+
+from __future__ import annotations
+
+import math
+import re
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
+
+import msgspec
+
+from .types import Scene
+
+_A = {float: "a number", int: "a whole number", str: "a text", bool: "true or false"}
+_JSON = {NoneType: "null", list: "an array", dict: "an object"}
+
+_HUGE = 2**64
+"""A whole number from which on it is too long for a sentence."""
+
+
+def out_of_range(where: str, value: float, meta: msgspec.Meta) -> str:
+    """The sentence for a number outside the range of its annotation."""
+    if meta.lt is not None:
+        return f"{where}: {value!r} is not in the range {meta.ge:g}..{meta.lt - 1:g}"
+    low = f"{meta.ge:g}" if meta.ge is not None else ""
+    high = f"{meta.le:g}" if meta.le is not None else ""
+    shown = f"{value:g}" if isinstance(value, float) else repr(value)
+    return f"{where}: {shown} is not in the range {low}..{high} {unit_of(meta)}".rstrip()
+
+
+def unit_of(meta: msgspec.Meta) -> str:
+    """The unit of a number, by its annotation."""
+    return (meta.extra or {}).get("unit", "")
+
+
+def sentence(error: msgspec.ValidationError, found: Any) -> str:
+    """The sentence for what could not be converted to a Scene.
+
+    Args:
+        error: what msgspec says.
+        found: the scene, made in code, or what a JSON file has.
+    """
+    reason, _, path = str(error).rpartition(" - at `$")
+    where = path.rstrip("`").lstrip(".") if reason else ""
+    value, kind, meta, at = found, Scene, None, ""
+    for field, index in re.findall(r"(\w+)|\[(\d+)\]", where):
+        if hasattr(value, "__struct_fields__") and type(value) is not kind:
+            return _expected(at, kind, value)  # one struct in the place of another
+        try:
+            if field:
+                at, wanted = f"{at}.{field}".lstrip("."), get_type_hints(kind, include_extras=True)[field]
+                value = value[field] if isinstance(value, dict) else getattr(value, field)
+            else:
+                first, *others = get_args(kind)
+                at, value = f"{at}[{index}]", value[int(index)]
+                wanted = first if Ellipsis in others else (first, *others)[int(index)]
+        except (AttributeError, LookupError, TypeError):
+            break  # a field's name in the file may look like a path
+        kind, meta = _split(wanted)
+    else:
+        if where and (kind in _A or get_origin(kind) is Literal or isinstance(found, Scene)):
+            return _about(where, value, kind, meta, found)
+    return f"{where}: {reason}" if where else str(error)
+
+
+def difference(value: Any, wanted: Any, where: str = "") -> str:
+    """The sentence for the first place where something differs from what it was converted to."""
+    if isinstance(wanted, msgspec.Struct) and type(value) is type(wanted):
+        steps = [(f".{f}", getattr(value, f), getattr(wanted, f)) for f in wanted.__struct_fields__]
+    elif isinstance(wanted, tuple) and isinstance(value, tuple):
+        steps = [(f"[{i}]", *both) for i, both in enumerate(zip(value, wanted, strict=True))]
+    else:
+        return _expected(where, type(wanted), value)
+    step, one, other = next(step for step in steps if step[1] != step[2])
+    return difference(one, other, (where + step).lstrip("."))
+
+
+def _about(where: str, value: Any, kind: Any, meta: msgspec.Meta | None, found: Any) -> str:
+    """The sentence for a value that is none of its kind."""
+    if isinstance(value, int) and abs(value) >= _HUGE:
+        return f"{where}: a whole number as large as this is not allowed"
+    if get_origin(kind) is Literal:
+        return f"{where}: {_shown(value, found)} is not one of {', '.join(map(str, get_args(kind)))}"
+    if isinstance(value, (int, float)) and not isinstance(value, bool) and kind in (float, type(value)):
+        if not math.isfinite(value):
+            return f"{where}: {value:.6g} is not a finite number"
+        if meta is not None:
+            return out_of_range(where, value, meta)
+    if isinstance(value, str) and kind is str and meta is not None:
+        if not value:
+            return f"{where}: it must not be empty"
+        return f"{where}: {len(value)} characters are more than {meta.max_length}"
+    return _expected(where, kind, value, found)
+
+
+def _expected(where: str, kind: Any, value: Any, found: Any = None) -> str:
+    """The sentence for a value of another type; `found` as for `sentence`."""
+    if get_origin(kind) is tuple and Ellipsis not in get_args(kind):
+        return f"{where}: {len(get_args(kind))} numbers are expected, as in a tuple"
+    name = (get_origin(kind) or kind).__name__
+    a = _A.get(kind) or f"{'an' if name[0] in 'AEIO' else 'a'} {name}"
+    return f"{where}: {a} is expected, not {_shown(value, found)}"
+
+
+def _shown(value: Any, found: Any) -> str:
+    """A value for people, in the language of a scene in code or of a JSON file."""
+    if isinstance(value, str):
+        return repr(value if len(value) <= 60 else value[:60] + "…")
+    in_file = isinstance(found, dict)
+    if isinstance(value, (int, float)):
+        return str(value).lower() if in_file else str(value)
+    if value is None and not in_file:
+        return "None"
+    return _JSON.get(type(value), type(value).__name__) if in_file else type(value).__name__
+
+
+def _split(kind: Any) -> tuple[Any, msgspec.Meta | None]:
+    """An annotation as the type, without None, and its range if any."""
+    meta = None
+    while get_origin(kind) in (Annotated, Union, UnionType):
+        if get_origin(kind) is Annotated:
+            kind, *extras = get_args(kind)
+            meta = next((extra for extra in extras if isinstance(extra, msgspec.Meta)), None)
+        else:
+            (kind,) = (option for option in get_args(kind) if option is not NoneType)
+    return kind, meta

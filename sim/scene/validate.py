@@ -1,0 +1,193 @@
+"""Refuses every scene that could not be simulated, with one sentence that names the field.
+
+Types and ranges stand in `sim.scene`, as annotations; msgspec reads them there, so that a scene made in code
+is held to the same limits as one read from a file.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from typing import Any, get_args, get_type_hints
+
+import msgspec
+
+from ..errors import SceneError
+from .sentences import difference, sentence, unit_of
+from .types import BODY_FIELDS, FORMAT_VERSION, MAX_MASSES, MAX_SPRINGS, Rope, Scene, expand_rope
+
+_SHORTEST = 1e-9
+"""Distance (px) below which the ends of a spring count as one place: it would have no direction."""
+
+_HALF = re.compile("[\ud800-\udfff]")
+"""Half of a surrogate pair: Python has texts with those, UTF-8 does not."""
+
+
+def validate(scene: Scene) -> Scene:
+    """Return the scene unchanged, or refuse it.
+
+    Raises:
+        SceneError: one sentence that names the field, as in
+            `angular_springs[3].b: spring 17 does not exist (0..10)`.
+    """
+    if not isinstance(scene, Scene):
+        raise SceneError(f"a Scene is expected, not {type(scene).__name__}")
+    try:
+        converted = msgspec.convert(plain(scene), Scene)
+    except msgspec.ValidationError as error:
+        raise SceneError(sentence(error, scene)) from None
+    if converted != scene:  # a list is converted to a tuple, and a dict to a struct
+        raise SceneError(difference(scene, converted))
+    return consistent(scene)
+
+
+def consistent(scene: Scene) -> Scene:
+    """Return a scene whose types and ranges are right, or refuse it for how its parts belong together.
+
+    Raises:
+        SceneError: as `validate`.
+    """
+    for problem in _problems(scene):
+        raise SceneError(problem)
+    return scene
+
+
+def plain(scene: Scene) -> dict[str, Any]:
+    """The scene as dicts, tuples, numbers and texts."""
+    return msgspec.to_builtins(scene, enc_hook=_plain)
+
+
+def _plain(value: Any) -> Any:
+    """Numbers of numpy are as good as Python's; of any other type the name will do, which is refused."""
+    return next((kind(value) for kind in (float, int, str) if isinstance(value, kind)), type(value).__name__)
+
+
+def number_range(kind: type, field: str) -> tuple[float, float, str]:
+    """(lowest, highest, unit) of a number of one of the scene's types, as its annotation states it."""
+    meta = next(
+        m for m in get_args(get_type_hints(kind, include_extras=True)[field]) if isinstance(m, msgspec.Meta)
+    )
+    low, high = (
+        (meta.ge if meta.ge is not None else -math.inf),
+        (meta.le if meta.le is not None else math.inf),
+    )
+    return float(low), float(high), unit_of(meta)
+
+
+# ------------------------------------------------------------------------- what belongs together
+def _problems(scene: Scene) -> Iterator[str]:
+    """Everything that is wrong with how the parts refer to each other; sentences, the first one first."""
+    if scene.format > FORMAT_VERSION:
+        yield (
+            f"format: this scene has format version {scene.format}, newer than {FORMAT_VERSION}, which is "
+            "the newest that this softrod reads"
+        )
+    for field, text in (
+        ("name", scene.name),
+        ("description", scene.description),
+        ("view.unit", scene.view.unit),
+    ):
+        if _HALF.search(text):
+            yield f"{field}: it has characters that cannot be written to a file"
+    if scene.rope is not None:
+        yield from _rope_problems(scene, scene.rope)
+    n, springs = len(scene.masses), len(scene.linear_springs)
+    if n == 0:
+        yield "masses: a scene needs at least one mass, or a rope"
+    if n > MAX_MASSES:
+        yield f"masses: {n} masses are more than {MAX_MASSES}"
+    for field in ("linear_springs", "angular_springs"):
+        if len(getattr(scene, field)) > MAX_SPRINGS:
+            yield f"{field}: {len(getattr(scene, field))} springs are more than {MAX_SPRINGS}"
+    yield from _linear_problems(scene, n)
+    yield from _angular_problems(scene, springs)
+    yield from _anchor_problems(scene, n)
+    xmin, ymin, xmax, ymax = scene.view.frame
+    if not (xmax - xmin > 1e-3 and ymax - ymin > 1e-3):
+        yield "view.frame: it must run from (x min, y min) to a larger (x max, y max)"
+    yield from _pose_problems(scene, n)
+
+
+def _rope_problems(scene: Scene, rope: Rope) -> Iterator[str]:
+    if not any(rope.direction):
+        yield "rope.direction: a direction of (0, 0) points nowhere"
+        return
+    if any(getattr(scene, field) != part for field, part in zip(BODY_FIELDS, expand_rope(rope), strict=True)):
+        yield "rope: a scene has either a rope or masses, springs and anchors of its own, not both"
+
+
+def _linear_problems(scene: Scene, n: int) -> Iterator[str]:
+    pairs: dict[frozenset[int], int] = {}
+    for s, spring in enumerate(scene.linear_springs):
+        for end in ("a", "b"):
+            i = getattr(spring, end)
+            if i >= n:
+                yield f"linear_springs[{s}].{end}: mass {i} does not exist ({_span(n)})"
+                return
+        if spring.a == spring.b:
+            yield f"linear_springs[{s}].b: a spring must join two masses, not mass {spring.a} with itself"
+        other = pairs.setdefault(frozenset((spring.a, spring.b)), s)
+        if other != s:
+            yield f"linear_springs[{s}]: it joins masses {spring.a} and {spring.b}, as spring {other} does"
+        starts = scene.pose.positions if scene.pose else None
+        if starts is None or len(starts) == n:
+            p = starts[spring.a] if starts else scene.masses[spring.a].position
+            q = starts[spring.b] if starts else scene.masses[spring.b].position
+            if math.dist(p, q) < _SHORTEST:
+                where = "pose.positions" if starts else "masses"
+                yield (
+                    f"linear_springs[{s}]: {where} {spring.a} and {spring.b} start in the same place, "
+                    "so the spring between them has no direction"
+                )
+
+
+def _angular_problems(scene: Scene, springs: int) -> Iterator[str]:
+    pairs: dict[frozenset[int], int] = {}
+    for j, joint in enumerate(scene.angular_springs):
+        for end in ("a", "b"):
+            s = getattr(joint, end)
+            if s >= springs:
+                yield f"angular_springs[{j}].{end}: spring {s} does not exist ({_span(springs)})"
+                return
+        if joint.a == joint.b:
+            yield f"angular_springs[{j}].b: it must hold two different springs, not {joint.a} with itself"
+            continue
+        p, q = scene.linear_springs[joint.a], scene.linear_springs[joint.b]
+        if not {p.a, p.b} & {q.a, q.b}:
+            yield f"angular_springs[{j}]: springs {joint.a} and {joint.b} share no mass"
+        other = pairs.setdefault(frozenset((joint.a, joint.b)), j)
+        if other != j:
+            yield f"angular_springs[{j}]: it holds springs {joint.a} and {joint.b}, as spring {other} does"
+        if scene.template is not None and joint.rest_angle != scene.template:
+            yield (
+                f"angular_springs[{j}].rest_angle: {joint.rest_angle:g} is not the scene's template, "
+                f"{scene.template}"
+            )
+
+
+def _anchor_problems(scene: Scene, n: int) -> Iterator[str]:
+    seen: dict[int, int] = {}
+    driven = None
+    for i, anchor in enumerate(scene.anchors):
+        if anchor.mass >= n:
+            yield f"anchors[{i}].mass: mass {anchor.mass} does not exist ({_span(n)})"
+        if anchor.mass in seen:
+            yield f"anchors[{i}].mass: mass {anchor.mass} is held by anchor {seen[anchor.mass]} already"
+        seen[anchor.mass] = i
+        if anchor.driven:
+            if driven is not None:
+                yield f"anchors[{i}].driven: anchor {driven} is driven already, and only one can be"
+            driven = i
+
+
+def _pose_problems(scene: Scene, n: int) -> Iterator[str]:
+    if scene.pose is not None:
+        for field in ("positions", "velocities"):
+            count = len(getattr(scene.pose, field))
+            if count != n:
+                yield f"pose.{field}: {count} entries do not match the {n} masses"
+
+
+def _span(count: int) -> str:
+    return f"0..{count - 1}" if count else "there are none"
