@@ -69,9 +69,9 @@ class Physics:
         self.damping = body.damping[springs]  # (S,) kg/s
         self.pull = state.pull[springs]  # (S,) stiffness * rest length, kg px/s²
         self.first, self.second = body.joint_a, body.joint_b  # (J,) springs of each joint
-        self.joint_stiffness = body.couple_size[joints]  # (J,) kg/s²
-        self.joint_damping = body.couple_damping[joints]  # (J,) kg/s
-        self.rest_angle = state.couple_rest[joints]  # (J,) radians
+        self.joint_stiffness = body.torque_size[joints]  # (J,) kg/s²
+        self.joint_damping = body.torque_damping[joints]  # (J,) kg/s
+        self.rest_angle = state.torque_rest[joints]  # (J,) radians
         self.state = state
         self._ends = np.concatenate((self.b, self.a))
 

@@ -77,7 +77,7 @@ def run_frames(simulation: sim.Simulation, act: Act = lambda simulation, frame: 
         RuntimeError: the body ran away.
     """
     simulation.reset()
-    simulation.effort()
+    simulation.stats()
     path, seconds = [], []
     for frame in range(FRAMES):
         began = time.perf_counter()
@@ -87,8 +87,8 @@ def run_frames(simulation: sim.Simulation, act: Act = lambda simulation, frame: 
         path.append(simulation.positions)
     if simulation.divergence is not None:
         raise RuntimeError(f"the rod ran away: {simulation.divergence}")
-    effort = simulation.effort()
-    return Frames(np.array(path), np.array(seconds), effort.steps, effort.rejected)
+    stats = simulation.stats()
+    return Frames(np.array(path), np.array(seconds), stats.steps, stats.rejected)
 
 
 def errors(path: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:

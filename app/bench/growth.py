@@ -75,7 +75,7 @@ def step_costs(masses: int, repeats: int) -> dict[str, float]:
         scene = msgspec.structs.replace(rod(masses, chain), integrator=integrator, force_law=law)
         simulation = ready[name] = _Large(scene)
         simulation.step(1, attempts=2)
-        simulation.effort()
+        simulation.stats()
     best = dict.fromkeys(ready, math.inf)
     for _ in range(repeats):
         for name, simulation in ready.items():
@@ -85,8 +85,8 @@ def step_costs(masses: int, repeats: int) -> dict[str, float]:
             seconds = time.perf_counter() - began
             if simulation.divergence is not None:
                 raise RuntimeError(f"the rod ran away: {simulation.divergence}")
-            effort = simulation.effort()
-            best[name] = min(best[name], seconds / (masses * (effort.steps + effort.rejected)) * 1e9)
+            stats = simulation.stats()
+            best[name] = min(best[name], seconds / (masses * (stats.steps + stats.rejected)) * 1e9)
     return best
 
 

@@ -21,12 +21,12 @@ from ..session.commands import Command
 from ..session.session import SPEEDS, Session
 from . import readouts, script
 from .colors import palette
-from .slider_box import Dial
+from .slider_box import SliderBox
 from .solver_panel import SolverPanel
 
 PANEL_WIDTH = 348
 SOLVER_DIALS = ("dt", "tolerance")
-"""Settings whose dials stand in the Solver tab."""
+"""Settings whose sliders stand in the Solver tab."""
 
 _SPEED_MARKS = tuple((i, text) for i, text in enumerate(("⅛", "¼", "½", "1", "2", "4")))
 
@@ -68,7 +68,7 @@ class Panel:
         self._client = client
         self._session = session
         self._act = act
-        self._dials: list[Dial] = []
+        self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
         self._applicable: list[Setting] | None = None
         self._template: Any = None
@@ -206,34 +206,34 @@ class Panel:
         if self._applicable == applicable:
             return
         self._applicable = applicable
-        for dial in self._dials:
-            dial.retire()
+        for slider_box in self._sliders:
+            slider_box.retire()
         for element in self._body:
             element.remove()
         self._body.clear()
-        self._dials.clear()
+        self._sliders.clear()
         with self._body_tab:
             for setting in applicable:
                 if setting.key == "template":
                     self._add_templates()
                 elif setting.key not in SOLVER_DIALS:
-                    self._add_dial(setting)
+                    self._add_slider(setting)
         with self._solver_tab:
             for setting in applicable:
                 if setting.key in SOLVER_DIALS:
-                    self._add_dial(setting)
+                    self._add_slider(setting)
         with self._body_tab:
             if not applicable:
                 nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
                 self._body.append(gui.add_html(nothing))
 
-    def _add_dial(self, setting: Setting) -> None:
+    def _add_slider(self, setting: Setting) -> None:
         def post(value: float) -> None:
             self._session.post(commands.SetValue(setting.key, round(value) if setting.integer else value))
 
-        dial = Dial(self._client, setting, setting.read(self._session.scene), post)
-        self._dials.append(dial)
-        self._body += [dial.slider, dial.box]
+        slider_box = SliderBox(self._client, setting, setting.read(self._session.scene), post)
+        self._sliders.append(slider_box)
+        self._body += [slider_box.slider, slider_box.box]
 
     def _add_templates(self) -> None:
         names = tuple(f"{angle}°" for angle in TEMPLATES)
@@ -272,8 +272,8 @@ class Panel:
                 self._speed.value = speed
         if self._follow.value != session.follow:
             self._follow.value = session.follow
-        for dial in self._dials:
-            dial.show(dial.setting.read(scene))
+        for slider_box in self._sliders:
+            slider_box.show(slider_box.setting.read(scene))
         template = f"{scene.template}°"
         if self._template is not None and scene.template is not None and self._template.value != template:
             self._template.value = template
@@ -298,7 +298,7 @@ class Panel:
 
     def set_style(self, dark: bool) -> None:
         """Colours of the page, and the boxes that are hidden in it."""
-        dials = [(_id(dial.slider), _id(dial.box)) for dial in self._dials]
-        content = script.style_html(palette("softrod", dark), dark, dials, _id(self._speed))
+        sliders = [(_id(slider_box.slider), _id(slider_box.box)) for slider_box in self._sliders]
+        content = script.style_html(palette("softrod", dark), dark, sliders, _id(self._speed))
         if self._style.content != content:
             self._style.content = content

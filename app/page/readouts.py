@@ -20,7 +20,7 @@ _NAMES = {
 }
 
 _BEHIND = 5.0
-"""px from which on it is said how far the hand of a demanding body is behind the pointer."""
+"""px from which on it is said how far the hand of a rate_limited body is behind the pointer."""
 
 
 def short(value: float) -> str:
@@ -115,8 +115,8 @@ def rates_table(session: Session) -> str:
     }
     if METHODS[session.simulation.method].adaptive:
         rows["rejected per second"] = f"{rates.rejected_per_second:.0f}"
-    if session.rescues:
-        rows["steps of last resort"] = f"{session.rescues}"
+    if session.fallbacks:
+        rows["fallback steps"] = f"{session.fallbacks}"
     return _table(rows)
 
 
@@ -150,7 +150,7 @@ _ENERGY_NAMES = {
     "law": "made by the tutorial's law",
     "keys": "work of the keys",
     "changes": "changes of settings",
-    "rescues": "lost in last resort",
+    "fallbacks": "lost in fallback steps",
     "residual": "residual: the method's error",
 }
 
@@ -165,7 +165,7 @@ def energy_table(session: Session) -> str:
     rows = {}
     for key, name in _ENERGY_NAMES.items():
         value = getattr(book, key)
-        if key in ("damping", "air", "rescues"):
+        if key in ("damping", "air", "fallbacks"):
             value = -value
         if value or key in ("kinetic", "residual"):
             rows[name] = f"{value:.4g}"

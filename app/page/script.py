@@ -45,23 +45,23 @@ def script_html(channel: str) -> str:
     return f"""<img alt="" style="display:none" src="data:," onerror="(0,eval)(atob('{code}'))">"""
 
 
-def style_html(colors: Palette, dark: bool, dials: list[tuple[str, str]], bare: str) -> str:
+def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], bare: str) -> str:
     """The styles in a palette's colours.
 
     Args:
         colors: the palette.
         dark: whether the page is dark.
-        dials: ids of sliders, each with that of the number box that stands in place of the slider's own.
+        sliders: ids of sliders, each with that of the number box that stands in place of the slider's own.
         bare: id of a slider without any box.
     """
-    sliders = ",".join(f'div:has(>[id="{slider}"])' for slider, _ in dials)
-    boxes = ",".join(f'.mantine-NumberInput-root:has([id="{box}"])' for _, box in dials)
+    rows = ",".join(f'div:has(>[id="{slider}"])' for slider, _ in sliders)
+    boxes = ",".join(f'.mantine-NumberInput-root:has([id="{box}"])' for _, box in sliders)
     own = ",".join(
-        f'div:has(>[id="{slider}"])>.mantine-InputWrapper-root' for slider in (bare, *(s for s, _ in dials))
+        f'div:has(>[id="{slider}"])>.mantine-InputWrapper-root' for slider in (bare, *(s for s, _ in sliders))
     )
     hide = f"{own}{{display:none}}"
-    if dials:
-        hide += f"{sliders}{{padding-right:5.6em}}{boxes}{{width:5.2em;margin:-1.75em 0 0 auto;z-index:4}}"
+    if sliders:
+        hide += f"{rows}{{padding-right:5.6em}}{boxes}{{width:5.2em;margin:-1.75em 0 0 auto;z-index:4}}"
     root = {
         "text": colors.css("text"),
         "line": colors.css("grid_major"),

@@ -20,7 +20,7 @@ TYPED = 3.0
 """Seconds after which a box that was left with a number that cannot be set shows what is set."""
 
 
-class Dial:
+class SliderBox:
     """A slider and a number box for one setting; the slider of a logarithmic one is over powers of ten.
 
     The slider covers the useful range, the box all that is allowed. While its user types, the box is left
@@ -33,7 +33,7 @@ class Dial:
         self.setting = setting
         self._post = post
         self._touched = -math.inf
-        self._known = value  # what the solver has, as far as this dial knows
+        self._known = value  # what the solver has, as far as this slider_box knows
         self._retired = False
         low, high = setting.slider
         self._low, self._high = self._to_slider(low), self._to_slider(high)

@@ -20,7 +20,7 @@ SAME_LAW = "the same"
 FINER_LABELS: dict[int, str] = dict(zip(FINER, ("the same", "a half", "a quarter", "a tenth"), strict=True))
 
 LAST = 1e6
-"""Order of what stands below the dials, which come and go."""
+"""Order of what stands below the sliders, which come and go."""
 
 
 class SolverPanel:

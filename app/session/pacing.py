@@ -10,7 +10,7 @@ import math
 from collections import deque
 from dataclasses import dataclass
 
-from sim.motion.solver import Effort
+from sim.motion.solver import SolverStats
 
 LONGEST_FRAME = 0.1
 """Seconds of wall time that one frame can owe; after a longer silence (a stalled machine, a suspended
@@ -99,7 +99,9 @@ class Pacer:
         """How many steps a method that chooses them itself may try in a budget of seconds."""
         return max(_FEWEST_ATTEMPTS, int(budget / self._attempt_cost)) if self._attempt_cost else 1000
 
-    def record(self, now: float, dt: float, steps: int, seconds: float, effort: Effort, missed: int) -> None:
+    def record(
+        self, now: float, dt: float, steps: int, seconds: float, stats: SolverStats, missed: int
+    ) -> None:
         """Note what a frame did.
 
         Args:
@@ -107,17 +109,17 @@ class Pacer:
             dt: time step, s.
             steps: time steps done.
             seconds: what they took.
-            effort: what the method did for them.
+            stats: what the method did for them.
             missed: time steps that were granted and not reached.
         """
         if steps:
             self._step_cost = _smoothed(self._step_cost, seconds / steps)
-        tried = effort.steps + effort.rejected
+        tried = stats.steps + stats.rejected
         if tried:
             self._attempt_cost = _smoothed(self._attempt_cost, seconds / tried)
         self.behind += missed * dt
         lost = self._lost + missed * dt
-        self._frames.append((now, steps * dt, effort.steps, effort.rejected, seconds, lost))
+        self._frames.append((now, steps * dt, stats.steps, stats.rejected, seconds, lost))
         while self._frames and self._frames[0][0] < now - _WINDOW:
             self._frames.popleft()
 

@@ -70,7 +70,7 @@ class Session:
         stability: the last look at the stability limit.
         ghost: the second body, if one is wanted.
         books: whether the energy is followed.
-        rescues: steps of last resort since the scene was opened or reset.
+        fallbacks: fallback steps since the scene was opened or reset.
         preparing: what is being compiled, for the page to say; empty when nothing is.
 
     Args:
@@ -105,7 +105,7 @@ class Session:
         self._by_gizmo = False
         self.ghost: Ghost | None = None
         self.books = False
-        self.rescues = 0
+        self.fallbacks = 0
         self.preparing = ""
 
     def now(self) -> float:
@@ -166,9 +166,9 @@ class Session:
             led = list(self.simulation.behind)
             began = time.perf_counter()
             done = self.simulation.step(steps, attempts=self.pacer.attempts(budget))
-            seconds, effort = time.perf_counter() - began, self.simulation.effort()
-            self.rescues += effort.rescues
-            self.pacer.record(now, self.simulation.dt, done, seconds, effort, missed=steps - done)
+            seconds, stats = time.perf_counter() - began, self.simulation.stats()
+            self.fallbacks += stats.fallbacks
+            self.pacer.record(now, self.simulation.dt, done, seconds, stats, missed=steps - done)
             self._follow_ghost(done, led)
             self._after_steps()
         # While the clock stands, only what its user changes can move the limit.
@@ -238,7 +238,7 @@ class Session:
             case commands.Reset():
                 self._let_go()
                 self.simulation.reset()
-                self.rescues = 0
+                self.fallbacks = 0
                 if self.ghost is not None:
                     self.ghost.simulation.reset()
                     self.ghost.start_from(self.simulation)
@@ -295,10 +295,10 @@ class Session:
         else:
             return
         x, y = _clamp(x), _clamp(y)
-        if self.simulation.demanding:
+        if self.simulation.rate_limited:
             # As fast as it can follow while time passes, also after it was let go; the ghost as it does.
             for simulation in self._bodies():
-                if simulation.demanding:
+                if simulation.rate_limited:
                     simulation.follow(mass, (x, y))
             return
         if not glide:
@@ -342,7 +342,7 @@ class Session:
         self.simulation = simulation
         self.simulation.keep_books(self.books)
         self.ghost = None
-        self.rescues = 0
+        self.fallbacks = 0
         self.follow = False
         self._pointer = None
         self.joint = 0
@@ -363,7 +363,7 @@ class Session:
     def _follow_ghost(self, steps: int, led: list[int]) -> None:
         """Let the ghost do as many steps, in which the same masses are led to where they are now."""
         if self.ghost is not None and self.ghost.is_ready(self.simulation):
-            if not self.ghost.simulation.demanding:
+            if not self.ghost.simulation.rate_limited:
                 for mass in led:
                     self.ghost.simulation.lead(mass, tuple(self.simulation.positions[mass]))
             self.ghost.step(steps, self.simulation.dt)

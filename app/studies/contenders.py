@@ -26,7 +26,7 @@ FRAMES = 60
 DURATION = 1.0
 """Simulated time of a run, s."""
 
-LOOKS = round(DURATION * FRAMES)
+SAMPLES = round(DURATION * FRAMES)
 
 ATTEMPTS = 300_000
 """Steps of softrod's error-controlled methods, kept or not, after which a run counts as failed."""
@@ -91,10 +91,10 @@ class Ours:
 
     def frame_by_frame(self) -> Run:
         """A call for each frame, each going on from what the one before left."""
-        return self._go(LOOKS)
+        return self._go(SAMPLES)
 
     def _go(self, calls: int) -> Run:
-        simulation, steps = self._simulation, self._steps * LOOKS // calls
+        simulation, steps = self._simulation, self._steps * SAMPLES // calls
         simulation.reset()
         path = np.empty((calls, len(simulation.scene.masses), 2))
         seconds, left = 0.0, ATTEMPTS
@@ -107,8 +107,8 @@ class Ours:
             if done < steps:
                 return Run(None, seconds, f"not done after {ATTEMPTS} steps")
             if METHODS[simulation.method].adaptive:
-                effort = simulation.effort()
-                left -= effort.steps + effort.rejected
+                stats = simulation.stats()
+                left -= stats.steps + stats.rejected
             path[call] = simulation.positions
         return Run(path, seconds)
 
@@ -134,7 +134,7 @@ class Theirs:
                 raise others.Failed(f"not done after {PATIENCE:g} s")
             self._derivative(t, y, out)
 
-        return self._go(np.linspace(0.0, DURATION, LOOKS + 1)[1:], watched)
+        return self._go(np.linspace(0.0, DURATION, SAMPLES + 1)[1:], watched)
 
     def _go(self, times: Points, derivative: others.Derivative) -> Run:
         began = time.perf_counter()

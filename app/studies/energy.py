@@ -14,7 +14,7 @@ STEPS = (1.0 / 1600.0, 1.0 / 3200.0, 1.0 / 6400.0, 1.0 / 12800.0)
 """s, of the methods with fixed steps."""
 TOLERANCES = (1e-4, 1e-5, 1e-6)
 """px, of the others."""
-LOOKS = 20
+SAMPLES = 20
 """Times at which energies are looked at, within half a second."""
 DURATION = 0.5
 BOOKS_ORDER = 6
@@ -55,8 +55,8 @@ def residual(method: Method, dt: float, tolerance: float = 0.1) -> float:
 def _worst(simulation: sim.Simulation, books: bool) -> float:
     first = simulation.energy().total
     worst = largest = 0.0
-    for _ in range(LOOKS):
-        simulation.step(round(DURATION / (LOOKS * simulation.dt)))
+    for _ in range(SAMPLES):
+        simulation.step(round(DURATION / (SAMPLES * simulation.dt)))
         book = simulation.energy()
         worst = max(worst, abs(book.residual if books else book.total - first))
         largest = max(largest, book.kinetic)
@@ -78,7 +78,7 @@ def _slope(method: MethodInfo, measure: Callable[..., float], expected: float, f
     """How a method's errors go with the step or with the tolerance."""
     if method.adaptive:
         sizes = TOLERANCES[:2] if fast else TOLERANCES
-        errors = [measure(method.name, DURATION / LOOKS, tolerance) for tolerance in sizes]
+        errors = [measure(method.name, DURATION / SAMPLES, tolerance) for tolerance in sizes]
         what = f"tolerance {sizes[0]:g} to {sizes[-1]:g} px"
     else:
         sizes = STEPS[1:3] if fast else STEPS

@@ -13,7 +13,7 @@ import numpy as np
 import sim
 from sim.body.sparsity import new_matrix
 from sim.kernels.core.table import Floats, Indices, Table
-from sim.kernels.core.tables import Body, Drive, Matrix, State, Work
+from sim.kernels.core.tables import Body, Drive, Matrix, Scratch, State
 from sim.kernels.forces.drive import drive_to
 from sim.kernels.forces.forces import accelerations
 from sim.kernels.linear.sparse import assemble
@@ -30,14 +30,14 @@ class _Tables(Table):
     body: Body
     general: Body  # the same, with a matrix of any topology
     state: State
-    work: Work
+    scratch: Scratch
     drive: Drive
     matrix: Matrix
     at: Indices  # place of each free mass
     a: Floats  # accelerations, flat
     used: Indices  # blocks of the matrix
     row: Indices  # place of the row of each
-    scratch: Floats
+    kept: Floats
 
 
 @numba.njit
@@ -57,7 +57,7 @@ def _derivative(tables, t, y, out):
     at, q, a = tables.at, tables.state.q, tables.a
     places = q.size // 2
     _take(tables, t, y)
-    accelerations(tables.body, tables.state, tables.work, q, tables.state.v, a)
+    accelerations(tables.body, tables.state, tables.scratch, q, tables.state.v, a)
     for i in range(at.size):
         m, k = at[i], 4 * i
         out[k], out[k + 1], out[k + 2], out[k + 3] = y[k + 2], y[k + 3], a[m], a[places + m]
@@ -72,7 +72,7 @@ def _jacobian(tables, to_place, to_speed, to_one, t, y, out):
         to_one: (2 free masses) where in `out` a velocity is the derivative of a position; after those, as
             many on the diagonal by velocities, where air acts.
     """
-    at, row, used, scratch = tables.at, tables.row, tables.used, tables.scratch
+    at, row, used, scratch = tables.at, tables.row, tables.used, tables.kept
     state, blocks = tables.state, tables.matrix.blocks
     q, v = state.q, state.v
     _take(tables, t, y)
@@ -112,7 +112,7 @@ class Equations:
         scene = msgspec.structs.replace(scene, integrator=sim.Integrator(method="adams", tolerance=1e-9))
         simulation = sim.Simulation(scene)
         system, state, n = simulation._system, simulation._state, len(scene.masses)
-        self._state, self._place = state, system.mass_place
+        self._state, self._place = state, system.mass_index
         # The pattern of a chain has no blocks to be read; that of any other topology has.
         general = system.body.replaced(chain=False)
         matrix = new_matrix(general, system.held)
@@ -141,14 +141,14 @@ class Equations:
             body=system.body,
             general=general,
             state=state,
-            work=simulation._work,
+            scratch=simulation._scratch,
             drive=Driver(scene, system, state).drive(0.0, np.inf, {}),
             matrix=matrix,
             at=at,
             a=np.zeros_like(state.q),
             used=used,
             row=row,
-            scratch=self._scratch,
+            kept=self._scratch,
         )
 
     def derivative_into(self) -> Callable[[float, Floats, Floats], None]:

@@ -47,14 +47,14 @@ class Outcome:
         made: energy beyond all that was put in, in parts of what was turned over; NaN where it gave up.
         positions: (n, 2) px, at the end.
         error: distance from the reference, in tolerances; NaN where there is none.
-        rescues: steps of last resort.
+        fallbacks: fallback steps.
     """
 
     stopped: float | None
     behind: float
     made: float
     positions: NDArray[np.float64]
-    rescues: int
+    fallbacks: int
     error: float = math.nan
 
     @property
@@ -74,8 +74,8 @@ class Outcome:
             words.append("ran")
         if self.made > MADE:
             words.append(f"made {100.0 * self.made:.0f} % energy" if self.made < 10.0 else "made energy")
-        if self.rescues:
-            words.append(f"{self.rescues} last resorts")
+        if self.fallbacks:
+            words.append(f"{self.fallbacks} fallback stepss")
         return ", ".join(words)
 
 
@@ -96,17 +96,17 @@ def run(
     rng = np.random.default_rng(0)
     steps = max(1, round(1.0 / 60.0 / simulation.dt))
     frames, share = (FRAMES, 1) if steps > 1 else (3, 60)
-    behind = rescues = 0
+    behind = fallbacks = 0
     for frame in range(frames):
         case.act(simulation, frame, rng)
         behind += steps - simulation.step(steps, attempts=attempts * share)
-        rescues += simulation.effort().rescues
+        fallbacks += simulation.stats().fallbacks
         if simulation.divergence is not None:
             break
     stopped = simulation.time if simulation.divergence is not None else None
     made = _made(simulation.energy(), _worth(case)) if books and stopped is None else math.nan
     late = behind * simulation.dt if stopped is None else 0.0
-    return Outcome(stopped, late, made, simulation.positions, rescues)
+    return Outcome(stopped, late, made, simulation.positions, fallbacks)
 
 
 def _worth(case: HardCase) -> float:
@@ -131,7 +131,7 @@ def reference(case: HardCase, strict: Sequence[tuple[str, float]] = REFERENCES) 
     ends = []
     for method, tolerance in strict:
         outcome = run(case, method, tolerance, REFERENCE_ATTEMPTS, books=False)
-        if not outcome.survived or outcome.rescues:
+        if not outcome.survived or outcome.fallbacks:
             return None
         ends.append(outcome.positions)
     return ends[0] if _apart(*ends) <= AGREED * case.scene.integrator.tolerance else None
@@ -206,7 +206,7 @@ def as_csv(rows: dict[str, Row]) -> str:
         for method, o in row.items():
             numbers = (math.nan if o.stopped is None else o.stopped, o.behind, o.error, o.made)
             lines.append(
-                (name, method, *(f"{n:.6g}" if math.isfinite(n) else "" for n in numbers), o.rescues)
+                (name, method, *(f"{n:.6g}" if math.isfinite(n) else "" for n in numbers), o.fallbacks)
             )
     return comma_separated(
         ("case", "method", "gave_up_at", "behind", "error_in_tolerances", "energy_made", "last_resorts"),
@@ -235,7 +235,7 @@ def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
         "to a frame counts as surviving;",
         "- **made energy**: at the end it has more energy than was ever put in, by more than "
         f"{100.0 * MADE:g} % of what was turned over;",
-        "- **last resorts**: steps in which no method could go on, and a strongly damped one was taken.",
+        "- **fallback stepss**: steps in which no method could go on, and a strongly damped one was taken.",
         "",
         f"**{summary(rows)}**{' ' + note if note else ''}",
         "",

@@ -19,7 +19,7 @@ STEPS = (1.0 / 100.0, 1.0 / 200.0, 1.0 / 400.0, 1.0 / 800.0)
 """s, of the methods with fixed steps."""
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8)
 """px, of the others."""
-LOOKS = 10
+SAMPLES = 10
 """Times at which the oscillator is looked at, within a second."""
 
 
@@ -35,8 +35,8 @@ def oscillator_error(method: str, dt: float, tolerance: float = 0.1) -> float:
     )
     simulation = sim.Simulation(scene)
     worst = 0.0
-    for _ in range(LOOKS):
-        simulation.step(round(1.0 / (LOOKS * dt)))
+    for _ in range(SAMPLES):
+        simulation.step(round(1.0 / (SAMPLES * dt)))
         time = np.array([simulation.time])
         right = REST + float(exact.damped_oscillation(time, START, 1.0, STIFFNESS, DAMPING)[0])
         worst = max(worst, abs(float(simulation.positions[1, 0]) - right))

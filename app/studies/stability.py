@@ -18,7 +18,7 @@ from sim.methods.registry import METHODS
 from . import output
 from .output import Watch, make_folder, provenance, write_figures, write_page, write_table
 from .stability_axes import AXES, released
-from .stability_map import ACCURATE, DAMPED_WRONGLY, ENDINGS, LOOKS, NEAR, UNSTABLE, Map, borders, compute
+from .stability_map import ACCURATE, DAMPED_WRONGLY, ENDINGS, NEAR, SAMPLES, UNSTABLE, Map, borders, compute
 
 PAIRS = (
     ("dt", "stiffness"),
@@ -163,7 +163,7 @@ def markdown(scene: Scene, moving: Scene, charts: Sequence[Map], duration: float
         f"the two numbers of its place, under the force law “{moving.force_law}”, with a time step of "
         f"{1e3 * moving.integrator.dt:g} ms where none is an axis. Each free mass starts with a kick of an "
         "extent of the body per second, in a direction that turns by "
-        f"the golden angle from mass to mass. It is looked at {LOOKS} times:",
+        f"the golden angle from mass to mass. It is looked at {SAMPLES} times:",
         "",
         f"- **accurate**: no mass is ever farther than {100.0 * NEAR:g} % of the body's extent from where it "
         "is in the reference, which is `auto` with a tolerance of a thousandth of that;",

@@ -32,7 +32,7 @@ ENDINGS = {
 
 NEAR = 0.01
 """Largest distance from the reference, in extents of the body, of an end that counts as accurate."""
-LOOKS = 20
+SAMPLES = 20
 """Times within the duration at which bodies are looked at."""
 _SAMPLES = 400
 """Samples of a reference, between which it is interpolated by cubics."""
@@ -131,7 +131,7 @@ class Reference:
         return (ACCURATE if error <= NEAR else DAMPED_WRONGLY), error
 
     def _at(self, times: Floats) -> Floats:
-        """(looks, n, 2) positions at some times; beyond the end, as they go on from there."""
+        """(samples, n, 2) positions at some times; beyond the end, as they go on from there."""
         k = np.clip((times / self._dt).astype(np.int64), 0, _SAMPLES - 1)
         u = (times / self._dt - k)[:, None, None]
         p, q = self._positions[k], self._positions[k + 1]
@@ -154,16 +154,16 @@ class Energies:
         self._angle = np.radians([j.rest_angle for j in scene.angular_springs])
 
     def kinetic(self, velocities: Floats) -> Floats:
-        """(looks,) of (looks, n, 2) velocities."""
+        """(samples,) of (samples, n, 2) velocities."""
         return 0.5 * (self._mass[:, None] * velocities**2).sum((1, 2))
 
     def motion(self, positions: Floats, velocities: Floats) -> Floats:
-        """(looks,) kinetic energy and height."""
+        """(samples,) kinetic energy and height."""
         height = -(self._mass[:, None] * positions * np.array(self._scene.gravity)).sum((1, 2))
         return self.kinetic(velocities) + height
 
     def elastic(self, positions: Floats) -> Floats:
-        """(looks,) energy of all springs."""
+        """(samples,) energy of all springs."""
         along = positions[:, self._ends[:, 1]] - positions[:, self._ends[:, 0]]
         lengths = np.hypot(along[..., 0], along[..., 1])
         elastic = 0.5 * (self._stiffness * (lengths - self._rest) ** 2).sum(1)
@@ -218,7 +218,7 @@ def compute(
         limits[key] = {method: largest_step(at, method) for method in methods}
         report(len(scenes) + len(limits), total, "analytic limits")
     members = [
-        Member(scenes[keys[i][j]], float(steps[i, j]), marks(duration, float(steps[i, j]), LOOKS))
+        Member(scenes[keys[i][j]], float(steps[i, j]), marks(duration, float(steps[i, j]), SAMPLES))
         for i in range(rows)
         for j in range(columns)
     ]

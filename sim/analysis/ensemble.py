@@ -103,7 +103,7 @@ def _run_member(index: int, member: Member, method: str) -> tuple[int, Track]:
     return index, Track(positions, velocities)
 
 
-def marks(duration: float, dt: float, looks: int) -> tuple[int, ...]:
+def marks(duration: float, dt: float, samples: int) -> tuple[int, ...]:
     """Steps after which a body is looked at, evenly over a duration (s); the first is 1 at least."""
     steps = max(1, round(duration / dt))
-    return tuple(max(1, round(steps * (k + 1) / looks)) for k in range(looks))
+    return tuple(max(1, round(steps * (k + 1) / samples)) for k in range(samples))

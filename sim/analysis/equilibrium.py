@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from ..body.sparsity import new_matrix
-from ..body.system import build_system, new_state, new_work, refresh
+from ..body.system import build_system, new_scratch, new_state, refresh
 from ..errors import InputError
 from ..kernels.core.tables import Floats
 from ..kernels.forces.forces import accelerations
@@ -147,7 +147,7 @@ class _Resting:
         exact = Integrator(method="symplectic_euler")
         self.system = build_system(msgspec.structs.replace(validate(scene), integrator=exact))
         body = self.tables = self.system.body
-        self.state, self.work = new_state(self.system), new_work(self.system)
+        self.state, self.scratch = new_state(self.system), new_scratch(self.system)
         self.matrix = new_matrix(body, self.system.held)
         state, here = self.state, slice(1, body.masses + 1)
         state.controls[:] = scene.rest_length_scale, 0.0
@@ -185,7 +185,7 @@ class _Resting:
     def accelerations(self, q: Floats) -> Floats:
         """At positions q and at rest, px/s²."""
         a = np.zeros_like(q)
-        accelerations(self.tables, self.state, self.work, q, self.still, a)
+        accelerations(self.tables, self.state, self.scratch, q, self.still, a)
         return a
 
     def factorise(self, q: Floats, shift: float, definite: bool = False) -> bool:
@@ -263,7 +263,7 @@ class _Resting:
 
     def by_mass(self, q: Floats) -> tuple[Floats, Floats]:
         """(n,) x and y of each mass, in the order of the scene."""
-        place = self.system.mass_place
+        place = self.system.mass_index
         return q[place], q[self.places + place]
 
     def pose(self, q: Floats) -> Pose:
@@ -285,7 +285,7 @@ def _continuation(body: _Resting) -> Floats:
             balanced += shift <= 1e4 * neutral
             if balanced == 8:
                 return q
-        effort, turned, to_q = np.inf, 0.0, q
+        stats, turned, to_q = np.inf, 0.0, q
         if body.factorise(q, shift):
             move = body.solve(a)
             size = float(np.abs(move).max()) / body.typical
@@ -302,15 +302,15 @@ def _continuation(body: _Resting) -> Floats:
                 continue
             turned = body.turn(q, move)
             if turned <= _TURN:
-                effort, to_q = _settle(body, q, move, shift)
-        if effort < np.inf:
+                stats, to_q = _settle(body, q, move, shift)
+        if stats < np.inf:
             q, a = to_q, body.accelerations(to_q)
             if not np.abs(q).max() <= MAX_COORDINATE:
                 raise InputError(
                     f"equilibrium: the body would leave ±{MAX_COORDINATE:g} px; nothing stops it"
                 )
             # In the end a step is Newton's, and the second iteration moves by next to nothing.
-            calm = max(turned / _TURN, effort / _CONTRACTION)
+            calm = max(turned / _TURN, stats / _CONTRACTION)
             shift = max(shift * max(2.0 * calm, 1e-3), _LOWEST)
         elif shift < 1e6:
             shift = max(10.0 * shift, _LOWEST)
@@ -336,22 +336,22 @@ def _settle(body: _Resting, q: Floats, move: Floats, shift: float) -> tuple[floa
         The length of the second in parts of the first, infinite if they do not converge; the end.
     """
     first = last = float(np.abs(move).max())
-    effort = 0.0
+    stats = 0.0
     to_q = q + move
     for i in range(_ITERATIONS):
         if not body.factorise(to_q, shift):
             return np.inf, q
         rest = body.accelerations(to_q) - shift * (to_q - q)
         if (np.abs(rest) <= body.rounding(to_q)).all():
-            return effort, to_q
+            return stats, to_q
         update = body.solve(rest)
         size = float(np.abs(update).max())
         if not size <= _CONTRACTION * last:
             return np.inf, q
         to_q = to_q + update
-        effort = effort if i else size / first
+        stats = stats if i else size / first
         if size <= _SETTLED * first:
-            return effort, to_q
+            return stats, to_q
         last = size
     return np.inf, q
 

@@ -14,7 +14,7 @@ import numpy as np
 from ..kernels.core.tables import Body, Floats
 
 
-def weakened(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> Body:
+def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> Body:
     """The tables with every spring and joint as stiff as a step of `dt` seconds bears.
 
     Args:
@@ -34,7 +34,7 @@ def weakened(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> B
     stiffness[:springs] = np.minimum(stiffness[:springs], reduced / dt**2)
     damping[:springs] = np.minimum(damping[:springs], reduced / dt)
     joint_stiffness = body.joint_stiffness.copy()
-    size, resistance = body.couple_size.copy(), body.couple_damping.copy()
+    size, resistance = body.torque_size.copy(), body.torque_damping.copy()
     if body.joints:
         limit = _joint_limit(body, free)
         joint_stiffness = np.minimum(joint_stiffness, limit / dt**2)
@@ -47,8 +47,8 @@ def weakened(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> B
         stiffness=stiffness,
         damping=damping,
         joint_stiffness=joint_stiffness,
-        couple_size=size,
-        couple_damping=resistance,
+        torque_size=size,
+        torque_damping=resistance,
     )
 
 

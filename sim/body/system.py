@@ -15,8 +15,8 @@ from ..kernels.core.tables import (
     Body,
     Floats,
     Indices,
+    Scratch,
     State,
-    Work,
     padded,
 )
 from ..kernels.forces.laws import LAWS, NO_JOINTS
@@ -38,7 +38,7 @@ class System:
     Attributes:
         body: the tables; masses and springs are numbered as the kernels visit them.
         mass_order: (n,) scene index of the mass at place 1, 2, ..., n.
-        mass_place: (n,) the place, from 1 on, of each mass of the scene.
+        mass_index: (n,) the place, from 1 on, of each mass of the scene.
         joint_order: (J,) the kernels' joint for each angular spring of the scene.
         inverse_mass: (n,) 1/kg, in the order of places, also of held masses.
         held: (n,) whether a mass is held, in the order of places.
@@ -47,7 +47,7 @@ class System:
 
     body: Body
     mass_order: Indices
-    mass_place: Indices
+    mass_index: Indices
     joint_order: Indices
     inverse_mass: Floats
     held: np.ndarray
@@ -64,14 +64,14 @@ def build_system(scene: Scene) -> System:
     order = _order_along(scene)
     n = len(scene.masses)
     mass_order, spring_order = order or (list(range(n)), _hinged_first(scene))
-    mass_place = np.empty(n, np.int64)
-    mass_place[mass_order] = np.arange(1, n + 1)
+    mass_index = np.empty(n, np.int64)
+    mass_index[mass_order] = np.arange(1, n + 1)
     spring_place = np.empty(len(spring_order), np.int64)
     spring_place[spring_order] = np.arange(len(spring_order))
-    body, joint_order = _body(scene, mass_place, spring_order, spring_place, order is not None)
+    body, joint_order = _body(scene, mass_index, spring_order, spring_place, order is not None)
     held = np.zeros(n, np.bool_)
     for anchor in scene.anchors:
-        held[mass_place[anchor.mass] - 1] = True
+        held[mass_index[anchor.mass] - 1] = True
     if scene.pose is not None:
         positions, velocities = scene.pose.positions, scene.pose.velocities
     else:
@@ -82,7 +82,7 @@ def build_system(scene: Scene) -> System:
     return System(
         body=body,
         mass_order=np.array(mass_order, np.int64),
-        mass_place=mass_place,
+        mass_index=mass_index,
         joint_order=joint_order,
         inverse_mass=1.0 / np.array([scene.masses[i].mass for i in mass_order], float),
         held=held,
@@ -139,9 +139,9 @@ def new_state(system: System) -> State:
         "v": (2 * places, 1),
         "controls": (2, 0),
         "pull": (body.stiffness.size, 1),
-        "couple_cos": (joints, 1),
-        "couple_sin": (joints, 1),
-        "couple_rest": (joints, 0),
+        "torque_cos": (joints, 1),
+        "torque_sin": (joints, 1),
+        "torque_rest": (joints, 0),
     }
     arrays = slab([sizes.get(field, (places, 1)) for field in State.fields], page_offset=0)
     state = State(**dict(zip(State.fields, arrays, strict=True)))
@@ -155,23 +155,23 @@ def refresh(body: Body, state: State) -> None:
     springs, joints = slice(body.springs), slice(1, body.joints + 1)
     state.pull[springs] = body.stiffness[springs] * (body.rest_length[springs] * scale)
     rest = np.radians(180.0 - (180.0 - (body.joint_rest + shift)) % 360.0)
-    state.couple_rest[joints] = rest
-    state.couple_cos[joints] = body.joint_stiffness * np.cos(rest)
-    state.couple_sin[joints] = body.joint_stiffness * np.sin(rest)
+    state.torque_rest[joints] = rest
+    state.torque_cos[joints] = body.joint_stiffness * np.cos(rest)
+    state.torque_sin[joints] = body.joint_stiffness * np.sin(rest)
     if body.ring and body.joints:
-        state.couple_cos[0], state.couple_sin[0] = (
-            state.couple_cos[body.joints],
-            state.couple_sin[body.joints],
+        state.torque_cos[0], state.torque_sin[0] = (
+            state.torque_cos[body.joints],
+            state.torque_sin[body.joints],
         )
 
 
-def new_work(system: System) -> Work:
+def new_scratch(system: System) -> Scratch:
     """Scratch arrays for the system."""
     room = max(system.body.stiffness.size, system.body.joints) + 3
     first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # the places that loops over springs and masses start at
     # Behind the arrays of a short chain's `State`.
-    arrays = slab([(room, first.get(field, 0)) for field in Work.fields], page_offset=2560)
-    return Work(**dict(zip(Work.fields, arrays, strict=True)))
+    arrays = slab([(room, first.get(field, 0)) for field in Scratch.fields], page_offset=2560)
+    return Scratch(**dict(zip(Scratch.fields, arrays, strict=True)))
 
 
 def _order_along(scene: Scene) -> tuple[list[int], list[int]] | None:
@@ -208,23 +208,23 @@ def _hinged_first(scene: Scene) -> list[int]:
 
 
 def _body(
-    scene: Scene, mass_place: Indices, spring_order: list[int], spring_place: Indices, in_order: bool
+    scene: Scene, mass_index: Indices, spring_order: list[int], spring_place: Indices, in_order: bool
 ) -> tuple[Body, Indices]:
     n, springs = len(scene.masses), [scene.linear_springs[s] for s in spring_order]
     ring = in_order and len(springs) == n
     # As many springs as masses at least, since the chain's loops over masses look at as many, and one ahead.
     room = padded(max(len(springs), n)) + 1
-    couples = max(room, len(scene.angular_springs)) + 1
-    stiffness, damping, rest, couple_size, softenings = slab(
-        [(room, 1)] * 3 + [(couples, 1), (room, 1)], page_offset=1536
+    torques = max(room, len(scene.angular_springs)) + 1
+    stiffness, damping, rest, torque_size, softenings = slab(
+        [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
     )
     for s, spring in enumerate(springs):
         stiffness[s], damping[s], rest[s] = spring.stiffness, spring.damping, spring.rest_length
     softening = _softening(scene)
     # The loop round a ring comes by its first spring again.
     softenings[:], softenings[: len(springs) + ring] = _ENDLESS, max(softening, LEAST)
-    spring_a = mass_place[np.array([spring.a for spring in springs], np.int64)]
-    spring_b = mass_place[np.array([spring.b for spring in springs], np.int64)]
+    spring_a = mass_index[np.array([spring.a for spring in springs], np.int64)]
+    spring_b = mass_index[np.array([spring.b for spring in springs], np.int64)]
     joint_a = spring_place[np.array([joint.a for joint in scene.angular_springs], np.int64)]
     joint_b = spring_place[np.array([joint.b for joint in scene.angular_springs], np.int64)]
     strength = np.array(joint_stiffness(scene), float)
@@ -247,16 +247,16 @@ def _body(
     spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = _slots(
         spring_b, spring_a, n + 1, first=0, nothing=room, layers=layers
     )
-    couple_damping = np.zeros(max(joint_a.size, room) + 1)
-    couple_size[1 : joint_a.size + 1], couple_damping[1 : joint_a.size + 1] = strength, resistance
+    torque_damping = np.zeros(max(joint_a.size, room) + 1)
+    torque_size[1 : joint_a.size + 1], torque_damping[1 : joint_a.size + 1] = strength, resistance
     if ring and joint_a.size:
-        couple_size[0] = strength[-1]
+        torque_size[0] = strength[-1]
     body = Body(
         masses=n,
         springs=len(springs),
         joints=joint_a.size,
         damped=bool(damping.any()),
-        twisted=bool(resistance.any()),
+        joint_damped=bool(resistance.any()),
         chain=in_order and not ring,
         ring=ring,
         law=LAWS[scene.force_law].code if joint_a.size else NO_JOINTS,
@@ -271,8 +271,8 @@ def _body(
         joint_b=joint_b,
         joint_stiffness=np.ascontiguousarray(strength),
         joint_rest=np.ascontiguousarray(rest_angle),
-        couple_size=couple_size,
-        couple_damping=couple_damping,
+        torque_size=torque_size,
+        torque_damping=torque_damping,
         hinged=hinged,
         joint_in=joint_in,
         joint_out=joint_out,

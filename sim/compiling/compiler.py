@@ -24,13 +24,13 @@ import numba
 from numba import types
 
 from ..kernels.core.jit import cache_folder, module_of
-from ..kernels.core.shared import ACCELERATIONS, FACTORISE, FLOATS, SOLVE, TALLY
+from ..kernels.core.shared import ACCELERATIONS, ACCUMULATE, FACTORISE, FLOATS, SOLVE
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
-from ..kernels.energy.work import tally_step
+from ..kernels.energy.work import accumulate_work
 from ..kernels.forces.forces import accelerations
 from ..kernels.integrators.auto import next_turn
-from ..kernels.integrators.fallback import run_rescue
+from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..methods.registry import ARM_METHODS, METHODS
 
@@ -87,9 +87,9 @@ def _entry_points() -> dict[str, EntryPoint]:
         ("the choice of methods", next_turn, (problem, _FLOAT, _FLOAT, _INT)),
         ("matrices", factorise_matrix, FACTORISE.args),
         ("linear systems", solve_matrix, SOLVE.args),
-        ("the fallback step", run_rescue, (problem, drive, *[_FLOAT] * 5)),
+        ("the fallback step", run_fallback, (problem, drive, *[_FLOAT] * 5)),
         *((method.label, method.kernel, run) for method in methods if method.kernel is not None),
-        ("the work done in a step", tally_step, TALLY.args),
+        ("the work done in a step", accumulate_work, ACCUMULATE.args),
         ("energies", energies, (Body.numba_type, State.numba_type, FLOATS, _FLOAT, _FLOAT, *[FLOATS] * 3)),
     ]
     found: dict[str, EntryPoint] = {}
@@ -102,10 +102,10 @@ def _entry_points() -> dict[str, EntryPoint]:
 ENTRY_POINTS = _entry_points()
 """By name."""
 
-FOR_RESCUE = ("factorise_matrix", "solve_matrix", "run_rescue")
-"""Entry points that a step of last resort takes."""
+FOR_FALLBACK = ("factorise_matrix", "solve_matrix", "run_fallback")
+"""Entry points that a fallback step takes."""
 
-FOR_ENERGY = ("energies", "tally_step")
+FOR_ENERGY = ("energies", "accumulate_work")
 """Entry points that following the energy takes."""
 
 
@@ -114,7 +114,7 @@ def needed_by(method: str) -> tuple[str, ...]:
     info = METHODS[method]
     if info.kernel is None:
         return "accelerations", ARM_METHODS[0].kernel.py_func.__name__, "next_turn"
-    implicit = FOR_RESCUE if info.implicit else ()
+    implicit = FOR_FALLBACK if info.implicit else ()
     return "accelerations", *implicit, info.kernel.py_func.__name__
 
 
@@ -162,7 +162,7 @@ class Compiler:
     def start(self) -> None:
         """Begin; entry points become ready from now on."""
         helpers = min(_MOST_HELPERS, os.cpu_count() or 1)
-        self._threads = [threading.Thread(target=self._work, daemon=True) for _ in range(helpers)]
+        self._threads = [threading.Thread(target=self._scratch, daemon=True) for _ in range(helpers)]
         for thread in self._threads:
             thread.start()
 
@@ -178,7 +178,7 @@ class Compiler:
         for helper in self._helpers:
             helper.terminate()
 
-    def _work(self) -> None:
+    def _scratch(self) -> None:
         """Take one entry point after another, with a helper where something has to be compiled."""
         helper: subprocess.Popen[str] | None = None
         while not self._stopped and (name := self._take()) is not None:

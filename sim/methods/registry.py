@@ -35,9 +35,9 @@ class MethodInfo:
         summary: what it is and what it is good for, one sentence.
         limit: how its stability limit follows from a body; None where it has none.
         table: its coefficients, if it has any.
-        strictness: for a tolerance of 1 px, the position error per second that one step may make, 1/s; found
-            by trying, so that errors after a second come out somewhat below the tolerance. An error per
-            unit of time, and not per step, makes errors proportional to the tolerance.
+        tolerance_factor: for a tolerance of 1 px, the position error per second that one step may make, 1/s;
+            found by trying, so that errors after a second come out somewhat below the tolerance. An error
+            per unit of time, and not per step, makes errors proportional to the tolerance.
     """
 
     name: Method
@@ -49,7 +49,7 @@ class MethodInfo:
     summary: str
     limit: StabilityLimit | None = None
     table: Tableau | Rosenbrock | Adams | None = None
-    strictness: float = 1.0
+    tolerance_factor: float = 1.0
 
 
 _ALL = (
@@ -65,7 +65,7 @@ _ALL = (
     MethodInfo(
         "velocity_verlet", "Velocity Verlet", run_verlet, 2, False, False,
         "As cheap as Euler's and of second order; the same limit where nothing damps, a lower one under "
-        "damping.", limits.flip(4.0), strictness=1.5,
+        "damping.", limits.flip(4.0), tolerance_factor=1.5,
     ),
     MethodInfo(
         "rk4", "Runge-Kutta 4", run_runge_kutta, 4, False, False,
@@ -75,11 +75,11 @@ _ALL = (
     MethodInfo(
         "generalized_alpha", "Generalized-alpha", run_alpha, 2, False, True,
         "Implicit: bears any stiffness and calms what the step is too long for; springs turn and stretch in "
-        "its Newton updates.", strictness=10.0,
+        "its Newton updates.", tolerance_factor=10.0,
     ),
     MethodInfo(
         "stable_spring", "Stable spring", run_euler, 1, False, False,
-        "Symplectic Euler with every spring weakened as far as the step needs; cannot explode, sags instead.",
+        "Symplectic Euler with every spring softened as far as the step needs; cannot explode, sags instead.",
         limits.flip(2.0),
     ),
     MethodInfo(

@@ -1,4 +1,4 @@
-"""Hands that hold masses and lead them: at once, or no faster than a demanding body can follow.
+"""Hands that hold masses and lead them: at once, or no faster than a rate_limited body can follow.
 
 What is torn away at once is a shock, whose waves are as short as the body's springs: to follow those takes a
 rod of a thousand masses a thousand times as long as the motion that its user sees. So there the hand comes
@@ -21,8 +21,9 @@ from ..scene.types import MAX_COORDINATE, MAX_SPEED, Scene
 from .stability import quick_limit
 
 _TOO_MANY = 8e4
-"""Masses times the steps that explicit methods take for a simulated second, above which a body is demanding.
-Bodies with a half or a tenth of that follow an anchor that is torn over thousands of pixels in a frame."""
+"""Masses times the steps that explicit methods take for a simulated second, above which hands are
+rate-limited. Bodies with a half or a tenth of that follow an anchor that is torn over thousands of pixels in
+a frame."""
 
 _PART, _SLOWEST = 1.0 / 3.0, 100.0
 """The part of the speed of a pull that the hand goes at, at most; and px/s that it may go at all the same."""
@@ -146,8 +147,8 @@ class Hands:
         adaptive: whether its method chooses its steps.
 
     Attributes:
-        demanding: whether the body has so many masses, on springs so stiff, that hands have to be gentle. A
-            method with fixed steps takes as long for anything.
+        rate_limited: whether the body has so many masses, on springs so stiff, that hands go at a limited
+            speed. A method with fixed steps takes as long for anything.
         grabbed: masses of the scene that are held by a hand alone.
         targets: where masses are to be led in the next call, straight, px, by place.
         gentle: the hands that lead masses no faster than these can follow, by place.
@@ -155,7 +156,7 @@ class Hands:
 
     def __init__(self, system: System, state: State, adaptive: bool) -> None:
         self._system, self._state = system, state
-        self.demanding = adaptive and bool(system.body.masses > _TOO_MANY * quick_limit(system))
+        self.rate_limited = adaptive and bool(system.body.masses > _TOO_MANY * quick_limit(system))
         self.grabbed: set[int] = set()
         self.targets: dict[int, tuple[float, float]] = {}
         self.gentle: dict[int, Hand] = {}
@@ -186,18 +187,18 @@ class Hands:
 
     def hold(self, mass: int) -> bool:
         """Whether a mass of the scene is held, by the scene or by a hand."""
-        return bool(self._system.held[self._system.mass_place[mass] - 1]) or mass in self.grabbed
+        return bool(self._system.held[self._system.mass_index[mass] - 1]) or mass in self.grabbed
 
     def grab(self, mass: int) -> None:
         """Take a mass of the scene, which may be moving."""
-        place, free = int(self._system.mass_place[mass]), not self.hold(mass)
+        place, free = int(self._system.mass_index[mass]), not self.hold(mass)
         self.grabbed.add(mass)
-        if self.demanding and free:
+        if self.rate_limited and free:
             self._take(place, float(self._state.vx[place]), float(self._state.vy[place]))
 
     def release(self, mass: int) -> None:
         """Let go of a mass of the scene: it is at rest, or still led where the scene holds it."""
-        place = int(self._system.mass_place[mass])
+        place = int(self._system.mass_index[mass])
         if mass in self.grabbed:
             # However fast it was led: a throw would go by the last few milliseconds of a shaky hand.
             self._state.vx[place] = self._state.vy[place] = 0.0
@@ -210,7 +211,7 @@ class Hands:
         """Say in the tables what forces do to each mass, nothing where it is held; whether all are."""
         system, state, masses = self._system, self._state, slice(1, self._system.body.masses + 1)
         held = system.held.copy()
-        held[system.mass_place[list(self.grabbed)] - 1] = True
+        held[system.mass_index[list(self.grabbed)] - 1] = True
         free = np.where(held, 0.0, 1.0)
         state.vx[masses] *= free
         state.vy[masses] *= free
@@ -236,7 +237,7 @@ class Hands:
     def take_over(self, old: Hands) -> None:
         """Hold what other hands hold of a body with the same masses."""
         self.grabbed = set(old.grabbed)
-        if self.demanding:
+        if self.rate_limited:
             self.gentle = copy.deepcopy(old.gentle)
 
     def _take(self, place: int, vx: float, vy: float) -> None:

@@ -28,7 +28,7 @@ class Driver:
     def __init__(self, scene: Scene, system: System, state: State) -> None:
         self._state = state
         self._circles = {
-            int(system.mass_place[a.mass]): a.circle for a in scene.anchors if a.circle is not None
+            int(system.mass_index[a.mass]): a.circle for a in scene.anchors if a.circle is not None
         }
         self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
 

@@ -11,9 +11,9 @@ from ..kernels.core.tables import (
     WORK_AIR,
     WORK_ANCHORS,
     WORK_DAMPING,
+    WORK_FALLBACK,
     WORK_KEYS,
     WORK_LAW,
-    WORK_RESCUE,
     State,
 )
 from ..kernels.energy.energies import energies
@@ -35,7 +35,7 @@ class EnergyBook:
         law: work done by a force law that is the gradient of no energy.
         keys: work done by keys that change rest lengths and angles.
         changes: what changes of settings have added at once.
-        rescues: what steps of last resort have added; negative or zero.
+        fallbacks: what fallback steps have added; negative or zero.
         residual: the sum of the energies, less what it was at first and all of the above. It is what the
             method gets wrong, and shrinks with the step at the method's order.
     """
@@ -50,7 +50,7 @@ class EnergyBook:
     law: float
     keys: float
     changes: float
-    rescues: float
+    fallbacks: float
     residual: float
 
     @property
@@ -72,7 +72,7 @@ class Books:
     def __init__(self, scene: Scene, system: System, state: State, solver: Solver) -> None:
         self._scene, self._system, self._state = scene, system, state
         self._solver = solver
-        self._solver.open_ledger()
+        self._solver.open_balance()
         self._changes = 0.0
         self._four = np.zeros(4)
         self._start = self.total()
@@ -81,7 +81,7 @@ class Books:
         """The books as they are now."""
         total = self.total()
         kinetic, linear, angular, gravity = (float(e) for e in self._four)
-        work = self._solver.ledger.work
+        work = self._solver.balance.work
         return EnergyBook(
             kinetic,
             linear,
@@ -93,24 +93,24 @@ class Books:
             law=float(work[WORK_LAW]),
             keys=float(work[WORK_KEYS]),
             changes=self._changes,
-            rescues=float(work[WORK_RESCUE]),
+            fallbacks=float(work[WORK_FALLBACK]),
             residual=total - self._start - float(work.sum()) - self._changes,
         )
 
     def total(self) -> float:
         """The sum of the energies of the state in `state`."""
         state, gravity = self._state, self._scene.gravity
-        mass = self._solver.ledger.mass
+        mass = self._solver.balance.mass
         energies(self._system.body, state, mass, *gravity, state.q, state.v, self._four)
         return float(self._four.sum())
 
     def moved(self, before: float) -> None:
         """Held masses were put elsewhere at once, taken hold of or let go: the total was `before`."""
-        self._solver.ledger.work[WORK_ANCHORS] += self.total() - before
+        self._solver.balance.work[WORK_ANCHORS] += self.total() - before
 
     def take_over(self, old: Books) -> None:
         """Go on from the books of a simulation with other settings."""
-        self._solver.ledger.work[:] = old._solver.ledger.work
+        self._solver.balance.work[:] = old._solver.balance.work
         book = old._last
         self._changes = book.changes + self.total() - book.total
         self._start = old._start

@@ -13,7 +13,7 @@ from ..kernels.integrators import guard
 from ..methods.registry import METHODS
 from ..physics import Physics, Vectors, euler_step, verlet_step
 from ..scene.types import MAX_COORDINATE, RUNAWAY_SPEED, Scene
-from .solver import UNLIMITED, Effort
+from .solver import UNLIMITED, SolverStats
 from .stability import damped_limit
 
 _CAREFULLY = 0.2
@@ -59,10 +59,10 @@ class PlainSolver:
         """Say that the state or what acts on it has changed from outside."""
         self._a = None
 
-    def effort(self) -> Effort:
+    def stats(self) -> SolverStats:
         """What was done since the last call of this."""
-        effort, self.tries = Effort(steps=self.tries, forces=self.tries), 0
-        return effort
+        stats, self.tries = SolverStats(steps=self.tries, forces=self.tries), 0
+        return stats
 
     def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
         """Go on to a time, as far as the attempts lead.

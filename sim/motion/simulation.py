@@ -11,8 +11,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.stable_spring import weakened
-from ..body.system import build_system, new_state, new_work, refresh, same_topology
+from ..body.stable_spring import clamp_stiffness
+from ..body.system import build_system, new_scratch, new_state, refresh, same_topology
 from ..compiling.compiler import FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
@@ -25,7 +25,7 @@ from .divergence import LIMITS, Divergence, limit_to_blame
 from .drag import Hands, within_bounds
 from .energy import Books, EnergyBook
 from .plain import PlainSolver
-from .solver import UNLIMITED, Effort, Solver
+from .solver import UNLIMITED, Solver, SolverStats
 from .stability import StabilityEstimate, StabilityMeter
 from .stepping import Outcome, Stepper, presses_of
 
@@ -142,9 +142,9 @@ class Simulation:
         return isinstance(self._stepper.solver, PlainSolver)
 
     @property
-    def demanding(self) -> bool:
+    def rate_limited(self) -> bool:
         """Whether its masses are too many, and its springs too stiff, to follow any hand, see `follow`."""
-        return self._hands.demanding
+        return self._hands.rate_limited
 
     @property
     def behind(self) -> dict[int, float]:
@@ -157,9 +157,9 @@ class Simulation:
             self._meter = StabilityMeter(self._system, self.method)
         return self._meter.update(self._state, self._scene.air_friction)
 
-    def effort(self) -> Effort:
+    def stats(self) -> SolverStats:
         """What the method did since the last call of this."""
-        return self._stepper.effort()
+        return self._stepper.stats()
 
     def energy(self) -> EnergyBook:
         """The energies, and what has changed them since this was first called, or since the last reset.
@@ -181,7 +181,7 @@ class Simulation:
         if not on:
             self._books = None
             if isinstance(solver, Solver):
-                solver.close_ledger()
+                solver.close_balance()
         elif self._books is None and isinstance(solver, Solver) and (self._wait or is_ready(FOR_ENERGY)):
             self._books = self._new_books()
         return self._books is not None
@@ -223,12 +223,12 @@ class Simulation:
     def follow(self, mass: int, to: tuple[float, float]) -> None:
         """Lead a held mass somewhere as fast as the body can follow, in this and later calls of `step`.
 
-        Most bodies can in one call. In one that is `demanding` the hand stays `behind`.
+        Most bodies can in one call. In one that is `rate_limited` the hand stays `behind`.
 
         Raises:
             InputError: as `move`.
         """
-        if self.demanding and not any(a.mass == mass and a.circle is not None for a in self.anchors):
+        if self.rate_limited and not any(a.mass == mass and a.circle is not None for a in self.anchors):
             self._hands.lead_gently(self._held_mass(mass), within_bounds(to))
         else:
             self.lead(mass, to)
@@ -236,7 +236,7 @@ class Simulation:
     def grab(self, mass: int) -> None:
         """Hold a mass that is free, as a hand does, until `release`; a held mass may be grabbed too.
 
-        It is stopped at once, or in a `demanding` body as fast as that can follow.
+        It is stopped at once, or in a `rate_limited` body as fast as that can follow.
         """
         self._hands.grab(self._existing_mass(mass))
         with self._by_hand():
@@ -361,13 +361,13 @@ class Simulation:
         self._scene = scene
         system = build_system(scene)
         if scene.integrator.method == "stable_spring":
-            body = weakened(system.body, system.inverse_mass, system.held, scene.integrator.dt)
+            body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
             system = dataclasses.replace(system, body=body)
         self._system = system
         self._body = system.body
         self._masses = slice(1, system.body.masses + 1)
         self._state: State = new_state(system)
-        self._work = new_work(system)
+        self._scratch = new_scratch(system)
         self._stepper = self._new_stepper()
         springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
         joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
@@ -379,7 +379,7 @@ class Simulation:
     def _new_stepper(self) -> Stepper:
         scene, system, state = self._scene, self._system, self._state
         if self._wait or is_ready(needed_by(self.method)):
-            solver = Solver(scene, system, state, self._work, self._wait)
+            solver = Solver(scene, system, state, self._scratch, self._wait)
         else:
             solver = PlainSolver(scene, system, state)
         return Stepper(scene, system, state, solver)
@@ -424,11 +424,11 @@ class Simulation:
         return int(mass)
 
     def _held_mass(self, mass: int) -> int:
-        place = int(self._system.mass_place[self._existing_mass(mass)])
+        place = int(self._system.mass_index[self._existing_mass(mass)])
         if not self._hands.hold(mass):
             raise InputError(f"mass {mass} is not held, so it cannot be moved")
         return place
 
     def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-        place = self._system.mass_place
+        place = self._system.mass_index
         return np.column_stack((x[place], y[place]))

@@ -8,8 +8,8 @@ import numpy as np
 
 from ..body.sparsity import NO_MATRIX, new_matrix
 from ..body.system import System, slab
-from ..compiling.compiler import FOR_RESCUE, is_ready, needed_by
-from ..kernels.core.shared import ACCELERATIONS, FACTORISE, SOLVE, TALLY, address_of
+from ..compiling.compiler import FOR_FALLBACK, is_ready, needed_by
+from ..kernels.core.shared import ACCELERATIONS, ACCUMULATE, FACTORISE, SOLVE, address_of
 from ..kernels.core.tables import (
     ARM_ADAMS,
     ARM_ALPHA,
@@ -17,19 +17,19 @@ from ..kernels.core.tables import (
     ARM_VERLET,
     ARMS,
     AUTO_NEW,
-    CLOCK_BEGUN,
-    CLOCK_CONTRACTION,
-    CLOCK_LAST,
-    CLOCK_LAST_BUT_ONE,
-    CLOCK_TIME,
-    CLOCKS,
     CONTROL_SCALE,
+    CONTROLLER_BEGUN,
+    CONTROLLER_CONTRACTION,
+    CONTROLLER_LAST,
+    CONTROLLER_LAST_BUT_ONE,
+    CONTROLLER_TIME,
+    CONTROLLERS,
+    COUNT_FALLBACKS,
     COUNT_FORCES,
     COUNT_FRESH,
     COUNT_MASS,
     COUNT_MATRICES,
     COUNT_REJECTED,
-    COUNT_RESCUES,
     COUNT_STEPS,
     COUNT_WHAT,
     COUNTS,
@@ -37,22 +37,22 @@ from ..kernels.core.tables import (
     WORKS,
     Adams,
     Drive,
+    EnergyBalance,
     Floats,
-    Flow,
-    Ledger,
+    IntegratorState,
     Matrix,
     Problem,
     Rosenbrock,
+    Scratch,
     State,
     Tableau,
-    Work,
 )
 from ..kernels.energy.dissipation import DAMPER_ROWS
-from ..kernels.energy.work import tally_step
+from ..kernels.energy.work import accumulate_work
 from ..kernels.forces.forces import accelerations
 from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
-from ..kernels.integrators.fallback import run_rescue
+from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..methods.registry import ARM_METHODS, METHODS, MethodInfo
 from ..methods.tableaux import RK4
@@ -83,27 +83,27 @@ _ADAMS_LOW, _ADAMS_HIGH = 0.5, 1.6
 """What it multiplies the tolerance of Adams' methods by, down to `LOW_TOLERANCE` and below. Found by trying:
 so, about the same share of random bodies ends within large tolerances and within small ones."""
 
-RESCUE_STEP = 1e-3
-"""Length of a step of last resort, s."""
+FALLBACK_STEP = 1e-3
+"""Length of a fallback step, s."""
 
 UNLIMITED = 2**62
 
 
 @dataclass
-class Effort:
+class SolverStats:
     """What a method did since its counters were last taken.
 
     Attributes:
         steps, rejected: steps kept and steps tried in vain.
         forces, matrices: evaluations of the accelerations, and matrices factorised.
-        rescues: steps of last resort.
+        fallbacks: fallback steps.
     """
 
     steps: int = 0
     rejected: int = 0
     forces: int = 0
     matrices: int = 0
-    rescues: int = 0
+    fallbacks: int = 0
 
 
 class Solver:
@@ -117,9 +117,11 @@ class Solver:
         wait: whether it may wait for kernels to be compiled.
     """
 
-    def __init__(self, scene: Scene, system: System, state: State, work: Work, wait: bool = True) -> None:
+    def __init__(
+        self, scene: Scene, system: System, state: State, scratch: Scratch, wait: bool = True
+    ) -> None:
         self._wait = wait
-        self.scene, self.system, self.state, self.work = scene, system, state, work
+        self.scene, self.system, self.state, self.scratch = scene, system, state, scratch
         self.places = state.q.size // 2
         wide = state.q.size
         self._info = METHODS[scene.integrator.method]
@@ -129,21 +131,21 @@ class Solver:
         count = history + (_HISTORY if remembers else 0)
         (room,) = slab([(count * wide, 1)], page_offset=2560)
         rows = room.reshape(-1, wide)  # a whole number of cache lines each
-        self.flow = Flow(
+        self.integrator = IntegratorState(
             a=rows[0],
-            clock=np.zeros(CLOCKS),
+            controller=np.zeros(CONTROLLERS),
             limits=np.array([MAX_COORDINATE, MAX_SPEED if self._info.adaptive else RUNAWAY_SPEED]),
             counts=np.zeros(COUNTS, np.int64),
             rows=rows[1:past],
-            mind=_NEW.copy(),
+            selector=_NEW.copy(),
             history=rows[history:],
             past=rows[past:history],
         )
         no_rows = np.zeros((1, 0))
-        self.ledger = Ledger(
+        self.balance = EnergyBalance(
             active=False, work=np.zeros(WORKS), mass=np.zeros(self.places), rows=no_rows, dampers=no_rows
         )
-        self.ledger.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
+        self.balance.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
         self._problem: Problem | None = None
         self._costs: Floats | None = None  # of a step of each method, see `Problem`
@@ -159,15 +161,15 @@ class Solver:
     @property
     def time(self) -> float:
         """Simulated time, s."""
-        return float(self.flow.clock[CLOCK_TIME])
+        return float(self.integrator.controller[CONTROLLER_TIME])
 
     def load(self, time: float) -> None:
         """The state has come from elsewhere, at a time; what was carried from step to step is forgotten."""
-        flow = self.flow
-        flow.clock[:] = 0.0
-        flow.mind[:] = _NEW
-        flow.clock[CLOCK_TIME] = time
-        flow.counts[:] = 0
+        integrator = self.integrator
+        integrator.controller[:] = 0.0
+        integrator.selector[:] = _NEW
+        integrator.controller[CONTROLLER_TIME] = time
+        integrator.counts[:] = 0
 
     def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
         """Go on to a time by the scene's method, as far as the attempts lead.
@@ -176,26 +178,28 @@ class Solver:
             guard.GOOD, or what is wrong with the state that the next step would lead to.
         """
         left = attempts - self._run(until, drive, attempts)
-        counts = self.flow.counts
+        counts = self.integrator.counts
         what = int(counts[COUNT_WHAT])
-        can_rescue = self._info.implicit and (self._wait or is_ready(FOR_RESCUE))
-        while what == guard.STUCK and can_rescue and left > 0 and self.time < until:
-            self.rescue(until, drive)
+        can_fall_back = self._info.implicit and (self._wait or is_ready(FOR_FALLBACK))
+        while what == guard.STUCK and can_fall_back and left > 0 and self.time < until:
+            self.fall_back(until, drive)
             left -= self._run(until, drive, left)
             what = int(counts[COUNT_WHAT])
         if what == guard.STUCK and self._info.implicit:
-            what = guard.GOOD  # no more than late: the next call begins with a step of last resort
+            what = guard.GOOD  # no more than late: the next call begins with a fallback step
         return what
 
     def _run(self, until: float, drive: Drive, attempts: int) -> int:
-        """As `run`, without steps of last resort; returns the steps tried."""
+        """As `run`, without fallback steps; returns the steps tried."""
         info, integrator = self._info, self.scene.integrator
         if self._missing:
             self._take_in()
         if info.kernel is not None:
             before = self.tries
             problem = self._problem or self._bind(info.implicit)
-            info.kernel(problem, drive, until, max(integrator.tolerance * info.strictness, 1e-13), attempts)
+            info.kernel(
+                problem, drive, until, max(integrator.tolerance * info.tolerance_factor, 1e-13), attempts
+            )
             return self.tries - before
         problem, left = self._problem or self._bind(False), attempts
         while True:
@@ -228,12 +232,12 @@ class Solver:
         self._problem = Problem(
             body=self.system.body,
             state=self.state,
-            work=self.work,
+            scratch=self.scratch,
             matrix=self.matrix if implicit else NO_MATRIX,
-            flow=self.flow,
-            ledger=self.ledger,
+            integrator=self.integrator,
+            balance=self.balance,
             accelerations=address_of(accelerations, ACCELERATIONS),
-            tally=address_of(tally_step, TALLY) if self.ledger.active else 0,
+            accumulate=address_of(accumulate_work, ACCUMULATE) if self.balance.active else 0,
             factorise=address_of(factorise_matrix, FACTORISE) if implicit else 0,
             solve=address_of(solve_matrix, SOLVE) if implicit else 0,
             fixed=0.0 if info.adaptive else integrator.dt,
@@ -242,7 +246,7 @@ class Solver:
             implicit=rosenbrock,
             adams=adams,
             costs=costs,
-            strictness=self._strictness(arms, low) if auto else np.ones(ARMS),
+            tolerance_factor=self._tolerance_factors(arms, low) if auto else np.ones(ARMS),
         )
         return self._problem
 
@@ -257,17 +261,17 @@ class Solver:
             self._missing -= ready
             self._problem = None
 
-    def _strictness(self, arms: list[MethodInfo], low: bool) -> Floats:
-        """See `Problem.strictness`."""
-        strictness = np.array([arm.strictness for arm in arms])
-        strictness[ARM_ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
+    def _tolerance_factors(self, arms: list[MethodInfo], low: bool) -> Floats:
+        """See `Problem.tolerance_factor`."""
+        tolerance_factor = np.array([arm.tolerance_factor for arm in arms])
+        tolerance_factor[ARM_ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
         size = max(
             *np.ptp([mass.position for mass in self.scene.masses], axis=0),
             *(spring.rest_length for spring in self.scene.linear_springs),
         )
         tolerance = self.scene.integrator.tolerance
-        strictness[ARM_ROSENBROCK] *= min(max(_COARSEST * size / tolerance, _FINER), 1.0)
-        return strictness * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
+        tolerance_factor[ARM_ROSENBROCK] *= min(max(_COARSEST * size / tolerance, _FINER), 1.0)
+        return tolerance_factor * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
 
     def _costs_of_steps(self, low: bool) -> Floats:
         """See `Problem.costs`; measured in ns on chains, elsewhere in proportion to operations."""
@@ -291,65 +295,67 @@ class Solver:
             costs[ARM_ALPHA] = 1.2 * (factors + force + 2.0 * blocks) + 16.0 * n
         return costs / costs[ARM_VERLET]
 
-    def rescue(self, until: float, drive: Drive) -> None:
-        """Leave a state that no method can leave, by a step of last resort; as `run`."""
-        body, flow = self.system.body, self.flow
+    def fall_back(self, until: float, drive: Drive) -> None:
+        """Leave a state that no method can leave, by a fallback step; as `run`."""
+        body, integrator = self.system.body, self.integrator
         lengths = body.rest_length[: body.springs] * self.state.controls[CONTROL_SCALE]
         typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
-        h = min(RESCUE_STEP, until - self.time)
+        h = min(FALLBACK_STEP, until - self.time)
         problem = self._problem
         if problem is None or not problem.factorise:
             problem = self._bind(True)
-        run_rescue(problem, drive, *self.scene.gravity, h, 1e-6 * typical, typical)
-        flow.mind[:] = _NEW
-        flow.clock[[CLOCK_LAST, CLOCK_LAST_BUT_ONE, CLOCK_BEGUN, CLOCK_CONTRACTION]] = 0.0
+        run_fallback(problem, drive, *self.scene.gravity, h, 1e-6 * typical, typical)
+        integrator.selector[:] = _NEW
+        integrator.controller[
+            [CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, CONTROLLER_BEGUN, CONTROLLER_CONTRACTION]
+        ] = 0.0
 
-    def open_ledger(self) -> None:
+    def open_balance(self) -> None:
         """Keep books from now on of what changes the energy."""
         body = self.system.body
         rows, dampers = np.zeros((3, 2 * self.places)), np.zeros((DAMPER_ROWS, body.springs + body.joints))
-        self.ledger = self.ledger.replaced(active=True, rows=rows, dampers=dampers)
-        self.ledger.work[:] = 0.0
+        self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers)
+        self.balance.work[:] = 0.0
         self._problem = None
 
-    def close_ledger(self) -> None:
+    def close_balance(self) -> None:
         """Keep books no more."""
-        self.ledger = self.ledger.replaced(active=False)
+        self.balance = self.balance.replaced(active=False)
         self._problem = None
 
     @property
     def fastest(self) -> float:
         """Speed that a good state has at most, px/s."""
-        return float(self.flow.limits[1])
+        return float(self.integrator.limits[1])
 
     @fastest.setter
     def fastest(self, speed: float) -> None:
-        self.flow.limits[1] = speed
+        self.integrator.limits[1] = speed
 
     @property
     def keeps_books(self) -> bool:
         """Whether it is followed what changes the energy."""
-        return bool(self.ledger.active)
+        return bool(self.balance.active)
 
     def touch(self) -> None:
         """Say that the state or what acts on it has changed from outside."""
-        self.flow.counts[COUNT_FRESH] = 0
+        self.integrator.counts[COUNT_FRESH] = 0
 
     @property
     def tries(self) -> int:
         """Steps tried since the counters were last taken."""
-        counts = self.flow.counts
+        counts = self.integrator.counts
         return int(counts[COUNT_STEPS] + counts[COUNT_REJECTED])
 
     @property
     def place(self) -> int:
         """The place of the mass that shows what is wrong."""
-        return int(self.flow.counts[COUNT_MASS])
+        return int(self.integrator.counts[COUNT_MASS])
 
-    def effort(self) -> Effort:
+    def stats(self) -> SolverStats:
         """What was done since the last call of this."""
-        counts = self.flow.counts
-        places = (COUNT_STEPS, COUNT_REJECTED, COUNT_FORCES, COUNT_MATRICES, COUNT_RESCUES)
-        effort = Effort(*(int(counts[i]) for i in places))
+        counts = self.integrator.counts
+        places = (COUNT_STEPS, COUNT_REJECTED, COUNT_FORCES, COUNT_MATRICES, COUNT_FALLBACKS)
+        stats = SolverStats(*(int(counts[i]) for i in places))
         counts[list(places)] = 0
-        return effort
+        return stats

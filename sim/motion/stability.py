@@ -31,7 +31,7 @@ from typing import Literal
 
 import numpy as np
 
-from ..body.stable_spring import weakened
+from ..body.stable_spring import clamp_stiffness
 from ..body.system import System, build_system, new_state, refresh
 from ..kernels.core.tables import Floats, State
 from ..methods.limits import StabilityLimit
@@ -66,7 +66,7 @@ class StabilityMeter:
     those that choose their steps, and generalized-alpha.
 
     Args:
-        system: the tables; under the stable spring, the weakened ones.
+        system: the tables; under the stable spring, the clamp_stiffness ones.
         method: as scenes have it.
     """
 
@@ -140,7 +140,7 @@ class StabilityMeter:
 
     def _by_velocities(self, physics: Physics, w: Floats) -> Floats:
         """C w without the air, likewise: damping forces are linear in the velocities."""
-        if not (self._system.body.damped or self._system.body.twisted):
+        if not (self._system.body.damped or self._system.body.joint_damped):
             return np.zeros_like(w)
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
         return self._difference(lambda step: physics.forces(x, v + step), w)
@@ -195,7 +195,7 @@ def damped_limit(system: System) -> float:
     """As `quick_limit`, of velocity Verlet and with damping: the least root of dt² k + 4 dt c = 4, s."""
     body = system.body
     k = _row_sums(system, body.stiffness, body.joint_stiffness)
-    c = _row_sums(system, body.damping, body.couple_damping[1 : body.joints + 1])
+    c = _row_sums(system, body.damping, body.torque_damping[1 : body.joints + 1])
     with np.errstate(divide="ignore"):
         return float((2.0 / (c + np.sqrt(c * c + k))).min())
 
@@ -223,7 +223,7 @@ def largest_step(scene: Scene, method: str) -> float:
         return _limit_of(scene, system, method)
 
     def bears(dt: float) -> bool:
-        body = weakened(system.body, system.inverse_mass, system.held, dt)
+        body = clamp_stiffness(system.body, system.inverse_mass, system.held, dt)
         return _limit_of(scene, dataclasses.replace(system, body=body), method) > dt
 
     low, high = 1e-6, 1.0

@@ -14,7 +14,7 @@ from ..scene.types import MAX_SPEED, RUNAWAY_SPEED, Scene
 from .drag import LONGEST_GLIDE, NO_GLIDES, Glides, Hands
 from .driving import Driver
 from .plain import PlainSolver
-from .solver import UNLIMITED, Effort, Solver
+from .solver import UNLIMITED, Solver, SolverStats
 
 Targets = dict[int, tuple[float, float]]
 """Where masses that are led are to be at the end of a call, by place, px."""
@@ -175,6 +175,6 @@ class Stepper:
         for place in places:
             self._state.vx[place] = self._state.vy[place] = 0.0
 
-    def effort(self) -> Effort:
+    def stats(self) -> SolverStats:
         """What was done since the last call of this."""
-        return self.solver.effort()
+        return self.solver.stats()

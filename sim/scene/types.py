@@ -102,16 +102,16 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
     """A spring that holds two linear springs, which share a mass, at an angle.
 
     With V the angle from spring `a` to spring `b` (positive from +x towards +y), both springs feel a
-    couple with opposite signs. Its size depends on the scene's force law:
+    torque with opposite signs. Its size depends on the scene's force law:
 
     - "tutorial": stiffness |L_a| |L_b| sin(V - rest_angle), and nothing along the springs. It is the gradient
       of no energy.
     - "conservative": the gradient of stiffness |L_a| |L_b| (1 - cos(V - rest_angle)), which is the same
-      couple and a pull along each spring.
+      torque and a pull along each spring.
     - "angle": the gradient of stiffness |L_a| |L_b| (V - rest_angle)² / 2; it jumps where V is opposite to
       the rest angle.
 
-    Damping adds a couple damping |L_a| |L_b| dV/dt under every law.
+    Damping adds a torque damping |L_a| |L_b| dV/dt under every law.
 
     Attributes:
         a, b: indices of two linear springs that share exactly one mass.

@@ -14,11 +14,11 @@ from app.session.ghost import FINER
 from tests.app.pages import FRAME, Page
 
 
-def demanding() -> Page:
+def rate_limited() -> Page:
     """The tutorial's rope in a hundred pieces, hanging already."""
     page = Page(frames.rod(100, sim.Integrator()))
     page.frames(30)
-    assert page.session.simulation.demanding
+    assert page.session.simulation.rate_limited
     return page
 
 
@@ -37,7 +37,7 @@ def torn(page: Page, far: float, reports: int = 12) -> tuple[float, float]:
 
 @pytest.mark.parametrize("far", [500.0, 1e5])
 def test_an_anchor_torn_away_does_not_stop_the_clock(far: float) -> None:
-    page = demanding()
+    page = rate_limited()
     # As much computing in a frame as a rod of thousands of masses has.
     page.session.pacer.attempts = lambda budget: 64  # type: ignore[method-assign]
     behind, light = page.session.pacer.behind, hud(page)
@@ -51,7 +51,7 @@ def test_an_anchor_torn_away_does_not_stop_the_clock(far: float) -> None:
 
 
 def test_an_anchor_that_was_let_go_still_comes_to_where_the_pointer_left_it() -> None:
-    page = demanding()
+    page = rate_limited()
     x, y = torn(page, 400.0)
     page.frames(1, commands.DragEnd())
     assert page.session.dragged is None
@@ -62,7 +62,7 @@ def test_an_anchor_that_was_let_go_still_comes_to_where_the_pointer_left_it() ->
 
 
 def test_time_stands_for_the_hand_of_a_demanding_body_too() -> None:
-    page = demanding()
+    page = rate_limited()
     page.frames(1, commands.Play(False))
     x, y = torn(page, 400.0, reports=2)
     assert page.session.simulation.positions[0] == pytest.approx((x, y))
@@ -73,7 +73,7 @@ def test_time_stands_for_the_hand_of_a_demanding_body_too() -> None:
 
 @pytest.mark.parametrize("method", ["rk4", "symplectic_euler", "auto", "adams"])
 def test_a_ghost_is_led_as_the_body_is(method: str) -> None:
-    page = demanding()
+    page = rate_limited()
     page.frames(1, commands.Compare(method, ""))
     x, y = map(float, page.session.simulation.positions[0])
     page.frames(1, commands.DragStart(0, x, y))

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from app.session.pacing import Pacer
-from sim.motion.solver import Effort
+from sim.motion.solver import SolverStats
 
 DT = 0.01
 FRAME = 0.05
@@ -21,7 +21,7 @@ def ran(pacer: Pacer, frames: int, missed: int = 0) -> float:
         now += FRAME
         steps = pacer.grant(now, DT, math.inf)
         assert steps == 5
-        pacer.record(now, DT, steps - missed, 1e-3, Effort(steps=steps - missed), missed)
+        pacer.record(now, DT, steps - missed, 1e-3, SolverStats(steps=steps - missed), missed)
     return now
 
 

@@ -51,8 +51,8 @@ def test_the_wheel_has_everything_that_runs(wheel: Path) -> None:
     assert {
         "sim/py.typed",
         "app/py.typed",
-        "app/page/page.js",
-        "app/page/page.css",
+        "app/page/static/page.js",
+        "app/page/static/page.css",
         "app/bench/fused.c",
     } <= names
     assert not any(name.startswith("tests/") for name in names)

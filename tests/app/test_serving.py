@@ -105,7 +105,7 @@ def test_a_scene_pays_only_for_what_it_has(stage: Stage) -> None:
         eventually(lambda: session_of(tab).generation == 1 and tab._generation == 1)
         assert set(tab._view._nodes) == {"grid", "springs", "masses"}
         assert not tab._view._gizmos
-        keys = {dial.setting.key for dial in tab._panel._dials}
+        keys = {slider_box.setting.key for slider_box in tab._panel._sliders}
         assert "angular_stiffness" not in keys
         assert "linear_stiffness" in keys
         page.read_for(0.1)
@@ -219,8 +219,8 @@ def test_a_forged_slider_is_clamped(stage: Stage, value: float) -> None:
         tab = stage.new_tab(set())
         say(page, tab, "do|pause")
         eventually(lambda: not session_of(tab).playing)
-        for dial in tab._panel._dials:
-            for handle in (dial.slider, dial.box):
+        for slider_box in tab._panel._sliders:
+            for handle in (slider_box.slider, slider_box.box):
                 page.send(
                     {"type": "GuiUpdateMessage", "uuid": handle._impl.uuid, "updates": {"value": value}}
                 )

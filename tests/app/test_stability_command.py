@@ -19,7 +19,7 @@ from app.studies.stability_axes import AXES, extent, in_cell, released, rope_of
 from app.studies.stability_map import (
     ACCURATE,
     DAMPED_WRONGLY,
-    LOOKS,
+    SAMPLES,
     UNKNOWN,
     UNSTABLE,
     Map,
@@ -81,7 +81,7 @@ def test_the_border_of_the_map_is_the_analytic_limit(moving: sim.Scene, method: 
     limit = largest_step(scene, method)
     reference = Reference(scene, 0.5)
     for part, ending in ((0.97, ACCURATE), (1.08, UNSTABLE)):
-        member = Member(scene, part * limit, marks(0.5, part * limit, LOOKS))
+        member = Member(scene, part * limit, marks(0.5, part * limit, SAMPLES))
         ((_, track),) = run_ensemble([member], method)
         assert reference.judge(track, member.dt * np.array(member.marks))[0] == ending
 
@@ -103,7 +103,7 @@ def test_maps_have_the_border_where_the_limit_is(moving: sim.Scene) -> None:
 def test_endings_are_told_apart(moving: sim.Scene) -> None:
     scene = in_cell(moving, {})
     reference = Reference(scene, 0.2)
-    member = Member(scene, 1e-4, marks(0.2, 1e-4, LOOKS))
+    member = Member(scene, 1e-4, marks(0.2, 1e-4, SAMPLES))
     ((_, track),) = run_ensemble([member], "rk4")
     times = member.dt * np.array(member.marks)
     ending, error = reference.judge(track, times)

@@ -320,7 +320,7 @@ def test_the_command_refuses_before_it_computes(
 def test_lists_are_read() -> None:
     assert parse_errors("0.1, 1,1e-3,1") == (1.0, 0.1, 1e-3)
     assert parse_integrators("rk4, auto,rk4") == ("rk4", "auto")
-    assert set(known(())) >= {*sim.methods.METHODS, *others.SCIPY}  # type: ignore[attr-defined]
+    assert set(known(())) >= {*METHODS, *others.SCIPY}
     assert study_scenes()[:5] == [f"study-w{i}" for i in range(1, 6)]
     assert len(study_scenes()) == 8
 

@@ -1,6 +1,6 @@
 """What is drawn: every mass where the solver has it, in every preset, with no complaint from WebGL.
 
-The fixture that opens pages also looks, after each test, whether there were errors in the page.
+The fixture that opens pages also samples, after each test, whether there were errors in the page.
 """
 
 from __future__ import annotations

@@ -15,14 +15,14 @@ from tests.browser.looks import assert_shown
 def test_method_and_law_are_chosen_and_bring_their_own_dial(open_page: OpenPage) -> None:
     desk = open_page("tutorial-3.3")
     desk.show("Solver")
-    dials = desk.page.locator("label:visible")
+    sliders = desk.page.locator("label:visible")
     assert desk.control("Integrator").input_value() == "Symplectic Euler"
-    assert "Time step" in dials.all_inner_texts()
+    assert "Time step" in sliders.all_inner_texts()
     time = desk.simulation.time
     desk.choose("Integrator", "Auto")
     desk.until(lambda: desk.session.scene.integrator.method == "auto", "the method reaches the solver")
-    desk.until(lambda: "Tolerance" in dials.all_inner_texts(), "a tolerance is there to set")
-    assert "Time step" not in dials.all_inner_texts()
+    desk.until(lambda: "Tolerance" in sliders.all_inner_texts(), "a tolerance is there to set")
+    assert "Time step" not in sliders.all_inner_texts()
     desk.choose("Force law", "Conservative")
     desk.until(lambda: desk.session.scene.force_law == "conservative", "the law reaches the solver")
     desk.until(lambda: desk.simulation.time > time + 0.2, "the clock went on")

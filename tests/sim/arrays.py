@@ -11,7 +11,7 @@ from sim import Scene, Simulation
 from sim.body.sparsity import new_matrix
 from sim.kernels.energy.energies import ANGULAR, GRAVITY, LINEAR, energies
 from sim.kernels.forces.forces import accelerations
-from sim.kernels.linear.damping import add_resistance, remember_directions
+from sim.kernels.linear.damping import add_damping_product, remember_directions
 from sim.kernels.linear.implicit import factorise_matrix, solve_matrix
 from sim.motion.solver import Solver
 
@@ -40,8 +40,8 @@ class Arrays:
             self.system = dataclasses.replace(
                 self.system, body=self.system.body.replaced(chain=False, ring=False)
             )
-        self.body, self.state, self.work = self.system.body, simulation._state, simulation._work
-        self.solver = Solver(scene, self.system, self.state, self.work)
+        self.body, self.state, self.scratch = self.system.body, simulation._state, simulation._scratch
+        self.solver = Solver(scene, self.system, self.state, self.scratch)
         self.solver.load(0.0)
         self.q, self.v = self.state.q.copy(), self.state.v.copy()
         self.places = self.q.size // 2
@@ -59,13 +59,13 @@ class Arrays:
 
     def pairs(self, flat: Floats) -> Floats:
         """A flat array as (n, 2), in the scene's order."""
-        place = self.system.mass_place
+        place = self.system.mass_index
         return np.column_stack((flat[place], flat[self.places + place]))
 
     def accelerations(self, q: Floats, v: Floats) -> Floats:
         """Of all of `here`."""
         a = np.zeros_like(q)
-        accelerations(self.body, self.state, self.work, q, v, a)
+        accelerations(self.body, self.state, self.scratch, q, v, a)
         return a[self.here]
 
     def potential(self, q: Floats) -> float:
@@ -110,5 +110,5 @@ class Arrays:
         flat, out = np.zeros((2, self.q.size))
         flat[self.here], out[self.here] = z, start
         remember_directions(self.body, self.matrix, self.q)
-        add_resistance(self.body, self.state, self.matrix, self.v, flat, factor, out)
+        add_damping_product(self.body, self.state, self.matrix, self.v, flat, factor, out)
         return out[self.here]

@@ -179,8 +179,8 @@ def run_case(seed: int, frames: int, budget: int) -> Ending:
     for frame in range(frames):
         _disturb(simulation, does, frame, rng)
         simulation.step(STEPS, attempts=budget)
-        effort = simulation.effort()
-        worst = max(worst, effort.steps + effort.rejected)
+        stats = simulation.stats()
+        worst = max(worst, stats.steps + stats.rejected)
         if simulation.divergence is not None:
             break
     book = simulation.energy()
@@ -219,7 +219,7 @@ def _disturb(simulation: Simulation, does: str, frame: int, rng: Random) -> None
     if does == "keys":
         simulation.keys = set(rng.choice(["up", "down", "left", "right"], 2).tolist())
     if does == "sliders" and frame % 3 == 0:
-        dials = [dial for dial in settings_of(simulation.scene) if dial.key in _SLIDERS]
-        dial = dials[rng.integers(len(dials))]
+        sliders = [slider_box for slider_box in settings_of(simulation.scene) if slider_box.key in _SLIDERS]
+        setting = sliders[rng.integers(len(sliders))]
         with contextlib.suppress(sim.SettingError, sim.SceneError):
-            simulation.replace(sim.set_value(simulation.scene, dial.key, dial.slider[rng.integers(2)]))
+            simulation.replace(sim.set_value(simulation.scene, setting.key, setting.slider[rng.integers(2)]))

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 from sim.body.system import System
-from sim.kernels.core.tables import CLOCK_DEGREE
+from sim.kernels.core.tables import CONTROLLER_DEGREE
 from sim.kernels.forces.forces import spring_forces as kernel_forces
 from sim.motion.solver import Solver
 
@@ -29,7 +29,7 @@ def solver_of(simulation: Simulation) -> Solver:
 
 def adams_degree(simulation: Simulation) -> int:
     """The degree that Adams' methods went on with in the last step."""
-    return int(solver_of(simulation).flow.clock[CLOCK_DEGREE])
+    return int(solver_of(simulation).integrator.controller[CONTROLLER_DEGREE])
 
 
 def is_chain(simulation: Simulation) -> bool:
@@ -54,7 +54,7 @@ def general(simulation: Simulation) -> Simulation:
 
 def put(simulation: Simulation, positions: Points, velocities: Points | None = None) -> None:
     """Set the state of all masses, the held ones too."""
-    place, state = simulation._system.mass_place, simulation._state
+    place, state = simulation._system.mass_index, simulation._state
     state.x[place], state.y[place] = positions.T
     if velocities is not None:
         state.vx[place], state.vy[place] = velocities.T
@@ -63,11 +63,11 @@ def put(simulation: Simulation, positions: Points, velocities: Points | None = N
 
 def spring_forces(simulation: Simulation) -> Points:
     """(n, 2) what all springs and joints do to each mass at the present state, without air and gravity."""
-    work = simulation._work
+    scratch = simulation._scratch
     state = simulation._state
-    kernel_forces(simulation._body, state, work, state.x, state.y, state.vx, state.vy)
-    place = simulation._system.mass_place
-    return np.column_stack((work.fx[place], work.fy[place]))
+    kernel_forces(simulation._body, state, scratch, state.x, state.y, state.vx, state.vy)
+    place = simulation._system.mass_index
+    return np.column_stack((scratch.fx[place], scratch.fy[place]))
 
 
 def forces_of(scene: Scene) -> Points:

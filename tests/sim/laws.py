@@ -75,7 +75,7 @@ class Laws:
         self.rest_angles = [math.radians(j.rest_angle + self.turn * t) for j in self.scene.angular_springs]
 
     def joint(self, j: int, a: complex, b: complex) -> tuple[float, float]:
-        """(couple, energy) of a joint whose springs have the vectors a and b; without its damping."""
+        """(torque, energy) of a joint whose springs have the vectors a and b; without its damping."""
         off = wrapped(cmath.phase(a.conjugate() * b) - self.rest_angles[j])
         size = self._strength[j] * abs(a) * abs(b)
         if self.scene.force_law == "angle":
@@ -100,12 +100,12 @@ class Laws:
             pull(i, -(spring.stiffness * stretch + spring.damping * stretching) * unit)
         for j, joint in enumerate(scene.angular_springs):
             a, b = vectors[joint.a], vectors[joint.b]
-            couple, energy = self.joint(j, a, b)
+            torque, energy = self.joint(j, a, b)
             turning = (rates[joint.b] / b).imag - (rates[joint.a] / a).imag
-            couple += joint.damping * abs(a) * abs(b) * turning
+            torque += joint.damping * abs(a) * abs(b) * turning
             draw = 0.0 if scene.force_law == "tutorial" else energy
-            pull(joint.a, (1j * couple - draw) * a / abs(a) ** 2)
-            pull(joint.b, (-1j * couple - draw) * b / abs(b) ** 2)
+            pull(joint.a, (1j * torque - draw) * a / abs(a) ** 2)
+            pull(joint.b, (-1j * torque - draw) * b / abs(b) ** 2)
         return force
 
     def accelerations(self, places: Complexes, speeds: Complexes) -> Complexes:

@@ -98,7 +98,7 @@ def test_vibrations_fade_under_the_degree_that_long_steps_are_left() -> None:
 def test_vibrations_that_nothing_damps_do_not_hold_steps() -> None:
     """They grow under the highest degree: then it takes 92000 evaluations, and ends 7 times as far off."""
     simulation, _ = moved(sim.load_scene("study-w4"), 1e-5)
-    assert simulation.effort().forces < 65_000
+    assert simulation.stats().forces < 65_000
     exact, _ = moved(sim.load_scene("study-w4"), 1e-8)
     assert np.hypot(*(simulation.positions - exact.positions).T).max() < 3e-7
 

@@ -8,7 +8,7 @@ import pytest
 
 import sim
 from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
-from sim.motion.simulation import Effort
+from sim.motion.simulation import SolverStats
 from sim.scene.types import ForceLaw
 from tests.sim.amplification import dynamics, radius
 from tests.sim.bodies import LAWS
@@ -25,12 +25,12 @@ def test_far_from_its_limit_verlet_leaves_most_of_the_tolerance_to_what_may_come
     assert np.hypot(*(ends[0] - ends[1]).T).max() < 0.01
 
 
-def effort_of(name: str, tolerance: float) -> Effort:
+def effort_of(name: str, tolerance: float) -> SolverStats:
     """What a second of a scene takes, in one call."""
     integrator = Integrator(tolerance=tolerance, dt=1.0)
     simulation = Simulation(msgspec.structs.replace(sim.load_scene(name), integrator=integrator))
     assert simulation.step() == 1
-    return simulation.effort()
+    return simulation.stats()
 
 
 @pytest.mark.parametrize("tolerance", [0.1, 1e-6])
@@ -40,17 +40,17 @@ def test_where_explicit_methods_are_good_no_matrix_is_made(name: str, tolerance:
 
 
 def test_stiff_bodies_are_moved_by_implicit_methods() -> None:
-    effort = effort_of("study-w4", 0.1)
+    stats = effort_of("study-w4", 0.1)
     # Explicit ones have to take far shorter steps.
-    assert effort.matrices > 50
-    assert effort.steps + effort.rejected < 200
+    assert stats.matrices > 50
+    assert stats.steps + stats.rejected < 200
 
 
 def test_where_accuracy_limits_steps_methods_of_high_order_are_turned_to() -> None:
     # Steps of second order would have to be far shorter.
-    effort = effort_of("study-w2", 1e-3)
-    assert effort.steps < 2000
-    assert effort.matrices < 50
+    stats = effort_of("study-w2", 1e-3)
+    assert stats.steps < 2000
+    assert stats.matrices < 50
 
 
 def test_stiff_bodies_are_calmed_before_methods_of_high_order_go_on() -> None:
@@ -92,11 +92,11 @@ def test_frame_by_frame_implicit_steps_are_judged_by_what_they_do_now(tolerance:
     integrator = Integrator(dt=1.0 / 60.0, tolerance=tolerance)
     simulation = Simulation(msgspec.structs.replace(sim.load_scene("study-w3"), integrator=integrator))
     assert simulation.step(60) == 60
-    whole = simulation.effort()
+    whole = simulation.stats()
     simulation.reset()
     for _ in range(60):
         assert simulation.step() == 1
-    framed = simulation.effort()
+    framed = simulation.stats()
     assert framed.matrices > 40
     assert framed.forces < 3 * whole.forces
 

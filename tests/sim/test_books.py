@@ -62,7 +62,7 @@ def test_what_is_asked_in_between_does_not_change_the_motion(method: Method) -> 
     asked, left = Simulation(scene), Simulation(scene)
     for _ in range(30):
         asked.stability()
-        asked.effort()
+        asked.stats()
         assert asked.angles.size == asked.rest_angles.size
         assert asked.pose().positions
         assert asked.step() == left.step()

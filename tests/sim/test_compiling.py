@@ -35,7 +35,7 @@ def python(code: str, cache: Path, root: Path = ROOT) -> str:
 def test_every_method_has_an_entry_point_of_its_own() -> None:
     kernels = {info.kernel for info in METHODS.values() if info.kernel is not None}
     assert kernels == {point.kernel for point in ENTRY_POINTS.values() if point.name.startswith("run_")} - {
-        ENTRY_POINTS["run_rescue"].kernel
+        ENTRY_POINTS["run_fallback"].kernel
     }
     for method in METHODS:
         assert set(needed_by(method)) <= set(ENTRY_POINTS)
@@ -70,7 +70,7 @@ def test_a_simulation_that_does_not_wait_moves_by_numpy_and_then_goes_on(
         assert simulation.plain
         assert simulation.step(100) == 100
         assert simulation.plain
-        assert simulation.effort().steps == 100
+        assert simulation.stats().steps == 100
         with pytest.raises(sim.InputError, match="energy: its kernels are still being compiled"):
             simulation.energy()
         assert not sim.Simulation(sim.load_scene("tutorial-3.3")).plain
@@ -94,10 +94,10 @@ def test_auto_begins_with_what_is_there_and_takes_the_others_in(monkeypatch: pyt
     simulation = sim.Simulation(scene, wait=False)
     simulation.step(10)
     assert not simulation.plain
-    assert simulation.effort().matrices == 0
+    assert simulation.stats().matrices == 0
     ready |= set(needed_by("rodas4"))
     simulation.step(40)
-    assert simulation.effort().matrices > 0
+    assert simulation.stats().matrices > 0
     whole = sim.Simulation(scene)
     whole.step(50)
     assert simulation.positions == pytest.approx(whole.positions, abs=2.0 * scene.integrator.tolerance)

@@ -130,9 +130,9 @@ def test_couple_on_each_spring(v: float, rest: float) -> None:
     scene = two_springs(v, rest)
     force, place = forces_of(scene), np.array([m.position for m in scene.masses])
     expected = 5.0 * 30.0 * 70.0 * math.sin(math.radians(v - rest))
-    for end, couple in ((0, expected), (2, -expected)):
+    for end, torque in ((0, expected), (2, -expected)):
         arm = place[end] - place[1]
-        assert arm[0] * force[end][1] - arm[1] * force[end][0] == pytest.approx(couple, rel=1e-12, abs=1e-10)
+        assert arm[0] * force[end][1] - arm[1] * force[end][0] == pytest.approx(torque, rel=1e-12, abs=1e-10)
         # All of it is turning, nothing is pulling.
         assert abs(arm @ force[end]) <= 1e-10 * (1.0 + np.abs(force).max())
 

@@ -90,7 +90,7 @@ def test_the_shortest_spring_is_known_from_the_forces(masses: int, kind: str, ge
         at = np.cumsum(spans, 0)
         arrays.accelerations(arrays.flat(at), arrays.v)
         least = np.hypot(*np.diff(at, axis=0).T).min()
-        assert shortest_of(arrays.body, arrays.work) == pytest.approx(math.hypot(least, soft))
+        assert shortest_of(arrays.body, arrays.scratch) == pytest.approx(math.hypot(least, soft))
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -103,7 +103,7 @@ def test_what_need_not_be_asked_is_gentle(seed: int, kind: str) -> None:
     q, asked = arrays.flat(at), 0
     for _ in range(60):
         arrays.accelerations(q, arrays.v)
-        shortest = shortest_of(arrays.body, arrays.work)
+        shortest = shortest_of(arrays.body, arrays.scratch)
         lengths = np.hypot(*np.diff(arrays.pairs(q), axis=0).T)
         assert shortest == pytest.approx(math.hypot(lengths.min(), math.sqrt(arrays.body.softening)))
         to_q = q + arrays.flat(rng.normal(size=(11, 2)) * 10.0 ** rng.uniform(-5, 1))

@@ -1,4 +1,4 @@
-"""Hands that lead demanding bodies no faster than these can follow."""
+"""Hands that lead rate_limited bodies no faster than these can follow."""
 
 from __future__ import annotations
 
@@ -73,18 +73,18 @@ def test_a_hand_moves_without_a_jerk_wherever_the_pointer_jumps() -> None:
 
 
 def test_what_is_demanding() -> None:
-    demanding = {
+    rate_limited = {
         entry.name
         for entry in sim.list_scenes()
-        if Simulation(sim.load_scene(entry.name), integrator="auto").demanding
+        if Simulation(sim.load_scene(entry.name), integrator="auto").rate_limited
     }
-    assert demanding == {"study-w4"}
-    assert not Simulation(sim.rope(250), integrator="auto").demanding
-    for masses, demanding in ((12, False), (30, False), (40, True), (1000, True)):
-        assert Simulation(rod(masses)).demanding is demanding
+    assert rate_limited == {"study-w4"}
+    assert not Simulation(sim.rope(250), integrator="auto").rate_limited
+    for masses, rate_limited in ((12, False), (30, False), (40, True), (1000, True)):
+        assert Simulation(rod(masses)).rate_limited is rate_limited
     for method, info in METHODS.items():
         # A fixed step takes as long for anything.
-        assert Simulation(rod(100), integrator=method).demanding is info.adaptive
+        assert Simulation(rod(100), integrator=method).rate_limited is info.adaptive
 
 
 def test_other_bodies_are_led_at_once() -> None:
@@ -103,7 +103,7 @@ def test_other_bodies_are_led_at_once() -> None:
 def test_an_anchor_torn_away_costs_no_more_than_a_calm_one(masses: int, far: float, law: ForceLaw) -> None:
     simulation, attempts = Simulation(rod(masses, law=law)), 32 if masses >= 1000 else 64
     simulation.step(140)
-    simulation.effort()
+    simulation.stats()
     x, y = simulation.positions[0]
     most, fastest = 0, 0.0
     for frame in range(40):
@@ -111,8 +111,8 @@ def test_an_anchor_torn_away_costs_no_more_than_a_calm_one(masses: int, far: flo
         before = simulation.positions[0]
         # So few attempts that the clock would lag by any frame that is harder.
         assert simulation.step(7, attempts=attempts) == 7
-        effort = simulation.effort()
-        most = max(most, effort.steps + effort.rejected)
+        stats = simulation.stats()
+        most = max(most, stats.steps + stats.rejected)
         fastest = max(fastest, float(np.hypot(*(simulation.positions[0] - before))) / (7 * simulation.dt))
     assert most <= attempts
     assert 0.2 * WAVE < fastest <= 0.35 * WAVE
@@ -124,11 +124,11 @@ def test_an_anchor_torn_away_costs_no_more_than_a_calm_one(masses: int, far: flo
 def test_led_straight_it_would_cost_a_hundred_times_that() -> None:
     simulation = Simulation(rod(100))
     simulation.step(140)
-    simulation.effort()
+    simulation.stats()
     x, y = simulation.positions[0]
     simulation.lead(0, (x + 500.0, y))
     simulation.step(7)
-    assert simulation.effort().steps > 500
+    assert simulation.stats().steps > 500
 
 
 def test_it_comes_to_its_goal_and_stays() -> None:
@@ -191,7 +191,7 @@ def test_books_of_a_gentle_hand_balance() -> None:
 def test_a_moving_mass_is_stopped_gently() -> None:
     simulation = Simulation(rod(100))
     simulation.step(120)
-    simulation.effort()
+    simulation.stats()
     speed = float(np.hypot(*simulation.velocities[50]))
     place = simulation.positions[50]
     simulation.grab(50)
@@ -248,7 +248,7 @@ def test_a_slider_and_another_body_take_the_hand_over_and_a_reset_does_not() -> 
 
 def test_an_anchor_on_a_circle_goes_on_round() -> None:
     simulation = Simulation(led_rod(60))
-    assert simulation.demanding
+    assert simulation.rate_limited
     simulation.follow(0, (150.0, 100.0))
     assert not simulation.behind
     simulation.step()

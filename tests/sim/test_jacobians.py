@@ -26,7 +26,7 @@ PATHS = [pytest.param(shape, False, id=shape) for shape in SHAPES] + [
 ]
 DAMPINGS = [
     pytest.param({"damping": 0.0, "twist": 0.0, "air": 0.0}, id="undamped"),
-    pytest.param({"damping": 0.0, "air": 0.0}, id="twisted"),
+    pytest.param({"damping": 0.0, "air": 0.0}, id="joint_damped"),
     pytest.param({"twist": 0.0}, id="damped"),
     pytest.param({}, id="all"),
 ]

@@ -141,7 +141,7 @@ def test_what_is_thrown_up_turns_without_short_steps(tolerance: float, most: int
     assert simulation.step() == 1
     expected = [exact(100.0 + 40.0 * i, friction, 1.0) for i in range(8)]
     assert np.abs(simulation.positions[:, 1] - expected).max() < max(tolerance, 4e-9)
-    assert simulation.effort().steps < most
+    assert simulation.stats().steps < most
 
 
 @pytest.mark.parametrize("tolerance", [1e-7, 1e-9])
@@ -166,5 +166,5 @@ def test_kinks_ask_for_hardly_more_steps(name: str) -> None:
     for friction in (0.002, 0.0):
         simulation = Simulation(msgspec.structs.replace(scene, air_friction=friction))
         assert simulation.step() == 1
-        steps.append(simulation.effort().steps)
+        steps.append(simulation.stats().steps)
     assert steps[0] < 1.35 * steps[1]

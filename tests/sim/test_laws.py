@@ -22,7 +22,7 @@ REPLACE = msgspec.structs.replace
 WITH_ENERGY = ("conservative", "angle")
 DAMPINGS = [
     pytest.param({"damping": 0.0, "twist": 0.0}, id="undamped"),
-    pytest.param({"damping": 0.0}, id="twisted"),
+    pytest.param({"damping": 0.0}, id="joint_damped"),
     pytest.param({"twist": 0.0}, id="damped"),
     pytest.param({}, id="both"),
 ]
@@ -125,7 +125,7 @@ def test_couple_and_pull_of_a_joint(law: ForceLaw, rest: float, off: float) -> N
     scene = two_springs(rest + off, law, rest)
     force, place = forces_of(scene), np.array([mass.position for mass in scene.masses])
     size, angle = 5.0 * 30.0 * 70.0, math.radians(off)
-    couple = size * (angle if law == "angle" else math.sin(angle))
+    torque = size * (angle if law == "angle" else math.sin(angle))
     energy = {
         "tutorial": 0.0,
         "conservative": size * (1.0 - math.cos(angle)),
@@ -134,23 +134,23 @@ def test_couple_and_pull_of_a_joint(law: ForceLaw, rest: float, off: float) -> N
     for end, sign in ((0, 1.0), (2, -1.0)):
         arm = place[end] - place[1]
         turning = arm[0] * force[end][1] - arm[1] * force[end][0]
-        assert turning == pytest.approx(sign * couple, rel=1e-11, abs=1e-9)
+        assert turning == pytest.approx(sign * torque, rel=1e-11, abs=1e-9)
         # The energy is proportional to both lengths, so its derivative by each is the energy over it.
         assert arm @ force[end] == pytest.approx(-energy, rel=1e-11, abs=1e-9)
 
 
 def test_only_the_angle_law_jumps_opposite_to_the_rest_angle() -> None:
-    def couple(law: ForceLaw, off: float) -> float:
+    def torque(law: ForceLaw, off: float) -> float:
         scene = two_springs(20.0 + off, law)
         (fx, fy), (x, y) = forces_of(scene)[2], scene.masses[2].position
         return (y * fx - x * fy) / (5.0 * 30.0 * 70.0)
 
     hair = 1e-4
     for law in ("tutorial", "conservative"):
-        before, behind = couple(law, 180.0 - hair), couple(law, 180.0 + hair)
+        before, behind = torque(law, 180.0 - hair), torque(law, 180.0 + hair)
         assert before == pytest.approx(math.radians(hair), rel=1e-6)
         assert behind == pytest.approx(-math.radians(hair), rel=1e-6)
-    before, behind = couple("angle", 180.0 - hair), couple("angle", 180.0 + hair)
+    before, behind = torque("angle", 180.0 - hair), torque("angle", 180.0 + hair)
     assert before == pytest.approx(math.pi, rel=1e-5)
     assert behind == pytest.approx(-math.pi, rel=1e-5)
 
@@ -175,22 +175,22 @@ def turning_at(rate: float, of_a: float = 0.0) -> tuple[tuple[float, float], ...
 
 @pytest.mark.parametrize("law", LAWS)
 def test_angular_damping_goes_by_the_rate_of_the_angle(law: ForceLaw) -> None:
-    def couple(velocities: tuple[tuple[float, float], ...]) -> float:
+    def torque(velocities: tuple[tuple[float, float], ...]) -> float:
         moving, still = (
             forces_of(two_springs(90.0, law, damping=d, velocities=velocities)) for d in (2.0, 0.0)
         )
         force = moving - still
-        # All of it is turning, with the same couple on both springs.
+        # All of it is turning, with the same torque on both springs.
         assert abs(force[0][0]) + abs(force[2][1]) <= 1e-9
         assert -30.0 * force[0][1] == pytest.approx(70.0 * force[2][0], rel=1e-12, abs=1e-9)
         return float(70.0 * force[2][0])
 
     size = 2.0 * 30.0 * 70.0
-    assert couple(turning_at(3.0)) == pytest.approx(size * 3.0, rel=1e-12)
+    assert torque(turning_at(3.0)) == pytest.approx(size * 3.0, rel=1e-12)
     # The first spring lies the other way round: its free end moves against the sense in which it turns.
-    assert couple(turning_at(0.0, -4.0)) == pytest.approx(-size * 4.0, rel=1e-12)
-    assert couple(turning_at(5.0, -5.0)) == pytest.approx(0.0, abs=1e-8)
-    assert couple(((7.0, 0.0), (0.0, 0.0), (0.0, -9.0))) == pytest.approx(0.0, abs=1e-9)
+    assert torque(turning_at(0.0, -4.0)) == pytest.approx(-size * 4.0, rel=1e-12)
+    assert torque(turning_at(5.0, -5.0)) == pytest.approx(0.0, abs=1e-8)
+    assert torque(((7.0, 0.0), (0.0, 0.0), (0.0, -9.0))) == pytest.approx(0.0, abs=1e-9)
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -274,7 +274,7 @@ def test_only_the_tutorials_law_does_work_on_a_closed_path(shape: str) -> None:
 
 
 def test_work_on_a_rectangle_in_length_and_angle() -> None:
-    # One spring gets longer at one angle and shorter at another: the tutorial's couple is proportional to
+    # One spring gets longer at one angle and shorter at another: the tutorial's torque is proportional to
     # the length, but nothing pays for the lengthening. The work is known exactly.
     rest, short, long, low, high, other = 20.0, 30.0, 45.0, 40.0, 100.0, 70.0
 

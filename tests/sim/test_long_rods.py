@@ -17,14 +17,14 @@ REFERENCE: tuple[Method, float] = ("rodas5p", 1e-3)
 def test_a_smooth_motion_takes_little_more_than_one_move_a_step() -> None:
     simulation = Simulation(led_rod(MASSES))
     simulation.step(6)
-    simulation.effort()
+    simulation.stats()
     simulation.step(30)
-    effort = simulation.effort()
-    assert effort.steps > 100
+    stats = simulation.stats()
+    assert stats.steps > 100
     # A force is evaluated for every move. One step in eight is solved for with two, to know how large a
     # second one is.
-    tries = effort.steps + effort.rejected
-    assert 1.1 * tries < effort.forces < 1.5 * tries
+    tries = stats.steps + stats.rejected
+    assert 1.1 * tries < stats.forces < 1.5 * tries
 
 
 def test_moves_that_are_left_out_do_not_show() -> None:
@@ -67,9 +67,9 @@ def test_a_very_long_rod_is_not_upset_by_how_it_begins() -> None:
     # Short steps follow vibrations that long ones cannot: handed on, they would make those fail for long.
     simulation = Simulation(led_rod(3000))
     assert simulation.step(30) == 30
-    effort = simulation.effort()
-    assert effort.steps < 700
-    assert effort.rejected < 50
+    stats = simulation.stats()
+    assert stats.steps < 700
+    assert stats.rejected < 50
 
 
 @pytest.mark.parametrize("masses", [1000, 3000])
@@ -77,8 +77,8 @@ def test_a_long_rod_soon_makes_the_steps_that_it_goes_on_with(masses: int) -> No
     # Explicit steps, which stability cuts short, would leave the others to begin with tiny ones.
     simulation = Simulation(led_rod(masses))
     simulation.step()
-    effort = simulation.effort()
-    assert effort.steps + effort.rejected <= 24
+    stats = simulation.stats()
+    assert stats.steps + stats.rejected <= 24
 
 
 def test_a_wave_that_slows_one_implicit_method_is_not_thought_to_spare_the_other() -> None:
@@ -87,6 +87,6 @@ def test_a_wave_that_slows_one_implicit_method_is_not_thought_to_spare_the_other
     most = 0
     for _ in range(14):
         simulation.step()
-        effort = simulation.effort()
-        most = max(most, effort.steps + effort.rejected)
+        stats = simulation.stats()
+        most = max(most, stats.steps + stats.rejected)
     assert most <= 32

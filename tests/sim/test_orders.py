@@ -108,14 +108,14 @@ def solved(problem: Problem, method: Method, steps: int) -> np.ndarray:
     # These choose their own steps, unless they are asked otherwise.
     arrays = Arrays(scene)
     solver = arrays.solver
-    targets = {int(arrays.system.mass_place[0]): target} if problem.anchor == "led" else {}
+    targets = {int(arrays.system.mass_index[0]): target} if problem.anchor == "led" else {}
     growth = math.log(1.3) / DURATION if "up" in problem.keys else 0.0
     turn = 30.0 / DURATION if "right" in problem.keys else 0.0
     drive = Driver(scene, arrays.system, arrays.state).drive(0.0, DURATION, targets, growth, turn)
     tables = solver._bind(True).replaced(implicit=info.table, fixed=DURATION / steps)
     run_rosenbrock(tables, drive, DURATION, 1.0, 10**6)
     assert solver.time == DURATION
-    assert solver.effort().steps == steps
+    assert solver.stats().steps == steps
     return arrays.pairs(arrays.state.q)
 
 
@@ -181,7 +181,7 @@ def test_order_of_adams() -> None:
         integrator = Integrator(method="adams", dt=duration, tolerance=tolerance)
         simulation = Simulation(REPLACE(scene, integrator=integrator))
         simulation.step()
-        counts.append(simulation.effort().steps)
+        counts.append(simulation.stats().steps)
         sizes.append(float(np.abs(simulation.positions - expected).max()))
     assert METHODS["adams"].order - 1.5 <= slope(tuple(counts), sizes) <= METHODS["adams"].order + 1.5
 

@@ -120,7 +120,7 @@ def test_a_chain_moves_like_any_other_body(method: Method, held: tuple[int, ...]
     assert one.positions == pytest.approx(other.positions, abs=1e-5)
     if method == "generalized_alpha":
         # Where they are must not depend on the way, but how soon Newton's method is there does.
-        assert one.effort() == other.effort()
+        assert one.stats() == other.stats()
 
 
 def ring(n: int, **settings: Any) -> Scene:
@@ -166,7 +166,7 @@ def test_a_ring_is_accelerated_like_any_other_body(law: ForceLaw | None, count: 
     q, v = one.q.copy(), one.v.copy()
     places = np.setdiff1d(np.arange(q.size), one.here)
     a = np.zeros_like(q)
-    accelerations(one.body, one.state, one.work, q, v, a)
+    accelerations(one.body, one.state, one.scratch, q, v, a)
     expected = other.accelerations(other.q, other.v)
     assert a[one.here] == pytest.approx(expected, rel=1e-12, abs=1e-12 * float(np.abs(expected).max()))
     # Padding must not pass for masses.

@@ -117,7 +117,7 @@ def test_a_body_too_stiff_for_numpy_is_late_and_not_lost() -> None:
     simulation = plain(scene)
     assert simulation.step(100, attempts=50) < 100
     assert simulation.divergence is None
-    assert simulation.effort().steps == 50
+    assert simulation.stats().steps == 50
 
 
 @pytest.mark.parametrize("name", [info.name for info in sim.list_scenes() if info.built_in])

@@ -201,11 +201,11 @@ ATTEMPTS = 500
 
 def go_on(simulation: Simulation, steps: int) -> int:
     """Do some steps. They are fewer only where the body has run away, or no attempts are left."""
-    simulation.effort()
+    simulation.stats()
     done = simulation.step(steps, attempts=ATTEMPTS)
     if done < steps and simulation.divergence is None:
-        effort = simulation.effort()
-        assert effort.steps + effort.rejected >= ATTEMPTS
+        stats = simulation.stats()
+        assert stats.steps + stats.rejected >= ATTEMPTS
     return done
 
 

@@ -155,14 +155,14 @@ def test_wrong_choices_are_refused() -> None:
 
 
 # ------------------------------------------------------------------------- scenes of unequal springs
-def twisted(scene: Scene) -> Scene:
+def joint_damped(scene: Scene) -> Scene:
     """The scene with a different angular damping at every joint."""
     joints = tuple(REPLACE(joint, damping=0.5 + 0.1 * j) for j, joint in enumerate(scene.angular_springs))
     return REPLACE(scene, angular_springs=joints)
 
 
 def test_different_stiffnesses_keep_their_proportion() -> None:
-    for scene in (twisted(star(5)), twisted(tangle(4))):
+    for scene in (joint_damped(star(5)), joint_damped(tangle(4))):
         for key, field, springs in (
             ("linear_stiffness", "stiffness", "linear_springs"),
             ("linear_damping", "damping", "linear_springs"),

@@ -102,7 +102,7 @@ def test_a_step_of_last_resort_keeps_within_bounds() -> None:
     simulation = Simulation(scene)
     stepper = simulation._stepper
     stepper.begin(0.0)
-    solver_of(simulation).rescue(0.005, stepper._driver.drive(0.0, 0.005, {}))
+    solver_of(simulation).fall_back(0.005, stepper._driver.drive(0.0, 0.005, {}))
     assert simulation.positions[0, 1] == 1e6
     assert np.abs(simulation.positions).max() <= 1e6
     simulation.step()
@@ -114,7 +114,7 @@ def test_a_step_of_last_resort_keeps_within_bounds() -> None:
 @pytest.mark.parametrize("attempts", [1, 7, 30, 400])
 @pytest.mark.parametrize("method", ["auto", "rodas4", "rodas5p"])
 def test_attempts_that_end_in_a_dead_end_only_delay(method: Method, attempts: int) -> None:
-    # So stiff and light that no step is short enough; steps of last resort take its energy away.
+    # So stiff and light that no step is short enough; fallback steps take its energy away.
     scene = REPLACE(
         collapsing(),
         masses=(
@@ -126,15 +126,15 @@ def test_attempts_that_end_in_a_dead_end_only_delay(method: Method, attempts: in
     )
     simulation = Simulation(scene)
     energy = simulation.energy().total
-    rescues = 0
+    fallbacks = 0
     for _ in range(20 if attempts > 1 else 100):
         simulation.step(attempts=attempts)
         assert simulation.divergence is None
         assert simulation.energy().total <= energy
         energy = simulation.energy().total
-        rescues += simulation.effort().rescues
-    assert rescues > 0
-    assert simulation.energy().rescues < 0.0
+        fallbacks += simulation.stats().fallbacks
+    assert fallbacks > 0
+    assert simulation.energy().fallbacks < 0.0
     assert simulation.time > 0.0
 
 

@@ -219,7 +219,7 @@ def test_meter_sees_keys_and_grabs() -> None:
     simulation.step(200)
     simulation.keys = set()
     simulation.step(2000)
-    # The couples grow with the lengths but so do the levers; what must hold is that it follows.
+    # The torques grow with the lengths but so do the levers; what must hold is that it follows.
     estimate, limit, _ = estimate_and_limit(simulation)
     assert estimate == pytest.approx(limit, rel=0.01)
     assert before == pytest.approx(0.005, rel=0.05)

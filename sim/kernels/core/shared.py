@@ -14,14 +14,14 @@ from numba import types
 from numba.extending import intrinsic
 
 from .jit import kernel
-from .tables import Body, Drive, Matrix, Problem, State, Work
+from .tables import Body, Drive, Matrix, Problem, Scratch, State
 
 FLOATS = types.Array(types.float64, 1, "C")
 _F8 = types.float64
-_BODY: tuple[types.Type, ...] = tuple(t.numba_type for t in (Body, State, Work))
+_BODY: tuple[types.Type, ...] = tuple(t.numba_type for t in (Body, State, Scratch))
 
 ACCELERATIONS = types.void(*_BODY, FLOATS, FLOATS, FLOATS)
-TALLY = types.void(Problem.numba_type, Drive.numba_type, _F8, FLOATS, FLOATS, FLOATS, _F8)
+ACCUMULATE = types.void(Problem.numba_type, Drive.numba_type, _F8, FLOATS, FLOATS, FLOATS, _F8)
 FACTORISE = types.boolean(
     Body.numba_type, State.numba_type, Matrix.numba_type, FLOATS, FLOATS, _F8, _F8, types.boolean
 )
@@ -62,13 +62,13 @@ def _typed(signature: Any) -> Any:
 
 
 @_shared
-def _call_accelerations(_context, address, body, state, work, q, v, a):
+def _call_accelerations(_context, address, body, state, scratch, q, v, a):
     return _typed(ACCELERATIONS), _caller(ACCELERATIONS)
 
 
 @_shared
-def _call_tally(_context, address, problem, drive, t, q, v, a, h):
-    return _typed(TALLY), _caller(TALLY)
+def _call_accumulate(_context, address, problem, drive, t, q, v, a, h):
+    return _typed(ACCUMULATE), _caller(ACCUMULATE)
 
 
 @_shared
@@ -84,13 +84,13 @@ def _call_solve(_context, address, body, matrix, b):
 @kernel(inline="always")
 def accelerate(problem, q, v, a):
     """`forces.accelerations` of the problem's body."""
-    _call_accelerations(problem.accelerations, problem.body, problem.state, problem.work, q, v, a)
+    _call_accelerations(problem.accelerations, problem.body, problem.state, problem.scratch, q, v, a)
 
 
 @kernel(inline="always")
-def tally(problem, drive, t, q, v, a, h):
-    """`ledger.tally_step`."""
-    _call_tally(problem.tally, problem, drive, t, q, v, a, h)
+def accumulate(problem, drive, t, q, v, a, h):
+    """`balance.accumulate_work`."""
+    _call_accumulate(problem.accumulate, problem, drive, t, q, v, a, h)
 
 
 @kernel(inline="always")

@@ -24,7 +24,7 @@ class Body(Table):
     springs: int
     joints: int
     damped: bool  # any linear spring has damping
-    twisted: bool  # any angular spring has damping
+    joint_damped: bool  # any angular spring has damping
     chain: bool  # the springs run head to tail through all masses, in order
     ring: bool  # so they do, and back to the first
     law: int  # see `laws`
@@ -39,11 +39,11 @@ class Body(Table):
     joint_b: Indices
     joint_stiffness: Floats  # (J,) kg/s²
     joint_rest: Floats  # (J,) degrees, before the shift
-    couple_size: Floats  # stiffness of joint j at place j + 1, kg/s²; at place 0 a ring's last, or zero
-    couple_damping: Floats  # damping of joint j at place j + 1, kg/s
-    # The couple of a joint acts on its spring a with one sign and on its spring b with the other. Each spring
+    torque_size: Floats  # stiffness of joint j at place j + 1, kg/s²; at place 0 a ring's last, or zero
+    torque_damping: Floats  # damping of joint j at place j + 1, kg/s
+    # The torque of a joint acts on its spring a with one sign and on its spring b with the other. Each spring
     # names the place of one joint of which it is b and one of which it is a (0 where there is none: a
-    # couple of zero); the rare others are in the lists. So the common case is a gather without branches.
+    # torque of zero); the rare others are in the lists. So the common case is a gather without branches.
     # Springs that joints hold come before all others.
     hinged: int  # how many springs joints hold
     joint_in: Indices  # (S,)
@@ -73,9 +73,9 @@ class State(Table):
     v: Floats  # (2 places) velocities, px/s
     controls: Floats  # rest_length_scale, rest_angle_shift (degrees)
     pull: Floats  # (S padded + 1) stiffness * rest length now
-    couple_cos: Floats  # stiffness * cos(rest angle now), that of joint j at place j + 1; place 0 as above
-    couple_sin: Floats
-    couple_rest: Floats  # rest angle now, radians, that of joint j at place j + 1
+    torque_cos: Floats  # stiffness * cos(rest angle now), that of joint j at place j + 1; place 0 as above
+    torque_sin: Floats
+    torque_rest: Floats  # rest angle now, radians, that of joint j at place j + 1
     # What acts on each mass beside the springs; all zero for a mass that is held.
     inverse_mass: Floats  # (places) 1/kg
     air: Floats  # (places) air friction / mass, 1/px
@@ -108,23 +108,23 @@ class State(Table):
         return self.v[self.places :]
 
 
-class Work(Table):
+class Scratch(Table):
     """Scratch, so that no step allocates."""
 
     lx: Floats  # (S padded) vectors of the springs
     ly: Floats
     dvx: Floats
     dvy: Floats
-    inverse: Floats  # 1 / length; `linked_accelerations` only tells that of the shortest spring, at place 0
+    inverse: Floats  # 1 / length; `chain_accelerations` only tells that of the shortest spring, at place 0
     turning: Floats  # rate at which a spring turns, 1/s
-    turn: Floats  # what the couples of its joints add up to at each spring
+    turn: Floats  # what the torques of its joints add up to at each spring
     draw: Floats  # what the energies of its joints add up to at each spring
     hold: Floats  # what their conservative pulls along it add up to at each spring, times its length
-    brake: Floats  # what the couples of their damping add up to at each spring
-    couple: Floats  # of joint j at place j + 1
+    brake: Floats  # what the torques of their damping add up to at each spring
+    torque: Floats  # of joint j at place j + 1
     energy: Floats  # of joint j at place j + 1, under a law that has one, as the law's loop wants it
     dot: Floats  # K A . R(-r) B of joint j at place j + 1, under the conservative law
-    friction: Floats  # couple of the damping of joint j at place j + 1
+    friction: Floats  # torque of the damping of joint j at place j + 1
     tx: Floats  # force on the b end of each spring; in a chain at the place of the mass at that end
     ty: Floats
     fx: Floats  # (places)
@@ -146,13 +146,13 @@ def padded(count: int) -> int:
 
 
 SPARE = 7
-"""Places at the end of a flat vector that no mass is ever at; see `Flow`."""
+"""Places at the end of a flat vector that no mass is ever at; see `IntegratorState`."""
 
 
 class Matrix(Table):
     """What an implicit step needs: the factors of its matrix and, where the body is no chain, the pattern."""
 
-    blocks: Floats  # the factors; see `twisted` and `sparse`
+    blocks: Floats  # the factors; see `joint_damped` and `sparse`
     parts: Floats  # scratch of a chain; see `band`
     ux: Floats  # (S padded + 1) unit vectors of the springs where the matrix was built, each at place s + 1
     uy: Floats
@@ -198,69 +198,69 @@ class Drive(Table):
     turn: float  # degrees/s added to the rest angles
 
 
-class Flow(Table):
+class IntegratorState(Table):
     """Mutable: what an integrator carries from step to step, and its scratch; vectors as in `State`."""
 
     a: Floats  # px/s², of the state
-    clock: Floats  # see the CLOCK_ constants
+    controller: Floats  # see the CLOCK_ constants
     limits: Floats  # farthest coordinate, px, and fastest speed, px/s, that a good state has
     counts: Indices  # see the COUNT_ constants
     rows: Rows  # (R, 2 places) scratch
-    mind: Floats  # what `auto` has learnt, see the AUTO_ constants
+    selector: Floats  # what `auto` has learnt, see the AUTO_ constants
     history: (
         Rows  # (4, 2 places) what generalized-alpha carries from step to step; no rows where it is not used
     )
     past: Rows  # (PAST, 2 places) past accelerations, of Adams' methods; no rows where they are not used
 
 
-CLOCK_TIME = 0
-"""Place in `Flow.clock`: simulated time, s."""
-CLOCK_STEP = 1
-"""Place in `Flow.clock`: the next step that the method in use would try, s; 0 when it has to find out."""
-CLOCK_CAP = 2
-"""Place in `Flow.clock`: the largest step that seems to be stable, s."""
-CLOCK_LAST, CLOCK_LAST_BUT_ONE = 3, 4
-"""Places in `Flow.clock`: the last two steps that `Flow.history` knows of, s; 0 where it does not."""
-CLOCK_SOLVABLE = 5
-"""Place in `Flow.clock`: the largest step for which Newton's method seems to converge, s; 0 where unknown."""
-CLOCK_BEGUN = 6
-"""Place in `Flow.clock`: how many steps generalized-alpha has taken since it took over."""
-CLOCK_PAST, CLOCK_SPACING, CLOCK_DEGREE, CLOCK_HEAD, CLOCK_SINCE = 7, 8, 9, 10, 11
-"""Places in `Flow.clock`, of Adams' methods: the time that `Flow.past` goes up to, negative where it says
+CONTROLLER_TIME = 0
+"""In `controller`: simulated time, s."""
+CONTROLLER_STEP = 1
+"""In `controller`: the next step that the method in use would try, s; 0 when it has to find out."""
+CONTROLLER_CAP = 2
+"""In `controller`: the largest step that seems to be stable, s."""
+CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE = 3, 4
+"""In `controller`: the last two steps that `history` knows of, s; 0 where it does not."""
+CONTROLLER_SOLVABLE = 5
+"""In `controller`: the largest step for which Newton's method seems to converge, s; 0 where unknown."""
+CONTROLLER_BEGUN = 6
+"""In `controller`: how many steps generalized-alpha has taken since it took over."""
+CONTROLLER_PAST, CONTROLLER_SPACING, CONTROLLER_DEGREE, CONTROLLER_HEAD, CONTROLLER_SINCE = 7, 8, 9, 10, 11
+"""In `controller`, of Adams' methods: the time that `past` goes up to, negative where it says
 nothing; the time between two of its rows, s; the degree of the polynomial; the row of the latest; and the
 steps since a change of the step."""
-CLOCK_HELD = 12
-"""Place in `Flow.clock`: the share of Verlet's steps in its last turn that its stability kept short."""
-CLOCK_CONTRACTION = 13
-"""Place in `Flow.clock`: how large a second move of Newton's method is for the square of the first, 1/px; 0
+CONTROLLER_HELD = 12
+"""In `controller`: the share of Verlet's steps in its last turn that its stability kept short."""
+CONTROLLER_CONTRACTION = 13
+"""In `controller`: how large a second move of Newton's method is for the square of the first, 1/px; 0
 where unknown."""
-CLOCK_CUBE = 14
-"""Place in `Flow.clock`: a product of three spans of time, s³, that the error of generalized-alpha's last
+CONTROLLER_CUBE = 14
+"""In `controller`: a product of three spans of time, s³, that the error of generalized-alpha's last
 prediction goes with; 0 where it is not known."""
-CLOCK_MOST, CLOCK_KNOWN = 15, 16
-"""Places in `Flow.clock`, of Adams' methods: the degree to rise to; and how many rows of `Flow.past`, from
+CONTROLLER_MOST, CONTROLLER_KNOWN = 15, 16
+"""In `controller`, of Adams' methods: the degree to rise to; and how many rows of `past`, from
 the latest on, are at the present spacing."""
-CLOCKS = 17
+CONTROLLERS = 17
 
 ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_ADAMS = 0, 1, 2, 3
 """The methods that `auto` chooses from."""
 ARMS = 4
 
 AUTO_STEP, AUTO_PACE, AUTO_WORK, AUTO_LAST, AUTO_ASKED = 0, ARMS, 2 * ARMS, 2 * ARMS + 1, 2 * ARMS + 2
-"""Places in `Flow.mind`: the next step of each method, s; simulated time for the computing of a Verlet
+"""In `selector`: the next step of each method, s; simulated time for the computing of a Verlet
 step, s, of each, negative where unknown; computing, in Verlet steps, since a method was asked; the method
 that had the last turn; how many times one was asked."""
 AUTO_TURN, AUTO_BEGAN, AUTO_TRIED = 2 * ARMS + 3, 2 * ARMS + 4, 2 * ARMS + 5
-"""Places in `Flow.mind`, of the turn that is under way: the method, or -1 if none is; the time when it began,
+"""In `selector`, of the turn that is under way: the method, or -1 if none is; the time when it began,
 s; and the steps that had been tried then."""
 AUTO_NEW = (0.0,) * ARMS + (-1.0,) * ARMS + (0.0,) * 3 + (-1.0, 0.0, 0.0)
 """What `auto` knows at first."""
 
 COUNT_FRESH, COUNT_STEPS, COUNT_REJECTED, COUNT_WHAT, COUNT_MASS = 0, 1, 2, 3, 4
-COUNT_FORCES, COUNT_MATRICES, COUNT_RESCUES = 5, 6, 7
-"""Places in `Flow.counts`: whether `a` is that of the state; steps done and rejected; GOOD or what is
-wrong, and the mass that shows it; evaluations of the accelerations, matrices factorised, and steps of
-last resort."""
+COUNT_FORCES, COUNT_MATRICES, COUNT_FALLBACKS = 5, 6, 7
+"""In `counts`: whether `a` is that of the state; steps done and rejected; GOOD or what is
+wrong, and the mass that shows it; evaluations of the accelerations, matrices factorised, and
+fallback steps."""
 COUNTS = 8
 
 
@@ -313,8 +313,8 @@ class Adams(Table):
     back: Rows  # (PAST², PAST) in the velocity gained in the last r steps, in row k PAST + r
 
 
-class Ledger(Table):
-    """What has changed the energy since the ledger was opened; scratch for finding it out."""
+class EnergyBalance(Table):
+    """What has changed the energy since the balance was opened; scratch for finding it out."""
 
     active: bool
     work: Floats  # (WORKS,) kg px²/s², see the WORK_ constants
@@ -323,9 +323,9 @@ class Ledger(Table):
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `dissipation`
 
 
-WORK_ANCHORS, WORK_DAMPING, WORK_AIR, WORK_LAW, WORK_KEYS, WORK_RESCUE = 0, 1, 2, 3, 4, 5
-"""Places in `Ledger.work`: done by moved anchors; taken away by damping and by air (negative); done by a law
-without an energy; done by keys that change rest lengths and angles; taken away by steps of last resort."""
+WORK_ANCHORS, WORK_DAMPING, WORK_AIR, WORK_LAW, WORK_KEYS, WORK_FALLBACK = 0, 1, 2, 3, 4, 5
+"""In `EnergyBalance.work`: done by moved anchors; taken away by damping and by air (negative); done by a law
+without an energy; done by keys that change rest lengths and angles; taken away by fallback steps."""
 WORKS = 6
 
 
@@ -334,13 +334,13 @@ class Problem(Table):
 
     body: Body
     state: State
-    work: Work
+    scratch: Scratch
     matrix: Matrix  # empty where no method is implicit
-    flow: Flow
-    ledger: Ledger
+    integrator: IntegratorState
+    balance: EnergyBalance
     # Addresses of kernels, see `shared`; 0 where the method has no use for one.
     accelerations: int
-    tally: int
+    accumulate: int
     factorise: int
     solve: int
     fixed: float  # the step, s, or 0 for error control
@@ -349,4 +349,4 @@ class Problem(Table):
     implicit: Rosenbrock
     adams: Adams
     costs: Floats  # (ARMS,) of a step of each method for `auto`, in those of Verlet's; 0: not used
-    strictness: Floats  # (ARMS,) of each of them
+    tolerance_factor: Floats  # (ARMS,) of each of them

@@ -34,7 +34,7 @@ def gather_dampers(body, q, v, part, dampers):
             dampers[MEAN, s] += part * rate
             dampers[STRENGTH, s] += part * body.damping[s]
             dampers[POWER, s] += part * body.damping[s] * rate * rate
-    if body.twisted:
+    if body.joint_damped:
         for j in range(body.joints):
             rate, strength = _bending(body, q, v, j)
             dampers[MEAN, springs + j] += part * rate
@@ -58,7 +58,7 @@ def taken_away(body, inverse_mass, q, v, h, dampers):
                 quickness = h * strength * (inverse_mass[body.spring_a[s]] + inverse_mass[body.spring_b[s]])
                 most = _calmed(mean, strength, most, _lengthening(body, q, v, s), quickness)
             power += most
-    if body.twisted:
+    if body.joint_damped:
         for j in range(body.joints):
             most = dampers[POWER, springs + j]
             mean, strength = dampers[MEAN, springs + j], dampers[STRENGTH, springs + j]
@@ -97,7 +97,7 @@ def _bending(body, q, v, j):
     """The rate of a joint's angle, 1/s, and its damper's strength, kg px²/s."""
     turned_a, len_a = _turning(body, q, v, body.joint_a[j])
     turned_b, len_b = _turning(body, q, v, body.joint_b[j])
-    return turned_b - turned_a, body.couple_damping[j + 1] * len_a * len_b
+    return turned_b - turned_a, body.torque_damping[j + 1] * len_a * len_b
 
 
 @kernel(inline="always")
@@ -111,7 +111,7 @@ def _turning(body, q, v, s):
 
 @kernel(inline="always")
 def _lightness(body, inverse_mass, q, j):
-    """What a couple at a joint does to its angle, 1/(kg px²), but for the mass that both springs share."""
+    """What a torque at a joint does to its angle, 1/(kg px²), but for the mass that both springs share."""
     light = 0.0
     for s in (body.joint_a[j], body.joint_b[j]):
         a, b = body.spring_a[s], body.spring_b[s]

@@ -37,8 +37,8 @@ def energies(body, state, mass, gravity_x, gravity_y, q, v, out):
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
         ax, ay = from_to(q, a0, a1)
         bx, by = from_to(q, b0, b1)
-        angular += body.couple_size[j + 1] * angular_energy(
-            body.law, ax, ay, bx, by, state.couple_rest[j + 1], soft
+        angular += body.torque_size[j + 1] * angular_energy(
+            body.law, ax, ay, bx, by, state.torque_rest[j + 1], soft
         )
     out[KINETIC], out[LINEAR], out[ANGULAR], out[GRAVITY] = kinetic, linear, angular, height
 

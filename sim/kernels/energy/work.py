@@ -63,37 +63,37 @@ def _roughly_between(h, u, q0, v0, q1, v1, q, v):
 
 
 @kernel(fastmath=FAST)
-def tally_step(problem, drive, t, q1, v1, a1, h):
-    """Add the work of a step of length h from the state in `flow`, at time t, to q1, v1, a1."""
-    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
-    q, v, still = ledger.rows[0], ledger.rows[1], ledger.rows[2]
-    smooth = _is_smooth(h, state.q, state.v, flow.a, q1, v1, a1)
-    ledger.dampers[:] = 0.0
+def accumulate_work(problem, drive, t, q1, v1, a1, h):
+    """Add the work of a step of length h from the state in `integrator`, at time t, to q1, v1, a1."""
+    body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
+    q, v, still = balance.rows[0], balance.rows[1], balance.rows[2]
+    smooth = _is_smooth(h, state.q, state.v, integrator.a, q1, v1, a1)
+    balance.dampers[:] = 0.0
     for i in range(3):
         u = _NODES[i]
         if smooth:
-            between(h, u, state.q, state.v, flow.a, q1, v1, a1, q, v)
+            between(h, u, state.q, state.v, integrator.a, q1, v1, a1, q, v)
         else:
             _roughly_between(h, u, state.q, state.v, q1, v1, q, v)
         if drive.moving:
             drive_to(body, state, drive, t + u * h, q, v)
-        _tally_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v, still)
-        gather_dampers(body, q, v, _WEIGHTS[i], ledger.dampers)
-    ledger.work[WORK_DAMPING] -= taken_away(body, state.inverse_mass, state.q, state.v, h, ledger.dampers)
+        _add_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v, still)
+        gather_dampers(body, q, v, _WEIGHTS[i], balance.dampers)
+    balance.work[WORK_DAMPING] -= taken_away(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
     if drive.pressed:
         drive_to(body, state, drive, t + h, q, v)
 
 
 @kernel(fastmath=FAST)
-def _tally_powers(problem, drive, t, h, q, v, still):
+def _add_powers(problem, drive, t, h, q, v, still):
     """Add h times the powers at a state at time t. `still` is all zeros."""
-    body, state, work, ledger = problem.body, problem.state, problem.work, problem.ledger
+    body, state, scratch, balance = problem.body, problem.state, problem.scratch, problem.balance
     places = q.size // 2
     x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
-    sums, mass = ledger.work, ledger.mass
-    fx, fy, free = work.fx, work.fy, state.inverse_mass
+    sums, mass = balance.work, balance.mass
+    fx, fy, free = scratch.fx, scratch.fy, state.inverse_mass
     # The force of the springs and joints, and then that of the dampers alone, which is linear in v.
-    spring_forces(body, state, work, x, y, still[:places], still[places:])
+    spring_forces(body, state, scratch, x, y, still[:places], still[places:])
     for i in range(drive.mass.size):
         m = drive.mass[i]
         # Its true velocity; `v` may have it standing still.
@@ -104,11 +104,11 @@ def _tally_powers(problem, drive, t, h, q, v, still):
         if free[i] > 0.0:
             drag = state.air[i] * mass[i]
             sums[WORK_AIR] -= h * drag * (vx[i] * vx[i] * abs(vx[i]) + vy[i] * vy[i] * abs(vy[i]))
-    if (body.damped or body.twisted) and drive.mass.size > 0:
+    if (body.damped or body.joint_damped) and drive.mass.size > 0:
         for i in range(drive.mass.size):
             m = drive.mass[i]
             sums[WORK_ANCHORS] += h * (fx[m] * vx[m] + fy[m] * vy[m])
-        spring_forces(body, state, work, x, y, vx, vy)
+        spring_forces(body, state, scratch, x, y, vx, vy)
         for i in range(drive.mass.size):
             m = drive.mass[i]
             sums[WORK_ANCHORS] -= h * (fx[m] * vx[m] + fy[m] * vy[m])
@@ -127,15 +127,15 @@ def _power_of_law(body, state, x, y, vx, vy, drive, t):
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
         ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
         aa, bb = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
-        size, cos, sin = body.couple_size[j + 1], state.couple_cos[j + 1], state.couple_sin[j + 1]
-        # The rate of the conservative law's energy, and the power of the tutorial's couple.
+        size, cos, sin = body.torque_size[j + 1], state.torque_cos[j + 1], state.torque_sin[j + 1]
+        # The rate of the conservative law's energy, and the power of the tutorial's torque.
         ux, uy = _true(drive, t, a0, a1, vx, vy)
         wx, wy = _true(drive, t, b0, b1, vx, vy)
-        couple = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
+        torque = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
         power += size * bb / aa * (ax * ux + ay * uy) + size * aa / bb * (bx * wx + by * wy)
         power -= ux * (cos * bx + sin * by) + uy * (cos * by - sin * bx)
         power -= wx * (cos * ax - sin * ay) + wy * (cos * ay + sin * ax)
-        power -= couple * ((ay * ux - ax * uy) / (aa * aa) - (by * wx - bx * wy) / (bb * bb))
+        power -= torque * ((ay * ux - ax * uy) / (aa * aa) - (by * wx - bx * wy) / (bb * bb))
     return power
 
 
@@ -165,11 +165,11 @@ def _power_of_keys(body, state, drive, x, y):
         s, r = body.joint_a[j], body.joint_b[j]
         a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
         ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
-        off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.couple_rest[j + 1])
+        off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])
         aa, bb = ax * ax + ay * ay, bx * bx + by * by
         weight = math.sqrt(aa * bb)
         if not is_sine(body.law):
             weight = aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))
-        torque = body.couple_size[j + 1] * weight * terms(body.law, off)[0]
+        torque = body.torque_size[j + 1] * weight * terms(body.law, off)[0]
         power -= torque * math.radians(drive.turn)
     return power

@@ -22,9 +22,9 @@ from .laws import CONSERVATIVE, NO_JOINTS, TUTORIAL, is_sine
 
 
 @kernel(forceinline=True)
-def is_linked(body):
-    """Whether `linked_accelerations` can do a body."""
-    return (body.chain or body.ring) and is_sine(body.law) and not body.twisted
+def is_chain_like(body):
+    """Whether `chain_accelerations` can do a body."""
+    return (body.chain or body.ring) and is_sine(body.law) and not body.joint_damped
 
 
 @kernel(inline="always")
@@ -68,35 +68,35 @@ def _along(law, alone, carried, bx, by, bu, bv, cos, sin, size, pull, stiffness,
         to_along -= size * known * inv
         to_part, to_known = inv, length
     elif law == TUTORIAL:
-        couple = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
-        across = (known - couple) * part
+        torque = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
+        across = (known - torque) * part
         tx, ty = along * ax + across * ay, along * ay - across * ax
-        to_part, to_known = inv2, couple
+        to_part, to_known = inv2, torque
     else:
         tx, ty = along * ax, along * ay
     return inv, tx, ty, (bx, by, to_along, to_part, to_known, to_x, to_y)
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
-def linked_accelerations(body, state, work, x, y, vx, vy, ax, ay):
+def chain_accelerations(body, state, scratch, x, y, vx, vy, ax, ay):
     """Accelerations of the masses of a chain or a ring, zero where one is held.
 
     Of a ring, the last mass stands at place 0, too, and the first two behind the last one.
-    `work.inverse[0]` becomes 1 / length of the shortest spring.
+    `scratch.inverse[0]` becomes 1 / length of the shortest spring.
     """
     eight_at_a_time()
     if body.law == CONSERVATIVE:
-        _accelerate(CONSERVATIVE, body, state, work, x, y, vx, vy, ax, ay)
+        _accelerate(CONSERVATIVE, body, state, scratch, x, y, vx, vy, ax, ay)
     elif body.law == TUTORIAL:
-        _accelerate(TUTORIAL, body, state, work, x, y, vx, vy, ax, ay)
+        _accelerate(TUTORIAL, body, state, scratch, x, y, vx, vy, ax, ay)
     else:
-        _accelerate(NO_JOINTS, body, state, work, x, y, vx, vy, ax, ay)
+        _accelerate(NO_JOINTS, body, state, scratch, x, y, vx, vy, ax, ay)
 
 
 @kernel(inline="always")
-def _accelerate(law, body, state, work, x, y, vx, vy, ax, ay):
+def _accelerate(law, body, state, scratch, x, y, vx, vy, ax, ay):
     n, soft = body.masses, body.softenings
-    cos, sin, size = state.couple_cos, state.couple_sin, body.couple_size
+    cos, sin, size = state.torque_cos, state.torque_sin, body.torque_size
     pull, stiffness, damping = state.pull, body.stiffness, body.damping
     w, air, gx, gy = state.inverse_mass, state.air, state.gx, state.gy
     carried = _nothing()
@@ -123,4 +123,4 @@ def _accelerate(law, body, state, work, x, y, vx, vy, ax, ay):
         ax[m] = (before_x - tx) * w[m] - air[m] * (u * abs(u)) + gx[m]
         ay[m] = (before_y - ty) * w[m] - air[m] * (v * abs(v)) + gy[m]
         before_x, before_y = tx, ty
-    work.inverse[0] = from_bits(short)
+    scratch.inverse[0] = from_bits(short)

@@ -27,12 +27,12 @@ def refresh(body, state):
         state.pull[s] = body.stiffness[s] * (body.rest_length[s] * scale)
     for j in range(body.joints):
         rest = math.radians(wrap(body.joint_rest[j] + shift))
-        state.couple_cos[j + 1] = body.joint_stiffness[j] * math.cos(rest)
-        state.couple_sin[j + 1] = body.joint_stiffness[j] * math.sin(rest)
-        state.couple_rest[j + 1] = rest
+        state.torque_cos[j + 1] = body.joint_stiffness[j] * math.cos(rest)
+        state.torque_sin[j + 1] = body.joint_stiffness[j] * math.sin(rest)
+        state.torque_rest[j + 1] = rest
     if body.ring:
-        state.couple_cos[0] = state.couple_cos[body.joints]
-        state.couple_sin[0] = state.couple_sin[body.joints]
+        state.torque_cos[0] = state.torque_cos[body.joints]
+        state.torque_sin[0] = state.torque_sin[body.joints]
 
 
 @kernel(internal=True)

@@ -1,6 +1,6 @@
 """What the springs do to the masses: forces on any topology, and accelerations.
 
-With L the vector of a spring and perp(L) = (L.y, -L.x), a joint that holds springs A and B has a couple G
+With L the vector of a spring and perp(L) = (L.y, -L.x), a joint that holds springs A and B has a torque G
 and, under a law with an energy, that energy U. Its force on the b end of its first spring is -dU/dA, which is
 -G perp(A) / |A|² and a part along A; that on the b end of its second spring +G perp(B) / |B|² and a part
 along B. With V the angle from A to B and r the rest angle, the laws are
@@ -30,45 +30,45 @@ from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time, whole_eights
 from ..core.roots import inverse_root
 from ..core.vectors import deflection
-from .chain import is_linked, linked_accelerations
+from .chain import chain_accelerations, is_chain_like
 from .laws import CONSERVATIVE, TUTORIAL, terms
 
 
 @kernel(fastmath=FAST)
-def spring_forces(body, state, work, x, y, vx, vy):
-    """Forces of all springs and joints on all masses, into `work.fx` and `work.fy`."""
-    lx, ly, dvx, dvy, inverse = work.lx, work.ly, work.dvx, work.dvy, work.inverse
+def spring_forces(body, state, scratch, x, y, vx, vy):
+    """Forces of all springs and joints on all masses, into `scratch.fx` and `scratch.fy`."""
+    lx, ly, dvx, dvy, inverse = scratch.lx, scratch.ly, scratch.dvx, scratch.dvy, scratch.inverse
     springs, hinged = whole_eights(body.springs), body.hinged  # padded
     _differences(body.springs, body.spring_a, body.spring_b, x, y, lx, ly)
-    if body.damped or body.twisted:
+    if body.damped or body.joint_damped:
         _differences(body.springs, body.spring_a, body.spring_b, vx, vy, dvx, dvy)
     _inverse_lengths(springs, body.softening, lx, ly, inverse)
     if body.joints:
-        _joint_couples(body, state, work, lx, ly, inverse, work.couple, work.energy, work.dot)
-        _at_springs(body, work.couple, work.turn, -1.0)
+        _joint_torques(body, state, scratch, lx, ly, inverse, scratch.torque, scratch.energy, scratch.dot)
+        _at_springs(body, scratch.torque, scratch.turn, -1.0)
         if body.law == CONSERVATIVE:
-            _at_springs(body, work.energy, work.draw, 1.0)
-            _at_springs(body, work.dot, work.hold, 1.0)
+            _at_springs(body, scratch.energy, scratch.draw, 1.0)
+            _at_springs(body, scratch.dot, scratch.hold, 1.0)
         elif body.law != TUTORIAL:
-            _at_springs(body, work.energy, work.draw, 1.0)
-            _hold_by_energy(whole_eights(hinged), body.softening, lx, ly, inverse, work.draw, work.hold)
-    tx, ty = work.tx, work.ty
+            _at_springs(body, scratch.energy, scratch.draw, 1.0)
+            _hold_by_energy(whole_eights(hinged), body.softening, lx, ly, inverse, scratch.draw, scratch.hold)
+    tx, ty = scratch.tx, scratch.ty
     if body.law != TUTORIAL and body.joints:
         _tensions_with_pull(
             springs, lx, ly, dvx, dvy, inverse, state.pull, body.stiffness, body.damping,
-            work.turn, work.draw, work.hold, tx, ty,
+            scratch.turn, scratch.draw, scratch.hold, tx, ty,
         )  # fmt: skip
     else:
         _tensions(
-            springs, lx, ly, dvx, dvy, inverse, state.pull, body.stiffness, body.damping, work.turn, tx, ty
+            springs, lx, ly, dvx, dvy, inverse, state.pull, body.stiffness, body.damping, scratch.turn, tx, ty
         )
-    if body.twisted:
-        _joint_friction(body, lx, ly, dvx, dvy, inverse, work.turning, work.friction)
-        _at_springs(body, work.friction, work.brake, -1.0)
-        _add_across(whole_eights(hinged), lx, ly, inverse, work.brake, tx, ty)
+    if body.joint_damped:
+        _joint_friction(body, lx, ly, dvx, dvy, inverse, scratch.turning, scratch.friction)
+        _at_springs(body, scratch.friction, scratch.brake, -1.0)
+        _add_across(whole_eights(hinged), lx, ly, inverse, scratch.brake, tx, ty)
     none = body.stiffness.size  # stands for no spring; the chain's loops have other numbers there
     tx[none], ty[none] = 0.0, 0.0
-    _at_masses(body, tx, ty, work.fx, work.fy)
+    _at_masses(body, tx, ty, scratch.fx, scratch.fy)
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
@@ -88,22 +88,22 @@ def _inverse_lengths(springs, soft, lx, ly, inverse):
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
-def _joint_couples(body, state, work, lx, ly, inverse, couple, energy, dot):
-    """The couple and, where the law has one, the energy of every joint, at place j + 1."""
+def _joint_torques(body, state, scratch, lx, ly, inverse, torque, energy, dot):
+    """The torque and, where the law has one, the energy of every joint, at place j + 1."""
     joint_a, joint_b = body.joint_a, body.joint_b
-    cosine, sine, size, rest = state.couple_cos, state.couple_sin, body.couple_size, state.couple_rest
+    cosine, sine, size, rest = state.torque_cos, state.torque_sin, body.torque_size, state.torque_rest
     if body.law == TUTORIAL:
         for j in range(body.joints):
             a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
             cross = lx[a] * ly[b] - ly[a] * lx[b]
             along = lx[a] * lx[b] + ly[a] * ly[b]
-            couple[j + 1] = cosine[j + 1] * cross - sine[j + 1] * along
+            torque[j + 1] = cosine[j + 1] * cross - sine[j + 1] * along
     elif body.law == CONSERVATIVE:
         for j in range(body.joints):
             a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
             cross = lx[a] * ly[b] - ly[a] * lx[b]
             along = lx[a] * lx[b] + ly[a] * ly[b]
-            couple[j + 1] = cosine[j + 1] * cross - sine[j + 1] * along
+            torque[j + 1] = cosine[j + 1] * cross - sine[j + 1] * along
             energy[j + 1] = size[j + 1] / (inverse[a] * inverse[b])
             dot[j + 1] = cosine[j + 1] * along + sine[j + 1] * cross
     else:
@@ -114,19 +114,19 @@ def _joint_couples(body, state, work, lx, ly, inverse, couple, energy, dot):
             torque_term, energy_term, _ = terms(body.law, off)
             weight = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
             weight *= size[j + 1] * (inverse[a] * inverse[b])
-            couple[j + 1] = weight * torque_term
+            torque[j + 1] = weight * torque_term
             energy[j + 1] = weight * energy_term
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _joint_friction(body, lx, ly, dvx, dvy, inverse, turning, friction):
-    """The couple of every joint's damping."""
+    """The torque of every joint's damping."""
     for s in range(body.hinged):
         turning[s] = (lx[s] * dvy[s] - ly[s] * dvx[s]) * (inverse[s] * inverse[s])
     for j in range(body.joints):
         a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
         rate = turning[b] - turning[a]
-        friction[j + 1] = body.couple_damping[j + 1] / (inverse[a] * inverse[b]) * rate
+        friction[j + 1] = body.torque_damping[j + 1] / (inverse[a] * inverse[b]) * rate
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
@@ -210,7 +210,7 @@ def _at_masses(body, tx, ty, fx, fy):
 
 
 @kernel(noalias=True, fastmath=FAST)
-def accelerations(body, state, work, q, v, a):
+def accelerations(body, state, scratch, q, v, a):
     """Accelerations of all masses at positions q and velocities v; zero where a mass is held.
 
     q, v and a are flat: x of every place, then y of every place.
@@ -218,16 +218,16 @@ def accelerations(body, state, work, q, v, a):
     eight_at_a_time()
     places = q.size // 2
     x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
-    if is_linked(body):
+    if is_chain_like(body):
         if body.ring:
             _close_ring(body.masses, q)
             _close_ring(body.masses, v)
-        linked_accelerations(body, state, work, x, y, vx, vy, a[:places], a[places:])
+        chain_accelerations(body, state, scratch, x, y, vx, vy, a[:places], a[places:])
         if body.ring:
             _open_ring(body.masses, q)
             _open_ring(body.masses, v)
     else:
-        any_accelerations(body, state, work, x, y, vx, vy, a)
+        any_accelerations(body, state, scratch, x, y, vx, vy, a)
 
 
 @kernel(forceinline=True)
@@ -247,12 +247,12 @@ def _open_ring(masses, flat):
 
 
 @kernel(internal=True, fastmath=FAST)
-def any_accelerations(body, state, work, x, y, vx, vy, a):
+def any_accelerations(body, state, scratch, x, y, vx, vy, a):
     """`accelerations` of any body, under any law."""
     eight_at_a_time()
     places = x.size
-    spring_forces(body, state, work, x, y, vx, vy)
-    fx, fy, ax, ay = work.fx, work.fy, a[:places], a[places:]
+    spring_forces(body, state, scratch, x, y, vx, vy)
+    fx, fy, ax, ay = scratch.fx, scratch.fy, a[:places], a[places:]
     w, air, gx, gy = state.inverse_mass, state.air, state.gx, state.gy
     for i in range(1, body.masses + 1):
         ax[i] = fx[i] * w[i] - air[i] * (vx[i] * abs(vx[i])) + gx[i]

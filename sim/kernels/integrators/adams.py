@@ -15,17 +15,17 @@ import math
 from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, tally
+from ..core.shared import accelerate, accumulate
 from ..core.tables import (
-    CLOCK_DEGREE,
-    CLOCK_HEAD,
-    CLOCK_KNOWN,
-    CLOCK_MOST,
-    CLOCK_PAST,
-    CLOCK_SINCE,
-    CLOCK_SPACING,
-    CLOCK_STEP,
-    CLOCK_TIME,
+    CONTROLLER_DEGREE,
+    CONTROLLER_HEAD,
+    CONTROLLER_KNOWN,
+    CONTROLLER_MOST,
+    CONTROLLER_PAST,
+    CONTROLLER_SINCE,
+    CONTROLLER_SPACING,
+    CONTROLLER_STEP,
+    CONTROLLER_TIME,
     COUNT_FORCES,
     COUNT_REJECTED,
     COUNT_STEPS,
@@ -40,8 +40,8 @@ from .steps import (
     HOPELESS,
     SHORTEST_STEP,
     WORTH_SHORTENING,
+    ensure_acceleration,
     first_step,
-    freshen,
     replace_state,
     shortest_of,
     stays_gentle,
@@ -78,25 +78,39 @@ and error control keeps them small by keeping steps there. Under degree 6 they f
 
 @kernel(fastmath=FAST)
 def run_adams(problem, drive, end, tolerance, attempts):
-    """Go on to `end` under a tolerance; arguments as those of `run_explicit` and `run_verlet`."""
-    freshen(problem, drive)
-    body, state, work, flow, ledger = problem.body, problem.state, problem.work, problem.flow, problem.ledger
+    """Go on to `end` under a tolerance; arguments as those of `run_verlet`."""
+    ensure_acceleration(problem, drive)
+    body, state, scratch, integrator, balance = (
+        problem.body,
+        problem.state,
+        problem.scratch,
+        problem.integrator,
+        problem.balance,
+    )
     method, near_limit = problem.adams, problem.near_limit
-    clock, count = flow.clock, flow.counts
-    q, v, past, rows = state.q, state.v, flow.past, flow.rows
+    controller, count = integrator.controller, integrator.counts
+    q, v, past, rows = state.q, state.v, integrator.past, integrator.rows
     to_q, to_v, to_a, ahead = rows[0], rows[1], rows[2], rows[3]
-    t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
+    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
     degree, most, known, head, since, spacing = 0, method.degree, 1, 0, 0, 0.0
-    if clock[CLOCK_PAST] == t:
-        degree, head, since = int(clock[CLOCK_DEGREE]), int(clock[CLOCK_HEAD]), int(clock[CLOCK_SINCE])
-        most, known, spacing = int(clock[CLOCK_MOST]), int(clock[CLOCK_KNOWN]), clock[CLOCK_SPACING]
+    if controller[CONTROLLER_PAST] == t:
+        degree, head, since = (
+            int(controller[CONTROLLER_DEGREE]),
+            int(controller[CONTROLLER_HEAD]),
+            int(controller[CONTROLLER_SINCE]),
+        )
+        most, known, spacing = (
+            int(controller[CONTROLLER_MOST]),
+            int(controller[CONTROLLER_KNOWN]),
+            controller[CONTROLLER_SPACING],
+        )
     else:
         for j in range(1, q.size - SPARE):
-            past[0, j] = flow.a[j]
-        first = first_step(flow, drive, 0.01 * tolerance)
+            past[0, j] = integrator.a[j]
+        first = first_step(integrator, drive, 0.01 * tolerance)
         h = min(h, first) if h > 0.0 else first
     kinks = kinks_matter(state.air, past[head], h, method.error[degree], tolerance)
-    farthest, fastest = flow.limits[0], flow.limits[1]
+    farthest, fastest = integrator.limits[0], integrator.limits[1]
     failures, tries, steps, swaps, shortest = 0, 0, 0, 0, 0.0
     while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
         tries += 1
@@ -129,7 +143,7 @@ def run_adams(problem, drive, end, tolerance, attempts):
             error = HOPELESS
         good = error <= 1.0
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
-            good = good and sound(body, flow, to_q, to_v, step < WORTH_SHORTENING)
+            good = good and sound(body, integrator, to_q, to_v, step < WORTH_SHORTENING)
         if good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest):
             if degree == most and since % _WEIGHED == _WEIGHED - 1:
                 most, error = _best_degree(past, head, known, method, degree, top, scale, error, to_a)
@@ -139,11 +153,11 @@ def run_adams(problem, drive, end, tolerance, attempts):
             accelerate(problem, to_q, to_v, past[head])
             if turns:
                 turn_past(state.air, v, to_v, past, head, known, method.back, step)
-            shortest = shortest_of(body, work)
+            shortest = shortest_of(body, scratch)
             steps += 1
-            if ledger.active:
-                tally(problem, drive, t, to_q, to_v, past[head], step)
-                replace_state(state.q, state.v, flow.a, to_q, to_v, past[head])
+            if balance.active:
+                accumulate(problem, drive, t, to_q, to_v, past[head], step)
+                replace_state(state.q, state.v, integrator.a, to_q, to_v, past[head])
             else:
                 # Change places instead of copying.
                 q, to_q, v, to_v = to_q, q, to_v, v
@@ -176,17 +190,21 @@ def run_adams(problem, drive, end, tolerance, attempts):
             if h < SHORTEST_STEP:
                 count[COUNT_WHAT] = STUCK
     if swaps % 2:
-        replace_state(state.q, state.v, flow.a, q, v, past[head])
+        replace_state(state.q, state.v, integrator.a, q, v, past[head])
     else:
         for j in range(1, q.size - SPARE):
-            flow.a[j] = past[head, j]
+            integrator.a[j] = past[head, j]
     count[COUNT_FORCES] += tries + steps
     count[COUNT_STEPS] += steps
     count[COUNT_REJECTED] += tries - steps
-    clock[CLOCK_TIME], clock[CLOCK_STEP] = t, h
-    clock[CLOCK_PAST], clock[CLOCK_SPACING] = t, spacing
-    clock[CLOCK_DEGREE], clock[CLOCK_HEAD], clock[CLOCK_SINCE] = degree, head, since
-    clock[CLOCK_MOST], clock[CLOCK_KNOWN] = most, known
+    controller[CONTROLLER_TIME], controller[CONTROLLER_STEP] = t, h
+    controller[CONTROLLER_PAST], controller[CONTROLLER_SPACING] = t, spacing
+    controller[CONTROLLER_DEGREE], controller[CONTROLLER_HEAD], controller[CONTROLLER_SINCE] = (
+        degree,
+        head,
+        since,
+    )
+    controller[CONTROLLER_MOST], controller[CONTROLLER_KNOWN] = most, known
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)

@@ -25,13 +25,13 @@ from ..core.tables import (
     AUTO_TRIED,
     AUTO_TURN,
     AUTO_WORK,
-    CLOCK_BEGUN,
-    CLOCK_HELD,
-    CLOCK_LAST,
-    CLOCK_LAST_BUT_ONE,
-    CLOCK_STEP,
-    CLOCK_TIME,
     CONTROL_SCALE,
+    CONTROLLER_BEGUN,
+    CONTROLLER_HELD,
+    CONTROLLER_LAST,
+    CONTROLLER_LAST_BUT_ONE,
+    CONTROLLER_STEP,
+    CONTROLLER_TIME,
     COUNT_REJECTED,
     COUNT_STEPS,
     COUNT_WHAT,
@@ -62,7 +62,7 @@ with its fifth root. Where the best method does as much for the same computing, 
 
 _WITH_CARE, _SHORT = 0.1, 0.25
 """What all tolerances are multiplied by while small errors become large ones soon: where a joint is bent by
-more than 90 degrees from rest, beyond which its couple falls off; and where a spring is shorter than that
+more than 90 degrees from rest, beyond which its torque falls off; and where a spring is shorter than that
 part of its rest length, so that it turns round in no time."""
 
 _BEGINNING, _BEGINNING_OF_LONG = 16, 4
@@ -93,111 +93,111 @@ def next_turn(problem, end, whole_tolerance, left):
         The method, or -1 where there is no more to do; how many steps it may try; its tolerance; and how many
         steps were tried in the last turn.
     """
-    flow, costs = problem.flow, problem.costs
-    clock, count, mind = flow.clock, flow.counts, flow.mind
+    integrator, costs = problem.integrator, problem.costs
+    controller, count, selector = integrator.controller, integrator.counts, integrator.selector
     tries = 0
-    if mind[AUTO_TURN] >= 0.0:
-        tries = count[COUNT_STEPS] + count[COUNT_REJECTED] - int(mind[AUTO_TRIED])
-        _enter_turn(flow, costs, int(mind[AUTO_TURN]), tries, end)
-        mind[AUTO_TURN] = -1.0
+    if selector[AUTO_TURN] >= 0.0:
+        tries = count[COUNT_STEPS] + count[COUNT_REJECTED] - int(selector[AUTO_TRIED])
+        _enter_turn(integrator, costs, int(selector[AUTO_TURN]), tries, end)
+        selector[AUTO_TURN] = -1.0
         left -= max(tries, 1)
-    if not (clock[CLOCK_TIME] < end and left > 0 and count[COUNT_WHAT] == GOOD):
+    if not (controller[CONTROLLER_TIME] < end and left > 0 and count[COUNT_WHAT] == GOOD):
         return -1, 0, 0.0, tries
-    arm, limit = _whose_turn(mind, costs, _LONG_STEP * whole_tolerance**0.2, clock[CLOCK_HELD])
-    began, step = clock[CLOCK_TIME], mind[AUTO_STEP + arm]
-    tolerance = problem.strictness[arm] * whole_tolerance
+    arm, limit = _whose_turn(selector, costs, _LONG_STEP * whole_tolerance**0.2, controller[CONTROLLER_HELD])
+    began, step = controller[CONTROLLER_TIME], selector[AUTO_STEP + arm]
+    tolerance = problem.tolerance_factor[arm] * whole_tolerance
     if _is_delicate(problem.body, problem.state, problem.state.q):
         tolerance *= _WITH_CARE
-    mind[AUTO_TURN], mind[AUTO_BEGAN] = arm, began
-    mind[AUTO_TRIED] = count[COUNT_STEPS] + count[COUNT_REJECTED]
-    if mind[AUTO_PACE + arm] < 0.0 and step <= 0.0 and arm != ARM_VERLET:
-        step = min(4.0 * mind[AUTO_STEP + ARM_VERLET], 0.5 * (end - began))
-    if arm == ARM_ALPHA and arm != int(mind[AUTO_LAST]):
-        clock[CLOCK_BEGUN] = 0.0
+    selector[AUTO_TURN], selector[AUTO_BEGAN] = arm, began
+    selector[AUTO_TRIED] = count[COUNT_STEPS] + count[COUNT_REJECTED]
+    if selector[AUTO_PACE + arm] < 0.0 and step <= 0.0 and arm != ARM_VERLET:
+        step = min(4.0 * selector[AUTO_STEP + ARM_VERLET], 0.5 * (end - began))
+    if arm == ARM_ALPHA and arm != int(selector[AUTO_LAST]):
+        controller[CONTROLLER_BEGUN] = 0.0
         step *= _TAKING_OVER
-    clock[CLOCK_STEP] = step
+    controller[CONTROLLER_STEP] = step
     return arm, min(limit, left), max(tolerance, 1e-13), tries
 
 
 @kernel(fastmath=FAST)
-def _enter_turn(flow, costs, arm, tries, end):
+def _enter_turn(integrator, costs, arm, tries, end):
     """Learn from a turn of a method, in which it tried so many steps."""
-    clock, count, mind = flow.clock, flow.counts, flow.mind
-    went = clock[CLOCK_TIME] - mind[AUTO_BEGAN]
-    fresh = mind[AUTO_PACE + arm] < 0.0
-    begins = arm == ARM_ADAMS and arm != int(mind[AUTO_LAST])
+    controller, count, selector = integrator.controller, integrator.counts, integrator.selector
+    went = controller[CONTROLLER_TIME] - selector[AUTO_BEGAN]
+    fresh = selector[AUTO_PACE + arm] < 0.0
+    begins = arm == ARM_ADAMS and arm != int(selector[AUTO_LAST])
     if arm in (ARM_VERLET, ARM_ADAMS):  # they keep no history
-        if clock[CLOCK_LAST] > 0.0 and went < 0.5 * mind[AUTO_STEP + ARM_ALPHA]:
-            clock[CLOCK_LAST] += went
+        if controller[CONTROLLER_LAST] > 0.0 and went < 0.5 * selector[AUTO_STEP + ARM_ALPHA]:
+            controller[CONTROLLER_LAST] += went
         else:
-            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0
-    mind[AUTO_STEP + arm] = clock[CLOCK_STEP]
-    mind[AUTO_LAST] = arm
+            controller[CONTROLLER_LAST] = controller[CONTROLLER_LAST_BUT_ONE] = 0.0
+    selector[AUTO_STEP + arm] = controller[CONTROLLER_STEP]
+    selector[AUTO_LAST] = arm
     pace = went / (max(tries, 1) * costs[arm])
     if count[COUNT_WHAT] == STUCK and arm != ARM_ROSENBROCK and costs[ARM_ROSENBROCK] > 0.0:
         count[COUNT_WHAT] = GOOD  # another method may still go on
-        mind[AUTO_STEP + arm] = 0.0
-        mind[AUTO_PACE + arm] = 0.0
-        if mind[AUTO_PACE + ARM_ROSENBROCK] == 0.0:
-            mind[AUTO_PACE + ARM_ROSENBROCK] = -1.0
+        selector[AUTO_STEP + arm] = 0.0
+        selector[AUTO_PACE + arm] = 0.0
+        if selector[AUTO_PACE + ARM_ROSENBROCK] == 0.0:
+            selector[AUTO_PACE + ARM_ROSENBROCK] = -1.0
     elif arm == ARM_ALPHA or fresh or begins:
         # It has hardly begun to lengthen its steps; and one bad turn is no reason to change at once.
-        pace = max(pace, clock[CLOCK_STEP] / costs[arm])
-        before = mind[AUTO_PACE + arm]
-        mind[AUTO_PACE + arm] = max(pace, (1.0 - _NEWS) * before + _NEWS * pace)
-        if arm == ARM_ALPHA and mind[AUTO_PACE + arm] < before:
+        pace = max(pace, controller[CONTROLLER_STEP] / costs[arm])
+        before = selector[AUTO_PACE + arm]
+        selector[AUTO_PACE + arm] = max(pace, (1.0 - _NEWS) * before + _NEWS * pace)
+        if arm == ARM_ALPHA and selector[AUTO_PACE + arm] < before:
             # What is too much for its steps is no less for those of the other implicit method.
-            mind[AUTO_PACE + ARM_ROSENBROCK] *= mind[AUTO_PACE + arm] / before
-    elif clock[CLOCK_TIME] < end:
-        mind[AUTO_PACE + arm] = pace
+            selector[AUTO_PACE + ARM_ROSENBROCK] *= selector[AUTO_PACE + arm] / before
+    elif controller[CONTROLLER_TIME] < end:
+        selector[AUTO_PACE + arm] = pace
     else:
         # The last step of a call is cut short: at best, it would have been for nothing.
         most = pace * tries / (tries - 1) if tries > 1 else math.inf
-        mind[AUTO_PACE + arm] = max(pace, min(mind[AUTO_PACE + arm], most))
-    mind[AUTO_WORK] += tries * costs[arm]
+        selector[AUTO_PACE + arm] = max(pace, min(selector[AUTO_PACE + arm], most))
+    selector[AUTO_WORK] += tries * costs[arm]
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _whose_turn(mind, costs, long_step, held):
+def _whose_turn(selector, costs, long_step, held):
     """(the method, how many steps it may try); `held`: the share of Verlet's steps that stability limited."""
-    if mind[AUTO_PACE + ARM_VERLET] < 0.0:
+    if selector[AUTO_PACE + ARM_VERLET] < 0.0:
         return ARM_VERLET, _BEGINNING if costs[ARM_ALPHA] == 0.0 else _BEGINNING_OF_LONG
     best = ARM_VERLET
     for arm in range(1, ARMS):
-        if mind[AUTO_PACE + arm] > mind[AUTO_PACE + best]:
+        if selector[AUTO_PACE + arm] > selector[AUTO_PACE + best]:
             best = arm
-    pace = mind[AUTO_PACE + best]
+    pace = selector[AUTO_PACE + best]
     # Where stability limits Verlet's steps, or long bodies ask for an implicit method, it limits those of
     # Adams' methods all the more.
     worth = best != ARM_ALPHA and held <= _HELD
-    unknown = costs[ARM_ADAMS] > 0.0 and mind[AUTO_PACE + ARM_ADAMS] < 0.0
+    unknown = costs[ARM_ADAMS] > 0.0 and selector[AUTO_PACE + ARM_ADAMS] < 0.0
     adams_unknown = unknown and pace * costs[ARM_ADAMS] < long_step
     if worth and adams_unknown and costs[ARM_ALPHA] == 0.0:
         # Where these are good, implicit methods hardly ever are: they are asked only if there is need.
-        if held > 0.0 and mind[AUTO_WORK] < 2.0 * _BEGINNING:
+        if held > 0.0 and selector[AUTO_WORK] < 2.0 * _BEGINNING:
             return best, _BEGINNING
-        mind[AUTO_WORK] = 0.0
+        selector[AUTO_WORK] = 0.0
         return ARM_ADAMS, _few(ARM_ADAMS)
     for arm in range(1, ARMS):
-        unknown = costs[arm] > 0.0 and mind[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < long_step
-        if unknown and (arm != ARM_ADAMS or (worth and mind[AUTO_WORK] >= _SOME)):
-            mind[AUTO_WORK] = 0.0
+        unknown = costs[arm] > 0.0 and selector[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < long_step
+        if unknown and (arm != ARM_ADAMS or (worth and selector[AUTO_WORK] >= _SOME)):
+            selector[AUTO_WORK] = 0.0
             return arm, _few(arm)
-    other = (best + 1 + int(mind[AUTO_ASKED]) % (ARMS - 1)) % ARMS
+    other = (best + 1 + int(selector[AUTO_ASKED]) % (ARMS - 1)) % ARMS
     if costs[other] > 0.0 and (worth or other != ARM_ADAMS):
         tries = _few(other)
         price = tries * costs[other] + (_RESTART * costs[best] if best in (ARM_ALPHA, ARM_ADAMS) else 0.0)
         if best == ARM_ROSENBROCK and other == ARM_ADAMS:
             price *= _CALMING
-        close = best != ARM_ALPHA and mind[AUTO_PACE + other] > _CLOSE * pace
+        close = best != ARM_ALPHA and selector[AUTO_PACE + other] > _CLOSE * pace
         share = _SHARE if close else _SHARE_OF_HOPELESS
-        if mind[AUTO_WORK] * share > price:
-            mind[AUTO_WORK] = 0.0
-            mind[AUTO_ASKED] += 1.0
+        if selector[AUTO_WORK] * share > price:
+            selector[AUTO_WORK] = 0.0
+            selector[AUTO_ASKED] += 1.0
             return other, tries
     else:
-        mind[AUTO_ASKED] += 1.0
-    if best != ARM_ALPHA and int(mind[AUTO_LAST]) == ARM_ALPHA:
+        selector[AUTO_ASKED] += 1.0
+    if best != ARM_ALPHA and int(selector[AUTO_LAST]) == ARM_ALPHA:
         return best, _few(best)  # what is known of it is old
     if best == ARM_VERLET and held > _HELD:
         return best, _LONG_TURN
@@ -219,7 +219,7 @@ def _is_delicate(body, state, q):
         a, b = body.joint_a[j], body.joint_b[j]
         ax, ay = from_to(q, body.spring_a[a], body.spring_b[a])
         bx, by = from_to(q, body.spring_a[b], body.spring_b[b])
-        cosine, sine = state.couple_cos[j + 1], state.couple_sin[j + 1]
+        cosine, sine = state.torque_cos[j + 1], state.torque_sin[j + 1]
         if cosine * (ax * bx + ay * by) + sine * (ax * by - ay * bx) < 0.0:
             return True
     return False
@@ -227,9 +227,9 @@ def _is_delicate(body, state, q):
 
 @kernel(noalias=True, fastmath=FAST)
 def _chain_is_delicate(body, state, q, short):
-    """All springs and joints at once: padding ones have no length and no couple."""
+    """All springs and joints at once: padding ones have no length and no torque."""
     places = q.size // 2
-    x, y, cosine, sine = q[:places], q[places:], state.couple_cos, state.couple_sin
+    x, y, cosine, sine = q[:places], q[places:], state.torque_cos, state.torque_sin
     delicate = 0
     for s in range(whole_eights(body.springs)):
         ax, ay, bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1], x[s + 3] - x[s + 2], y[s + 3] - y[s + 2]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from ..core.jit import FUSED, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, tally
+from ..core.shared import accelerate, accumulate
 from ..core.tables import (
-    CLOCK_TIME,
     CONTROL_SCALE,
     CONTROL_SHIFT,
+    CONTROLLER_TIME,
     COUNT_FORCES,
     COUNT_FRESH,
     COUNT_STEPS,
@@ -30,20 +30,20 @@ def run_euler(problem, drive, end, tolerance, attempts):
     Within a step, led masses and held keys come first, then the forces: so forces see them where they are at
     its end, as in the tutorial.
     """
-    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
-    clock, count, h = flow.clock, flow.counts, problem.fixed
-    q, v, a, kept_q, kept_v = state.q, state.v, flow.a, flow.rows[0], flow.rows[1]
-    start = clock[CLOCK_TIME]
+    body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
+    controller, count, h = integrator.controller, integrator.counts, problem.fixed
+    q, v, a, kept_q, kept_v = state.q, state.v, integrator.a, integrator.rows[0], integrator.rows[1]
+    start = controller[CONTROLLER_TIME]
     wanted = int((end - start) / h + 0.5)
     steps = min(wanted, attempts)
     count[COUNT_FRESH] = 0  # `a` is never that of the state
     free = _any_free(state.inverse_mass)
     done, stride = 0, CHECK_EVERY
     while done < steps and count[COUNT_WHAT] == GOOD:
-        batch = 1 if ledger.active else min(stride, steps - done)
+        batch = 1 if balance.active else min(stride, steps - done)
         scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
         _copy(q, v, kept_q, kept_v)
-        if ledger.active:
+        if balance.active:
             _step_with_balance(problem, drive, start + done * h)
         else:
             for step in range(done + 1, done + batch + 1):
@@ -53,7 +53,7 @@ def run_euler(problem, drive, end, tolerance, attempts):
                     accelerate(problem, q, v, a)
                     _kick_and_drift(q, v, a, h)
                     lead_to(drive, start + step * h, q, v)  # their velocity has moved them
-        if sound(body, flow, q, v, batch == 1):
+        if sound(body, integrator, q, v, batch == 1):
             done += batch
         else:
             _copy(kept_q, kept_v, q, v)
@@ -62,17 +62,17 @@ def run_euler(problem, drive, end, tolerance, attempts):
             stride = 1
     count[COUNT_STEPS] += done
     count[COUNT_FORCES] += done
-    clock[CLOCK_TIME] = end if done == wanted else start + done * h
+    controller[CONTROLLER_TIME] = end if done == wanted else start + done * h
 
 
 @kernel(fastmath=FUSED)
 def _step_with_balance(problem, drive, t):
     """One step, with its work entered: the accelerations at both its ends are needed for that."""
-    body, state, flow, h = problem.body, problem.state, problem.flow, problem.fixed
+    body, state, integrator, h = problem.body, problem.state, problem.integrator, problem.fixed
     q, v = state.q, state.v
-    to_q, to_v, to_a = flow.rows[2], flow.rows[3], flow.rows[4]
+    to_q, to_v, to_a = integrator.rows[2], integrator.rows[3], integrator.rows[4]
     lead_to(drive, t, q, v)
-    accelerate(problem, q, v, flow.a)
+    accelerate(problem, q, v, integrator.a)
     _copy(q, v, to_q, to_v)
     press(body, state, drive, h)
     scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
@@ -81,7 +81,7 @@ def _step_with_balance(problem, drive, t):
     _kick_and_drift(to_q, to_v, to_a, h)
     lead_to(drive, t + h, to_q, to_v)
     accelerate(problem, to_q, to_v, to_a)
-    tally(problem, drive, t, to_q, to_v, to_a, h)
+    accumulate(problem, drive, t, to_q, to_v, to_a, h)
     _copy(to_q, to_v, q, v)
     if drive.pressed:
         set_controls(body, state, scale, shift)

@@ -1,4 +1,4 @@
-"""The step of last resort, for states that no method can leave, such as a spring of no length at all.
+"""The fallback step, for states that no method can leave, such as a spring of no length at all.
 
 One linearly implicit Euler step (Baraff & Witkin 1998), with a matrix that is positive definite whatever the
 state, springs of some length, and no mass moved further than a spring is long. What energy it would add, it
@@ -12,27 +12,27 @@ import math
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate, factorise, solve
 from ..core.tables import (
-    CLOCK_LAST,
-    CLOCK_LAST_BUT_ONE,
-    CLOCK_STEP,
-    CLOCK_TIME,
+    CONTROLLER_LAST,
+    CONTROLLER_LAST_BUT_ONE,
+    CONTROLLER_STEP,
+    CONTROLLER_TIME,
+    COUNT_FALLBACKS,
     COUNT_FRESH,
     COUNT_MATRICES,
-    COUNT_RESCUES,
     COUNT_WHAT,
     WORK_ANCHORS,
-    WORK_RESCUE,
+    WORK_FALLBACK,
 )
 from ..core.vectors import from_to
 from ..energy.energies import energies
 from ..forces.drive import drive_to
-from ..linear.damping import add_resistance, remember_directions
+from ..linear.damping import add_damping_product, remember_directions
 from .guard import GOOD, sound
-from .steps import biggest
+from .steps import max_abs
 
 
 @kernel(fastmath=FAST)
-def run_rescue(problem, drive, gravity_x, gravity_y, h, shortest, reach):
+def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
     """One step of h seconds from a state that the integrators are stuck in.
 
     Args:
@@ -40,16 +40,16 @@ def run_rescue(problem, drive, gravity_x, gravity_y, h, shortest, reach):
         shortest: length that a spring is given if it is shorter, px.
         reach: how far a mass moves at most, px.
     """
-    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
+    body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     matrix = problem.matrix
     places = state.q.size // 2
-    clock, q, v, rows = flow.clock, state.q, state.v, flow.rows
+    controller, q, v, rows = integrator.controller, state.q, state.v, integrator.rows
     to_q, to_v, a, move, four = rows[0], rows[1], rows[2], rows[3], rows[4][:4]
     kept_q, kept_v = rows[5], rows[6]
     for j in range(q.size):
         kept_q[j], kept_v[j] = q[j], v[j]
-    t = clock[CLOCK_TIME]
-    mass = ledger.mass
+    t = controller[CONTROLLER_TIME]
+    mass = balance.mass
     energies(body, state, mass, gravity_x, gravity_y, q, v, four)
     first = four[0] + four[1] + four[2] + four[3]
     if drive.moving:
@@ -62,7 +62,7 @@ def run_rescue(problem, drive, gravity_x, gravity_y, h, shortest, reach):
             x, y = from_to(q, i, k)
             if math.sqrt(x * x + y * y) < shortest:
                 # Some direction of its own for each spring, so that no two fall on one another.
-                far = flow.limits[0]
+                far = integrator.limits[0]
                 q[k] = min(max(q[i] + shortest * math.cos(1.0 + s), -far), far)
                 q[places + k] = min(max(q[places + i] + shortest * math.sin(1.0 + s), -far), far)
     energies(body, state, mass, gravity_x, gravity_y, q, v, four)
@@ -76,7 +76,7 @@ def run_rescue(problem, drive, gravity_x, gravity_y, h, shortest, reach):
     for i in range(drive.mass.size):
         m = drive.mass[i]
         move[m], move[places + m] = 0.0, 0.0
-    add_resistance(body, state, matrix, v, v, -1.0, move)
+    add_damping_product(body, state, matrix, v, v, -1.0, move)
     solve(problem, move)
     for m in range(1, body.masses + 1):
         size = math.sqrt(move[m] * move[m] + move[places + m] * move[places + m])
@@ -95,21 +95,25 @@ def run_rescue(problem, drive, gravity_x, gravity_y, h, shortest, reach):
             drive_to(body, state, drive, t + h, to_q, to_v)
         energies(body, state, mass, gravity_x, gravity_y, to_q, to_v, four)
         after = four[0] + four[1] + four[2] + four[3]
-        if after <= before and biggest(to_q) <= flow.limits[0] and biggest(to_v) <= flow.limits[1]:
+        if (
+            after <= before
+            and max_abs(to_q) <= integrator.limits[0]
+            and max_abs(to_v) <= integrator.limits[1]
+        ):
             break
         part *= 0.5
-    if not sound(body, flow, to_q, to_v, True):
+    if not sound(body, integrator, to_q, to_v, True):
         for j in range(q.size):  # what is driven has left all bounds
             q[j], v[j] = kept_q[j], kept_v[j]
         return
     for j in range(q.size):
         q[j], v[j] = to_q[j], to_v[j]
     # Springs that were given a length, and anchors that were moved, did work of their own.
-    ledger.work[WORK_ANCHORS] += before - first
-    ledger.work[WORK_RESCUE] += after - before
-    clock[CLOCK_TIME] = t + h
-    clock[CLOCK_STEP] = clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = 0.0
-    flow.counts[COUNT_FRESH] = 0
-    flow.counts[COUNT_WHAT] = GOOD
-    flow.counts[COUNT_RESCUES] += 1
-    flow.counts[COUNT_MATRICES] += 1
+    balance.work[WORK_ANCHORS] += before - first
+    balance.work[WORK_FALLBACK] += after - before
+    controller[CONTROLLER_TIME] = t + h
+    controller[CONTROLLER_STEP] = controller[CONTROLLER_LAST] = controller[CONTROLLER_LAST_BUT_ONE] = 0.0
+    integrator.counts[COUNT_FRESH] = 0
+    integrator.counts[COUNT_WHAT] = GOOD
+    integrator.counts[COUNT_FALLBACKS] += 1
+    integrator.counts[COUNT_MATRICES] += 1

@@ -11,16 +11,16 @@ from __future__ import annotations
 import math
 
 from ..core.jit import FAST, kernel
-from ..core.shared import accelerate, factorise, solve, tally
+from ..core.shared import accelerate, accumulate, factorise, solve
 from ..core.tables import (
-    CLOCK_BEGUN,
-    CLOCK_CONTRACTION,
-    CLOCK_CUBE,
-    CLOCK_LAST,
-    CLOCK_LAST_BUT_ONE,
-    CLOCK_SOLVABLE,
-    CLOCK_STEP,
-    CLOCK_TIME,
+    CONTROLLER_BEGUN,
+    CONTROLLER_CONTRACTION,
+    CONTROLLER_CUBE,
+    CONTROLLER_LAST,
+    CONTROLLER_LAST_BUT_ONE,
+    CONTROLLER_SOLVABLE,
+    CONTROLLER_STEP,
+    CONTROLLER_TIME,
     COUNT_FORCES,
     COUNT_MATRICES,
     COUNT_REJECTED,
@@ -34,11 +34,11 @@ from .steps import (
     HOPELESS,
     SHORTEST_STEP,
     WORTH_SHORTENING,
-    biggest,
-    biggest_difference,
+    ensure_acceleration,
     first_step,
-    freshen,
     is_gentle,
+    max_abs,
+    max_abs_difference,
     step_after,
 )
 from .turning import predict, remember, turn_and_stretch
@@ -84,11 +84,11 @@ _ERROR = 0.1
 @kernel(fastmath=FAST)
 def run_alpha(problem, drive, end, tolerance, attempts):
     """Go on to `end`; arguments as those of `run_verlet`."""
-    freshen(problem, drive)
-    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
+    ensure_acceleration(problem, drive)
+    body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     matrix, fixed = problem.matrix, problem.fixed
-    clock, count = flow.clock, flow.counts
-    q, v, rows = state.q, state.v, flow.rows
+    controller, count = integrator.controller, integrator.counts
+    q, v, rows = state.q, state.v, integrator.rows
     start, to_q, to_v, speed, move, guess, force, pull = (
         rows[0],
         rows[1],
@@ -99,17 +99,17 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         rows[6],
         rows[8],
     )
-    late, missed = flow.history[0], flow.history[3]  # late: the method's own acceleration
-    if clock[CLOCK_BEGUN] == 0.0:
-        clock[CLOCK_CUBE] = 0.0
+    late, missed = integrator.history[0], integrator.history[3]  # late: the method's own acceleration
+    if controller[CONTROLLER_BEGUN] == 0.0:
+        controller[CONTROLLER_CUBE] = 0.0
         for j in range(1, q.size - SPARE):
-            late[j] = flow.a[j]
+            late[j] = integrator.a[j]
     precision = 0.05 * _SPAN * tolerance if fixed == 0.0 else 1e-9
-    t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
+    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
     if fixed > 0.0:
         h = fixed
     elif h <= 0.0:
-        h = 4.0 * first_step(flow, drive, _SPAN * tolerance)
+        h = 4.0 * first_step(integrator, drive, _SPAN * tolerance)
     failed = False
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
@@ -117,7 +117,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         # Equal steps up to the end: what is carried along is of first order only where steps change.
         step = (end - t) / max(math.ceil((end - t) / h - 1e-6), 1)
         # What is too fast for the steps to come shows in the accelerations first: forget those.
-        calming = fixed == 0.0 and clock[CLOCK_BEGUN] < _CALMING
+        calming = fixed == 0.0 and controller[CONTROLLER_BEGUN] < _CALMING
         am, af, gamma, beta, kept = _EULER if calming else _ALPHA
         weight = 1.0 / (1.0 - af)
         inverse = 1.0 / (beta * step * step)
@@ -125,27 +125,31 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         g2 = weight * (1.0 - am) * inverse
         g1 = gamma / (beta * step)
         # It is that of a moment a part of the step off, which goes with the step (Jay & Negrut, 2007).
-        ratio = min(step / clock[CLOCK_LAST], 2.0) if clock[CLOCK_LAST] > 0.0 else 1.0
+        ratio = min(step / controller[CONTROLLER_LAST], 2.0) if controller[CONTROLLER_LAST] > 0.0 else 1.0
         for j in range(1, q.size - SPARE):
-            own = flow.a[j] + ratio * (late[j] - flow.a[j])
+            own = integrator.a[j] + ratio * (late[j] - integrator.a[j])
             start[j] = q[j] + step * v[j] + step * step * kept * own
             to_q[j] = q[j] + step * v[j] + 0.5 * step * step * own
             speed[j] = v[j] + step * (1.0 - gamma) * own
-            pull[j] = weight * (af * flow.a[j] - am * own)
+            pull[j] = weight * (af * integrator.a[j] - am * own)
         if drive.moving:
             drive_to(body, state, drive, t + step, to_q, to_v)
         predict(problem, step, to_q, rows[7])
         # What the last prediction, a polynomial of time, was wrong by, this one will be wrong by, too.
-        h1, h0 = clock[CLOCK_LAST], clock[CLOCK_LAST_BUT_ONE]
+        h1, h0 = controller[CONTROLLER_LAST], controller[CONTROLLER_LAST_BUT_ONE]
         cube = step * (step + h1) * (step + h1 + h0) if h0 > 0.0 else 0.0
-        again = cube / clock[CLOCK_CUBE] if clock[CLOCK_CUBE] > 0.0 else 0.0
+        again = cube / controller[CONTROLLER_CUBE] if controller[CONTROLLER_CUBE] > 0.0 else 0.0
         if again > 8.0:
             again = 0.0
         for j in range(1, q.size - SPARE):
             guess[j] = to_q[j]
             to_q[j] += again * missed[j]
         converged = False
-        surveyed = fixed == 0.0 and clock[CLOCK_CONTRACTION] > 0.0 and int(clock[CLOCK_BEGUN]) % _SURVEY > 0
+        surveyed = (
+            fixed == 0.0
+            and controller[CONTROLLER_CONTRACTION] > 0.0
+            and int(controller[CONTROLLER_BEGUN]) % _SURVEY > 0
+        )
         last = 1e300
         for iteration in range(_ITERATIONS):
             for j in range(1, q.size - SPARE):
@@ -162,16 +166,20 @@ def run_alpha(problem, drive, end, tolerance, attempts):
                 count[COUNT_MATRICES] += 1
             solve(problem, move)
             count[COUNT_FORCES] += 1
-            size = biggest(move)
+            size = max_abs(move)
             if not size < 1e8 or (iteration >= 3 and size > 0.5 * last):
                 break
             turn_and_stretch(matrix, state.inverse_mass, to_q, move, rows[7])
             if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
                 converged = True
             elif iteration == 0 and surveyed:
-                converged = clock[CLOCK_CONTRACTION] * size * size < _SLIGHT * tolerance * step * step
+                converged = (
+                    controller[CONTROLLER_CONTRACTION] * size * size < _SLIGHT * tolerance * step * step
+                )
             if iteration == 1:
-                clock[CLOCK_CONTRACTION] = max(size / (last * last), 0.5 * clock[CLOCK_CONTRACTION])
+                controller[CONTROLLER_CONTRACTION] = max(
+                    size / (last * last), 0.5 * controller[CONTROLLER_CONTRACTION]
+                )
             if converged:
                 break
             last = size
@@ -183,39 +191,39 @@ def run_alpha(problem, drive, end, tolerance, attempts):
                 drive_to(body, state, drive, t + step, to_q, to_v)
             error = 0.0
             if fixed == 0.0:
-                part = _ERROR if clock[CLOCK_LAST_BUT_ONE] > 0.0 else 0.3 * _ERROR
-                error = (1.0 if calming else part) * biggest_difference(to_q, guess) / (_SPAN * tolerance)
-        good = error <= 1.5 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
+                part = _ERROR if controller[CONTROLLER_LAST_BUT_ONE] > 0.0 else 0.3 * _ERROR
+                error = (1.0 if calming else part) * max_abs_difference(to_q, guess) / (_SPAN * tolerance)
+        good = error <= 1.5 and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good and fixed == 0.0:
             good = is_gentle(body, state, q, to_q, step)
         if good:
-            if ledger.active:
+            if balance.active:
                 for j in range(1, q.size - SPARE):
                     force[j] = g2 * (to_q[j] - start[j]) - pull[j]
                 _rest(drive, force)
-                tally(problem, drive, t, to_q, to_v, force, step)
+                accumulate(problem, drive, t, to_q, to_v, force, step)
             t = end if step == end - t else t + step
             remember(problem, step, 0.0)
             for j in range(1, q.size - SPARE):
                 late[j] = (to_q[j] - start[j]) * inverse
-                flow.a[j] = g2 * (to_q[j] - start[j]) - pull[j]
+                integrator.a[j] = g2 * (to_q[j] - start[j]) - pull[j]
                 q[j], v[j], missed[j] = to_q[j], to_v[j], to_q[j] - guess[j]
             _rest(drive, late)
-            _rest(drive, flow.a)
-            clock[CLOCK_CUBE] = 0.0 if calming else cube
-            clock[CLOCK_BEGUN] += 1.0
+            _rest(drive, integrator.a)
+            controller[CONTROLLER_CUBE] = 0.0 if calming else cube
+            controller[CONTROLLER_BEGUN] += 1.0
             count[COUNT_STEPS] += 1
         else:
             error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
             if drive.pressed:
                 drive_to(body, state, drive, t, q, v)
-        after = step_after(flow, h, step, error, 3, good, failed, _LEFT)
+        after = step_after(integrator, h, step, error, 3, good, failed, _LEFT)
         if not good and error >= HOPELESS:
-            clock[CLOCK_SOLVABLE] = after = _SOLVED * step
-        elif clock[CLOCK_SOLVABLE] > 0.0:
-            clock[CLOCK_SOLVABLE] *= _RAISE if fixed == 0.0 else _RAISE_FIXED
-            after = min(after, clock[CLOCK_SOLVABLE])
+            controller[CONTROLLER_SOLVABLE] = after = _SOLVED * step
+        elif controller[CONTROLLER_SOLVABLE] > 0.0:
+            controller[CONTROLLER_SOLVABLE] *= _RAISE if fixed == 0.0 else _RAISE_FIXED
+            after = min(after, controller[CONTROLLER_SOLVABLE])
         if not good or after > _WORTH * h or after < 0.8 * h:
             h = after
         failed = not good
@@ -223,12 +231,14 @@ def run_alpha(problem, drive, end, tolerance, attempts):
             h = min(h, fixed)
         elif not good and h < 1e-6 and h > SHORTEST_STEP:
             # Perhaps it is what was carried along that is no good.
-            clock[CLOCK_LAST] = clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_BEGUN] = clock[CLOCK_CUBE] = 0.0
-            accelerate(problem, q, v, flow.a)
+            controller[CONTROLLER_LAST] = controller[CONTROLLER_LAST_BUT_ONE] = controller[
+                CONTROLLER_BEGUN
+            ] = controller[CONTROLLER_CUBE] = 0.0
+            accelerate(problem, q, v, integrator.a)
             for j in range(1, q.size - SPARE):
-                late[j] = flow.a[j]
-    clock[CLOCK_TIME] = t
-    clock[CLOCK_STEP] = h
+                late[j] = integrator.a[j]
+    controller[CONTROLLER_TIME] = t
+    controller[CONTROLLER_STEP] = h
 
 
 @kernel(forceinline=True)

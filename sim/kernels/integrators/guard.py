@@ -13,12 +13,12 @@ GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED, STUCK = 0, 1, 2, 3, 4
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def sound(body, flow, q, v, shortened):
-    """Whether a state is one to keep; what is wrong with it goes into `flow.counts`.
+def sound(body, integrator, q, v, shortened):
+    """Whether a state is one to keep; what is wrong with it goes into `integrator.counts`.
 
     Unless `shortened`: then a shorter step is worth a try first, and it is only not kept.
     """
-    farthest, fastest = flow.limits[0], flow.limits[1]
+    farthest, fastest = integrator.limits[0], integrator.limits[1]
     far, fast = 0, 0
     for j in range(q.size):
         far = max(far, size_bits(q[j]))
@@ -26,14 +26,14 @@ def sound(body, flow, q, v, shortened):
     if from_bits(far) <= farthest and from_bits(fast) <= fastest:
         return True
     if shortened:
-        _blame(body, flow, q, v)
+        _blame(body, integrator, q, v)
     return False
 
 
 @kernel(fastmath=FAST)
-def _blame(body, flow, q, v):
-    """Enter in `flow.counts` which mass shows what is wrong."""
-    farthest, fastest = flow.limits[0], flow.limits[1]
+def _blame(body, integrator, q, v):
+    """Enter in `integrator.counts` which mass shows what is wrong."""
+    farthest, fastest = integrator.limits[0], integrator.limits[1]
     places = q.size // 2
     for i in range(1, body.masses + 1):
         for j in (i, places + i):
@@ -45,6 +45,6 @@ def _blame(body, flow, q, v):
             elif abs(v[j]) > fastest:
                 what = BAD_SPEED
             if what != GOOD:
-                flow.counts[COUNT_WHAT] = what
-                flow.counts[COUNT_MASS] = i
+                integrator.counts[COUNT_WHAT] = what
+                integrator.counts[COUNT_MASS] = i
                 return

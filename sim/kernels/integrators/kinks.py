@@ -16,7 +16,7 @@ import numpy as np
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.tables import PAST, SPARE
-from .steps import biggest
+from .steps import max_abs
 
 _MATTER = 0.03
 """Error of a step, in tolerances, that a kink may make without being looked at."""
@@ -48,7 +48,7 @@ def kinks_matter(air, a, step, weight, tolerance):
         most = max(most, air[i])
     if most == 0.0:
         return False
-    gain = step * biggest(a)
+    gain = step * max_abs(a)
     return 2.0 * most * gain * gain * weight * step > _MATTER * tolerance
 
 

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, factorise, solve, tally
+from ..core.shared import accelerate, accumulate, factorise, solve
 from ..core.tables import (
     ARM_ALPHA,
     AUTO_STEP,
-    CLOCK_STEP,
-    CLOCK_TIME,
+    CONTROLLER_STEP,
+    CONTROLLER_TIME,
     COUNT_FORCES,
     COUNT_MATRICES,
     COUNT_REJECTED,
@@ -22,14 +22,14 @@ from ..core.tables import (
     SPARE,
 )
 from ..forces.drive import drive_to
-from ..linear.damping import add_resistance, remember_directions
+from ..linear.damping import add_damping_product, remember_directions
 from .guard import GOOD, sound
 from .steps import (
     HOPELESS,
     WORTH_SHORTENING,
+    ensure_acceleration,
     first_step,
     fitting_step,
-    freshen,
     is_gentle,
     largest_sum,
     replace_state,
@@ -48,20 +48,20 @@ and to follow it exactly until then is what an implicit method is there to avoid
 def run_rosenbrock(problem, drive, end, tolerance, attempts):
     """Go on to `end` with a Rosenbrock method; arguments as those of `run_verlet`."""
     eight_at_a_time()
-    freshen(problem, drive)
-    body, state, flow, ledger = problem.body, problem.state, problem.flow, problem.ledger
+    ensure_acceleration(problem, drive)
+    body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     matrix, method, fixed = problem.matrix, problem.implicit, problem.fixed
-    clock, count = flow.clock, flow.counts
-    q, v, rows = state.q, state.v, flow.rows
+    controller, count = integrator.controller, integrator.counts
+    q, v, rows = state.q, state.v, integrator.rows
     xs, ws = rows[:_MOST_STAGES], rows[_MOST_STAGES : 2 * _MOST_STAGES]
     to_q, to_v, to_a = rows[2 * _MOST_STAGES], rows[2 * _MOST_STAGES + 1], rows[2 * _MOST_STAGES + 2]
     rest, right, by_time = rows[2 * _MOST_STAGES + 3], rows[2 * _MOST_STAGES + 4], rows[2 * _MOST_STAGES + 5]
     stages = method.stages
-    t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
+    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
     if fixed > 0.0:
         h = fixed
     elif h <= 0.0:
-        h = first_step(flow, drive, 0.01 * tolerance)
+        h = first_step(integrator, drive, 0.01 * tolerance)
     failed = False
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
@@ -76,7 +76,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
         for i in range(stages + 1):
             if i == 0:
                 for j in range(1, q.size - SPARE):
-                    to_a[j], rest[j], right[j] = flow.a[j], v[j], 0.0
+                    to_a[j], rest[j], right[j] = integrator.a[j], v[j], 0.0
             else:
                 _combine(
                     q, v, method.a[i], method.coupling[i], 1.0 / step, xs, ws, i, to_q, to_v, rest, right
@@ -96,7 +96,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
                     rest[m], rest[q.size // 2 + m] = 0.0, 0.0
             for j in range(1, q.size - SPARE):
                 x[j] = to_a[j] + right[j] + g * rest[j]
-            add_resistance(body, state, matrix, v, rest, -1.0, x)
+            add_damping_product(body, state, matrix, v, rest, -1.0, x)
             solve(problem, x)
             for j in range(1, q.size - SPARE):
                 w[j] = g * x[j] - rest[j]
@@ -107,17 +107,19 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
             if not error < HOPELESS:
                 error = HOPELESS
         good = (
-            regular and error <= 1.0 and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
+            regular
+            and error <= 1.0
+            and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         )
         if good and fixed == 0.0:
             good = is_gentle(body, state, q, to_q, step)
         if good:
-            if ledger.active:
-                tally(problem, drive, t, to_q, to_v, to_a, step)
+            if balance.active:
+                accumulate(problem, drive, t, to_q, to_v, to_a, step)
             t = end if step == end - t else t + step
-            if flow.history.shape[0] > 0:  # for generalized-alpha, should it go on from here
-                remember(problem, step, 0.5 * flow.mind[AUTO_STEP + ARM_ALPHA])
-            replace_state(q, v, flow.a, to_q, to_v, to_a)
+            if integrator.history.shape[0] > 0:  # for generalized-alpha, should it go on from here
+                remember(problem, step, 0.5 * integrator.selector[AUTO_STEP + ARM_ALPHA])
+            replace_state(q, v, integrator.a, to_q, to_v, to_a)
             count[COUNT_STEPS] += 1
         else:
             error = max(error, 2.0)
@@ -128,10 +130,10 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
             if drive.pressed:
                 drive_to(body, state, drive, t, q, v)
         if fixed == 0.0:
-            h = step_after(flow, h, step, error, method.order, good, failed)
+            h = step_after(integrator, h, step, error, method.order, good, failed)
             failed = not good
-    clock[CLOCK_TIME] = t
-    clock[CLOCK_STEP] = h
+    controller[CONTROLLER_TIME] = t
+    controller[CONTROLLER_STEP] = h
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)

@@ -4,29 +4,29 @@ from __future__ import annotations
 
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, tally
-from ..core.tables import CLOCK_TIME, COUNT_FORCES, COUNT_STEPS, COUNT_WHAT, SPARE
+from ..core.shared import accelerate, accumulate
+from ..core.tables import CONTROLLER_TIME, COUNT_FORCES, COUNT_STEPS, COUNT_WHAT, SPARE
 from ..forces.drive import drive_to
 from .guard import GOOD, sound
-from .steps import fitting_step, freshen, replace_state
+from .steps import ensure_acceleration, fitting_step, replace_state
 
 
 @kernel(fastmath=FAST)
 def run_runge_kutta(problem, drive, end, tolerance, attempts):
     """Go on to `end` by steps of `problem.fixed` seconds of `problem.explicit`; as `run_verlet`."""
-    freshen(problem, drive)
-    body, state, flow = problem.body, problem.state, problem.flow
-    tableau, clock, count = problem.explicit, flow.clock, flow.counts
-    q, v, rates = state.q, state.v, flow.rows
+    ensure_acceleration(problem, drive)
+    body, state, integrator = problem.body, problem.state, problem.integrator
+    tableau, controller, count = problem.explicit, integrator.controller, integrator.counts
+    q, v, rates = state.q, state.v, integrator.rows
     to_q, to_v = rates[rates.shape[0] - 1], rates[rates.shape[0] - 2]
     stages = tableau.stages
-    t = clock[CLOCK_TIME]
+    t = controller[CONTROLLER_TIME]
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
             break
         step = fitting_step(t, end, problem.fixed)
         for j in range(1, q.size - SPARE):
-            rates[0, j] = flow.a[j]
+            rates[0, j] = integrator.a[j]
         # The last is the end of the step, whose accelerations the next one begins with.
         for i in range(1, stages + 1):
             _stage(q, v, step, tableau.c[i], tableau.a[i], tableau.abar[i], rates, i, to_q, to_v)
@@ -34,14 +34,14 @@ def run_runge_kutta(problem, drive, end, tolerance, attempts):
                 drive_to(body, state, drive, t + tableau.c[i] * step, to_q, to_v)
             accelerate(problem, to_q, to_v, rates[i])
         count[COUNT_FORCES] += stages
-        if not sound(body, flow, to_q, to_v, True):
+        if not sound(body, integrator, to_q, to_v, True):
             break
-        if problem.ledger.active:
-            tally(problem, drive, t, to_q, to_v, rates[stages], step)
+        if problem.balance.active:
+            accumulate(problem, drive, t, to_q, to_v, rates[stages], step)
         t = end if step == end - t else t + step
-        replace_state(q, v, flow.a, to_q, to_v, rates[stages])
+        replace_state(q, v, integrator.a, to_q, to_v, rates[stages])
         count[COUNT_STEPS] += 1
-    clock[CLOCK_TIME] = t
+    controller[CONTROLLER_TIME] = t
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)

@@ -10,9 +10,9 @@ from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time, whole_eights
 from ..core.shared import accelerate
-from ..core.tables import CLOCK_PAST, CLOCK_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT, SPARE
+from ..core.tables import CONTROLLER_PAST, CONTROLLER_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT, SPARE
 from ..core.vectors import from_to
-from ..forces.chain import is_linked
+from ..forces.chain import is_chain_like
 from ..forces.drive import drive_to
 from .guard import STUCK
 
@@ -38,16 +38,16 @@ HOPELESS = 1e30
 
 
 @kernel(fastmath=FAST)
-def freshen(problem, drive):
-    """Make sure that the held masses are where they are to be, and that `flow.a` is of the present state."""
-    body, state, flow = problem.body, problem.state, problem.flow
-    if flow.counts[COUNT_FRESH] == 0:
+def ensure_acceleration(problem, drive):
+    """Make sure that held masses are where they are to be, and that the acceleration is that of the state."""
+    body, state, integrator = problem.body, problem.state, problem.integrator
+    if integrator.counts[COUNT_FRESH] == 0:
         if drive.moving:
-            drive_to(body, state, drive, flow.clock[CLOCK_TIME], state.q, state.v)
-        accelerate(problem, state.q, state.v, flow.a)
-        flow.counts[COUNT_FORCES] += 1
-        flow.counts[COUNT_FRESH] = 1
-        flow.clock[CLOCK_PAST] = -1.0
+            drive_to(body, state, drive, integrator.controller[CONTROLLER_TIME], state.q, state.v)
+        accelerate(problem, state.q, state.v, integrator.a)
+        integrator.counts[COUNT_FORCES] += 1
+        integrator.counts[COUNT_FRESH] = 1
+        integrator.controller[CONTROLLER_PAST] = -1.0
 
 
 @kernel(forceinline=True)
@@ -114,14 +114,14 @@ def stays_gentle(body, state, q, to_q, step, moved, shortest):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def shortest_of(body, work):
+def shortest_of(body, scratch):
     """The length of the shortest spring at the positions that forces were last asked for, px."""
     eight_at_a_time()
-    if is_linked(body):
-        return 1.0 / max(work.inverse[0], 1e-300)
+    if is_chain_like(body):
+        return 1.0 / max(scratch.inverse[0], 1e-300)
     short = 0
     for s in range(whole_eights(body.springs)):
-        short = max(short, size_bits(work.inverse[s]) if s < body.springs else 0)
+        short = max(short, size_bits(scratch.inverse[s]) if s < body.springs else 0)
     return 1.0 / max(from_bits(short), 1e-300)
 
 
@@ -137,9 +137,9 @@ def fitting_step(t, end, h):
 
 
 @kernel(fastmath=FAST)
-def first_step(flow, drive, tolerance):
+def first_step(integrator, drive, tolerance):
     """A first step, s: the time in which the accelerations move a mass by the tolerance."""
-    h = math.sqrt(tolerance / max(biggest(flow.a), 1e-9))
+    h = math.sqrt(tolerance / max(max_abs(integrator.a), 1e-9))
     for i in range(drive.mass.size):
         if drive.radius[i] > 0.0:
             h = min(h, 0.25 * drive.ramp[i])
@@ -147,11 +147,11 @@ def first_step(flow, drive, tolerance):
 
 
 @kernel(forceinline=True)
-def step_after(flow, h, step, error, order, good, after_failure, left=0.5):
+def step_after(integrator, h, step, error, order, good, after_failure, left=0.5):
     """The step to try next, s.
 
     Args:
-        h: the step that the error control had in mind.
+        h: the step that the error control had in selector.
         step: the step that was tried, which the end of a call may have cut short.
         error: its error estimate, in tolerances.
         order: power of the step that the estimate goes with.
@@ -165,7 +165,7 @@ def step_after(flow, h, step, error, order, good, after_failure, left=0.5):
     if not good:
         h = step * min(factor, left)
         if h < SHORTEST_STEP:
-            flow.counts[COUNT_WHAT] = STUCK
+            integrator.counts[COUNT_WHAT] = STUCK
         return h
     return step_after_good(h, step, factor, after_failure)
 
@@ -198,7 +198,7 @@ def replace_state(q, v, a, to_q, to_v, to_a):
 
 
 @kernel(fastmath=FAST)
-def biggest(values):
+def max_abs(values):
     """The largest size of the values; NaN if one is."""
     eight_at_a_time()
     most = 0
@@ -208,7 +208,7 @@ def biggest(values):
 
 
 @kernel(fastmath=FAST)
-def biggest_difference(one, other):
+def max_abs_difference(one, other):
     """The largest size of the differences of two; NaN if one is."""
     eight_at_a_time()
     most = 0
@@ -228,4 +228,4 @@ def largest_sum(weights, rows, count, scratch):
         k0, k1, k2, k3 = rows[i], rows[i + 1], rows[i + 2], rows[i + 3]
         for j in range(1, scratch.size - SPARE):
             scratch[j] += w0 * k0[j] + w1 * k1[j] + w2 * k2[j] + w3 * k3[j]
-    return biggest(scratch)
+    return max_abs(scratch)

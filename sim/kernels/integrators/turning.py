@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.jit import FAST, kernel
-from ..core.tables import CLOCK_LAST, CLOCK_LAST_BUT_ONE, SPARE
+from ..core.tables import CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, SPARE
 
 _LEAST = 1e-100
 """The square of a length that is divided by, px², at least."""
@@ -25,12 +25,12 @@ def remember(problem, step, least):
 
     Steps that together are shorter than `least`, s, count as one, since the next step is much longer.
     """
-    matrix, flow, q = problem.matrix, problem.flow, problem.state.q
-    clock, places = flow.clock, q.size // 2
-    if 0.0 < clock[CLOCK_LAST] < least:
-        clock[CLOCK_LAST] += step
+    matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
+    controller, places = integrator.controller, q.size // 2
+    if 0.0 < controller[CONTROLLER_LAST] < least:
+        controller[CONTROLLER_LAST] += step
         return
-    last, older = flow.history[1], flow.history[2]
+    last, older = integrator.history[1], integrator.history[2]
     for j in range(1, q.size - SPARE):
         older[j] = last[j]
     if matrix.straight:
@@ -41,8 +41,8 @@ def remember(problem, step, least):
             m = matrix.walk[i]
             p = matrix.parent[m]
             last[m], last[places + m] = q[m] - q[p], q[places + m] - q[places + p]
-    clock[CLOCK_LAST_BUT_ONE] = clock[CLOCK_LAST]
-    clock[CLOCK_LAST] = step
+    controller[CONTROLLER_LAST_BUT_ONE] = controller[CONTROLLER_LAST]
+    controller[CONTROLLER_LAST] = step
 
 
 @kernel(internal=True, fastmath=FAST)
@@ -52,10 +52,10 @@ def predict(problem, step, to_q, vector):
     z, less its square's half, is extrapolated as a polynomial of time. The masses without a parent, or in a
     hand, are where they are in `to_q` already; `vector` is scratch.
     """
-    matrix, flow, q = problem.matrix, problem.flow, problem.state.q
-    clock, places = flow.clock, q.size // 2
-    last, older = flow.history[1], flow.history[2]
-    h1, h0 = clock[CLOCK_LAST], clock[CLOCK_LAST_BUT_ONE]
+    matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
+    controller, places = integrator.controller, q.size // 2
+    last, older = integrator.history[1], integrator.history[2]
+    h1, h0 = controller[CONTROLLER_LAST], controller[CONTROLLER_LAST_BUT_ONE]
     if h1 == 0.0:
         return
     c1, c0 = step / h1, 0.0

@@ -5,12 +5,12 @@ from __future__ import annotations
 from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, tally
+from ..core.shared import accelerate, accumulate
 from ..core.tables import (
-    CLOCK_CAP,
-    CLOCK_HELD,
-    CLOCK_STEP,
-    CLOCK_TIME,
+    CONTROLLER_CAP,
+    CONTROLLER_HELD,
+    CONTROLLER_STEP,
+    CONTROLLER_TIME,
     COUNT_FORCES,
     COUNT_REJECTED,
     COUNT_STEPS,
@@ -23,9 +23,9 @@ from .steps import (
     HOPELESS,
     SHORTEST_SPAN,
     WORTH_SHORTENING,
+    ensure_acceleration,
     first_step,
     fitting_step,
-    freshen,
     replace_state,
     shortest_of,
     stays_gentle,
@@ -60,21 +60,27 @@ def run_verlet(problem, drive, end, tolerance, attempts):
     everything at once, so a step that failed is remembered as a limit, which is raised slowly. That the next
     one fails as well, half as long, tells of the vibration that is left, and not of the limit.
     """
-    freshen(problem, drive)
-    body, state, work, flow, ledger = problem.body, problem.state, problem.work, problem.flow, problem.ledger
+    ensure_acceleration(problem, drive)
+    body, state, scratch, integrator, balance = (
+        problem.body,
+        problem.state,
+        problem.scratch,
+        problem.integrator,
+        problem.balance,
+    )
     fixed, near_limit = problem.fixed, problem.near_limit
-    clock, count = flow.clock, flow.counts
-    q, v, a, rows = state.q, state.v, flow.a, flow.rows
+    controller, count = integrator.controller, integrator.counts
+    q, v, a, rows = state.q, state.v, integrator.a, integrator.rows
     to_q, to_v, to_a, driven, slope, to_slope = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]
     places = q.size // 2
-    farthest, fastest = flow.limits[0], flow.limits[1]
-    t, h = clock[CLOCK_TIME], clock[CLOCK_STEP]
+    farthest, fastest = integrator.limits[0], integrator.limits[1]
+    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
     if fixed > 0.0:
         h = fixed
     elif h <= 0.0:
-        h = 0.5 * first_step(flow, drive, 0.01 * tolerance)
-        clock[CLOCK_CAP] = 1e9
-    cap = clock[CLOCK_CAP]
+        h = 0.5 * first_step(integrator, drive, 0.01 * tolerance)
+        controller[CONTROLLER_CAP] = 1e9
+    cap = controller[CONTROLLER_CAP]
     for j in range(a.size):
         slope[j] = a[j]
     failures = 0  # one after another
@@ -109,18 +115,18 @@ def run_verlet(problem, drive, end, tolerance, attempts):
         if good and fixed == 0.0:
             good = stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest)
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
-            good = good and sound(body, flow, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
+            good = good and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if not good:
             if fixed == 0.0:
                 if failures != 1:
                     cap = _SINK * step
-                h = min(step_after(flow, h, step, max(error, 2.0), 2, False, failures > 0), cap)
+                h = min(step_after(integrator, h, step, max(error, 2.0), 2, False, failures > 0), cap)
                 failures += 1
             continue
-        shortest = shortest_of(body, work)  # before the books, which ask for forces elsewhere
-        if ledger.active:
-            tally(problem, drive, t, to_q, to_v, to_a, step)
-            replace_state(state.q, state.v, flow.a, to_q, to_v, to_a)
+        shortest = shortest_of(body, scratch)  # before the books, which ask for forces elsewhere
+        if balance.active:
+            accumulate(problem, drive, t, to_q, to_v, to_a, step)
+            replace_state(state.q, state.v, integrator.a, to_q, to_v, to_a)
         else:
             # Change places instead of copying.
             q, to_q, v, to_v, a, to_a = to_q, q, to_v, v, to_a, a
@@ -135,18 +141,18 @@ def run_verlet(problem, drive, end, tolerance, attempts):
                 h = cap
                 held += 1
             else:
-                h = step_after(flow, h, step, error, 2, True, failures > 0)
+                h = step_after(integrator, h, step, error, 2, True, failures > 0)
                 if h > cap:
                     h = cap
                     held += 1
             failures = 0
     if swaps % 2:
-        replace_state(state.q, state.v, flow.a, q, v, a)
+        replace_state(state.q, state.v, integrator.a, q, v, a)
     count[COUNT_FORCES] += tries
     count[COUNT_STEPS] += steps
     count[COUNT_REJECTED] += tries - steps
-    clock[CLOCK_TIME], clock[CLOCK_STEP], clock[CLOCK_CAP] = t, h, cap
-    clock[CLOCK_HELD] = held / max(tries, 1)
+    controller[CONTROLLER_TIME], controller[CONTROLLER_STEP], controller[CONTROLLER_CAP] = t, h, cap
+    controller[CONTROLLER_HELD] = held / max(tries, 1)
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)

@@ -2,7 +2,7 @@
 
 The matrix is a I - g Jv - Jx, with Jx and Jv the derivatives of the accelerations by positions and by
 velocities: velocity is eliminated, so there are two unknowns a mass. On a chain it has five diagonals of two
-by two blocks; `twisted` factorises it.
+by two blocks; `joint_damped` factorises it.
 
 Rows have to be eliminated one after the other. All that comes before, the derivatives of the forces and the
 rows that follow from them, is done here for a chunk of springs at a time, in loops that are vectorised.
@@ -75,9 +75,9 @@ def put_rows(body, state, q, v, a, g, definite, first, start, stop, offset, part
     if body.joints:
         if definite:
             _derive_joints(body, state, q, v, g, CONSERVATIVE, True, True, first, start, stop, parts)
-        elif body.law == TUTORIAL and not body.twisted:
+        elif body.law == TUTORIAL and not body.joint_damped:
             _derive_joints(body, state, q, v, g, TUTORIAL, False, False, first, start, stop, parts)
-        elif body.law == CONSERVATIVE and not body.twisted:
+        elif body.law == CONSERVATIVE and not body.joint_damped:
             _derive_joints(body, state, q, v, g, CONSERVATIVE, False, False, first, start, stop, parts)
         else:
             _derive_joints(body, state, q, v, g, body.law, True, False, first, start, stop, parts)
@@ -112,23 +112,23 @@ def _derive_springs(body, state, q, v, g, definite, first, start, stop, parts):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _derive_joints(body, state, q, v, g, law, twisted, definite, first, start, stop, parts):
+def _derive_joints(body, state, q, v, g, law, joint_damped, definite, first, start, stop, parts):
     """The law, whether joints have damping, and `definite`, are constants where it is called: a loop each."""
     soft = body.softening
     for k in range(start, stop):
         place, other, third = np.uint64(first + k + 1), first + k + 2, first + k + 3
         vector, after = from_to(q, place, other), from_to(q, other, third)
         rate, rate_after, damping, rest = (0.0, 0.0), (0.0, 0.0), 0.0, 0.0
-        if twisted:
+        if joint_damped:
             rate, rate_after = from_to(v, place, other), from_to(v, other, third)
-            damping = body.couple_damping[place]
+            damping = body.torque_damping[place]
         if not is_sine(law):
-            rest = state.couple_rest[place]
+            rest = state.torque_rest[place]
         aa, ab, ba, bb = joint_blocks(
             law,
-            body.couple_size[place],
-            state.couple_cos[place],
-            state.couple_sin[place],
+            body.torque_size[place],
+            state.torque_cos[place],
+            state.torque_sin[place],
             rest,
             damping,
             vector,

@@ -120,13 +120,13 @@ def joint_blocks(
         ab = plus((cos, sin, -sin, cos), outer(-size, unit_a, unit_b))
         ba = (ab[0], ab[2], ab[1], ab[3])
     elif law == TUTORIAL:
-        couple = cos * (a[0] * b[1] - a[1] * b[0]) - sin * (a[0] * b[0] + a[1] * b[1])
+        torque = cos * (a[0] * b[1] - a[1] * b[0]) - sin * (a[0] * b[0] + a[1] * b[1])
         by_a = (cos * b[1] - sin * b[0], -cos * b[0] - sin * b[1])
         by_b = (-cos * a[1] - sin * a[0], cos * a[0] - sin * a[1])
-        aa = minus(outer(-1.0, normal_a, by_a), scaled(couple, turn_a))
+        aa = minus(outer(-1.0, normal_a, by_a), scaled(torque, turn_a))
         ab = outer(-1.0, normal_a, by_b)
         ba = outer(1.0, normal_b, by_a)
-        bb = plus(outer(1.0, normal_b, by_b), scaled(couple, turn_b))
+        bb = plus(outer(1.0, normal_b, by_b), scaled(torque, turn_b))
     else:
         aa, ab, ba, bb = blocks_of_law(law, size, rest, a, b, inv_a, inv_b, softening)
     if damping > 0.0:
@@ -138,7 +138,7 @@ def joint_blocks(
             - normal_b[0] * rate_b[0]
             - normal_b[1] * rate_b[1]
         )
-        couple = strength * turning
+        torque = strength * turning
         by_a = (g * strength * normal_a[0], g * strength * normal_a[1])
         by_b = (-g * strength * normal_b[0], -g * strength * normal_b[1])
         if not definite:
@@ -158,8 +158,8 @@ def joint_blocks(
                 + damping * len_a * inv_b * turning * b[1]
                 - strength * (turn_b[1] * rate_b[0] + turn_b[3] * rate_b[1]),
             )
-            aa = minus(aa, scaled(couple, turn_a))
-            bb = plus(bb, scaled(couple, turn_b))
+            aa = minus(aa, scaled(torque, turn_a))
+            bb = plus(bb, scaled(torque, turn_b))
         aa = minus(aa, outer(1.0, normal_a, by_a))
         ab = minus(ab, outer(1.0, normal_a, by_b))
         ba = plus(ba, outer(1.0, normal_b, by_a))

@@ -11,7 +11,7 @@ from ..core.vectors import from_to, inverse_of
 
 @kernel(forceinline=True, fastmath=FAST)
 def remember_directions(body, matrix, q):
-    """Keep the springs' directions at positions q, for `add_resistance`."""
+    """Keep the springs' directions at positions q, for `add_damping_product`."""
     places = q.size // 2
     ux, uy, inverse = matrix.ux, matrix.uy, matrix.inverse
     if body.chain:
@@ -34,12 +34,12 @@ def _chain_directions(springs, soft, x_of, y_of, ux, uy, inverse):
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
-def add_resistance(body, state, matrix, v, z, factor, out):
+def add_damping_product(body, state, matrix, v, z, factor, out):
     """out += factor Jv z, with Jv at velocities v and the positions last given to `remember_directions`."""
     eight_at_a_time()
     places = z.size // 2
-    if not body.chain or body.twisted:
-        _add_any_resistance(body, state, matrix, v, z, factor, out)
+    if not body.chain or body.joint_damped:
+        _add_any_damping(body, state, matrix, v, z, factor, out)
         return
     zx, zy, vx, vy = z[:places], z[places:], v[:places], v[places:]
     ox, oy = out[:places], out[places:]
@@ -53,7 +53,7 @@ def add_resistance(body, state, matrix, v, z, factor, out):
 
 
 @kernel(fastmath=FAST)
-def _add_any_resistance(body, state, matrix, v, z, factor, out):
+def _add_any_damping(body, state, matrix, v, z, factor, out):
     places = z.size // 2
     zx, zy = z[:places], z[places:]
     ox, oy = out[:places], out[places:]
@@ -68,7 +68,7 @@ def _add_any_resistance(body, state, matrix, v, z, factor, out):
             oy[b] += w[b] * along * y
             ox[a] -= w[a] * along * x
             oy[a] -= w[a] * along * y
-    if body.twisted:
+    if body.joint_damped:
         _add_twist(body, w, matrix, zx, zy, factor, ox, oy)
     for i in range(1, body.masses + 1):
         ox[i] -= factor * 2.0 * air[i] * abs(v[i]) * zx[i]
@@ -85,13 +85,13 @@ def _add_twist(body, w, matrix, zx, zy, factor, ox, oy):
         bx, by, inv_b = ux[r + 1], uy[r + 1], inverse[r + 1]
         rate_a = (ax * (zy[a1] - zy[a0]) - ay * (zx[a1] - zx[a0])) * inv_a
         rate_b = (bx * (zy[b1] - zy[b0]) - by * (zx[b1] - zx[b0])) * inv_b
-        couple = factor * body.couple_damping[j + 1] * (rate_b - rate_a) / (inv_a * inv_b)
-        fx, fy = -couple * inv_a * ay, couple * inv_a * ax
+        torque = factor * body.torque_damping[j + 1] * (rate_b - rate_a) / (inv_a * inv_b)
+        fx, fy = -torque * inv_a * ay, torque * inv_a * ax
         ox[a1] += w[a1] * fx
         oy[a1] += w[a1] * fy
         ox[a0] -= w[a0] * fx
         oy[a0] -= w[a0] * fy
-        fx, fy = couple * inv_b * by, -couple * inv_b * bx
+        fx, fy = torque * inv_b * by, -torque * inv_b * bx
         ox[b1] += w[b1] * fx
         oy[b1] += w[b1] * fy
         ox[b0] -= w[b0] * fx

@@ -48,11 +48,11 @@ def assemble(body, state, matrix, q, v, g, definite):
         rate_a, rate_b = from_to(v, a0, a1), from_to(v, b0, b1)
         aa, ab, ba, bb = joint_blocks(
             body.law,
-            body.couple_size[j + 1],
-            state.couple_cos[j + 1],
-            state.couple_sin[j + 1],
-            state.couple_rest[j + 1],
-            body.couple_damping[j + 1],
+            body.torque_size[j + 1],
+            state.torque_cos[j + 1],
+            state.torque_sin[j + 1],
+            state.torque_rest[j + 1],
+            body.torque_damping[j + 1],
             vector_a,
             vector_b,
             inverse_of(vector_a[0], vector_a[1], soft),
