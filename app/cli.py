@@ -156,17 +156,19 @@ class Bench:
     """Measure softrod on this machine, beside other programs that do the same."""
 
     what: Annotated[
-        Positional[Literal["kernels", "growth", "frames", "matrices", "start", "page"]],
-        arg(metavar="{kernels,growth,frames,matrices,start,page}"),
+        Positional[Literal["kernels", "growth", "frames", "matrices", "compile", "start", "page"]],
+        arg(metavar="{kernels,growth,frames,matrices,compile,start,page}"),
     ]
     """kernels: the step by several programs; growth: the step as the body grows; frames: time and error of a
     rod led in a circle, and time of one torn to and fro; matrices: what implicit steps of any topology
-    factorise; start: until each preset moves; page: cost and latency."""
+    factorise; compile: processor time of compiling; start: until each preset moves; page: cost and
+    latency."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 
     def run(self) -> int:
         """Measure and print."""
+        from .bench.compiling import bench_compile
         from .bench.frames import bench_frames
         from .bench.growth import bench_growth
         from .bench.kernels import bench
@@ -180,6 +182,7 @@ class Bench:
             "growth": bench_growth,
             "frames": bench_frames,
             "matrices": bench_matrices,
+            "compile": bench_compile,
             "start": bench_start,
             "page": bench_page,
         }

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .figures import BLACK, BLUE, GREY, ORANGE, PURPLE, SKY, new_figure, tidy
+from sim.methods.registry import METHODS
+
+from .figures import BLACK, BLUE, GREY, ORANGE, new_figure, tidy
 from .measure import FOLLOWED, Point, SceneResults, label
 from .output import Drawing
 from .random_study import CHAOTIC, TOLERANCE
@@ -17,18 +19,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-YELLOW = "#e69f00"
+STAR = "#e69f00"
 
 STYLES: dict[str, tuple[str, str]] = {
-    "auto": (BLACK, "o"),
-    "symplectic_euler": (ORANGE, "s"),
-    "velocity_verlet": (BLUE, "^"),
-    "rk4": (SKY, "D"),
-    "generalized_alpha": (YELLOW, "v"),
-    "stable_spring": (ORANGE, "P"),
-    "adams": (YELLOW, "*"),
-    "rodas4": (PURPLE, "X"),
-    "rodas5p": (PURPLE, "p"),
+    **{name: method.look for name, method in METHODS.items()},
     "scipy_rk45": (GREY, "<"),
     "scipy_dop853": (GREY, ">"),
     "scipy_radau": (GREY, "p"),
@@ -134,7 +128,7 @@ def _scene(axes: Axes, results: SceneResults, low: float, high: float) -> None:
     auto = results.at(FOLLOWED, COARSE)
     if auto is not None and math.isfinite(auto.end_error):
         star = {"marker": "*", "ms": 14.0, "mec": BLACK, "zorder": 5}
-        axes.plot(auto.end_error, 1e3 * auto.seconds, mfc=YELLOW, **star)
+        axes.plot(auto.end_error, 1e3 * auto.seconds, mfc=STAR, **star)
         if math.isfinite(auto.framed_end_error):
             axes.plot(auto.framed_end_error, 1e3 * auto.framed_seconds, mfc="white", **star)
     axes.set_title(results.scene, fontsize=10.5)

@@ -13,8 +13,8 @@ from ..kernels.integrators.rosenbrock import run_rosenbrock
 from ..kernels.integrators.runge_kutta import run_runge_kutta
 from ..kernels.integrators.verlet import run_verlet
 from ..scene.types import Method
-from . import adams as multistep
 from . import limits, tableaux
+from .adams import adams
 from .limits import StabilityLimit
 
 Kernel = Any
@@ -30,9 +30,10 @@ class MethodInfo:
         label: for people.
         kernel: what runs it; None for `auto`, which runs others by turns.
         order: of its error, as a power of the step; 0 where that says nothing.
+        summary: what it is and what it is good for, one sentence.
+        look: its colour and its marker in figures, as matplotlib has them.
         adaptive: whether it chooses its steps by a tolerance.
         implicit: whether it solves linear systems, and so bears any stiffness.
-        summary: what it is and what it is good for, one sentence.
         limit: how its stability limit follows from a body; None where it has none.
         table: its coefficients, if it has any.
         tolerance_factor: for a tolerance of 1 px, the position error per second that one step may make, 1/s;
@@ -44,9 +45,10 @@ class MethodInfo:
     label: str
     kernel: Kernel
     order: int
-    adaptive: bool
-    implicit: bool
     summary: str
+    look: tuple[str, str]
+    adaptive: bool = False
+    implicit: bool = False
     limit: StabilityLimit | None = None
     table: Tableau | Rosenbrock | Adams | None = None
     tolerance_factor: float = 1.0
@@ -54,48 +56,54 @@ class MethodInfo:
 
 _ALL = (
     MethodInfo(
-        "auto", "Auto", None, 0, True, True,
-        "Keeps to the tolerance and changes between an explicit and an implicit method as the body asks for.",
+        "auto", "Auto", None, order=0, adaptive=True, implicit=True, look=("black", "o"),
+        summary="Keeps to the tolerance and changes between an explicit and an implicit method as the body "
+        "asks for.",
     ),
     MethodInfo(
-        "symplectic_euler", "Symplectic Euler", run_euler, 1, False, False,
-        "The tutorial's: forces from the present state, then velocities, then positions; explodes above a "
-        "limit of the step.", limits.flip(2.0),
+        "symplectic_euler", "Symplectic Euler", run_euler, order=1, look=("#d55e00", "s"),
+        summary="The tutorial's: forces from the present state, then velocities, then positions; explodes "
+        "above a limit of the step.",
+        limit=limits.flip(2.0),
     ),
     MethodInfo(
-        "velocity_verlet", "Velocity Verlet", run_verlet, 2, False, False,
-        "As cheap as Euler's and of second order; the same limit where nothing damps, a lower one under "
-        "damping.", limits.flip(4.0), tolerance_factor=1.5,
+        "velocity_verlet", "Velocity Verlet", run_verlet, order=2, look=("#0072b2", "^"),
+        summary="As cheap as Euler's and of second order; the same limit where nothing damps, a lower one "
+        "under damping.",
+        limit=limits.flip(4.0), tolerance_factor=1.5,
     ),
     MethodInfo(
-        "rk4", "Runge-Kutta 4", run_runge_kutta, 4, False, False,
-        "Four evaluations a step; accurate where the step is short beside every vibration.",
-        limits.runge_kutta(tableaux.RK4), tableaux.RK4,
+        "rk4", "Runge-Kutta 4", run_runge_kutta, order=4, look=("#56b4e9", "D"),
+        summary="Four evaluations a step; accurate where the step is short beside every vibration.",
+        limit=limits.runge_kutta(tableaux.RK4), table=tableaux.RK4,
     ),
     MethodInfo(
-        "generalized_alpha", "Generalized-alpha", run_alpha, 2, False, True,
-        "Implicit: bears any stiffness and calms what the step is too long for; springs turn and stretch in "
-        "its Newton updates.", tolerance_factor=10.0,
+        "generalized_alpha", "Generalized-alpha", run_alpha, order=2, implicit=True, look=("#e69f00", "v"),
+        summary="Implicit: bears any stiffness and calms what the step is too long for; springs turn and "
+        "stretch in its Newton updates.",
+        tolerance_factor=10.0,
     ),
     MethodInfo(
-        "stable_spring", "Stable spring", run_euler, 1, False, False,
-        "Symplectic Euler with every spring softened as far as the step needs; cannot explode, sags instead.",
-        limits.flip(2.0),
+        "stable_spring", "Stable spring", run_euler, order=1, look=("#d55e00", "P"),
+        summary="Symplectic Euler with every spring softened as far as the step needs; cannot explode, sags "
+        "instead.",
+        limit=limits.flip(2.0),
     ),
     MethodInfo(
-        "adams", "Adams", run_adams, 9, True, False,
-        "Error-controlled, by a polynomial through past accelerations: two evaluations a step; for small "
-        "errors of what moves smoothly.",
-        None, multistep.adams(PAST - 1), 0.85,
+        "adams", "Adams", run_adams, order=PAST + 1, adaptive=True, look=("#e69f00", "*"),
+        summary="Explicit multistep: two force evaluations a step, the order adapts to smoothness; for small "
+        "errors of smooth motion.",
+        table=adams(PAST - 1), tolerance_factor=0.85,
     ),
     MethodInfo(
-        "rodas4", "RODAS 4", run_rosenbrock, 4, True, True,
-        "Error-controlled Rosenbrock method: for stiff bodies.", None, tableaux.RODAS4, 2.2,
+        "rodas4", "RODAS 4", run_rosenbrock, order=4, adaptive=True, implicit=True, look=("#cc79a7", "X"),
+        summary="Error-controlled Rosenbrock method: for stiff bodies.",
+        table=tableaux.RODAS4, tolerance_factor=2.2,
     ),
     MethodInfo(
-        "rodas5p", "RODAS 5P", run_rosenbrock, 5, True, True,
-        "Error-controlled Rosenbrock method of order 5: for stiff bodies and small errors.",
-        None, tableaux.RODAS5P, 3.2,
+        "rodas5p", "RODAS 5P", run_rosenbrock, order=5, adaptive=True, implicit=True, look=("#cc79a7", "p"),
+        summary="Error-controlled Rosenbrock method of order 5: for stiff bodies and small errors.",
+        table=tableaux.RODAS5P, tolerance_factor=3.2,
     ),
 )  # fmt: skip
 

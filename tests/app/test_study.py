@@ -26,6 +26,7 @@ from app.studies.study_figures import figures, front
 from app.studies.study_report import Study, markdown, points_csv, targets
 from sim.body.system import build_system
 from sim.errors import InputError
+from sim.methods.registry import METHODS
 from sim.scene.types import Circle
 from tests.app.results import read_table, some_body
 
