@@ -39,6 +39,10 @@ _MOST_HELPERS = 2
 """Processes that compile at a time: two are nearly twice as fast as one, if there are two cores."""
 
 
+_PATIENCE = 5.0
+"""Seconds that stopping waits for what is being loaded."""
+
+
 @dataclass(frozen=True)
 class EntryPoint:
     """A kernel that is called from Python or through its address.
@@ -162,7 +166,7 @@ class Compiler:
     def start(self) -> None:
         """Begin; entry points become ready from now on."""
         helpers = min(_MOST_HELPERS, os.cpu_count() or 1)
-        self._threads = [threading.Thread(target=self._scratch, daemon=True) for _ in range(helpers)]
+        self._threads = [threading.Thread(target=self._run, daemon=True) for _ in range(helpers)]
         for thread in self._threads:
             thread.start()
 
@@ -177,8 +181,9 @@ class Compiler:
         self._stopped = True
         for helper in self._helpers:
             helper.terminate()
+        self.wait(timeout=_PATIENCE)  # a thread in the middle of LLVM would not survive the interpreter
 
-    def _scratch(self) -> None:
+    def _run(self) -> None:
         """Take one entry point after another, with a helper where something has to be compiled."""
         helper: subprocess.Popen[str] | None = None
         while not self._stopped and (name := self._take()) is not None:

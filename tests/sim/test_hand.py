@@ -28,7 +28,7 @@ places = st.floats(-1e6, 1e6)
 # ------------------------------------------------------------------------------------------ the hand alone
 
 
-@settings(deadline=None, max_examples=50)
+@settings(deadline=None, max_examples=15)
 @given(x=places, y=places, gx=places, gy=places, fastest=st.floats(1e3, 1e6), frame=st.floats(1e-3, 0.5))
 def test_a_hand_comes_to_its_goal_and_never_beyond(
     x: float, y: float, gx: float, gy: float, fastest: float, frame: float
