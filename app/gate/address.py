@@ -68,7 +68,7 @@ def listen(host: str, port: int) -> socket.socket:
 
 
 def _next_free(host: str, port: int) -> int:
-    # Port 0, any free port, is the fallback steps.
+    # Port 0, any free port, is the last that is tried.
     for candidate in (*range(port + 1, 65536), 0):
         with contextlib.suppress(OSError):
             family, address = _resolve(host, candidate)

@@ -101,7 +101,7 @@ class _Budget:
         return max(0.0, -self._left / self._rate)
 
 
-class Tab(ServerConnection):
+class Connection(ServerConnection):
     """A page's connection, from which viser receives only what the gate admits."""
 
     def __init__(self, gate: "Gate", protocol: ServerProtocol, server: Server, **options: Any) -> None:
@@ -141,7 +141,7 @@ class Tab(ServerConnection):
 
 @dataclasses.dataclass
 class _Upload:
-    tab: Tab
+    tab: Connection
     source_component_uuid: str
     size_bytes: int
     missing_parts: set[int]
@@ -155,7 +155,7 @@ class Gate:
         self._hosts = hosts
         self._on_oversized = on_oversized
         self._server: viser.ViserServer | None = None
-        self._tabs: set[Tab] = set()
+        self._tabs: set[Connection] = set()
         self._uploads: dict[str, _Upload] = {}
 
     def open(self, server: viser.ViserServer) -> None:
@@ -163,7 +163,7 @@ class Gate:
         self._server = server
 
     def answer(
-        self, viser_answer: Callable[..., Response | None], connection: Tab, request: Request
+        self, viser_answer: Callable[..., Response | None], connection: Connection, request: Request
     ) -> Response | None:
         """Answer an HTTP request; None accepts a WebSocket connection."""
         refusal = self._refusal(connection, request)
@@ -181,7 +181,7 @@ class Gate:
             response.headers.update(SAFETY_HEADERS)
         return response
 
-    def _refusal(self, connection: Tab, request: Request) -> tuple[Reason, HTTPStatus, str] | None:
+    def _refusal(self, connection: Connection, request: Request) -> tuple[Reason, HTTPStatus, str] | None:
         if self._server is None:
             return "starting", HTTPStatus.SERVICE_UNAVAILABLE, "The server is starting."
         hosts = [host.lower() for host in request.headers.get_all("Host")]
@@ -206,18 +206,18 @@ class Gate:
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, "Too many tabs are open."
         return None
 
-    def _is_own(self, host: str, connection: Tab) -> bool:
+    def _is_own(self, host: str, connection: Connection) -> bool:
         # The address the request came in at is this machine's, whichever network it belongs to.
         address, port, *_ = connection.local_address
         return host in self._hosts or host in authorities(address, port)
 
-    def forget(self, tab: Tab) -> None:
+    def forget(self, tab: Connection) -> None:
         """Drop everything held for a tab that is gone."""
         self._tabs.discard(tab)
         for transfer_uuid in [key for key, upload in self._uploads.items() if upload.tab is tab]:
             del self._uploads[transfer_uuid]
 
-    def admit(self, tab: Tab, data: str | bytes) -> bytes | None:
+    def admit(self, tab: Connection, data: str | bytes) -> bytes | None:
         """Return the message for viser to read, or None if it must not see it."""
         try:
             if isinstance(data, str):
@@ -229,7 +229,7 @@ class Gate:
             return None
         return gate_messages.write(message)
 
-    def _check(self, tab: Tab, message: PageMessage) -> None:
+    def _check(self, tab: Connection, message: PageMessage) -> None:
         match message:
             case GuiUpdateMessage():
                 handle = self._input_handle(tab, message.uuid)
@@ -240,7 +240,7 @@ class Gate:
             case FileTransferPart():
                 self._take_part(message, self._uploads.get(message.transfer_uuid), tab)
 
-    def _start_upload(self, tab: Tab, message: FileTransferStartUpload) -> None:
+    def _start_upload(self, tab: Connection, message: FileTransferStartUpload) -> None:
         # viser would store an upload as the value of any handle: a slider's, say.
         handle = self._input_handle(tab, message.source_component_uuid)
         if not isinstance(handle, viser.GuiUploadButtonHandle):
@@ -264,7 +264,7 @@ class Gate:
                 tab, message.source_component_uuid, message.size_bytes, set(range(message.part_count))
             )
 
-    def _take_part(self, message: FileTransferPart, upload: _Upload | None, tab: Tab) -> None:
+    def _take_part(self, message: FileTransferPart, upload: _Upload | None, tab: Connection) -> None:
         offset = message.part_index * UPLOAD_PART_BYTES
         if (
             upload is None
@@ -278,7 +278,7 @@ class Gate:
         if not upload.missing_parts:
             del self._uploads[message.transfer_uuid]
 
-    def _turn_away(self, tab: Tab, message: FileTransferStartUpload) -> None:
+    def _turn_away(self, tab: Connection, message: FileTransferStartUpload) -> None:
         """Free the page's upload button, which waits for the parts to be acknowledged."""
         if tab.client is None:
             return
@@ -288,7 +288,7 @@ class Gate:
         queue(viser._messages.FileTransferPartAck(source, transfer, transferred_bytes=0, total_bytes=0))
         queue(viser._messages.RemoveNotificationMessage(f"upload-{transfer}"))
 
-    def _input_handle(self, tab: Tab, uuid: str) -> Any:
+    def _input_handle(self, tab: Connection, uuid: str) -> Any:
         """The GUI element that a tab's message reaches: one of its own or one shared by all."""
         assert self._server is not None
         if tab.client is None:
@@ -364,7 +364,7 @@ def _in_front_of_viser(gate: Gate, listener: socket.socket) -> Iterator[list[Any
         options |= {
             "sock": listener.dup(),
             "process_request": functools.partial(gate.answer, process_request),
-            "create_connection": functools.partial(Tab, gate),
+            "create_connection": functools.partial(Connection, gate),
             "max_size": MAX_FRAME_BYTES,
             "max_queue": MAX_QUEUED_FRAMES,
             "logger": _logger,

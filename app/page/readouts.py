@@ -20,7 +20,7 @@ _NAMES = {
 }
 
 _BEHIND = 5.0
-"""px from which on it is said how far the hand of a rate_limited body is behind the pointer."""
+"""px from which on it is said how far a rate-limited hand is behind the pointer."""
 
 
 def short(value: float) -> str:

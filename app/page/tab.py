@@ -21,7 +21,7 @@ from . import readouts, script
 from .drawing import Mapping
 from .files_panel import FilesPanel
 from .panel import Panel, set_theme
-from .view import Picture, Touch, View
+from .view import Canvas, Picture, Touch
 
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
@@ -57,7 +57,7 @@ class Tab:
         self._was_playing = True
         self._wanted = ""
         self._first = scene
-        self._view = View(client, self._touched, self._clicked)
+        self._view = Canvas(client, self._touched, self._clicked)
         self._session: Session | None = None
         self._mapping = Mapping.of(scene)
         self._view.build(scene, self._dark)

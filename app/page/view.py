@@ -75,7 +75,7 @@ class Touch:
     by_gizmo: bool
 
 
-class View:
+class Canvas:
     """The nodes of one page.
 
     Args:

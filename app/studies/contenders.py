@@ -36,7 +36,7 @@ PATIENCE = 5.0
 
 
 @dataclass(frozen=True)
-class Run:
+class Trial:
     """What came of a setting.
 
     Attributes:
@@ -54,11 +54,11 @@ class Contender(Protocol):
     """A method at one step or tolerance, ready to go; what can be made beforehand is made before any clock
     starts: tables, patterns of matrices, machine code."""
 
-    def in_one_call(self) -> Run:
+    def in_one_call(self) -> Trial:
         """Do all of it in one call, with one frame at the end."""
         ...
 
-    def frame_by_frame(self) -> Run:
+    def frame_by_frame(self) -> Trial:
         """Do it with a look at every frame."""
         ...
 
@@ -85,15 +85,15 @@ class Ours:
         if info.implicit and isinstance(solver, Solver):
             _ = solver.matrix
 
-    def in_one_call(self) -> Run:
+    def in_one_call(self) -> Trial:
         """All of it by one call of `Simulation.step`."""
         return self._go(1)
 
-    def frame_by_frame(self) -> Run:
+    def frame_by_frame(self) -> Trial:
         """A call for each frame, each going on from what the one before left."""
         return self._go(SAMPLES)
 
-    def _go(self, calls: int) -> Run:
+    def _go(self, calls: int) -> Trial:
         simulation, steps = self._simulation, self._steps * SAMPLES // calls
         simulation.reset()
         path = np.empty((calls, len(simulation.scene.masses), 2))
@@ -103,14 +103,14 @@ class Ours:
             done = simulation.step(steps, max(left, 1))
             seconds += time.perf_counter() - began
             if simulation.divergence is not None:
-                return Run(None, seconds, f"{simulation.divergence.quantity} out of range")
+                return Trial(None, seconds, f"{simulation.divergence.quantity} out of range")
             if done < steps:
-                return Run(None, seconds, f"not done after {ATTEMPTS} steps")
+                return Trial(None, seconds, f"not done after {ATTEMPTS} steps")
             if METHODS[simulation.method].adaptive:
                 stats = simulation.stats()
                 left -= stats.steps + stats.rejected
             path[call] = simulation.positions
-        return Run(path, seconds)
+        return Trial(path, seconds)
 
 
 class Theirs:
@@ -121,11 +121,11 @@ class Theirs:
         self._solve = others.solver(solver, equations)
         self._derivative = equations.derivative_into()
 
-    def in_one_call(self) -> Run:
+    def in_one_call(self) -> Trial:
         """All of it, with no look before the end."""
         return self._go(np.array([DURATION]), self._derivative)
 
-    def frame_by_frame(self) -> Run:
+    def frame_by_frame(self) -> Trial:
         """All of it in one call, and where the solver says it was at every frame; given up after a while."""
         deadline = time.perf_counter() + PATIENCE
 
@@ -136,19 +136,19 @@ class Theirs:
 
         return self._go(np.linspace(0.0, DURATION, SAMPLES + 1)[1:], watched)
 
-    def _go(self, times: Points, derivative: others.Derivative) -> Run:
+    def _go(self, times: Points, derivative: others.Derivative) -> Trial:
         began = time.perf_counter()
         try:
             found = self._solve(self._value, times, derivative)
         except (others.Failed, ArithmeticError, RuntimeError, ValueError) as error:
-            return Run(
+            return Trial(
                 None, time.perf_counter() - began, " ".join(str(error).split()) or type(error).__name__
             )
         seconds = time.perf_counter() - began
         path = np.array([self._equations.positions(t, y) for t, y in zip(times, found, strict=True)])
         if not np.isfinite(path).all():
-            return Run(None, seconds, "not a finite number")
-        return Run(path, seconds)
+            return Trial(None, seconds, "not a finite number")
+        return Trial(path, seconds)
 
 
 def distance(one: Points, other: Points) -> float:

@@ -38,7 +38,7 @@ MADE = 0.1
 
 
 @dataclass(frozen=True)
-class Outcome:
+class Ending:
     """How a run ended.
 
     Attributes:
@@ -75,13 +75,13 @@ class Outcome:
         if self.made > MADE:
             words.append(f"made {100.0 * self.made:.0f} % energy" if self.made < 10.0 else "made energy")
         if self.fallbacks:
-            words.append(f"{self.fallbacks} fallback stepss")
+            words.append(f"{self.fallbacks} fallback steps")
         return ", ".join(words)
 
 
 def run(
     case: HardCase, method: str, tolerance: float = 1.0, attempts: int = ATTEMPTS, books: bool = True
-) -> Outcome:
+) -> Ending:
     """Run a case by a method.
 
     Args:
@@ -106,7 +106,7 @@ def run(
     stopped = simulation.time if simulation.divergence is not None else None
     made = _made(simulation.energy(), _worth(case)) if books and stopped is None else math.nan
     late = behind * simulation.dt if stopped is None else 0.0
-    return Outcome(stopped, late, made, simulation.positions, fallbacks)
+    return Ending(stopped, late, made, simulation.positions, fallbacks)
 
 
 def _worth(case: HardCase) -> float:
@@ -141,7 +141,7 @@ def _apart(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
     return float(np.hypot(*(one - other).T).max())
 
 
-Row = dict[str, Outcome]
+Row = dict[str, Ending]
 
 
 def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> int:
@@ -235,7 +235,7 @@ def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
         "to a frame counts as surviving;",
         "- **made energy**: at the end it has more energy than was ever put in, by more than "
         f"{100.0 * MADE:g} % of what was turned over;",
-        "- **fallback stepss**: steps in which no method could go on, and a strongly damped one was taken.",
+        "- **fallback steps**: steps in which no method could go on, and a strongly damped one was taken.",
         "",
         f"**{summary(rows)}**{' ' + note if note else ''}",
         "",

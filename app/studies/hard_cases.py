@@ -81,7 +81,7 @@ def _tear(simulation: Simulation, frame: int, rng: np.random.Generator) -> None:
 
 
 def _tear_gently(simulation: Simulation, frame: int, rng: np.random.Generator) -> None:
-    """As the page does it with a rate_limited body."""
+    """As the page does it with a body whose hands are rate-limited."""
     simulation.follow(0, (100.0 + 500.0 * (frame // 6 % 2), 100.0))
 
 

@@ -11,7 +11,7 @@ from sim import Scene
 from sim.methods.registry import METHODS
 
 from . import others
-from .contenders import FRAMES, Contender, Ours, Reference, Run, Theirs, distance, reference
+from .contenders import FRAMES, Contender, Ours, Reference, Theirs, Trial, distance, reference
 from .equations import Equations
 
 TIGHT = (1e-9, 1e-10, 1e-11)
@@ -214,7 +214,7 @@ class _Explorer:
         self.results.complete = True
 
 
-def _least(run: Callable[[], Run]) -> float:
+def _least(run: Callable[[], Trial]) -> float:
     """The least seconds of computing of the runs of a turn."""
     least, spent = math.inf, 0.0
     while spent < WARM:

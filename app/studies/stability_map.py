@@ -85,7 +85,7 @@ class Map:
         return len(self.ys), len(self.xs)
 
 
-class Reference:
+class ExactMotion:
     """What a scene does: by `auto`, to a thousandth of what counts as accurate.
 
     Attributes:
@@ -204,9 +204,9 @@ def compute(
             if keys[i][j] not in scenes:
                 scenes[keys[i][j]] = in_cell(scene, {k: v for k, v in values.items() if k != "dt"})
     total = 2 * len(scenes) + rows * columns * len(methods)
-    references: dict[tuple[float, ...], Reference] = {}
+    references: dict[tuple[float, ...], ExactMotion] = {}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = {key: pool.submit(Reference, at, duration) for key, at in scenes.items()}
+        jobs = {key: pool.submit(ExactMotion, at, duration) for key, at in scenes.items()}
         try:
             for key, job in jobs.items():
                 references[key] = job.result()

@@ -1,4 +1,4 @@
-"""Hands that hold masses and lead them: at once, or no faster than a rate_limited body can follow.
+"""Hands that hold masses and lead them: at once, or no faster than a body of many stiff springs can follow.
 
 What is torn away at once is a shock, whose waves are as short as the body's springs: to follow those takes a
 rod of a thousand masses a thousand times as long as the motion that its user sees. So there the hand comes

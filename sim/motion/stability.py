@@ -66,7 +66,7 @@ class StabilityMeter:
     those that choose their steps, and generalized-alpha.
 
     Args:
-        system: the tables; under the stable spring, the clamp_stiffness ones.
+        system: the tables; under the stable spring, the clamped ones.
         method: as scenes have it.
     """
 

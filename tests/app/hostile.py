@@ -88,7 +88,7 @@ def answer(
     return int(first.split()[1]), dict(line.split(": ", 1) for line in rest)
 
 
-class Page:
+class HostilePage:
     """A connection such as viser's page makes, and what the server has for it."""
 
     def __init__(self, port: int) -> None:
@@ -141,7 +141,7 @@ class Page:
 class User:
     """A page, and the handles that the server has made for it alone."""
 
-    def __init__(self, page: Page, client: viser.ClientHandle) -> None:
+    def __init__(self, page: HostilePage, client: viser.ClientHandle) -> None:
         self.page = page
         self.client = client
         self.events: queue.Queue[tuple[str, Any]] = queue.Queue()
@@ -239,16 +239,16 @@ class Sandbox:
             "127.0.0.1", 0, on_oversized=lambda client_id, name: self.oversized.append((client_id, name))
         )
         self.port = self.server.get_port()
-        self.pages: list[Page] = []
+        self.pages: list[HostilePage] = []
         self._clients: queue.Queue[viser.ClientHandle] = queue.Queue()
 
         @self.server.on_client_connect
         async def _(client: viser.ClientHandle) -> None:
             self._clients.put(client)
 
-    def page(self) -> Page:
+    def page(self) -> HostilePage:
         """A connection that has said nothing yet."""
-        page = Page(self.port)
+        page = HostilePage(self.port)
         self.pages.append(page)
         return page
 

@@ -19,7 +19,7 @@ class Wall:
         return self.time
 
 
-class Page:
+class SessionPage:
     """A session and its wall clock."""
 
     def __init__(self, scene: sim.Scene) -> None:

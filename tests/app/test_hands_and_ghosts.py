@@ -11,22 +11,22 @@ from app.page import readouts
 from app.page.colors import palette
 from app.session import commands
 from app.session.ghost import FINER
-from tests.app.pages import FRAME, Page
+from tests.app.pages import FRAME, SessionPage
 
 
-def rate_limited() -> Page:
+def rate_limited() -> SessionPage:
     """The tutorial's rope in a hundred pieces, hanging already."""
-    page = Page(frames.rod(100, sim.Integrator()))
+    page = SessionPage(frames.rod(100, sim.Integrator()))
     page.frames(30)
     assert page.session.simulation.rate_limited
     return page
 
 
-def hud(page: Page) -> str:
+def hud(page: SessionPage) -> str:
     return readouts.hud(page.session, palette("softrod", dark=False), at_rest=False)
 
 
-def torn(page: Page, far: float, reports: int = 12) -> tuple[float, float]:
+def torn(page: SessionPage, far: float, reports: int = 12) -> tuple[float, float]:
     """Tear the anchor to and fro; where it was."""
     x, y = map(float, page.session.simulation.positions[0])
     page.frames(1, commands.DragStart(0, x, y))
@@ -91,7 +91,7 @@ def test_a_ghost_is_led_as_the_body_is(method: str) -> None:
 
 
 def test_a_ghost_of_finer_steps_shows_how_wrong_the_body_s_are() -> None:
-    page = Page(sim.load_scene("tutorial-3.3"))
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
     apart = {}
     for finer in FINER:
         page.frames(1, commands.Reset(), commands.Compare("symplectic_euler", "", finer))
@@ -112,7 +112,7 @@ def test_a_ghost_of_finer_steps_shows_how_wrong_the_body_s_are() -> None:
 
 
 def test_a_reset_forgets_how_far_off_the_ghost_has_been() -> None:
-    page = Page(sim.load_scene("tutorial-3.3"))
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
     page.frames(1, commands.Compare("symplectic_euler", "", 4))
     ghost = page.session.ghost
     assert ghost is not None
@@ -126,7 +126,7 @@ def test_a_reset_forgets_how_far_off_the_ghost_has_been() -> None:
 
 
 def test_a_ghost_of_a_finer_tolerance() -> None:
-    page = Page(sim.load_scene("study-w1"))
+    page = SessionPage(sim.load_scene("study-w1"))
     page.frames(20, commands.Compare("adams", "conservative", 10))
     ghost = page.session.ghost
     assert ghost is not None
@@ -136,7 +136,7 @@ def test_a_ghost_of_a_finer_tolerance() -> None:
 
 
 def test_a_ghost_s_step_is_one_that_a_scene_may_have() -> None:
-    page = Page(sim.set_value(sim.load_scene("tutorial-3.3"), "dt", 2.5e-6))
+    page = SessionPage(sim.set_value(sim.load_scene("tutorial-3.3"), "dt", 2.5e-6))
     page.frames(2, commands.Play(False), commands.Compare("rk4", "", 10), commands.DoSteps(10))
     assert not page.session.notices
     ghost = page.session.ghost

@@ -11,36 +11,36 @@ import pytest
 import sim
 from app.session import commands
 from app.session.session import KEYS_FORGOTTEN_AFTER, MAX_QUEUE
-from tests.app.pages import FRAME, Page
+from tests.app.pages import FRAME, SessionPage
 from tests.sim.builders import tutorial_preset
 
 
 @pytest.fixture
-def page() -> Page:
-    page = Page(sim.load_scene("tutorial-3.3"))
+def page() -> SessionPage:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
     page.frames(1)
     return page
 
 
-def test_a_second_on_the_wall_is_400_steps(page: Page) -> None:
+def test_a_second_on_the_wall_is_400_steps(page: SessionPage) -> None:
     page.frames(60)
     assert page.session.simulation.step_count == pytest.approx(400, abs=1)
     assert page.session.pacer.rates(page.wall.time).real_time_factor == pytest.approx(1.0, abs=0.03)
 
 
 @pytest.mark.parametrize("factor", [0.125, 0.5, 2.0, 4.0])
-def test_speed_multiplies_the_steps(page: Page, factor: float) -> None:
+def test_speed_multiplies_the_steps(page: SessionPage, factor: float) -> None:
     page.frames(120, commands.Speed(factor))
     assert page.session.simulation.step_count == pytest.approx(800 * factor, abs=2)
 
 
 @pytest.mark.parametrize("factor", [1e9, -1.0, math.nan, math.inf])
-def test_a_forged_speed_is_clamped(page: Page, factor: float) -> None:
+def test_a_forged_speed_is_clamped(page: SessionPage, factor: float) -> None:
     page.frames(1, commands.Speed(factor))
     assert 0.125 <= page.session.pacer.speed <= 4.0
 
 
-def test_pause_step_reset(page: Page) -> None:
+def test_pause_step_reset(page: SessionPage) -> None:
     page.frames(30, commands.Play(False))
     stood = page.session.simulation.step_count
     page.frames(30)
@@ -54,12 +54,12 @@ def test_pause_step_reset(page: Page) -> None:
     assert page.session.simulation.step_count == pytest.approx(400, abs=10)
 
 
-def test_a_step_pauses(page: Page) -> None:
+def test_a_step_pauses(page: SessionPage) -> None:
     page.frames(5, commands.DoSteps(1))
     assert not page.session.playing
 
 
-def test_held_keys_act_and_are_forgotten_in_silence(page: Page) -> None:
+def test_held_keys_act_and_are_forgotten_in_silence(page: SessionPage) -> None:
     """After half a second without a word, the connection may be gone, and with it the key's release."""
     for _ in range(30):
         page.frames(1, commands.HoldKeys(frozenset({"right"})))
@@ -72,12 +72,12 @@ def test_held_keys_act_and_are_forgotten_in_silence(page: Page) -> None:
     assert page.session.simulation.rest_angles[0] == silent
 
 
-def test_unknown_keys_are_ignored(page: Page) -> None:
+def test_unknown_keys_are_ignored(page: SessionPage) -> None:
     page.frames(2, commands.HoldKeys(frozenset({"up", "enter"})))
     assert page.session.simulation.keys == {"up"}
 
 
-def test_a_dragged_held_mass_goes_with_the_pointer_and_stays(page: Page) -> None:
+def test_a_dragged_held_mass_goes_with_the_pointer_and_stays(page: SessionPage) -> None:
     x, y = page.session.simulation.positions[0]
     page.frames(1, commands.DragStart(0, x + 3.0, y))
     page.frames(5, commands.Point(x + 53.0, y + 20.0))
@@ -86,7 +86,7 @@ def test_a_dragged_held_mass_goes_with_the_pointer_and_stays(page: Page) -> None
     assert page.session.dragged is None
 
 
-def test_a_drag_is_smooth_between_two_slow_reports(page: Page) -> None:
+def test_a_drag_is_smooth_between_two_slow_reports(page: SessionPage) -> None:
     """viser reports drags at 20 Hz; the mass must be on its way in every frame, and never leap."""
     x, y = page.session.simulation.positions[0]
     page.frames(1, commands.DragStart(0, x, y))
@@ -101,7 +101,7 @@ def test_a_drag_is_smooth_between_two_slow_reports(page: Page) -> None:
     assert moves.max() < 20.0
 
 
-def test_a_free_mass_is_held_while_dragged_and_falls_after(page: Page) -> None:
+def test_a_free_mass_is_held_while_dragged_and_falls_after(page: SessionPage) -> None:
     last = len(page.session.scene.masses) - 1
     x, y = page.session.simulation.positions[last]
     page.frames(1, commands.DragStart(last, x, y))
@@ -111,27 +111,27 @@ def test_a_free_mass_is_held_while_dragged_and_falls_after(page: Page) -> None:
     assert np.hypot(*(page.session.simulation.positions[last] - (x + 80.0, y - 60.0))) > 5.0
 
 
-def test_the_script_s_pointer_wins_over_slow_reports_of_the_same_drag(page: Page) -> None:
+def test_the_script_s_pointer_wins_over_slow_reports_of_the_same_drag(page: SessionPage) -> None:
     x, y = page.session.simulation.positions[0]
     page.frames(1, commands.DragStart(0, x, y), commands.Point(x + 40.0, y))
     page.frames(10, commands.DragTo(x - 500.0, y))
     assert page.session.simulation.positions[0, 0] == pytest.approx(x + 40.0)
 
 
-def test_a_gizmo_that_keeps_to_its_axis_is_not_disturbed_by_the_pointer(page: Page) -> None:
+def test_a_gizmo_that_keeps_to_its_axis_is_not_disturbed_by_the_pointer(page: SessionPage) -> None:
     x, y = page.session.simulation.positions[0]
     page.frames(1, commands.DragStart(0, x, y, by_gizmo=True))
     page.frames(20, commands.DragTo(x + 40.0, y), commands.Point(x + 40.0, y + 90.0))
     assert page.session.simulation.positions[0] == pytest.approx((x + 40.0, y))
 
 
-def test_dragging_works_while_paused(page: Page) -> None:
+def test_dragging_works_while_paused(page: SessionPage) -> None:
     x, y = page.session.simulation.positions[0]
     page.frames(1, commands.Play(False), commands.DragStart(0, x, y), commands.Point(x + 10.0, y))
     assert page.session.simulation.positions[0] == pytest.approx((x + 10.0, y))
 
 
-def test_follow_needs_no_button_and_ends(page: Page) -> None:
+def test_follow_needs_no_button_and_ends(page: SessionPage) -> None:
     page.frames(20, commands.Follow(True), commands.Point(111.0, 222.0))
     assert page.session.simulation.positions[0] == pytest.approx((111.0, 222.0))
     page.frames(20, commands.Follow(False), commands.Point(5.0, 5.0))
@@ -139,25 +139,25 @@ def test_follow_needs_no_button_and_ends(page: Page) -> None:
 
 
 @pytest.mark.parametrize("x", [math.nan, math.inf, -math.inf])
-def test_a_pointer_that_is_nowhere_is_refused(page: Page, x: float) -> None:
+def test_a_pointer_that_is_nowhere_is_refused(page: SessionPage, x: float) -> None:
     before = page.session.simulation.positions[0]
     page.frames(3, commands.Follow(True), commands.Point(x, 0.0), commands.DragStart(0, x, x))
     assert page.session.simulation.positions[0] == pytest.approx(before)
     assert page.session.notices
 
 
-def test_a_pointer_out_of_the_world_is_clamped(page: Page) -> None:
+def test_a_pointer_out_of_the_world_is_clamped(page: SessionPage) -> None:
     page.frames(20, commands.Play(False), commands.Follow(True), commands.Point(1e30, 0.0))
     assert page.session.simulation.positions[0, 0] == 1e6
 
 
-def test_a_mass_that_does_not_exist_cannot_be_dragged(page: Page) -> None:
+def test_a_mass_that_does_not_exist_cannot_be_dragged(page: SessionPage) -> None:
     page.frames(2, commands.DragStart(99, 0.0, 0.0), commands.DragStart(-1, 0.0, 0.0))
     assert page.session.dragged is None
     assert len(page.session.notices) == 2
 
 
-def test_a_slider_reaches_the_solver_in_the_next_frame(page: Page) -> None:
+def test_a_slider_reaches_the_solver_in_the_next_frame(page: SessionPage) -> None:
     before = page.session.simulation.positions
     page.frames(1, commands.SetValue("gravity", 500.0))
     assert page.session.scene.gravity == (0.0, 500.0)
@@ -168,18 +168,18 @@ def test_a_slider_reaches_the_solver_in_the_next_frame(page: Page) -> None:
     ("key", "value"),
     [("gravity", math.nan), ("nothing", 1.0), ("template", 45.0), ("linear_damping", math.inf)],
 )
-def test_forged_settings_change_nothing(page: Page, key: str, value: float) -> None:
+def test_forged_settings_change_nothing(page: SessionPage, key: str, value: float) -> None:
     before = page.session.scene
     page.frames(1, commands.SetValue(key, value))
     assert page.session.scene == before
 
 
-def test_a_value_out_of_range_is_clamped(page: Page) -> None:
+def test_a_value_out_of_range_is_clamped(page: SessionPage) -> None:
     page.frames(1, commands.Play(False), commands.SetValue("angular_stiffness", 1e300))
     assert page.session.scene.angular_springs[0].stiffness == 1e15
 
 
-def test_another_number_of_masses_is_another_body(page: Page) -> None:
+def test_another_number_of_masses_is_another_body(page: SessionPage) -> None:
     generation = page.session.generation
     page.frames(2, commands.SelectJoint(9), commands.SetValue("masses", 5))
     assert len(page.session.scene.masses) == 5
@@ -187,14 +187,14 @@ def test_another_number_of_masses_is_another_body(page: Page) -> None:
     assert page.session.joint == 2
 
 
-def test_the_number_of_masses_can_change_in_the_middle_of_a_drag(page: Page) -> None:
+def test_the_number_of_masses_can_change_in_the_middle_of_a_drag(page: SessionPage) -> None:
     page.frames(2, commands.DragStart(11, 300.0, 480.0), commands.SetValue("masses", 4))
     page.frames(5, commands.Point(0.0, 0.0), commands.DragEnd())
     assert page.session.dragged is None
     assert not page.session.notices
 
 
-def test_opening_a_scene_starts_it_anew(page: Page) -> None:
+def test_opening_a_scene_starts_it_anew(page: SessionPage) -> None:
     page.frames(10, commands.Follow(True))
     page.frames(1, commands.Open(sim.load_scene("ring")))
     assert page.session.scene.name == "ring"
@@ -203,7 +203,7 @@ def test_opening_a_scene_starts_it_anew(page: Page) -> None:
     assert page.session.simulation.step_count > 0
 
 
-def test_opening_a_scene_goes_on_keeping_the_books(page: Page) -> None:
+def test_opening_a_scene_goes_on_keeping_the_books(page: SessionPage) -> None:
     page.frames(1, commands.KeepBooks(True), commands.Open(tutorial_preset("ring")))
     assert page.session.books
     page.frames(30)
@@ -211,7 +211,7 @@ def test_opening_a_scene_goes_on_keeping_the_books(page: Page) -> None:
     assert page.session.simulation.energy().damping < 0.0
 
 
-def test_a_slow_machine_lags_and_never_spirals(page: Page) -> None:
+def test_a_slow_machine_lags_and_never_spirals(page: SessionPage) -> None:
     """With a budget for three steps a frame the clock falls behind, and says by how much."""
     session = page.session
     session.pacer._step_cost = 1e-3
@@ -226,7 +226,7 @@ def test_a_slow_machine_lags_and_never_spirals(page: Page) -> None:
     assert rates.behind == pytest.approx(1.0 - 180 / 400, abs=0.05)
 
 
-def test_after_a_long_silence_the_body_does_not_leap(page: Page) -> None:
+def test_after_a_long_silence_the_body_does_not_leap(page: SessionPage) -> None:
     before = page.session.simulation.step_count
     page.wall.time += 30.0
     page.session.tick(budget=1.0)
@@ -234,7 +234,7 @@ def test_after_a_long_silence_the_body_does_not_leap(page: Page) -> None:
     assert page.session.pacer.behind == pytest.approx(29.9, abs=0.1)
 
 
-def test_a_runaway_body_stops_with_the_cause_in_the_user_s_words(page: Page) -> None:
+def test_a_runaway_body_stops_with_the_cause_in_the_user_s_words(page: SessionPage) -> None:
     page.frames(1, commands.SetValue("angular_stiffness", 60_000.0))
     page.frames(30, commands.Follow(True), commands.Point(400.0, 150.0))
     session = page.session
@@ -248,7 +248,7 @@ def test_a_runaway_body_stops_with_the_cause_in_the_user_s_words(page: Page) -> 
     assert np.abs(session.simulation.positions).max() <= 1e6
 
 
-def test_the_meter_warns_before_that(page: Page) -> None:
+def test_the_meter_warns_before_that(page: SessionPage) -> None:
     page.frames(20, commands.Play(True))
     calm = page.session.stability.limit
     page.frames(1, commands.SetValue("angular_stiffness", 60_000.0))
@@ -257,7 +257,7 @@ def test_the_meter_warns_before_that(page: Page) -> None:
     assert calm > page.session.simulation.dt
 
 
-def test_the_meter_follows_changes_while_paused(page: Page) -> None:
+def test_the_meter_follows_changes_while_paused(page: SessionPage) -> None:
     page.frames(2, commands.Play(False))
     page.frames(2, commands.SetValue("angular_stiffness", 1e8))
     assert page.session.stability.limit < 1e-4
@@ -267,7 +267,7 @@ def test_the_meter_follows_changes_while_paused(page: Page) -> None:
     assert page.session.stability.limit == math.inf
 
 
-def test_a_snapshot_holds_the_keys_work_and_the_pose(page: Page) -> None:
+def test_a_snapshot_holds_the_keys_work_and_the_pose(page: SessionPage) -> None:
     page.frames(20, commands.HoldKeys(frozenset({"up"})))
     bare: Future[sim.Scene] = Future()
     posed: Future[sim.Scene] = Future()
@@ -281,7 +281,7 @@ def test_a_snapshot_holds_the_keys_work_and_the_pose(page: Page) -> None:
     assert bare.result(timeout=0).pose is None
 
 
-def test_a_flood_of_commands_is_bounded(page: Page) -> None:
+def test_a_flood_of_commands_is_bounded(page: SessionPage) -> None:
     for i in range(3 * MAX_QUEUE):
         page.session.post(commands.Point(float(i), 0.0))
     assert len(page.session._queue) == MAX_QUEUE

@@ -22,8 +22,8 @@ from app.studies.stability_map import (
     SAMPLES,
     UNKNOWN,
     UNSTABLE,
+    ExactMotion,
     Map,
-    Reference,
     borders,
     compute,
 )
@@ -79,7 +79,7 @@ def test_the_border_of_the_map_is_the_analytic_limit(moving: sim.Scene, method: 
     """The heart of it: where simulations break is where theory says, within the width of a cell."""
     scene = in_cell(moving, {"stiffness": 1e6})
     limit = largest_step(scene, method)
-    reference = Reference(scene, 0.5)
+    reference = ExactMotion(scene, 0.5)
     for part, ending in ((0.97, ACCURATE), (1.08, UNSTABLE)):
         member = Member(scene, part * limit, marks(0.5, part * limit, SAMPLES))
         ((_, track),) = run_ensemble([member], method)
@@ -102,7 +102,7 @@ def test_maps_have_the_border_where_the_limit_is(moving: sim.Scene) -> None:
 
 def test_endings_are_told_apart(moving: sim.Scene) -> None:
     scene = in_cell(moving, {})
-    reference = Reference(scene, 0.2)
+    reference = ExactMotion(scene, 0.2)
     member = Member(scene, 1e-4, marks(0.2, 1e-4, SAMPLES))
     ((_, track),) = run_ensemble([member], "rk4")
     times = member.dt * np.array(member.marks)

@@ -16,7 +16,7 @@ from rich.console import Console
 import sim
 from app.bench.growth import rod
 from app.studies import measure, others, study_report
-from app.studies.contenders import Ours, Run, Theirs, distance, reference
+from app.studies.contenders import Ours, Trial, Theirs, distance, reference
 from app.studies.equations import Equations
 from app.studies.measure import Point, SceneResults, explore, known, repeats
 from app.studies.output import make_folder
@@ -275,7 +275,7 @@ def test_what_is_done_is_kept_when_it_is_interrupted(tmp_path: Path, monkeypatch
     tried = Ours.frame_by_frame
     calls = []
 
-    def interrupted(self: Ours) -> Run:
+    def interrupted(self: Ours) -> Trial:
         calls.append(self)
         if len(calls) == 8:
             raise KeyboardInterrupt

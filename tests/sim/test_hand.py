@@ -1,4 +1,4 @@
-"""Hands that lead rate_limited bodies no faster than these can follow."""
+"""Hands that lead bodies of many stiff springs no faster than these can follow."""
 
 from __future__ import annotations
 

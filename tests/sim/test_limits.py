@@ -136,7 +136,7 @@ def test_only_explicit_methods_with_a_fixed_step_have_a_limit(method: Method) ->
 
 
 def test_the_stable_spring_has_a_limit_where_proportions_are_lost() -> None:
-    # A torque is levered by the ratio of the lengths, and clamp_stiffness by that of the rest lengths.
+    # A torque is levered by the ratio of the lengths, and clamped by that of the rest lengths.
     places = [(0.0, 0.0), (10.0, 0.0), (11.0, 0.0), (21.0, 0.0)]
     scene = chain(places, angular_stiffness=1e4, held=(0,))
     limit = largest_step(scene, "stable_spring")

@@ -27,7 +27,7 @@ TO = (25.0, -15.0)
 
 
 @dataclass(frozen=True)
-class Problem:
+class Motion:
     """A motion in which nothing is stiff.
 
     Attributes:
@@ -79,7 +79,7 @@ class Problem:
 
 
 @cache
-def exact(problem: Problem) -> np.ndarray:
+def exact(problem: Motion) -> np.ndarray:
     """(n, 2) where the masses are at the end."""
     scene = problem.scene()
     paths: dict[int, Path] = {}
@@ -93,7 +93,7 @@ def exact(problem: Problem) -> np.ndarray:
     return Laws(scene, paths, growth, turn).solution([DURATION], 1e-13)[0]
 
 
-def solved(problem: Problem, method: Method, steps: int) -> np.ndarray:
+def solved(problem: Motion, method: Method, steps: int) -> np.ndarray:
     """(n, 2) where a method with a fixed step takes the masses."""
     scene, info = problem.scene(), METHODS[method]
     x, y = scene.masses[0].position
@@ -119,7 +119,7 @@ def solved(problem: Problem, method: Method, steps: int) -> np.ndarray:
     return arrays.pairs(arrays.state.q)
 
 
-def errors(problem: Problem, method: Method, steps: tuple[int, ...]) -> list[float]:
+def errors(problem: Motion, method: Method, steps: tuple[int, ...]) -> list[float]:
     """The largest error of a position after each number of steps, px."""
     return [float(np.abs(solved(problem, method, count) - exact(problem)).max()) for count in steps]
 
@@ -143,24 +143,24 @@ With fewer, the error is no power yet; with more, it is rounding.
 """
 
 SMOOTH = [
-    Problem(),
-    Problem(damped=False, anchor="still"),
-    Problem(law="angle"),
-    Problem(law="tutorial"),
-    Problem("ring"),
-    Problem("girder", "tutorial", anchor="still"),
-    Problem("cloth", "angle"),
-    Problem("ring", "angle", damped=False),
-    Problem(anchor="led"),
-    Problem("ring", "tutorial", anchor="led"),
-    Problem(keys=frozenset({"up", "right"})),
-    Problem("cloth", keys=frozenset({"up", "right"}), anchor="still"),
+    Motion(),
+    Motion(damped=False, anchor="still"),
+    Motion(law="angle"),
+    Motion(law="tutorial"),
+    Motion("ring"),
+    Motion("girder", "tutorial", anchor="still"),
+    Motion("cloth", "angle"),
+    Motion("ring", "angle", damped=False),
+    Motion(anchor="led"),
+    Motion("ring", "tutorial", anchor="led"),
+    Motion(keys=frozenset({"up", "right"})),
+    Motion("cloth", keys=frozenset({"up", "right"}), anchor="still"),
 ]
 
 
 @pytest.mark.parametrize("method", STEPS)
 @pytest.mark.parametrize("problem", SMOOTH, ids=str)
-def test_order(problem: Problem, method: Method) -> None:
+def test_order(problem: Motion, method: Method) -> None:
     (steps, small), order = STEPS[method], METHODS[method].order
     sizes = errors(problem, method, steps)
     assert sizes[-1] <= small
@@ -206,7 +206,7 @@ def test_order_in_air(method: Method, steps: tuple[int, ...], low: float, high: 
     is left, and the classical method, whose own error is larger, is on its way there. How large an
     error is depends on where in its step the velocity changes sign, so this is a mean over bodies.
     """
-    sizes = [errors(Problem(air=0.02, seed=seed), method, steps) for seed in range(6)]
+    sizes = [errors(Motion(air=0.02, seed=seed), method, steps) for seed in range(6)]
     assert low <= slope(steps, np.exp(np.log(sizes).mean(axis=0)).tolist()) <= high
 
 
@@ -233,12 +233,12 @@ def stiff_rope(law: ForceLaw) -> Scene:
 def controlled(name: str) -> tuple[Scene, float, np.ndarray]:
     """(scene, duration, where the masses are then)."""
     scene, duration = {
-        "soft": lambda: (Problem().scene(), 1.0),
-        "undamped": lambda: (Problem("ring", damped=False).scene(), 1.0),
+        "soft": lambda: (Motion().scene(), 1.0),
+        "undamped": lambda: (Motion("ring", damped=False).scene(), 1.0),
         "lively": lambda: (body("chain", seed=1, held=(0,), air=0.0), 0.5),
         "stiff": lambda: (stiff_rope("conservative"), 0.2),
         "stiff tutorial": lambda: (stiff_rope("tutorial"), 0.2),
-        "air": lambda: (Problem(air=0.01).scene(), 1.0),
+        "air": lambda: (Motion(air=0.01).scene(), 1.0),
     }[name]()
     return scene, duration, Laws(scene).solution([duration], 1e-12)[0]
 

@@ -151,7 +151,7 @@ def step_after(integrator, h, step, error, order, good, after_failure, left=0.5)
     """The step to try next, s.
 
     Args:
-        h: the step that the error control had in selector.
+        h: the step that the error control had planned.
         step: the step that was tried, which the end of a call may have cut short.
         error: its error estimate, in tolerances.
         order: power of the step that the estimate goes with.
