@@ -31,14 +31,14 @@ _PART, _SLOWEST = 1.0 / 3.0, 100.0
 _EAGERNESS = 30.0
 """How fast the hand comes to where the pointer stands, 1/s."""
 
-LONGEST_GLIDE = 0.02
+LONGEST_PART = 0.02
 """Seconds for which the hand's acceleration is a straight line in time."""
 
 _THERE = 1e-9
 """px from its goal at which a hand is there."""
 
 
-class Glide(NamedTuple):
+class HandMotion(NamedTuple):
     """How a hand moves in a short time: velocity, px/s; acceleration, px/s²; and the rate of that, px/s³."""
 
     vx: float
@@ -49,12 +49,12 @@ class Glide(NamedTuple):
     jy: float
 
 
-NO_GLIDE = Glide(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+NO_MOTION = HandMotion(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
-Glides = Mapping[int, Glide]
+HandMotions = Mapping[int, HandMotion]
 """How hands move, by the place of the mass in each."""
 
-NO_GLIDES: Glides = {}
+NO_MOTIONS: HandMotions = {}
 
 
 def speed_to_follow(system: System, state: State, place: int) -> float:
@@ -101,8 +101,8 @@ class Hand:
         """Whether it has come to rest at its goal."""
         return self.distance < _THERE and float(np.abs(self._state[1]).max()) < _EAGERNESS * _THERE
 
-    def glide(self, duration: float) -> Glide:
-        """How it moves in the next seconds, `LONGEST_GLIDE` of them at most."""
+    def next_motion(self, duration: float) -> HandMotion:
+        """How it moves in the next seconds, `LONGEST_PART` of them at most."""
         place, speed, acceleration = self._state
         way, w = self.goal - place, _EAGERNESS
         # Of a goal that keeps this distance, it would come after with its greatest speed.
@@ -116,11 +116,11 @@ class Hand:
         rate = c1 + 2.0 * duration * c2
         after = (2.0 * c2 - 2.0 * w * rate + w * w * there) * math.exp(-w * duration)
         jerk = (after - acceleration) / duration
-        return Glide(*map(float, (*speed, *acceleration, *jerk)))
+        return HandMotion(*map(float, (*speed, *acceleration, *jerk)))
 
-    def go_on(self, glide: Glide, elapsed: float) -> None:
+    def go_on(self, motion: HandMotion, elapsed: float) -> None:
         """Move for some seconds."""
-        speed, acceleration, jerk = np.reshape(glide, (3, 2))
+        speed, acceleration, jerk = np.reshape(motion, (3, 2))
         place = self._state[0]
         self._state[0] = place + elapsed * (speed + elapsed * (0.5 * acceleration + elapsed * jerk / 6.0))
         self._state[1] = speed + elapsed * (acceleration + 0.5 * elapsed * jerk)
@@ -151,7 +151,7 @@ class Hands:
             speed. A method with fixed steps takes as long for anything.
         grabbed: masses of the scene that are held by a hand alone.
         targets: where masses are to be led in the next call, straight, px, by place.
-        gentle: the hands that lead masses no faster than these can follow, by place.
+        limited: the hands that lead masses no faster than these can follow, by place.
     """
 
     def __init__(self, system: System, state: State, adaptive: bool) -> None:
@@ -159,30 +159,30 @@ class Hands:
         self.rate_limited = adaptive and bool(system.body.masses > _TOO_MANY * quick_limit(system))
         self.grabbed: set[int] = set()
         self.targets: dict[int, tuple[float, float]] = {}
-        self.gentle: dict[int, Hand] = {}
+        self.limited: dict[int, Hand] = {}
 
     @property
     def behind(self) -> dict[int, float]:
-        """How far each gentle hand still has to go, px, by mass of the scene."""
+        """How far each rate-limited hand still has to go, px, by mass of the scene."""
         order = self._system.mass_order
-        return {int(order[place - 1]): hand.distance for place, hand in self.gentle.items()}
+        return {int(order[place - 1]): hand.distance for place, hand in self.limited.items()}
 
     def lead(self, place: int, to: tuple[float, float]) -> None:
         """Lead a mass in the next call."""
-        self.gentle.pop(place, None)
+        self.limited.pop(place, None)
         self.targets[place] = to
 
-    def lead_gently(self, place: int, to: tuple[float, float]) -> None:
+    def lead_limited(self, place: int, to: tuple[float, float]) -> None:
         """Lead a mass as fast as it can follow."""
         self.targets.pop(place, None)
-        if place not in self.gentle:
+        if place not in self.limited:
             self._take(place, 0.0, 0.0)
-        self.gentle[place].goal = to
+        self.limited[place].goal = to
 
     def leave(self, place: int) -> None:
         """Lead a mass no more; it stands still."""
         self.targets.pop(place, None)
-        if self.gentle.pop(place, None):
+        if self.limited.pop(place, None):
             self._state.vx[place] = self._state.vy[place] = 0.0
 
     def hold(self, mass: int) -> bool:
@@ -225,22 +225,22 @@ class Hands:
         """Forget what is where it was to come to, after a call."""
         if self.targets:
             self.targets = {}
-        if self.gentle:
-            self.gentle = {place: hand for place, hand in self.gentle.items() if not hand.is_there}
+        if self.limited:
+            self.limited = {place: hand for place, hand in self.limited.items() if not hand.is_there}
 
     def clear(self) -> None:
         """Let go of everything."""
         self.grabbed.clear()
         self.targets.clear()
-        self.gentle.clear()
+        self.limited.clear()
 
     def take_over(self, old: Hands) -> None:
         """Hold what other hands hold of a body with the same masses."""
         self.grabbed = set(old.grabbed)
         if self.rate_limited:
-            self.gentle = copy.deepcopy(old.gentle)
+            self.limited = copy.deepcopy(old.limited)
 
     def _take(self, place: int, vx: float, vy: float) -> None:
-        """Take a mass with a velocity, px/s, into a gentle hand."""
+        """Take a mass with a velocity, px/s, into a rate-limited hand."""
         x, y = float(self._state.x[place]), float(self._state.y[place])
-        self.gentle[place] = Hand(x, y, vx, vy, speed_to_follow(self._system, self._state, place))
+        self.limited[place] = Hand(x, y, vx, vy, speed_to_follow(self._system, self._state, place))

@@ -10,7 +10,7 @@ import numpy as np
 from ..body.system import System
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Drive, State
 from ..scene.types import MAX_SPEED, Circle, Scene
-from .drag import NO_GLIDE, NO_GLIDES, Glides
+from .drag import NO_MOTION, NO_MOTIONS, HandMotions
 
 _SHY = 1.0 - 1e-15
 """A hand that goes to the very edge of what a scene may have must not pass it by a rounding error."""
@@ -39,7 +39,7 @@ class Driver:
         targets: Mapping[int, tuple[float, float]],
         growth: float = 0.0,
         turn: float = 0.0,
-        glides: Glides = NO_GLIDES,
+        motions: HandMotions = NO_MOTIONS,
     ) -> Drive:
         """How masses move and keys act from one time to another.
 
@@ -47,17 +47,17 @@ class Driver:
             t, until: now, and the time when targets are to be reached, s.
             targets: where masses that are led straight are to be then, px, by place.
             growth, turn: what keys do to rest lengths and angles per second, see `Drive`.
-            glides: how gentle hands move, by place.
+            motions: how rate-limited hands move, by place.
         """
         state, duration = self._state, max(until - t, 1e-300)
-        places = sorted({*targets, *glides, *self._circles})
+        places = sorted({*targets, *motions, *self._circles})
         rows = []
         for m in places:
             circle = self._circles.get(m)
             x, y = state.x[m], state.y[m]
             ox, oy = offset(circle, t)
-            glide = glides.get(m, NO_GLIDE)
-            vx, vy = glide.vx, glide.vy
+            motion = motions.get(m, NO_MOTION)
+            vx, vy = motion.vx, motion.vy
             if m in targets:
                 ex, ey = offset(circle, until)
                 vx = _SHY * bounded((targets[m][0] - ex - (x - ox)) / duration)
@@ -66,8 +66,8 @@ class Driver:
                 (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
             )
             # The tutorial's hand, which is always as fast as the pointer, counts as standing still.
-            seen = 1.0 if m in glides else self._hand
-            rows.append((x - ox, y - oy, vx, vy, *glide[2:], seen, radius, omega, ramp))
+            seen = 1.0 if m in motions else self._hand
+            rows.append((x - ox, y - oy, vx, vy, *motion[2:], seen, radius, omega, ramp))
         columns = np.array(rows, float).reshape(-1, 12).T.copy()
         names = ("x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "hand", "radius", "omega", "ramp")
         pressed = growth != 0.0 or turn != 0.0

@@ -229,7 +229,7 @@ class Simulation:
             InputError: as `move`.
         """
         if self.rate_limited and not any(a.mass == mass and a.circle is not None for a in self.anchors):
-            self._hands.lead_gently(self._held_mass(mass), within_bounds(to))
+            self._hands.lead_limited(self._held_mass(mass), within_bounds(to))
         else:
             self.lead(mass, to)
 

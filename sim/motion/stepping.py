@@ -11,7 +11,7 @@ from ..kernels.core.tables import SCALE_MAX, SCALE_MIN, Drive, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
 from ..scene.types import MAX_SPEED, RUNAWAY_SPEED, Scene
-from .drag import LONGEST_GLIDE, NO_GLIDES, Glides, Hands
+from .drag import LONGEST_PART, NO_MOTIONS, HandMotions, Hands
 from .driving import Driver
 from .plain import PlainSolver
 from .solver import UNLIMITED, Solver, SolverStats
@@ -112,9 +112,9 @@ class Stepper:
             solver.touch()
             self._undisturbed = None
             self._led = targets
-        if hands.gentle:
+        if hands.limited:
             self._undisturbed = None
-            what = self._glide(until, hands, presses, attempts)
+            what = self._lead_limited(until, hands, presses, attempts)
         else:
             if presses != NO_PRESSES:
                 self._undisturbed = None
@@ -134,9 +134,11 @@ class Stepper:
         self._done += done
         return Outcome(done) if what == guard.GOOD else Outcome(done, what, solver.place)
 
-    def _drive(self, until: float, targets: Targets, presses: Presses, glides: Glides = NO_GLIDES) -> Drive:
+    def _drive(
+        self, until: float, targets: Targets, presses: Presses, motions: HandMotions = NO_MOTIONS
+    ) -> Drive:
         growth, turn = math.log(presses.factor) / self._dt, presses.angle / self._dt
-        return self._driver.drive(self.solver.time, until, targets, growth, turn, glides)
+        return self._driver.drive(self.solver.time, until, targets, growth, turn, motions)
 
     def _halt(self, until: float, drive: Drive, halts: int, attempts: int) -> int:
         """Go on with so many halts: no error of a free mass makes steps short enough for the books."""
@@ -146,21 +148,21 @@ class Stepper:
             solver.run(start + (until - start) * i / halts, drive, last - solver.tries)
         return solver.run(until, drive, last - solver.tries)
 
-    def _glide(self, until: float, hands: Hands, presses: Presses, attempts: int) -> int:
-        """Go on in parts that are short enough for gentle hands."""
+    def _lead_limited(self, until: float, hands: Hands, presses: Presses, attempts: int) -> int:
+        """Go on in parts that are short enough for rate-limited hands."""
         solver, start = self.solver, self.solver.time
         last, what = solver.tries + attempts, guard.GOOD
-        parts = max(1, math.ceil((until - start) / LONGEST_GLIDE - 1e-6))
+        parts = max(1, math.ceil((until - start) / LONGEST_PART - 1e-6))
         for i in range(1, parts + 1):
             began, end = solver.time, until - (until - start) * (parts - i) / parts
-            glides = {place: hand.glide(end - began) for place, hand in hands.gentle.items()}
-            drive = self._drive(until, hands.targets, presses, glides)
+            motions = {place: hand.next_motion(end - began) for place, hand in hands.limited.items()}
+            drive = self._drive(until, hands.targets, presses, motions)
             what = solver.run(end, drive, last - solver.tries)
-            for place, hand in hands.gentle.items():
-                hand.go_on(glides[place], solver.time - began)
+            for place, hand in hands.limited.items():
+                hand.go_on(motions[place], solver.time - began)
             if what != guard.GOOD or solver.time < end:
                 break
-        there = {place: hand.goal for place, hand in hands.gentle.items() if hand.is_there}
+        there = {place: hand.goal for place, hand in hands.limited.items() if hand.is_there}
         self._put(there)
         self._stop(there)
         return what

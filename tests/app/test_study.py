@@ -16,7 +16,7 @@ from rich.console import Console
 import sim
 from app.bench.growth import rod
 from app.studies import measure, others, study_report
-from app.studies.contenders import Ours, Trial, Theirs, distance, reference
+from app.studies.contenders import Ours, Theirs, Trial, distance, reference
 from app.studies.equations import Equations
 from app.studies.measure import Point, SceneResults, explore, known, repeats
 from app.studies.output import make_folder

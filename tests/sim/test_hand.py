@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import sim
 from sim import Integrator, Simulation
 from sim.methods.registry import METHODS
-from sim.motion.drag import LONGEST_GLIDE, Hand
+from sim.motion.drag import LONGEST_PART, Hand
 from sim.scene.types import ForceLaw
 from tests.sim.builders import led_rod, rod
 from tests.sim.inside import same_state
@@ -37,13 +37,13 @@ def test_a_hand_comes_to_its_goal_and_never_beyond(
     hand.goal = gx, gy
     way = hand.distance
     needed = way / fastest + 40.0 / 30.0
-    parts = math.ceil(frame / LONGEST_GLIDE)
+    parts = math.ceil(frame / LONGEST_PART)
     nearest, steps = way, 0
     while not hand.is_there and steps < 20000:
-        glide = hand.glide(frame / parts)
-        assert np.isfinite(glide).all()
-        assert math.hypot(glide.vx, glide.vy) <= 1.01 * fastest
-        hand.go_on(glide, frame / parts)
+        motion = hand.next_motion(frame / parts)
+        assert np.isfinite(motion).all()
+        assert math.hypot(motion.vx, motion.vy) <= 1.01 * fastest
+        hand.go_on(motion, frame / parts)
         assert hand.distance <= nearest * (1.0 + 1e-9) + 1e-9
         nearest = hand.distance
         steps += 1
@@ -60,11 +60,11 @@ def test_a_hand_moves_without_a_jerk_wherever_the_pointer_jumps() -> None:
     for i in range(300):
         if i % 7 == 0:
             hand.goal = tuple(rng.normal(0.0, 400.0, 2).tolist())
-        glide = np.array(hand.glide(1.0 / 60.0))
+        motion = np.array(hand.next_motion(1.0 / 60.0))
         # Velocity and acceleration go on from where the last part left them.
-        assert glide[:4] == pytest.approx(before[:4], rel=1e-9, abs=1e-6)
-        hand.go_on(hand.glide(1.0 / 60.0), 1.0 / 60.0)
-        v, a, j = glide[:2], glide[2:4], glide[4:]
+        assert motion[:4] == pytest.approx(before[:4], rel=1e-9, abs=1e-6)
+        hand.go_on(hand.next_motion(1.0 / 60.0), 1.0 / 60.0)
+        v, a, j = motion[:2], motion[2:4], motion[4:]
         before = np.concatenate((v + (a + j / 120.0) / 60.0, a + j / 60.0, j))
         assert np.hypot(*before[2:4]) < 2.0 * 30.0 * 900.0
 
