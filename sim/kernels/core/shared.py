@@ -31,7 +31,6 @@ SOLVE = types.void(Body.numba_type, Matrix.numba_type, FLOATS)
 
 def address_of(kernel: Any, signature: Any) -> int:
     """Where a kernel's machine code is; it is compiled where it is not."""
-    kernel.compile(signature.args)
     result = kernel.get_compile_result(signature)
     return result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
 
