@@ -9,6 +9,7 @@ there. In Python and in a kernel alike, `body.stiffness` is the array.
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Iterator
 from typing import Any, ClassVar, NamedTuple, Self, dataclass_transform
 
@@ -39,13 +40,17 @@ _NUMBERS = {"int": types.int64, "bool": types.boolean, "float": types.float64}
 _ARRAYS = {"Floats": (types.float64, 1), "Rows": (types.float64, 2), "Indices": (types.int64, 1)}
 _WORD, _DOUBLE = ir.IntType(64), ir.DoubleType()
 _ITEM = 8  # bytes of a float, an integer and a pointer
+_FLOAT, _BITS = struct.Struct("d"), struct.Struct("q")
 
 
 class _Field(NamedTuple):
-    """Where a value is kept, in words from the start of its table's block, and what it is to numba."""
+    """One field of a table."""
 
-    start: int
-    type: types.Type
+    start: int  # where its value is kept, in words from the start of the block
+    type: types.Type  # what it is to numba
+    dtype: np.dtype[Any] | None = None  # of an array
+    dimensions: int = 0  # of an array
+    is_float: bool = False
 
 
 class TableType(types.Type):
@@ -74,19 +79,22 @@ class Table:
 
     fields: ClassVar[dict[str, _Field]]
     numba_type: ClassVar[TableType]
+    _numba_type_: ClassVar[TableType]
 
     def __init_subclass__(cls) -> None:
         cls.fields, start = {}, 0
         for name, kind in cls.__annotations__.items():
             if kind in _ARRAYS:
                 item, dimensions = _ARRAYS[kind]
-                cls.fields[name] = _Field(start, types.Array(item, dimensions, "C"))
+                dtype = np.dtype(float if item == types.float64 else np.int64)
+                cls.fields[name] = _Field(start, types.Array(item, dimensions, "C"), dtype, dimensions)
                 start += 1 + dimensions
             else:
                 type_ = _NUMBERS[kind] if kind in _NUMBERS else _CLASSES[kind].numba_type
-                cls.fields[name] = _Field(start, type_)
+                cls.fields[name] = _Field(start, type_, is_float=kind == "float")
                 start += 1
         cls.numba_type = TableType(cls.__name__)
+        cls._numba_type_ = cls.numba_type  # which numba looks for before it asks `typeof_impl`
         _CLASSES[cls.__name__] = cls
 
     def __init__(self, **values: Any) -> None:
@@ -95,17 +103,18 @@ class Table:
         words: list[int] = []
         for name, field in self.fields.items():
             value = values[name]
-            if isinstance(field.type, types.Array):
-                dtype = np.float64 if field.type.dtype == types.float64 else np.int64
-                if value.dtype != dtype or value.ndim != field.type.ndim or not value.flags.c_contiguous:
+            if field.dtype is not None:
+                if (
+                    value.dtype != field.dtype
+                    or value.ndim != field.dimensions
+                    or not value.flags.c_contiguous
+                ):
                     raise TypeError(f"{type(self).__name__}.{name}: {value.dtype}, {value.shape}")
-                words += (value.ctypes.data, *value.shape)
-            elif isinstance(value, Table):
-                words.append(value.address())
+                words += (value.__array_interface__["data"][0], *value.shape)
+            elif field.is_float:
+                words += _BITS.unpack(_FLOAT.pack(value))
             else:
-                words.append(
-                    int(np.float64(value).view(np.int64)) if field.type == types.float64 else int(value)
-                )
+                words.append(value.address() if isinstance(value, Table) else int(value))
         self.__dict__.update(values)
         self.__dict__["_block"] = np.array(words, np.int64)
         self.__dict__["_address"] = self.__dict__["_block"].ctypes.data
@@ -162,7 +171,7 @@ class _TableAttributes(AttributeTemplate):
 
 @lower_getattr_generic(TableType)
 def _load_field(context: Any, builder: Any, kind: TableType, table: Any, name: str) -> Any:
-    start, type_ = kind.fields[name]
+    start, type_ = kind.fields[name][:2]
 
     def load(offset: int, as_type: ir.Type = _WORD) -> Any:
         words = builder.bitcast(table, _WORD.as_pointer())
