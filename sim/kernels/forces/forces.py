@@ -27,7 +27,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.jit import FAST, kernel
-from ..core.lanes import eight_at_a_time, whole_eights
+from ..core.lanes import eight_at_a_time, scalar_gathers_on_amd, whole_eights
 from ..core.roots import inverse_root
 from ..core.vectors import deflection
 from .chain import chain_accelerations, is_chain_like
@@ -37,6 +37,7 @@ from .laws import CONSERVATIVE, TUTORIAL, terms
 @kernel(fastmath=FAST)
 def spring_forces(body, state, scratch, x, y, vx, vy):
     """Forces of all springs and joints on all masses, into `scratch.fx` and `scratch.fy`."""
+    scalar_gathers_on_amd()
     lx, ly, dvx, dvy, inverse = scratch.lx, scratch.ly, scratch.dvx, scratch.dvy, scratch.inverse
     springs, hinged = whole_eights(body.springs), body.hinged  # padded
     _differences(body.springs, body.spring_a, body.spring_b, x, y, lx, ly)
@@ -73,6 +74,7 @@ def spring_forces(body, state, scratch, x, y, vx, vy):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _differences(springs, spring_a, spring_b, x, y, lx, ly):
+    scalar_gathers_on_amd()
     # Unsigned indices: numba otherwise tests each one for being negative.
     for s in range(springs):
         a, b = np.uint64(spring_a[s]), np.uint64(spring_b[s])
@@ -90,6 +92,7 @@ def _inverse_lengths(springs, soft, lx, ly, inverse):
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _joint_torques(body, state, scratch, lx, ly, inverse, torque, energy, dot):
     """The torque and, where the law has one, the energy of every joint, at place j + 1."""
+    scalar_gathers_on_amd()
     joint_a, joint_b = body.joint_a, body.joint_b
     cosine, sine, size, rest = state.torque_cos, state.torque_sin, body.torque_size, state.torque_rest
     if body.law == TUTORIAL:
@@ -121,6 +124,7 @@ def _joint_torques(body, state, scratch, lx, ly, inverse, torque, energy, dot):
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _joint_friction(body, lx, ly, dvx, dvy, inverse, turning, friction):
     """The torque of every joint's damping."""
+    scalar_gathers_on_amd()
     for s in range(body.hinged):
         turning[s] = (lx[s] * dvy[s] - ly[s] * dvx[s]) * (inverse[s] * inverse[s])
     for j in range(body.joints):
@@ -132,6 +136,7 @@ def _joint_friction(body, lx, ly, dvx, dvy, inverse, turning, friction):
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _at_springs(body, of_joint, of_spring, sign):
     """Add up at every spring what its joints do: `sign` times where it is the first spring of a joint."""
+    scalar_gathers_on_amd()
     joint_in, joint_out = body.joint_in, body.joint_out
     for s in range(body.hinged):
         of_spring[s] = of_joint[np.uint64(joint_in[s])] + sign * of_joint[np.uint64(joint_out[s])]
@@ -191,6 +196,7 @@ def _add_across(springs, lx, ly, inverse, turn, tx, ty):
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _at_masses(body, tx, ty, fx, fy):
     """Add up at every mass the tensions of its springs."""
+    scalar_gathers_on_amd()
     spring_in, spring_out = body.spring_in, body.spring_out
     for i in range(1, body.masses + 1):
         a, b = np.uint64(spring_in[i]), np.uint64(spring_out[i])
@@ -215,6 +221,7 @@ def accelerations(body, state, scratch, q, v, a):
 
     q, v and a are flat: x of every place, then y of every place.
     """
+    scalar_gathers_on_amd()
     eight_at_a_time()
     places = q.size // 2
     x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
@@ -249,6 +256,7 @@ def _open_ring(masses, flat):
 @kernel(internal=True, fastmath=FAST)
 def any_accelerations(body, state, scratch, x, y, vx, vy, a):
     """`accelerations` of any body, under any law."""
+    scalar_gathers_on_amd()
     eight_at_a_time()
     places = x.size
     spring_forces(body, state, scratch, x, y, vx, vy)
