@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from typing import get_args
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
 from sim.scene.types import ForceLaw
 from tests.sim.builders import euler
 
-LAWS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
+LAWS: tuple[ForceLaw, ...] = get_args(ForceLaw)
 
 Edges = list[tuple[int, int]]
 Places = list[tuple[float, float]]

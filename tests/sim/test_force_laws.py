@@ -57,8 +57,8 @@ def test_the_torque_is_the_slope_of_the_energy_and_its_own_slope_the_stiffness(n
     for angle in ANGLES:
         torque, _, stiffness = terms(code, angle)
         before, after = terms(code, angle - h), terms(code, angle + h)
-        assert torque == pytest.approx((after[1] - before[1]) / (2.0 * h), abs=1e-9)
-        assert stiffness == pytest.approx((after[0] - before[0]) / (2.0 * h), abs=1e-9)
+        assert torque == pytest.approx((after[1] - before[1]) / (2.0 * h), rel=1e-6, abs=1e-9)
+        assert stiffness == pytest.approx((after[0] - before[0]) / (2.0 * h), rel=1e-6, abs=1e-9)
 
 
 @pytest.mark.parametrize("name", LAWS)

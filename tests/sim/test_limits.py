@@ -132,7 +132,8 @@ def test_no_step_is_too_long(method: Method, damping: float) -> None:
 @pytest.mark.parametrize("method", METHODS)
 def test_only_explicit_methods_with_a_fixed_step_have_a_limit(method: Method) -> None:
     limit = Simulation(by(sim.load_scene("tutorial-3.3"), method)).stability().limit
-    assert (limit < math.inf) == (method in ("symplectic_euler", "velocity_verlet", "rk4", "stable_spring"))
+    info = METHODS[method]
+    assert (limit < math.inf) == (not info.adaptive and not info.implicit) == (info.limit is not None)
 
 
 def test_the_stable_spring_has_a_limit_where_proportions_are_lost() -> None:

@@ -56,8 +56,8 @@ def _scalar_gathers_on_amd(_context: Any) -> Any:
 scalar_gathers_on_amd: Any = intrinsic(_scalar_gathers_on_amd)
 """Let loops of the function that calls this load numbers through indices one by one on AMD's processors.
 
-Their instruction that gathers eight numbers takes longer than eight loads, which LLVM does not know. On Zen 4,
-a run of a cloth or a tree takes a fifth to a quarter less time so.
+Their instruction that gathers eight numbers takes longer than eight loads, which LLVM does not know. On
+Zen 4, a run of a cloth or a tree takes a fifth to a quarter less time so.
 """
 
 
