@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.jit import kernel
-from ..core.lanes import less_product, plus_product, product, quotient, sum_of, whole_eights
+from ..core.lanes import whole_eights
 from .band import CHUNK, L1, L2, PARTS, U1, U2, D, at, begin, hand_on, part, put, put_empty_row, put_rows
 from .blocks import minus, times
 
@@ -117,16 +117,16 @@ def _eliminate(blocks, p, near, far, k, check):
     )
     upper2 = _beside(part(near, at(U2, k)), part(far, at(L2, o)))
     xx, xy, yx, yy = diagonal
-    factor = quotient((1.0, 1.0), less_product(product(xx, yy), xy, yx))
+    factor = _quotient((1.0, 1.0), _less_product(_product(xx, yy), xy, yx))
     # The next pair waits for this one, which waits for the division: after that, as little as can be.
     _put_pair(blocks, _of(i, _TO1), _divided(diagonal, factor, upper1))
     _put_pair(blocks, _of(i, _TO2), _divided(diagonal, factor, upper2))
-    opposite = product((-1.0, -1.0), factor)
-    inverse = product(factor, yy), product(opposite, xy), product(opposite, yx), product(factor, xx)
+    opposite = _product((-1.0, -1.0), factor)
+    inverse = _product(factor, yy), _product(opposite, xy), _product(opposite, yx), _product(factor, xx)
     _put_pair(blocks, _of(i, _INVERSE), inverse)
     _put_pair(blocks, _of(i, _LOWER2), _times(inverse, lower2))
     _put_pair(blocks, _of(i, _LOWER1), _times(inverse, lower1))
-    return sum_of(check, sum_of(sum_of(inverse[0], inverse[1]), sum_of(inverse[2], inverse[3])))
+    return _sum_of(check, _sum_of(_sum_of(inverse[0], inverse[1]), _sum_of(inverse[2], inverse[3])))
 
 
 @kernel(forceinline=True, fastmath=_ORDERED)
@@ -153,6 +153,39 @@ def _join(blocks, paired, near, k, second):
     put(near, at(D, k), diagonal)
     put(near, at(U1, k), upper1)
     put(near, at(U2, k), _ZERO)
+
+
+# Arithmetic of two numbers at a time, as tuples, which LLVM does in one vector.
+
+
+@kernel(forceinline=True, fastmath=_ORDERED)
+def _product(a, b):
+    """a b."""
+    return a[0] * b[0], a[1] * b[1]
+
+
+@kernel(forceinline=True, fastmath=_ORDERED)
+def _quotient(a, b):
+    """a / b."""
+    return a[0] / b[0], a[1] / b[1]
+
+
+@kernel(forceinline=True, fastmath=_ORDERED)
+def _sum_of(a, b):
+    """a + b."""
+    return a[0] + b[0], a[1] + b[1]
+
+
+@kernel(forceinline=True, fastmath=_ORDERED)
+def _plus_product(a, b, c):
+    """a + b c."""
+    return a[0] + b[0] * c[0], a[1] + b[1] * c[1]
+
+
+@kernel(forceinline=True, fastmath=_ORDERED)
+def _less_product(a, b, c):
+    """a - b c."""
+    return a[0] - b[0] * c[0], a[1] - b[1] * c[1]
 
 
 @kernel(forceinline=True)
@@ -217,10 +250,10 @@ def _beside(a, b):
 def _minus(a, b, c):
     """a - b c, of blocks of pairs."""
     return (
-        less_product(less_product(a[0], b[0], c[0]), b[1], c[2]),
-        less_product(less_product(a[1], b[0], c[1]), b[1], c[3]),
-        less_product(less_product(a[2], b[2], c[0]), b[3], c[2]),
-        less_product(less_product(a[3], b[2], c[1]), b[3], c[3]),
+        _less_product(_less_product(a[0], b[0], c[0]), b[1], c[2]),
+        _less_product(_less_product(a[1], b[0], c[1]), b[1], c[3]),
+        _less_product(_less_product(a[2], b[2], c[0]), b[3], c[2]),
+        _less_product(_less_product(a[3], b[2], c[1]), b[3], c[3]),
     )
 
 
@@ -235,10 +268,10 @@ def _divided(diagonal, factor, b):
     """The inverse of a block of pairs, times another; `factor` is that of its determinant."""
     xx, xy, yx, yy = diagonal
     return (
-        product(factor, less_product(product(yy, b[0]), xy, b[2])),
-        product(factor, less_product(product(yy, b[1]), xy, b[3])),
-        product(factor, less_product(product(xx, b[2]), yx, b[0])),
-        product(factor, less_product(product(xx, b[3]), yx, b[1])),
+        _product(factor, _less_product(_product(yy, b[0]), xy, b[2])),
+        _product(factor, _less_product(_product(yy, b[1]), xy, b[3])),
+        _product(factor, _less_product(_product(xx, b[2]), yx, b[0])),
+        _product(factor, _less_product(_product(xx, b[3]), yx, b[1])),
     )
 
 
@@ -246,10 +279,10 @@ def _divided(diagonal, factor, b):
 def _times(a, b):
     """a b, of blocks of pairs."""
     return (
-        plus_product(product(a[0], b[0]), a[1], b[2]),
-        plus_product(product(a[0], b[1]), a[1], b[3]),
-        plus_product(product(a[2], b[0]), a[3], b[2]),
-        plus_product(product(a[2], b[1]), a[3], b[3]),
+        _plus_product(_product(a[0], b[0]), a[1], b[2]),
+        _plus_product(_product(a[0], b[1]), a[1], b[3]),
+        _plus_product(_product(a[2], b[0]), a[3], b[2]),
+        _plus_product(_product(a[2], b[1]), a[3], b[3]),
     )
 
 
