@@ -22,16 +22,26 @@ _TURN = 0.5
 """How far a step may move the ends of a spring against each other, in lengths of the spring."""
 _CONTRACTION = 0.5
 """Each iteration of a step has to move by at most this part of what the one before it moved."""
-_ITERATIONS, _SETTLED = 6, 0.02
-"""How many iterations a step may take until one is so much shorter than the first."""
+_ITERATIONS = 6
+"""Iterations of a step, at most."""
+_SETTLED = 0.02
+"""A step has converged when an iteration is this small beside the first."""
 _PRECISION = 1e-12
 """Steps this short, in typical lengths of a spring, are the end."""
-_LOWEST, _NEUTRAL, _NEUTRAL_FREE = 1e-15, 1e-13, 1e-9
-"""Shifts, 1/s²: the smallest that is tried; and the largest that a stable body's matrix may need to be
-definite in spite of rounding, where masses are held and where the body is free to move as a whole."""
-_CLOSE, _NUDGE, _NUDGES = 1e-5, 1e-3, 5
-"""From steps this short on, in typical lengths of a spring, a body that is not stable is nudged by so much,
-so many times."""
+_LOWEST = 1e-15
+"""The smallest shift that is tried, 1/s²."""
+_NEUTRAL = 1e-13
+"""The largest shift, 1/s², that a stable body with held masses may need to be definite in spite of
+rounding."""
+_NEUTRAL_FREE = 1e-9
+"""The same of a body that is free to move as a whole."""
+_CLOSE = 1e-5
+"""Steps this short, in typical lengths of a spring, end at a balance; if it is not stable, the body is
+nudged."""
+_NUDGE = 1e-3
+"""Size of a nudge, in typical lengths of a spring."""
+_NUDGES = 5
+"""Nudges at most."""
 _HALVINGS = 60
 _EPSILON = 4.0 * float(np.finfo(float).eps)
 _MOST_MASSES = 1000

@@ -23,9 +23,11 @@ from ..kernels.forces.laws import LAWS, NO_JOINTS
 from ..methods.registry import METHODS
 from ..scene.types import Scene
 
-_SOFT_IN_TOLERANCES, _SOFT_AT_MOST = 0.02, 1e-4
-"""The length below which a spring has no direction to speak of, in tolerances, since no method could follow
-anything smaller; and at most, as a part of a typical spring's."""
+_SOFT_IN_TOLERANCES = 0.02
+"""The length below which a spring has no direction, in tolerances: no method could follow anything
+smaller."""
+_SOFT_AT_MOST = 1e-4
+"""That length at most, as a part of a typical spring's."""
 
 _ENDLESS = 1e30
 """What padding is softened by, px²: it is longer than any spring then; single precision still holds this."""

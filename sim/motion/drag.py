@@ -25,8 +25,10 @@ _TOO_MANY = 8e4
 rate-limited. Bodies with a half or a tenth of that follow an anchor that is torn over thousands of pixels in
 a frame."""
 
-_PART, _SLOWEST = 1.0 / 3.0, 100.0
-"""The part of the speed of a pull that the hand goes at, at most; and px/s that it may go at all the same."""
+_PART = 1.0 / 3.0
+"""The part of the speed of a pull that a hand goes at, at most."""
+_SLOWEST = 100.0
+"""Speed, px/s, that a hand may always go at."""
 
 _EAGERNESS = 30.0
 """How fast the hand comes to where the pointer stands, 1/s."""

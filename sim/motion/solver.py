@@ -71,17 +71,23 @@ LONG = 200
 _NEAR_LIMIT = 0.6
 """The part of the stability limit from which on a step counts as near it."""
 
-_COARSEST, _FINER = 1e-3, 0.03
-"""The part of a body's size up to which `auto` takes Rosenbrock methods by their word, since they see too
-little of the error of a stiff body's long steps; and the least part of the tolerance that it asks of them."""
+_COARSEST = 1e-3
+"""The part of a body's size that Rosenbrock methods are held to under `auto`: error estimates are too
+optimistic for long steps on stiff bodies."""
+_FINER = 0.03
+"""The least part of the tolerance that is asked of them for that reason."""
 
-_LARGEST, _SENSIBLE = 0.01, 0.1
-"""The part of a body's size that `auto` takes for the tolerance, at most, and px that it takes all the same:
-within more than that, velocities of the lightest masses could be anything."""
+_LARGEST = 0.01
+"""The largest tolerance that `auto` works with, as a part of the body's size: beyond that, velocities of the
+lightest masses could be anything."""
+_SENSIBLE = 0.1
+"""A tolerance, px, that it always works with."""
 
-_ADAMS_LOW, _ADAMS_HIGH = 0.5, 1.6
-"""What it multiplies the tolerance of Adams' methods by, down to `LOW_TOLERANCE` and below. Found by trying:
-so, about the same share of random bodies ends within large tolerances and within small ones."""
+_ADAMS_LOW = 0.5
+"""Factor of the tolerance of Adams' methods under `auto`, down to `LOW_TOLERANCE`."""
+_ADAMS_HIGH = 1.6
+"""The same below that. Found by trying: about the same share of random bodies ends within large and small
+tolerances."""
 
 FALLBACK_STEP = 1e-3
 """Length of a fallback step, s."""

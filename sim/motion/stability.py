@@ -41,8 +41,10 @@ from ..scene.types import Scene
 
 Cause = Literal["linear stiffness", "angular stiffness", "linear damping", "angular damping", "air friction"]
 
-_FIRST_SIZE, _SIZE = 40, 12
-"""Dimension of the Krylov space at first, and later, when it starts from the stiffest motion found before."""
+_FIRST_SIZE = 40
+"""Dimension of the Krylov space at first."""
+_SIZE = 12
+"""Its dimension later, when it starts from the stiffest motion found before."""
 
 
 @dataclass(frozen=True)

@@ -131,8 +131,14 @@ class Scratch(Table):
     fy: Floats
 
 
-CONTROL_SCALE, CONTROL_SHIFT = 0, 1
-SCALE_MIN, SCALE_MAX = 0.01, 100.0
+CONTROL_SCALE = 0
+"""In `State.controls`: the factor of all rest lengths."""
+CONTROL_SHIFT = 1
+"""In `State.controls`: what is added to all rest angles, degrees."""
+SCALE_MIN = 0.01
+"""The least factor of rest lengths."""
+SCALE_MAX = 100.0
+"""The largest factor of rest lengths."""
 
 
 SHORTEST_SQUARED = 1e-300
@@ -219,16 +225,24 @@ CONTROLLER_STEP = 1
 """In `controller`: the next step that the method in use would try, s; 0 when it has to find out."""
 CONTROLLER_CAP = 2
 """In `controller`: the largest step that seems to be stable, s."""
-CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE = 3, 4
-"""In `controller`: the last two steps that `history` knows of, s; 0 where it does not."""
+CONTROLLER_LAST = 3
+"""In `controller`: the last step that `history` knows of, s; 0 where it does not."""
+CONTROLLER_LAST_BUT_ONE = 4
+"""In `controller`: the one before it, s; 0 where `history` does not know it."""
 CONTROLLER_SOLVABLE = 5
 """In `controller`: the largest step for which Newton's method seems to converge, s; 0 where unknown."""
 CONTROLLER_BEGUN = 6
 """In `controller`: how many steps generalized-alpha has taken since it took over."""
-CONTROLLER_PAST, CONTROLLER_SPACING, CONTROLLER_DEGREE, CONTROLLER_HEAD, CONTROLLER_SINCE = 7, 8, 9, 10, 11
-"""In `controller`, of Adams' methods: the time that `past` goes up to, negative where it says
-nothing; the time between two of its rows, s; the degree of the polynomial; the row of the latest; and the
-steps since a change of the step."""
+CONTROLLER_PAST = 7
+"""In `controller`, of Adams' methods: the time that `past` goes up to, s; negative where it says nothing."""
+CONTROLLER_SPACING = 8
+"""In `controller`, of Adams' methods: the time between two rows of `past`, s."""
+CONTROLLER_DEGREE = 9
+"""In `controller`, of Adams' methods: the degree of the polynomial."""
+CONTROLLER_HEAD = 10
+"""In `controller`, of Adams' methods: the row of the latest acceleration."""
+CONTROLLER_SINCE = 11
+"""In `controller`, of Adams' methods: steps since a change of the step."""
 CONTROLLER_HELD = 12
 """In `controller`: the share of Verlet's steps in its last turn that its stability kept short."""
 CONTROLLER_CONTRACTION = 13
@@ -237,30 +251,52 @@ where unknown."""
 CONTROLLER_CUBE = 14
 """In `controller`: a product of three spans of time, s³, that the error of generalized-alpha's last
 prediction goes with; 0 where it is not known."""
-CONTROLLER_MOST, CONTROLLER_KNOWN = 15, 16
-"""In `controller`, of Adams' methods: the degree to rise to; and how many rows of `past`, from
-the latest on, are at the present spacing."""
+CONTROLLER_MOST = 15
+"""In `controller`, of Adams' methods: the degree to rise to."""
+CONTROLLER_KNOWN = 16
+"""In `controller`, of Adams' methods: rows of `past`, from the latest on, that are at the present spacing."""
 CONTROLLERS = 17
 
 ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_ADAMS = 0, 1, 2, 3
 """The methods that `auto` chooses from."""
 ARMS = 4
 
-AUTO_STEP, AUTO_PACE, AUTO_WORK, AUTO_LAST, AUTO_ASKED = 0, ARMS, 2 * ARMS, 2 * ARMS + 1, 2 * ARMS + 2
-"""In `selector`: the next step of each method, s; simulated time for the computing of a Verlet
-step, s, of each, negative where unknown; computing, in Verlet steps, since a method was asked; the method
-that had the last turn; how many times one was asked."""
-AUTO_TURN, AUTO_BEGAN, AUTO_TRIED = 2 * ARMS + 3, 2 * ARMS + 4, 2 * ARMS + 5
-"""In `selector`, of the turn that is under way: the method, or -1 if none is; the time when it began,
-s; and the steps that had been tried then."""
+AUTO_STEP = 0
+"""In `selector`: from here on, the next step of each method, s."""
+AUTO_PACE = ARMS
+"""In `selector`: from here on, simulated time for the computing of a Verlet step, s; negative where
+unknown."""
+AUTO_WORK = 2 * ARMS
+"""In `selector`: computing, in Verlet steps, since a method was asked."""
+AUTO_LAST = 2 * ARMS + 1
+"""In `selector`: the method that had the last turn."""
+AUTO_ASKED = 2 * ARMS + 2
+"""In `selector`: how many times a method was asked."""
+AUTO_TURN = 2 * ARMS + 3
+"""In `selector`: the method whose turn is under way, or -1."""
+AUTO_BEGAN = 2 * ARMS + 4
+"""In `selector`: the time when that turn began, s."""
+AUTO_TRIED = 2 * ARMS + 5
+"""In `selector`: the steps that had been tried then."""
 AUTO_NEW = (0.0,) * ARMS + (-1.0,) * ARMS + (0.0,) * 3 + (-1.0, 0.0, 0.0)
 """What `auto` knows at first."""
 
-COUNT_FRESH, COUNT_STEPS, COUNT_REJECTED, COUNT_WHAT, COUNT_MASS = 0, 1, 2, 3, 4
-COUNT_FORCES, COUNT_MATRICES, COUNT_FALLBACKS = 5, 6, 7
-"""In `counts`: whether `a` is that of the state; steps done and rejected; GOOD or what is
-wrong, and the mass that shows it; evaluations of the accelerations, matrices factorised, and
-fallback steps."""
+COUNT_FRESH = 0
+"""In `counts`: whether `a` is that of the state."""
+COUNT_STEPS = 1
+"""In `counts`: steps kept."""
+COUNT_REJECTED = 2
+"""In `counts`: steps tried in vain."""
+COUNT_WHAT = 3
+"""In `counts`: GOOD, or what is wrong."""
+COUNT_MASS = 4
+"""In `counts`: the mass that shows it."""
+COUNT_FORCES = 5
+"""In `counts`: evaluations of the accelerations."""
+COUNT_MATRICES = 6
+"""In `counts`: matrices factorised."""
+COUNT_FALLBACKS = 7
+"""In `counts`: fallback steps."""
 COUNTS = 8
 
 
@@ -323,9 +359,18 @@ class EnergyBalance(Table):
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `dissipation`
 
 
-WORK_ANCHORS, WORK_DAMPING, WORK_AIR, WORK_LAW, WORK_KEYS, WORK_FALLBACK = 0, 1, 2, 3, 4, 5
-"""In `EnergyBalance.work`: done by moved anchors; taken away by damping and by air (negative); done by a law
-without an energy; done by keys that change rest lengths and angles; taken away by fallback steps."""
+WORK_ANCHORS = 0
+"""In `EnergyBalance.work`: done by moved anchors."""
+WORK_DAMPING = 1
+"""In `EnergyBalance.work`: taken away by damping, so negative."""
+WORK_AIR = 2
+"""In `EnergyBalance.work`: taken away by air, so negative."""
+WORK_LAW = 3
+"""In `EnergyBalance.work`: done by a law without an energy."""
+WORK_KEYS = 4
+"""In `EnergyBalance.work`: done by keys that change rest lengths and angles."""
+WORK_FALLBACK = 5
+"""In `EnergyBalance.work`: taken away by fallback steps."""
 WORKS = 6
 
 

@@ -11,9 +11,12 @@ from __future__ import annotations
 from ..core.jit import FAST, kernel
 from ..core.vectors import from_to, length_of
 
-MEAN, STRENGTH, POWER = 0, 1, 2
-"""Rows of what is gathered of each damper over a step, those of springs first, then those of joints: its mean
-rate, px/s or 1/s; strength, kg/s or kg px²/s; and power, kg px²/s³."""
+MEAN = 0
+"""Row of a damper's mean rate over a step, px/s or 1/s; springs first, then joints, as in the rows below."""
+STRENGTH = 1
+"""Row of its mean strength, kg/s or kg px²/s."""
+POWER = 2
+"""Row of its mean power, kg px²/s³."""
 DAMPER_ROWS = 3
 
 _SWINGING = 2.0

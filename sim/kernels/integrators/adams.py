@@ -57,23 +57,32 @@ smooth, as a jump of the forces, is an error once, and not one per second."""
 _SHORT = 8.0
 """How many times a step that span is at most. With more, velocities could be off by anything."""
 
-_LONGER, _MUCH_LONGER, _FIRST_LONGER = 1.25, 2.0, 4.0
-"""The least change of a step that is worth interpolating for; the largest, and that of the first steps."""
+_LONGER = 1.25
+"""The least growth of a step that is worth interpolating the past for."""
+_MUCH_LONGER = 2.0
+"""The largest growth of a step."""
+_FIRST_LONGER = 4.0
+"""The largest growth of the first steps."""
 
 _PATIENCE = 4
 """Steps after a change before the next one to a longer step."""
 
-_LITTLE, _MUCH = 0.06, 0.6
-"""Errors, in tolerances, above and below which the step is about right."""
+_LITTLE = 0.06
+"""Error, in tolerances, below which the step is too short."""
+_MUCH = 0.6
+"""Error, in tolerances, above which the step is too long."""
 
-_LEAST, _WEIGHED = 3, 16
-"""The least degree that is gone on with; and the steps since a change after which the degrees beside the
-present one are weighed."""
+_LEAST = 3
+"""The least degree that the method goes on with."""
+_WEIGHED = 16
+"""Steps since a change after which the degrees beside the present one are weighed."""
 
-_UNSTEADY, _STEADY = 0.61, 6
-"""The part of `near_limit` from which on the highest degree is left out; and the highest one then. Vibrations
-that nothing damps grow under degree 7 in steps that are .25 to .47 of Verlet's limit, by 5e-4 a step at most,
-and error control keeps them small by keeping steps there. Under degree 6 they fade in steps of .34 to .62."""
+_UNSTEADY = 0.61
+"""The part of `near_limit` from which on the highest degree is left out."""
+_STEADY = 6
+"""The highest degree then. Vibrations that nothing damps grow under degree 7 in steps of .25 to .47 of
+Verlet's limit, by 5e-4 a step at most, and error control keeps them small by keeping steps there. Under
+degree 6 they fade in steps of .34 to .62."""
 
 
 @kernel(fastmath=FAST)

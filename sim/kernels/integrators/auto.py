@@ -39,9 +39,12 @@ from ..core.tables import (
 from ..core.vectors import from_to
 from .guard import GOOD, STUCK
 
-_SHARE, _SHARE_OF_HOPELESS, _CLOSE = 0.05, 0.01, 0.3
-"""The share of the computing that goes into asking another method; that for one whose pace was not within a
-part of the best, and for all while generalized-alpha is the best, which goes by the past; and that part."""
+_SHARE = 0.05
+"""The share of the computing that goes into asking another method."""
+_SHARE_OF_HOPELESS = 0.01
+"""That share for a method that was far from the best, and for all while generalized-alpha is the best."""
+_CLOSE = 0.3
+"""The part of the best pace above which a method was not far from the best."""
 
 _TAKING_OVER = 0.3
 """How long the first step of generalized-alpha is beside its last one, since it is of first order."""
@@ -60,23 +63,29 @@ _LONG_STEP = 0.03
 """Seconds that hardly any implicit step is longer than while a body moves, under a tolerance of 1 px; they go
 with its fifth root. Where the best method does as much for the same computing, the others are asked late."""
 
-_WITH_CARE, _SHORT = 0.1, 0.25
+_WITH_CARE = 0.1
 """What all tolerances are multiplied by while small errors become large ones soon: where a joint is bent by
-more than 90 degrees from rest, beyond which its torque falls off; and where a spring is shorter than that
-part of its rest length, so that it turns round in no time."""
+more than 90 degrees from rest, beyond which its torque falls off, or a spring is short."""
+_SHORT = 0.25
+"""The part of its rest length below which a spring is short: it turns round in no time."""
 
-_BEGINNING, _BEGINNING_OF_LONG = 16, 4
-"""Verlet's first steps, in which they become as long as they can, and where stability limited any, the next
-ones, which tell whether it limits most; and its first steps on long bodies. Stability soon cuts these, and
-others go on from what they leave."""
+_BEGINNING = 16
+"""Verlet's first steps, in which they become as long as they can; and, where stability limited any, the next
+ones, which tell whether it limits most."""
+_BEGINNING_OF_LONG = 4
+"""Verlet's first steps on long bodies: stability soon cuts these, and others go on from what they leave."""
 
-_TURN, _IMPLICIT_TURN, _LONG_TURN = 64, 12, 256
-"""Steps of a turn: of explicit methods; of implicit ones; and of Verlet's where stability limits its steps,
-which hardly change then."""
+_TURN = 64
+"""Steps of a turn of an explicit method."""
+_IMPLICIT_TURN = 12
+"""Steps of a turn of an implicit method."""
+_LONG_TURN = 256
+"""Steps of a turn of Verlet's where stability limits its steps, which hardly change then."""
 
-_HELD, _SOME = 0.2, 48.0
-"""The share of Verlet's steps at a limit that says that it is one of stability; and the computing, in its
-steps, after which that is known, at the latest."""
+_HELD = 0.2
+"""The share of Verlet's steps at a limit above which that limit is one of stability."""
+_SOME = 48.0
+"""Computing, in Verlet steps, after which that is known."""
 
 
 @kernel(fastmath=FAST)

@@ -69,13 +69,18 @@ _SPAN = 2.5e-3
 """A step's error is held to the tolerance of so many seconds, however long it is: an error per second of it
 would have this method, of second order, take steps that are too short to pay."""
 
-_LEFT, _WORTH = 0.75, 1.25
-"""What is left of a step whose error was too large, at most: to halve it would be too much, since the error
-grows smoothly. And how much longer the next step has to be for it to be worth the change."""
+_LEFT = 0.75
+"""What is left at most of a step whose error was too large; the error grows smoothly, so a half is too
+little."""
+_WORTH = 1.25
+"""How many times longer the next step has to be for the change to be worth it."""
 
-_SOLVED, _RAISE, _RAISE_FIXED = 0.7, 1.06, 1.3
-"""How long a step is beside one for which Newton's method failed; and how much longer than the last one each
-may be from then on: to fail takes longer than to succeed. What is to be a fixed step is so again soon."""
+_SOLVED = 0.7
+"""Length of the next step beside one for which Newton's method failed."""
+_RAISE = 1.06
+"""How fast steps may grow after that, per step: a failed Newton solve costs more than a converged one."""
+_RAISE_FIXED = 1.3
+"""The same where the step is to be a fixed one."""
 
 _ERROR = 0.1
 """The error of a step as a part of the distance between prediction and solution, found by trying."""

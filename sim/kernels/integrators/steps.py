@@ -29,9 +29,11 @@ round in no time, the error of a step, per second of it, is small only in steps 
 _SHORTEST_TURN = 1e-7
 """A step (s) that is kept however far springs turn in it."""
 
-_SURE, _BOTH_ENDS = 0.6, 2.83
-"""What part of a spring's length its ends may move, both together, so that it has not turned far: the sine
-of the angle, less what softening adds; and how far they do, at most, beside a coordinate of one."""
+_SURE = 0.6
+"""How far a spring's ends may move, both together, as a part of its length, so that it surely has not turned
+far."""
+_BOTH_ENDS = 2.83
+"""How far both ends move together, at most, where no coordinate changes by more than one."""
 
 HOPELESS = 1e30
 """An error estimate (in tolerances) that stands for infinities and NaN."""

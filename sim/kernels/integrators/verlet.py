@@ -43,8 +43,10 @@ they add up."""
 _PAST = 0.25
 """The part of the acceleration before in what predicts velocities near the stability limit."""
 
-_SINK, _RAISE = 0.93, 1.002
-"""What a step that failed leaves of the limit, and how fast that rises again, per step."""
+_SINK = 0.93
+"""What a step that failed leaves of the limit."""
+_RAISE = 1.002
+"""How fast the limit rises again, per step."""
 
 
 @kernel(fastmath=FAST)

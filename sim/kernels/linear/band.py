@@ -18,8 +18,10 @@ from ..core.vectors import from_to
 from ..forces.laws import CONSERVATIVE, TUTORIAL, is_sine
 from .blocks import joint_blocks, minus, plus, scaled, spring_block
 
-CHUNK, _VECTOR = 16, 8
-"""Springs whose derivatives are taken before their rows are eliminated, and how many of them are a vector."""
+CHUNK = 16
+"""Springs whose derivatives are taken before their rows are eliminated."""
+_VECTOR = 8
+"""Springs that are done at a time."""
 _STRIDE = _VECTOR + CHUNK + _VECTOR
 """Of each kind of number there is room for a chunk, and on both sides of it for the end of the last one."""
 

@@ -24,8 +24,10 @@ _LOWER2, _LOWER1, _INVERSE, _TO1, _TO2 = 0, 8, 16, 24, 32
 and D^-1 U2, for solving backwards. Each is a block of four numbers, and each of them is that of both rows of
 a pair."""
 
-_PAIR, _BEFORE = 40, 2
-"""Numbers of each pair, and how many pairs of zeros are before the first."""
+_PAIR = 40
+"""Numbers of each pair."""
+_BEFORE = 2
+"""Pairs of zeros before the first."""
 
 _REST = 12
 """Numbers behind the last pair: what joined the last two rows to those behind them."""
