@@ -54,7 +54,7 @@ but leaves out the pull along the springs that makes it the gradient of an energ
 class Physics:
     """What acts on a body's masses.
 
-    Masses stand at places 1 to n of the arrays; the others are padding, see `sim.kernels.tables`.
+    Masses stand at indices 1 to n of the arrays; the others are padding, see `sim.kernels.tables`.
 
     Args:
         body: how the masses are joined, and by what.
@@ -76,7 +76,7 @@ class Physics:
         self._ends = np.concatenate((self.b, self.a))
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """(places) the forces of all springs on the masses at positions x (px) and velocities v (px/s)."""
+        """(slots) the forces of all springs on the masses at positions x (px) and velocities v (px/s)."""
         spring, rate = x[self.b] - x[self.a], v[self.b] - v[self.a]
         square = np.maximum(abs(spring), SHORTEST) ** 2
         # Of a spring with the vector L: -stiffness (|L| - rest) L/|L| - damping (L . dL/dt) L/|L|².
@@ -99,7 +99,7 @@ class Physics:
         return self._sum(np.concatenate((tension, -tension)), x.size)
 
     def accelerations(self, x: Vectors, v: Vectors) -> Vectors:
-        """(places) px/s²; zero where a mass is held. Air friction acts along each axis by itself."""
+        """(slots) px/s²; zero where a mass is held. Air friction acts along each axis by itself."""
         state = self.state
         air = v.real * abs(v.real) + 1j * (v.imag * abs(v.imag))
         return self.forces(x, v) * state.inverse_mass - air * state.air + (state.gx + 1j * state.gy)
@@ -113,9 +113,9 @@ class Physics:
         s = spring[self.first].conj() * spring[self.second] * np.exp(-1j * self.rest_angle)
         return linear, float((self.joint_stiffness * self._law(s)[1]).sum())
 
-    def _sum(self, at_ends: Vectors, places: int) -> Vectors:
+    def _sum(self, at_ends: Vectors, slots: int) -> Vectors:
         """Add up what acts at both ends of each spring by mass."""
-        x, y = (np.bincount(self._ends, part, places) for part in (at_ends.real, at_ends.imag))
+        x, y = (np.bincount(self._ends, part, slots) for part in (at_ends.real, at_ends.imag))
         return x + 1j * y
 
 

@@ -111,14 +111,14 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
     """
     body = _Resting(scene, balanced=False)
     free = np.flatnonzero(body.state.inverse_mass)
-    columns = np.concatenate((free, body.places + free))
+    columns = np.concatenate((free, body.slots + free))
     if not 1 <= count <= columns.size:
         raise InputError(f"vibrations: {count} is not in the range 1..{columns.size}")
     if body.tables.masses > _MOST_MASSES:
         raise InputError(f"vibrations: {body.tables.masses} masses are more than {_MOST_MASSES}")
     # No shift to speak of, but without one the rows of held masses would be empty.
     stable = body.factorise(body.start, 1e-100)
-    inverse = np.array([body.solve(unit)[columns] for unit in np.eye(2 * body.places)[columns]]).T
+    inverse = np.array([body.solve(unit)[columns] for unit in np.eye(2 * body.slots)[columns]]).T
     # Masses on both sides make it symmetric where the law has an energy: real and exact eigenvalues.
     root = np.sqrt(np.tile(body.state.inverse_mass[free], 2))
     scaled = inverse / root[:, None] * root[None, :]
@@ -134,7 +134,7 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
     if not values.max() < 1e18 * values.min():
         raise InputError(_NOT_HELD)
     slowest = np.argsort(values)[::-1][:count]
-    flat = np.zeros((count, 2 * body.places))
+    flat = np.zeros((count, 2 * body.slots))
     flat[:, columns] = (root[:, None] * vectors[:, slowest]).T
     shapes = np.stack([np.column_stack(body.by_mass(row)) for row in flat])
     return Vibrations(1.0 / np.sqrt(values[slowest]), shapes / np.abs(shapes).max((1, 2), keepdims=True))
@@ -143,7 +143,7 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
 class _Resting:
     """The tables of a scene's body, and linear systems with the Jacobian of its accelerations.
 
-    Vectors are flat: x of every place, then y of every place.
+    Vectors are flat: x of every slot, then y of every slot.
 
     Args:
         scene: the scene.
@@ -166,10 +166,10 @@ class _Resting:
         weight = 1.0 / self.system.inverse_mass
         state.inverse_mass[here] = free * (1.0 / self._stiffness_at_masses() if balanced else 1.0 / weight)
         state.gx[here], state.gy[here] = state.inverse_mass[here] * np.outer(scene.gravity, weight)
-        self.places = state.x.size
-        self.start = np.zeros(2 * self.places)
-        self.start[here], self.start[self.places :][here] = self.system.start[:2]
-        self.still = np.zeros(2 * self.places)
+        self.slots = state.x.size
+        self.start = np.zeros(2 * self.slots)
+        self.start[here], self.start[self.slots :][here] = self.system.start[:2]
+        self.still = np.zeros(2 * self.slots)
         lengths = body.rest_length[: body.springs] * scene.rest_length_scale
         self.typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
 
@@ -226,7 +226,7 @@ class _Resting:
 
     def vectors(self, q: Floats) -> tuple[Floats, Floats]:
         """(S,) x and y of the vectors of the springs."""
-        a, b, p = self.tables.spring_a, self.tables.spring_b, self.places
+        a, b, p = self.tables.spring_a, self.tables.spring_b, self.slots
         return q[b] - q[a], q[p + b] - q[p + a]
 
     def turn(self, q: Floats, move: Floats) -> float:
@@ -247,7 +247,7 @@ class _Resting:
         A coordinate is as exact as its size allows; the springs make a force of that, mostly along
         themselves, and their joints one in every direction.
         """
-        body, p = self.tables, self.places
+        body, p = self.tables, self.slots
         x, y = self.vectors(q)
         length = np.maximum(np.hypot(x, y), 1e-300)
         pull = self.state.pull[: body.springs]
@@ -267,14 +267,14 @@ class _Resting:
         """Refuse positions in which a spring has no direction; some force laws pull them as short as that."""
         lengths = np.hypot(*self.vectors(q))
         for s in np.flatnonzero(lengths < 1e-9 * max(self.typical, 1.0)).tolist():
-            places = (int(self.tables.spring_a[s]), int(self.tables.spring_b[s]))
-            a, b = sorted(int(self.system.mass_order[place - 1]) for place in places)
+            slots = (int(self.tables.spring_a[s]), int(self.tables.spring_b[s]))
+            a, b = sorted(int(self.system.mass_order[index - 1]) for index in slots)
             raise InputError(f"equilibrium: the spring between masses {a} and {b} shrinks to no length")
 
     def by_mass(self, q: Floats) -> tuple[Floats, Floats]:
         """(n,) x and y of each mass, in the order of the scene."""
-        place = self.system.mass_index
-        return q[place], q[self.places + place]
+        index = self.system.mass_index
+        return q[index], q[self.slots + index]
 
     def pose(self, q: Floats) -> Pose:
         """The positions as a scene can carry them, at rest."""
@@ -328,10 +328,10 @@ def _continuation(body: _Resting) -> Floats:
             shift, q, a = _search(body, q, a)
     body.refuse_shrunk(q)
     worst = int(np.argmax(np.abs(a)))
-    place = worst % body.places
+    index = worst % body.slots
     mass, force = (
-        int(body.system.mass_order[place - 1]),
-        abs(float(a[worst] / body.state.inverse_mass[place])),
+        int(body.system.mass_order[index - 1]),
+        abs(float(a[worst] / body.state.inverse_mass[index])),
     )
     raise InputError(
         f"equilibrium: no balance was found in {_MOST_STEPS} steps; {force:.3g} kg px/s² are left at mass "

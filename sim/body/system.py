@@ -39,7 +39,7 @@ class System:
 
     Attributes:
         body: the tables; masses and springs are numbered as the kernels visit them.
-        mass_order: (n,) scene index of the mass at place 1, 2, ..., n.
+        mass_order: (n,) scene index of the mass at index 1, 2, ..., n.
         mass_index: (n,) the place, from 1 on, of each mass of the scene.
         joint_order: (J,) the kernels' joint for each angular spring of the scene.
         inverse_mass: (n,) 1/kg, in the order of places, also of held masses.
@@ -68,9 +68,9 @@ def build_system(scene: Scene) -> System:
     mass_order, spring_order = order or (list(range(n)), _hinged_first(scene))
     mass_index = np.empty(n, np.int64)
     mass_index[mass_order] = np.arange(1, n + 1)
-    spring_place = np.empty(len(spring_order), np.int64)
-    spring_place[spring_order] = np.arange(len(spring_order))
-    body, joint_order = _body(scene, mass_index, spring_order, spring_place, order is not None)
+    spring_index = np.empty(len(spring_order), np.int64)
+    spring_index[spring_order] = np.arange(len(spring_order))
+    body, joint_order = _body(scene, mass_index, spring_order, spring_index, order is not None)
     held = np.zeros(n, np.bool_)
     for anchor in scene.anchors:
         held[mass_index[anchor.mass] - 1] = True
@@ -134,18 +134,18 @@ def new_state(system: System) -> State:
     # The chain's loops look one place back and, from the last spring, three ahead; and loops over flat
     # vectors should have no scalar rest.
     last = body.stiffness.size if body.chain or body.ring else padded(body.masses)
-    places = padded(last + 3)  # so that both halves of a flat vector begin alike
+    slots = padded(last + 3)  # so that both halves of a flat vector begin alike
     joints = max(body.joints, body.stiffness.size) + 1
     sizes = {
-        "q": (2 * places, 1),
-        "v": (2 * places, 1),
+        "q": (2 * slots, 1),
+        "v": (2 * slots, 1),
         "controls": (2, 0),
         "pull": (body.stiffness.size, 1),
         "torque_cos": (joints, 1),
         "torque_sin": (joints, 1),
         "torque_rest": (joints, 0),
     }
-    arrays = slab([sizes.get(field, (places, 1)) for field in State.fields], page_offset=0)
+    arrays = slab([sizes.get(field, (slots, 1)) for field in State.fields], page_offset=0)
     state = State(**dict(zip(State.fields, arrays, strict=True)))
     state.controls[0] = 1.0
     return state
@@ -197,8 +197,8 @@ def _order_along(scene: Scene) -> tuple[list[int], list[int]] | None:
         return None  # a ring beside something else
     if closed:
         spring_order.append(leaving[mass])
-    place = {s: i for i, s in enumerate(spring_order)}
-    if any(place[joint.b] != (place[joint.a] + 1) % n for joint in scene.angular_springs):
+    index = {s: i for i, s in enumerate(spring_order)}
+    if any(index[joint.b] != (index[joint.a] + 1) % n for joint in scene.angular_springs):
         return None
     return mass_order, spring_order
 
@@ -210,7 +210,7 @@ def _hinged_first(scene: Scene) -> list[int]:
 
 
 def _body(
-    scene: Scene, mass_index: Indices, spring_order: list[int], spring_place: Indices, in_order: bool
+    scene: Scene, mass_index: Indices, spring_order: list[int], spring_index: Indices, in_order: bool
 ) -> tuple[Body, Indices]:
     n, springs = len(scene.masses), [scene.linear_springs[s] for s in spring_order]
     ring = in_order and len(springs) == n
@@ -227,8 +227,8 @@ def _body(
     softenings[:], softenings[: len(springs) + ring] = _ENDLESS, max(softening, LEAST)
     spring_a = mass_index[np.array([spring.a for spring in springs], np.int64)]
     spring_b = mass_index[np.array([spring.b for spring in springs], np.int64)]
-    joint_a = spring_place[np.array([joint.a for joint in scene.angular_springs], np.int64)]
-    joint_b = spring_place[np.array([joint.b for joint in scene.angular_springs], np.int64)]
+    joint_a = spring_index[np.array([joint.a for joint in scene.angular_springs], np.int64)]
+    joint_b = spring_index[np.array([joint.b for joint in scene.angular_springs], np.int64)]
     strength = np.array(joint_stiffness(scene), float)
     rest_angle = np.array([joint.rest_angle for joint in scene.angular_springs], float)
     resistance = np.array([joint.damping for joint in scene.angular_springs], float)
@@ -237,9 +237,9 @@ def _body(
     if in_order and joint_a.size:
         joint_order = joint_a
         joints = n if ring else n - 2
-        by_place = np.zeros((3, joints))
-        by_place[:, joint_a] = strength, rest_angle, resistance
-        strength, rest_angle, resistance = by_place.copy()
+        by_index = np.zeros((3, joints))
+        by_index[:, joint_a] = strength, rest_angle, resistance
+        strength, rest_angle, resistance = by_index.copy()
         joint_a, joint_b = np.arange(joints), (np.arange(joints) + 1) % len(springs)
         hinged = len(springs)
     joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(

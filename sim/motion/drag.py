@@ -59,7 +59,7 @@ HandMotions = Mapping[int, HandMotion]
 NO_MOTIONS: HandMotions = {}
 
 
-def speed_to_follow(system: System, state: State, place: int) -> float:
+def speed_to_follow(system: System, state: State, index: int) -> float:
     """The speed, px/s, at which a hand may lead the mass at a place.
 
     A pull goes through a chain of springs by their length times sqrt(stiffness / mass) in a second. Where a
@@ -67,7 +67,7 @@ def speed_to_follow(system: System, state: State, place: int) -> float:
     """
     body, speed = system.body, MAX_SPEED
     for ends, others in ((body.spring_a, body.spring_b), (body.spring_b, body.spring_a)):
-        for s in np.flatnonzero((ends == place) & (body.stiffness[: body.springs] > 0.0)):
+        for s in np.flatnonzero((ends == index) & (body.stiffness[: body.springs] > 0.0)):
             stiffness = float(body.stiffness[s])
             rate = math.sqrt(stiffness * float(system.inverse_mass[others[s] - 1]))
             speed = min(speed, _PART * float(state.pull[s]) / stiffness * rate)
@@ -105,8 +105,8 @@ class Hand:
 
     def next_motion(self, duration: float) -> HandMotion:
         """How it moves in the next seconds, `LONGEST_PART` of them at most."""
-        place, speed, acceleration = self._state
-        way, w = self.goal - place, _EAGERNESS
+        index, speed, acceleration = self._state
+        way, w = self.goal - index, _EAGERNESS
         # Of a goal that keeps this distance, it would come after with its greatest speed.
         most = 3.0 * self._fastest / w
         way *= min(1.0, most / max(float(np.hypot(*way)), most))
@@ -123,8 +123,8 @@ class Hand:
     def go_on(self, motion: HandMotion, elapsed: float) -> None:
         """Move for some seconds."""
         speed, acceleration, jerk = np.reshape(motion, (3, 2))
-        place = self._state[0]
-        self._state[0] = place + elapsed * (speed + elapsed * (0.5 * acceleration + elapsed * jerk / 6.0))
+        index = self._state[0]
+        self._state[0] = index + elapsed * (speed + elapsed * (0.5 * acceleration + elapsed * jerk / 6.0))
         self._state[1] = speed + elapsed * (acceleration + 0.5 * elapsed * jerk)
         self._state[2] = acceleration + elapsed * jerk
 
@@ -152,8 +152,8 @@ class Hands:
         rate_limited: whether the body has so many masses, on springs so stiff, that hands go at a limited
             speed. A method with fixed steps takes as long for anything.
         grabbed: masses of the scene that are held by a hand alone.
-        targets: where masses are to be led in the next call, straight, px, by place.
-        limited: the hands that lead masses no faster than these can follow, by place.
+        targets: where masses are to be led in the next call, straight, px, by index.
+        limited: the hands that lead masses no faster than these can follow, by index.
     """
 
     def __init__(self, system: System, state: State, adaptive: bool) -> None:
@@ -167,25 +167,25 @@ class Hands:
     def behind(self) -> dict[int, float]:
         """How far each rate-limited hand still has to go, px, by mass of the scene."""
         order = self._system.mass_order
-        return {int(order[place - 1]): hand.distance for place, hand in self.limited.items()}
+        return {int(order[index - 1]): hand.distance for index, hand in self.limited.items()}
 
-    def lead(self, place: int, to: tuple[float, float]) -> None:
+    def lead(self, index: int, to: tuple[float, float]) -> None:
         """Lead a mass in the next call."""
-        self.limited.pop(place, None)
-        self.targets[place] = to
+        self.limited.pop(index, None)
+        self.targets[index] = to
 
-    def lead_limited(self, place: int, to: tuple[float, float]) -> None:
+    def lead_limited(self, index: int, to: tuple[float, float]) -> None:
         """Lead a mass as fast as it can follow."""
-        self.targets.pop(place, None)
-        if place not in self.limited:
-            self._take(place, 0.0, 0.0)
-        self.limited[place].goal = to
+        self.targets.pop(index, None)
+        if index not in self.limited:
+            self._take(index, 0.0, 0.0)
+        self.limited[index].goal = to
 
-    def leave(self, place: int) -> None:
+    def leave(self, index: int) -> None:
         """Lead a mass no more; it stands still."""
-        self.targets.pop(place, None)
-        if self.limited.pop(place, None):
-            self._state.vx[place] = self._state.vy[place] = 0.0
+        self.targets.pop(index, None)
+        if self.limited.pop(index, None):
+            self._state.vx[index] = self._state.vy[index] = 0.0
 
     def hold(self, mass: int) -> bool:
         """Whether a mass of the scene is held, by the scene or by a hand."""
@@ -193,21 +193,21 @@ class Hands:
 
     def grab(self, mass: int) -> None:
         """Take a mass of the scene, which may be moving."""
-        place, free = int(self._system.mass_index[mass]), not self.hold(mass)
+        index, free = int(self._system.mass_index[mass]), not self.hold(mass)
         self.grabbed.add(mass)
         if self.rate_limited and free:
-            self._take(place, float(self._state.vx[place]), float(self._state.vy[place]))
+            self._take(index, float(self._state.vx[index]), float(self._state.vy[index]))
 
     def release(self, mass: int) -> None:
         """Let go of a mass of the scene: it is at rest, or still led where the scene holds it."""
-        place = int(self._system.mass_index[mass])
+        index = int(self._system.mass_index[mass])
         if mass in self.grabbed:
             # However fast it was led: a throw would go by the last few milliseconds of a shaky hand.
-            self._state.vx[place] = self._state.vy[place] = 0.0
+            self._state.vx[index] = self._state.vy[index] = 0.0
             self.grabbed.remove(mass)
-        self.targets.pop(place, None)
+        self.targets.pop(index, None)
         if not self.hold(mass):
-            self.leave(place)
+            self.leave(index)
 
     def weigh(self, scene: Scene) -> bool:
         """Say in the tables what forces do to each mass, nothing where it is held; whether all are."""
@@ -228,7 +228,7 @@ class Hands:
         if self.targets:
             self.targets = {}
         if self.limited:
-            self.limited = {place: hand for place, hand in self.limited.items() if not hand.is_there}
+            self.limited = {index: hand for index, hand in self.limited.items() if not hand.is_there}
 
     def clear(self) -> None:
         """Let go of everything."""
@@ -242,7 +242,7 @@ class Hands:
         if self.rate_limited:
             self.limited = copy.deepcopy(old.limited)
 
-    def _take(self, place: int, vx: float, vy: float) -> None:
+    def _take(self, index: int, vx: float, vy: float) -> None:
         """Take a mass with a velocity, px/s, into a rate-limited hand."""
-        x, y = float(self._state.x[place]), float(self._state.y[place])
-        self.limited[place] = Hand(x, y, vx, vy, speed_to_follow(self._system, self._state, place))
+        x, y = float(self._state.x[index]), float(self._state.y[index])
+        self.limited[index] = Hand(x, y, vx, vy, speed_to_follow(self._system, self._state, index))

@@ -46,17 +46,17 @@ class Driver:
 
         Args:
             t, until: now, and the time when targets are to be reached, s.
-            targets: where masses that are led straight are to be then, px, by place.
+            targets: where masses that are led straight are to be then, px, by index.
             growth, turn: what keys do to rest lengths and angles per second, see `Drive`.
-            motions: how rate-limited hands move, by place.
+            motions: how rate-limited hands move, by index.
         """
         state, duration = self._state, max(until - t, 1e-300)
-        places = sorted({*targets, *motions, *self._circles})
+        slots = sorted({*targets, *motions, *self._circles})
         pressed = growth != 0.0 or turn != 0.0
-        if not places and not pressed and self._still is not None:
+        if not slots and not pressed and self._still is not None:
             return self._still  # the same whenever it is
         rows = []
-        for m in places:
+        for m in slots:
             circle = self._circles.get(m)
             x, y = state.x[m], state.y[m]
             ox, oy = offset(circle, t)
@@ -75,11 +75,11 @@ class Driver:
         columns = np.array(rows, float).reshape(-1, 12).T.copy()
         names = ("x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "hand", "radius", "omega", "ramp")
         drive = Drive(
-            moving=bool(places) or pressed,
+            moving=bool(slots) or pressed,
             pressed=pressed,
             start=t,
             duration=duration if targets else math.inf,
-            mass=np.array(places, np.int64),
+            mass=np.array(slots, np.int64),
             scale=float(state.controls[CONTROL_SCALE]),
             shift=float(state.controls[CONTROL_SHIFT]),
             growth=float(growth),

@@ -36,7 +36,7 @@ class PlainSolver:
     """
 
     def __init__(self, scene: Scene, system: System, state: State) -> None:
-        self.time, self.place, self.tries = 0.0, -1, 0
+        self.time, self.index, self.tries = 0.0, -1, 0
         self.fastest = RUNAWAY_SPEED
         self._body, self._state = system.body, state
         self._physics = Physics(system.body, state)
@@ -149,6 +149,6 @@ class PlainSolver:
                 (guard.BAD_SPEED, fast > self.fastest),
             ):
                 if bad.any():
-                    self.place = int(np.argmax(bad))
+                    self.index = int(np.argmax(bad))
                     return what
         return guard.GOOD

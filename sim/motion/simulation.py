@@ -206,10 +206,10 @@ class Simulation:
         Raises:
             InputError: the mass does not exist or is not held, or the place is not within ±1e6 px.
         """
-        place, (x, y) = self._held_mass(mass), within_bounds(to)
-        self._hands.leave(place)
+        index, (x, y) = self._held_mass(mass), within_bounds(to)
+        self._hands.leave(index)
         with self._by_hand():
-            self._state.x[place], self._state.y[place] = x, y
+            self._state.x[index], self._state.y[index] = x, y
         self._moved = True
 
     def lead(self, mass: int, to: tuple[float, float]) -> None:
@@ -413,7 +413,7 @@ class Simulation:
         adaptive = METHODS[self.method].adaptive
         limit = MAX_SPEED if quantity == "speed" and adaptive else limit
         driven = adaptive and self._scene.force_law == "tutorial" and self._body.joints > 0
-        mass = int(self._system.mass_order[outcome.place - 1]) if outcome.place > 0 else 0
+        mass = int(self._system.mass_order[outcome.mass_index - 1]) if outcome.mass_index > 0 else 0
         blame = limit_to_blame(self._system, self._state, self.method, self.dt, self._scene.air_friction)
         return Divergence(mass, self._steps, quantity, limit, self.dt, blame, adaptive, driven)
 
@@ -424,11 +424,11 @@ class Simulation:
         return int(mass)
 
     def _held_mass(self, mass: int) -> int:
-        place = int(self._system.mass_index[self._existing_mass(mass)])
+        index = int(self._system.mass_index[self._existing_mass(mass)])
         if not self._hands.hold(mass):
             raise InputError(f"mass {mass} is not held, so it cannot be moved")
-        return place
+        return index
 
     def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-        place = self._system.mass_index
-        return np.column_stack((x[place], y[place]))
+        index = self._system.mass_index
+        return np.column_stack((x[index], y[index]))

@@ -128,7 +128,7 @@ class Solver:
     ) -> None:
         self._wait = wait
         self.scene, self.system, self.state, self.scratch = scene, system, state, scratch
-        self.places = state.q.size // 2
+        self.slots = state.q.size // 2
         wide = state.q.size
         self._info = METHODS[scene.integrator.method]
         auto = self._info.name == "auto"
@@ -149,7 +149,7 @@ class Solver:
         )
         no_rows = np.zeros((1, 0))
         self.balance = EnergyBalance(
-            active=False, work=np.zeros(WORKS), mass=np.zeros(self.places), rows=no_rows, dampers=no_rows
+            active=False, work=np.zeros(WORKS), mass=np.zeros(self.slots), rows=no_rows, dampers=no_rows
         )
         self.balance.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
@@ -319,7 +319,7 @@ class Solver:
     def open_balance(self) -> None:
         """Keep books from now on of what changes the energy."""
         body = self.system.body
-        rows, dampers = np.zeros((3, 2 * self.places)), np.zeros((DAMPER_ROWS, body.springs + body.joints))
+        rows, dampers = np.zeros((3, 2 * self.slots)), np.zeros((DAMPER_ROWS, body.springs + body.joints))
         self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers)
         self.balance.work[:] = 0.0
         self._problem = None
@@ -354,14 +354,14 @@ class Solver:
         return int(counts[COUNT_STEPS] + counts[COUNT_REJECTED])
 
     @property
-    def place(self) -> int:
+    def index(self) -> int:
         """The place of the mass that shows what is wrong."""
         return int(self.integrator.counts[COUNT_MASS])
 
     def stats(self) -> SolverStats:
         """What was done since the last call of this."""
         counts = self.integrator.counts
-        places = (COUNT_STEPS, COUNT_REJECTED, COUNT_FORCES, COUNT_MATRICES, COUNT_FALLBACKS)
-        stats = SolverStats(*(int(counts[i]) for i in places))
-        counts[list(places)] = 0
+        slots = (COUNT_STEPS, COUNT_REJECTED, COUNT_FORCES, COUNT_MATRICES, COUNT_FALLBACKS)
+        stats = SolverStats(*(int(counts[i]) for i in slots))
+        counts[list(slots)] = 0
         return stats

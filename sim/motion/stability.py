@@ -152,14 +152,14 @@ class StabilityMeter:
         # Small beside the springs, large beside the rounding of coordinates.
         size = 1e-6 * (1.0 + float(np.abs(self._probe.q).max()))
         step = size / max(float(np.abs(w).max()), 1e-300)
-        along = np.zeros(self._probe.places, complex)
+        along = np.zeros(self._probe.slots, complex)
         along[self._here] = step * (w[0] + 1j * w[1])
         change = ((forces(-along) - forces(along)) / (2.0 * step))[self._here]
         return np.array([change.real, change.imag])
 
     def _flat(self, flat: Floats) -> Vectors:
         """A flat vector as complex numbers, one for each place."""
-        return flat[: self._probe.places] + 1j * flat[self._probe.places :]
+        return flat[: self._probe.slots] + 1j * flat[self._probe.slots :]
 
     def _cause(self, physics: Physics, w: Floats, limit: float, air: Floats) -> Cause:
         """Which law contributes most to the stiffest motion."""

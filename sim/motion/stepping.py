@@ -17,7 +17,7 @@ from .plain import PlainSolver
 from .solver import UNLIMITED, Solver, SolverStats
 
 Targets = dict[int, tuple[float, float]]
-"""Where masses that are led are to be at the end of a call, by place, px."""
+"""Where masses that are led are to be at the end of a call, by index, px."""
 
 
 class Presses(NamedTuple):
@@ -63,7 +63,7 @@ class Outcome(NamedTuple):
 
     steps: int
     what: int = guard.GOOD
-    place: int = -1
+    mass_index: int = -1
 
 
 _HALTS = 16
@@ -132,7 +132,7 @@ class Stepper:
             self._put(targets)
         done = int((time - self._after(0)) / self._dt + 1e-6)
         self._done += done
-        return Outcome(done) if what == guard.GOOD else Outcome(done, what, solver.place)
+        return Outcome(done) if what == guard.GOOD else Outcome(done, what, solver.index)
 
     def _drive(
         self, until: float, targets: Targets, presses: Presses, motions: HandMotions = NO_MOTIONS
@@ -155,27 +155,27 @@ class Stepper:
         parts = max(1, math.ceil((until - start) / LONGEST_PART - 1e-6))
         for i in range(1, parts + 1):
             began, end = solver.time, until - (until - start) * (parts - i) / parts
-            motions = {place: hand.next_motion(end - began) for place, hand in hands.limited.items()}
+            motions = {index: hand.next_motion(end - began) for index, hand in hands.limited.items()}
             drive = self._drive(until, hands.targets, presses, motions)
             what = solver.run(end, drive, last - solver.tries)
-            for place, hand in hands.limited.items():
-                hand.go_on(motions[place], solver.time - began)
+            for index, hand in hands.limited.items():
+                hand.go_on(motions[index], solver.time - began)
             if what != guard.GOOD or solver.time < end:
                 break
-        there = {place: hand.goal for place, hand in hands.limited.items() if hand.is_there}
+        there = {index: hand.goal for index, hand in hands.limited.items() if hand.is_there}
         self._put(there)
         self._stop(there)
         return what
 
     def _put(self, targets: Targets) -> None:
         """Put masses where they were led, to the last digit, which the way there has rounded."""
-        for place, (x, y) in targets.items():
-            self._state.x[place], self._state.y[place] = x, y
+        for index, (x, y) in targets.items():
+            self._state.x[index], self._state.y[index] = x, y
 
-    def _stop(self, places: Iterable[int]) -> None:
+    def _stop(self, slots: Iterable[int]) -> None:
         """Some held masses are led no more."""
-        for place in places:
-            self._state.vx[place] = self._state.vy[place] = 0.0
+        for index in slots:
+            self._state.vx[index] = self._state.vy[index] = 0.0
 
     def stats(self) -> SolverStats:
         """What was done since the last call of this."""

@@ -44,9 +44,9 @@ class Arrays:
         self.solver = Solver(scene, self.system, self.state, self.scratch)
         self.solver.load(0.0)
         self.q, self.v = self.state.q.copy(), self.state.v.copy()
-        self.places = self.q.size // 2
+        self.slots = self.q.size // 2
         n = self.body.masses
-        self.here = np.r_[1 : n + 1, self.places + 1 : self.places + n + 1]
+        self.here = np.r_[1 : n + 1, self.slots + 1 : self.slots + n + 1]
         self.free = self.here[np.tile(~self.system.held, 2)]
         self.weight = np.tile(1.0 / self.system.inverse_mass, 2)
         self.matrix = new_matrix(self.body, self.system.held)
@@ -60,7 +60,7 @@ class Arrays:
     def pairs(self, flat: Floats) -> Floats:
         """A flat array as (n, 2), in the scene's order."""
         place = self.system.mass_index
-        return np.column_stack((flat[place], flat[self.places + place]))
+        return np.column_stack((flat[place], flat[self.slots + place]))
 
     def accelerations(self, q: Floats, v: Floats) -> Floats:
         """Of all of `here`."""
@@ -70,7 +70,7 @@ class Arrays:
 
     def potential(self, q: Floats) -> float:
         """The energy of all that has one, but motion."""
-        mass = np.zeros(self.places)
+        mass = np.zeros(self.slots)
         mass[1 : self.body.masses + 1] = 1.0 / self.system.inverse_mass
         four = np.zeros(4)
         energies(self.body, self.state, mass, *self.scene.gravity, q, np.zeros_like(q), four)

@@ -328,8 +328,8 @@ def graphs(draw: st.DrawFn) -> Scene:
 def test_any_graph_is_solved_as_a_dense_matrix_is(scene: Scene) -> None:
     arrays = Arrays(sim.validate(scene), general=True)
     g, places = 200.0, arrays.here
-    free = arrays.state.inverse_mass[places % arrays.places]
-    drag = 2.0 * arrays.state.air[places % arrays.places] * np.abs(arrays.v[places])
+    free = arrays.state.inverse_mass[places % arrays.slots]
+    drag = 2.0 * arrays.state.air[places % arrays.slots] * np.abs(arrays.v[places])
     matrix = np.diag(g * g + g * drag) - free[:, None] * dense(arrays, g)
     right = np.random.default_rng(0).normal(size=places.size)
     assert arrays.factorise(g * g, g)

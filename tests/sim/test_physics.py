@@ -76,7 +76,7 @@ def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) ->
     simulation = Simulation(REPLACE(body(shape, law, 5), integrator=Integrator(method="symplectic_euler")))
     state = simulation._state
     physics = Physics(simulation._body, state)
-    x, still = state.x + 1j * state.y, np.zeros(state.places, complex)
+    x, still = state.x + 1j * state.y, np.zeros(state.slots, complex)
     forces = physics.forces(x, still)
     h = 1e-5
     for place in range(1, len(simulation.scene.masses) + 1):

@@ -175,8 +175,8 @@ def _load_field(context: Any, builder: Any, kind: TableType, table: Any, name: s
 
     def load(offset: int, as_type: ir.Type = _WORD) -> Any:
         words = builder.bitcast(table, _WORD.as_pointer())
-        place = builder.gep(words, [ir.Constant(ir.IntType(32), start + offset)])
-        loaded = builder.load(builder.bitcast(place, as_type.as_pointer()))
+        index = builder.gep(words, [ir.Constant(ir.IntType(32), start + offset)])
+        loaded = builder.load(builder.bitcast(index, as_type.as_pointer()))
         # A table never changes, whatever a kernel writes elsewhere: so loads may leave a loop.
         loaded.set_metadata("invariant.load", builder.module.add_metadata([]))
         return loaded

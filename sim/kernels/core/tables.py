@@ -2,7 +2,7 @@
 
 Every array is one-dimensional, C-contiguous, float64 or int64, so that a kernel is compiled once.
 
-Masses stand at places 1 to n: place 0 is padding, so that the chain's loops can look back without a test,
+Masses stand at indices 1 to n: index 0 is padding, so that the chain's loops can look back without a test,
 and the places behind n are filled up to a multiple of eight, so that vector loops have no scalar rest, which
 for twelve masses is the larger part of the work. Springs are filled up likewise. A padding mass never
 moves and a padding spring pulls at nothing.
@@ -39,8 +39,8 @@ class Body(Table):
     joint_b: Indices
     joint_stiffness: Floats  # (J,) kg/s²
     joint_rest: Floats  # (J,) degrees, before the shift
-    torque_size: Floats  # stiffness of joint j at place j + 1, kg/s²; at place 0 a ring's last, or zero
-    torque_damping: Floats  # damping of joint j at place j + 1, kg/s
+    torque_size: Floats  # stiffness of joint j at index j + 1, kg/s²; at index 0 a ring's last, or zero
+    torque_damping: Floats  # damping of joint j at index j + 1, kg/s
     # The torque of a joint acts on its spring a with one sign and on its spring b with the other. Each spring
     # names the place of one joint of which it is b and one of which it is a (0 where there is none: a
     # torque of zero); the rare others are in the lists. So the common case is a gather without branches.
@@ -64,48 +64,48 @@ class Body(Table):
 class State(Table):
     """Mutable: positions and velocities, and what the keys and the hand of the user change while it runs.
 
-    Vectors are flat: x of every place, then y of every place. No mass is at the first place of either half,
+    Vectors are flat: x of every slot, then y of every slot. No mass is at the first place of either half,
     nor at the last `SPARE` ones; loops over a vector leave them out at its two ends, and so start where loops
     over masses do: what is stored by one is loaded by the next in the same pieces, without waiting.
     """
 
-    q: Floats  # (2 places) positions, px
-    v: Floats  # (2 places) velocities, px/s
+    q: Floats  # (2 slots) positions, px
+    v: Floats  # (2 slots) velocities, px/s
     controls: Floats  # rest_length_scale, rest_angle_shift (degrees)
     pull: Floats  # (S padded + 1) stiffness * rest length now
-    torque_cos: Floats  # stiffness * cos(rest angle now), that of joint j at place j + 1; place 0 as above
+    torque_cos: Floats  # stiffness * cos(rest angle now), that of joint j at index j + 1; index 0 as above
     torque_sin: Floats
-    torque_rest: Floats  # rest angle now, radians, that of joint j at place j + 1
+    torque_rest: Floats  # rest angle now, radians, that of joint j at index j + 1
     # What acts on each mass beside the springs; all zero for a mass that is held.
-    inverse_mass: Floats  # (places) 1/kg
-    air: Floats  # (places) air friction / mass, 1/px
-    gx: Floats  # (places) px/s²
+    inverse_mass: Floats  # (slots) 1/kg
+    air: Floats  # (slots) air friction / mass, 1/px
+    gx: Floats  # (slots) px/s²
     gy: Floats
 
     @property
-    def places(self) -> int:
+    def slots(self) -> int:
         """How many there are, padding included."""
         return self.q.size // 2
 
     @property
     def x(self) -> Floats:
-        """(places) a view of the first half of `q`; for Python only, as the others below."""
-        return self.q[: self.places]
+        """(slots) a view of the first half of `q`; for Python only, as the others below."""
+        return self.q[: self.slots]
 
     @property
     def y(self) -> Floats:
-        """(places) a view of the second half of `q`."""
-        return self.q[self.places :]
+        """(slots) a view of the second half of `q`."""
+        return self.q[self.slots :]
 
     @property
     def vx(self) -> Floats:
-        """(places) a view of the first half of `v`."""
-        return self.v[: self.places]
+        """(slots) a view of the first half of `v`."""
+        return self.v[: self.slots]
 
     @property
     def vy(self) -> Floats:
-        """(places) a view of the second half of `v`."""
-        return self.v[self.places :]
+        """(slots) a view of the second half of `v`."""
+        return self.v[self.slots :]
 
 
 class Scratch(Table):
@@ -115,19 +115,19 @@ class Scratch(Table):
     ly: Floats
     dvx: Floats
     dvy: Floats
-    inverse: Floats  # 1 / length; `chain_accelerations` only tells that of the shortest spring, at place 0
+    inverse: Floats  # 1 / length; `chain_accelerations` only tells that of the shortest spring, at index 0
     turning: Floats  # rate at which a spring turns, 1/s
     turn: Floats  # what the torques of its joints add up to at each spring
     draw: Floats  # what the energies of its joints add up to at each spring
     hold: Floats  # what their conservative pulls along it add up to at each spring, times its length
     brake: Floats  # what the torques of their damping add up to at each spring
-    torque: Floats  # of joint j at place j + 1
-    energy: Floats  # of joint j at place j + 1, under a law that has one, as the law's loop wants it
-    dot: Floats  # K A . R(-r) B of joint j at place j + 1, under the conservative law
-    friction: Floats  # torque of the damping of joint j at place j + 1
+    torque: Floats  # of joint j at index j + 1
+    energy: Floats  # of joint j at index j + 1, under a law that has one, as the law's loop wants it
+    dot: Floats  # K A . R(-r) B of joint j at index j + 1, under the conservative law
+    friction: Floats  # torque of the damping of joint j at index j + 1
     tx: Floats  # force on the b end of each spring; in a chain at the place of the mass at that end
     ty: Floats
-    fx: Floats  # (places)
+    fx: Floats  # (slots)
     fy: Floats
 
 
@@ -160,13 +160,13 @@ class Matrix(Table):
 
     blocks: Floats  # the factors; see `joint_damped` and `sparse`
     parts: Floats  # scratch of a chain; see `band`
-    ux: Floats  # (S padded + 1) unit vectors of the springs where the matrix was built, each at place s + 1
+    ux: Floats  # (S padded + 1) unit vectors of the springs where the matrix was built, each at index s + 1
     uy: Floats
     inverse: Floats  # 1 / length there, likewise
     damping: Floats  # of the springs, likewise
     # A spanning forest: an order of the masses in which the one that a mass hangs on comes before it.
     walk: Indices  # (n,) places
-    parent: Indices  # (places) the place that a mass hangs on; 0 for one that is held, or first in its part
+    parent: Indices  # (slots) the place that a mass hangs on; 0 for one that is held, or first in its part
     # Empty for a chain. Rows are numbered in the order of elimination.
     order: Indices  # (n,) place of the mass that row i belongs to
     row_start: Indices  # (n + 1,) first block of each row
@@ -211,12 +211,12 @@ class IntegratorState(Table):
     controller: Floats  # see the CLOCK_ constants
     limits: Floats  # farthest coordinate, px, and fastest speed, px/s, that a good state has
     counts: Indices  # see the COUNT_ constants
-    rows: Rows  # (R, 2 places) scratch
+    rows: Rows  # (R, 2 slots) scratch
     selector: Floats  # what `auto` has learnt, see the AUTO_ constants
     history: (
-        Rows  # (4, 2 places) what generalized-alpha carries from step to step; no rows where it is not used
+        Rows  # (4, 2 slots) what generalized-alpha carries from step to step; no rows where it is not used
     )
-    past: Rows  # (PAST, 2 places) past accelerations, of Adams' methods; no rows where they are not used
+    past: Rows  # (PAST, 2 slots) past accelerations, of Adams' methods; no rows where they are not used
 
 
 CONTROLLER_TIME = 0
@@ -354,8 +354,8 @@ class EnergyBalance(Table):
 
     active: bool
     work: Floats  # (WORKS,) kg px²/s², see the WORK_ constants
-    mass: Floats  # (places) kg
-    rows: Rows  # (3, 2 places) scratch
+    mass: Floats  # (slots) kg
+    rows: Rows  # (3, 2 slots) scratch
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `dissipation`
 
 

@@ -19,12 +19,12 @@ def energies(body, state, mass, gravity_x, gravity_y, q, v, out):
     The masses that are held count neither for the first nor for the last. Under the tutorial's law, the
     angular energy is that of the conservative law.
     """
-    places, soft = q.size // 2, body.softening
+    slots, soft = q.size // 2, body.softening
     kinetic, linear, angular, height = 0.0, 0.0, 0.0, 0.0
     for i in range(1, body.masses + 1):
         if state.inverse_mass[i] > 0.0:
-            kinetic += 0.5 * mass[i] * (v[i] * v[i] + v[places + i] * v[places + i])
-            height -= mass[i] * (gravity_x * q[i] + gravity_y * q[places + i])
+            kinetic += 0.5 * mass[i] * (v[i] * v[i] + v[slots + i] * v[slots + i])
+            height -= mass[i] * (gravity_x * q[i] + gravity_y * q[slots + i])
     for s in range(body.springs):
         a, b = body.spring_a[s], body.spring_b[s]
         x, y = from_to(q, a, b)

@@ -88,12 +88,12 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
 def _add_powers(problem, drive, t, h, q, v, still):
     """Add h times the powers at a state at time t. `still` is all zeros."""
     body, state, scratch, balance = problem.body, problem.state, problem.scratch, problem.balance
-    places = q.size // 2
-    x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
+    slots = q.size // 2
+    x, y, vx, vy = q[:slots], q[slots:], v[:slots], v[slots:]
     sums, mass = balance.work, balance.mass
     fx, fy, free = scratch.fx, scratch.fy, state.inverse_mass
     # The force of the springs and joints, and then that of the dampers alone, which is linear in v.
-    spring_forces(body, state, scratch, x, y, still[:places], still[places:])
+    spring_forces(body, state, scratch, x, y, still[:slots], still[slots:])
     for i in range(drive.mass.size):
         m = drive.mass[i]
         # Its true velocity; `v` may have it standing still.

@@ -83,7 +83,7 @@ def set_controls(body, state, scale, shift):
 @kernel(forceinline=True)
 def lead_to(drive, t, q, v):
     """Put the held masses where they are at time t, in q and v."""
-    places = q.size // 2
+    slots = q.size // 2
     # A hand goes no further than to where it is to be, whatever rounding makes of the time.
     since = min(t - drive.start, drive.duration)
     for i in range(drive.mass.size):
@@ -95,5 +95,5 @@ def lead_to(drive, t, q, v):
         if drive.radius[i] > 0.0:
             dx, dy, du, dv = circle_at(t, drive.radius[i], drive.omega[i], drive.ramp[i])
             x, y, vx, vy = x + dx, y + dy, vx + du, vy + dv
-        q[m], q[places + m] = x, y
-        v[m], v[places + m] = vx, vy
+        q[m], q[slots + m] = x, y
+        v[m], v[slots + m] = vx, vy

@@ -91,7 +91,7 @@ def _inverse_lengths(springs, soft, lx, ly, inverse):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _joint_torques(body, state, scratch, lx, ly, inverse, torque, energy, dot):
-    """The torque and, where the law has one, the energy of every joint, at place j + 1."""
+    """The torque and, where the law has one, the energy of every joint, at index j + 1."""
     scalar_gathers_on_amd()
     joint_a, joint_b = body.joint_a, body.joint_b
     cosine, sine, size, rest = state.torque_cos, state.torque_sin, body.torque_size, state.torque_rest
@@ -219,17 +219,17 @@ def _at_masses(body, tx, ty, fx, fy):
 def accelerations(body, state, scratch, q, v, a):
     """Accelerations of all masses at positions q and velocities v; zero where a mass is held.
 
-    q, v and a are flat: x of every place, then y of every place.
+    q, v and a are flat: x of every slot, then y of every slot.
     """
     scalar_gathers_on_amd()
     eight_at_a_time()
-    places = q.size // 2
-    x, y, vx, vy = q[:places], q[places:], v[:places], v[places:]
+    slots = q.size // 2
+    x, y, vx, vy = q[:slots], q[slots:], v[:slots], v[slots:]
     if is_chain_like(body):
         if body.ring:
             _close_ring(body.masses, q)
             _close_ring(body.masses, v)
-        chain_accelerations(body, state, scratch, x, y, vx, vy, a[:places], a[places:])
+        chain_accelerations(body, state, scratch, x, y, vx, vy, a[:slots], a[slots:])
         if body.ring:
             _open_ring(body.masses, q)
             _open_ring(body.masses, v)
@@ -258,9 +258,9 @@ def any_accelerations(body, state, scratch, x, y, vx, vy, a):
     """`accelerations` of any body, under any law."""
     scalar_gathers_on_amd()
     eight_at_a_time()
-    places = x.size
+    slots = x.size
     spring_forces(body, state, scratch, x, y, vx, vy)
-    fx, fy, ax, ay = scratch.fx, scratch.fy, a[:places], a[places:]
+    fx, fy, ax, ay = scratch.fx, scratch.fy, a[:slots], a[slots:]
     w, air, gx, gy = state.inverse_mass, state.air, state.gx, state.gy
     for i in range(1, body.masses + 1):
         ax[i] = fx[i] * w[i] - air[i] * (vx[i] * abs(vx[i])) + gx[i]

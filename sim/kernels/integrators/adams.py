@@ -254,12 +254,12 @@ def _correct(q, by_q, by_v, to_a, ahead, to_q, to_v):
     change, far, fast, moved = 0, 0, 0, 0
     for j in range(1, q.size - SPARE):
         off = to_a[j] - ahead[j]
-        place, speed = to_q[j] + by_q * off, to_v[j] + by_v * off
-        to_q[j], to_v[j] = place, speed
+        index, speed = to_q[j] + by_q * off, to_v[j] + by_v * off
+        to_q[j], to_v[j] = index, speed
         change = max(change, size_bits(off))
-        far = max(far, size_bits(place))
+        far = max(far, size_bits(index))
         fast = max(fast, size_bits(speed))
-        moved = max(moved, size_bits(place - q[j]))
+        moved = max(moved, size_bits(index - q[j]))
     return change, far, fast, moved
 
 

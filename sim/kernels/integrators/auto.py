@@ -237,8 +237,8 @@ def _is_delicate(body, state, q):
 @kernel(noalias=True, fastmath=FAST)
 def _chain_is_delicate(body, state, q, short):
     """All springs and joints at once: padding ones have no length and no torque."""
-    places = q.size // 2
-    x, y, cosine, sine = q[:places], q[places:], state.torque_cos, state.torque_sin
+    slots = q.size // 2
+    x, y, cosine, sine = q[:slots], q[slots:], state.torque_cos, state.torque_sin
     delicate = 0
     for s in range(whole_eights(body.springs)):
         ax, ay, bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1], x[s + 3] - x[s + 2], y[s + 3] - y[s + 2]

@@ -42,7 +42,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
     """
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     matrix = problem.matrix
-    places = state.q.size // 2
+    slots = state.q.size // 2
     controller, q, v, rows = integrator.controller, state.q, state.v, integrator.rows
     to_q, to_v, a, move, four = rows[0], rows[1], rows[2], rows[3], rows[4][:4]
     kept_q, kept_v = rows[5], rows[6]
@@ -64,7 +64,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
                 # Some direction of its own for each spring, so that no two fall on one another.
                 far = integrator.limits[0]
                 q[k] = min(max(q[i] + shortest * math.cos(1.0 + s), -far), far)
-                q[places + k] = min(max(q[places + i] + shortest * math.sin(1.0 + s), -far), far)
+                q[slots + k] = min(max(q[slots + i] + shortest * math.sin(1.0 + s), -far), far)
     energies(body, state, mass, gravity_x, gravity_y, q, v, four)
     before = four[0] + four[1] + four[2] + four[3]
     accelerate(problem, q, v, a)
@@ -75,15 +75,15 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
         move[j] = a[j] + g * v[j]
     for i in range(drive.mass.size):
         m = drive.mass[i]
-        move[m], move[places + m] = 0.0, 0.0
+        move[m], move[slots + m] = 0.0, 0.0
     add_damping_product(body, state, matrix, v, v, -1.0, move)
     solve(problem, move)
     for m in range(1, body.masses + 1):
-        size = math.sqrt(move[m] * move[m] + move[places + m] * move[places + m])
+        size = math.sqrt(move[m] * move[m] + move[slots + m] * move[slots + m])
         if not size <= reach:
             factor = reach / size if size < 1e300 else 0.0
             move[m] = move[m] * factor if factor > 0.0 else 0.0
-            move[places + m] = move[places + m] * factor if factor > 0.0 else 0.0
+            move[slots + m] = move[slots + m] * factor if factor > 0.0 else 0.0
     part, after = 1.0, before
     for attempt in range(10):
         if attempt == 9:

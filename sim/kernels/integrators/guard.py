@@ -34,9 +34,9 @@ def sound(body, integrator, q, v, shortened):
 def _blame(body, integrator, q, v):
     """Enter in `integrator.counts` which mass shows what is wrong."""
     farthest, fastest = integrator.limits[0], integrator.limits[1]
-    places = q.size // 2
+    slots = q.size // 2
     for i in range(1, body.masses + 1):
-        for j in (i, places + i):
+        for j in (i, slots + i):
             what = GOOD
             if not (np.isfinite(q[j]) and np.isfinite(v[j])):
                 what = BAD_NUMBER

@@ -37,7 +37,7 @@ def kinks_matter(air, a, step, weight, tolerance):
     """Whether kinks make errors that are not far below the tolerance.
 
     Args:
-        air: (places) friction / mass, 1/px.
+        air: (slots) friction / mass, 1/px.
         a: flat accelerations, px/s²: what a velocity may become in a step after it was zero.
         step: length of a step, s.
         weight: of an acceleration's error, in that of a position after a step, over its square.
@@ -65,9 +65,9 @@ def any_turns(v, to_v):
 @kernel(fastmath=FAST)
 def without_kinks(air, v, to_v, to_a):
     """Make accelerations at the end of a step those of friction that has kept its sign."""
-    places = air.size
-    _keep_sign(air, v[:places], to_v[:places], to_a[:places])
-    _keep_sign(air, v[places:], to_v[places:], to_a[places:])
+    slots = air.size
+    _keep_sign(air, v[:slots], to_v[:slots], to_a[:slots])
+    _keep_sign(air, v[slots:], to_v[slots:], to_a[slots:])
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
@@ -86,14 +86,14 @@ def with_kinks(air, v, a, to_a, step, to_q, to_v):
     But for friction, accelerations are taken to change evenly, and not by much.
 
     Args:
-        air, v, a: (places) friction / mass, 1/px; flat velocities and accelerations at the start of the step.
+        air, v, a: (slots) friction / mass, 1/px; flat velocities and accelerations at the start of the step.
         to_a: flat accelerations at its end, with the old sign.
         step: its length, s.
         to_q, to_v: flat positions and velocities at its end, which are corrected.
     """
-    places = air.size
-    _add(air, v[:places], a[:places], to_a[:places], step, to_q[:places], to_v[:places])
-    _add(air, v[places:], a[places:], to_a[places:], step, to_q[places:], to_v[places:])
+    slots = air.size
+    _add(air, v[:slots], a[:slots], to_a[:slots], step, to_q[:slots], to_v[:slots])
+    _add(air, v[slots:], a[slots:], to_a[slots:], step, to_q[slots:], to_v[slots:])
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
@@ -127,17 +127,17 @@ def turn_past(air, v, to_v, past, head, known, back, step):
     """Give friction in past accelerations the new sign, where a velocity has turned.
 
     Args:
-        air, v, to_v: (places) friction / mass, 1/px; flat velocities before and after the latest step.
+        air, v, to_v: (slots) friction / mass, 1/px; flat velocities before and after the latest step.
         past: rows of flat accelerations, px/s², the latest one with the new sign.
         head, known: the row of the latest; how many rows are at equal distances in time.
         back: see `Adams`.
         step: that distance, s.
     """
-    places, first = air.size, (known - 1) * PAST
+    slots, first = air.size, (known - 1) * PAST
     for j in range(1, v.size - SPARE):
         now = to_v[j]
         if v[j] * now < 0.0:
-            twice = math.copysign(2.0 * air[j % places], now)
+            twice = math.copysign(2.0 * air[j % slots], now)
             p0, p1, p2 = past[head, j] + twice * now * now, past[ago(head, 1), j], past[ago(head, 2), j]
             p3, p4, p5 = past[ago(head, 3), j], past[ago(head, 4), j], past[ago(head, 5), j]
             p6, p7 = past[ago(head, 6), j], past[ago(head, 7), j]

@@ -68,8 +68,8 @@ def is_gentle(body, state, q, to_q, step):
 
 @kernel(noalias=True, fastmath=FAST)
 def _chain_is_gentle(body, inverse_mass, q, to_q):
-    places = q.size // 2
-    qx, qy, to_qx, to_qy = q[:places], q[places:], to_q[:places], to_q[places:]
+    slots = q.size // 2
+    qx, qy, to_qx, to_qy = q[:slots], q[slots:], to_q[:slots], to_q[slots:]
     turned = 0
     for s in range(whole_eights(body.springs)):
         x, y, to_x, to_y = (

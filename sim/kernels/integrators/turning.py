@@ -26,7 +26,7 @@ def remember(problem, step, least):
     Steps that together are shorter than `least`, s, count as one, since the next step is much longer.
     """
     matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
-    controller, places = integrator.controller, q.size // 2
+    controller, slots = integrator.controller, q.size // 2
     if 0.0 < controller[CONTROLLER_LAST] < least:
         controller[CONTROLLER_LAST] += step
         return
@@ -40,7 +40,7 @@ def remember(problem, step, least):
         for i in range(matrix.walk.size):
             m = matrix.walk[i]
             p = matrix.parent[m]
-            last[m], last[places + m] = q[m] - q[p], q[places + m] - q[places + p]
+            last[m], last[slots + m] = q[m] - q[p], q[slots + m] - q[slots + p]
     controller[CONTROLLER_LAST_BUT_ONE] = controller[CONTROLLER_LAST]
     controller[CONTROLLER_LAST] = step
 
@@ -53,7 +53,7 @@ def predict(problem, step, to_q, vector):
     hand, are where they are in `to_q` already; `vector` is scratch.
     """
     matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
-    controller, places = integrator.controller, q.size // 2
+    controller, slots = integrator.controller, q.size // 2
     last, older = integrator.history[1], integrator.history[2]
     h1, h0 = controller[CONTROLLER_LAST], controller[CONTROLLER_LAST_BUT_ONE]
     if h1 == 0.0:
@@ -64,8 +64,8 @@ def predict(problem, step, to_q, vector):
         c1, c0 = c1 * (1.0 + ratio), -step / h0 * ratio
     n = matrix.walk.size
     if matrix.straight:
-        x, y, to_x, to_y = q[:places], q[places:], vector[:places], vector[places:]
-        x1, y1, x0, y0 = last[:places], last[places:], older[:places], older[places:]
+        x, y, to_x, to_y = q[:slots], q[slots:], vector[:slots], vector[slots:]
+        x1, y1, x0, y0 = last[:slots], last[slots:], older[:slots], older[slots:]
         for s in range(n - 1):
             dx, dy = _extrapolated(
                 x[s + 2] - x[s + 1], y[s + 2] - y[s + 1], x1[s + 2], y1[s + 2], x0[s + 2], y0[s + 2], c1, c0
@@ -75,9 +75,9 @@ def predict(problem, step, to_q, vector):
     else:
         for i in range(n):
             m = matrix.walk[i]
-            p, k = matrix.parent[m], places + m
+            p, k = matrix.parent[m], slots + m
             vector[m], vector[k] = _extrapolated(
-                q[m] - q[p], q[k] - q[places + p], last[m], last[k], older[m], older[k], c1, c0
+                q[m] - q[p], q[k] - q[slots + p], last[m], last[k], older[m], older[k], c1, c0
             )
     _add_up(matrix, problem.state.inverse_mass, vector, to_q)
 
@@ -85,10 +85,10 @@ def predict(problem, step, to_q, vector):
 @kernel(internal=True, fastmath=FAST)
 def turn_and_stretch(matrix, inverse_mass, q, move, vector):
     """Apply an update to the positions q, turning and stretching each spring; `vector` is scratch."""
-    places, n = q.size // 2, matrix.walk.size
+    slots, n = q.size // 2, matrix.walk.size
     if matrix.straight:
-        x, y, to_x, to_y = q[:places], q[places:], vector[:places], vector[places:]
-        by_x, by_y = move[:places], move[places:]
+        x, y, to_x, to_y = q[:slots], q[slots:], vector[:slots], vector[slots:]
+        by_x, by_y = move[:slots], move[slots:]
         for s in range(n - 1):
             dx, dy = _updated(
                 x[s + 2] - x[s + 1],
@@ -98,34 +98,34 @@ def turn_and_stretch(matrix, inverse_mass, q, move, vector):
             )
             to_x[s + 2] = dx
             to_y[s + 2] = dy
-        for place in range(1, n + 1):  # not with a branch: that would not be vectorised
-            m = np.uint64(place)
+        for index in range(1, n + 1):  # not with a branch: that would not be vectorised
+            m = np.uint64(index)
             apart = (matrix.parent[m] == 0) | (inverse_mass[m] == 0.0)
             x[m] += by_x[m] if apart else 0.0
             y[m] += by_y[m] if apart else 0.0
     else:
         for i in range(n):
             m = matrix.walk[i]
-            p, k = matrix.parent[m], places + m
+            p, k = matrix.parent[m], slots + m
             vector[m], vector[k] = _updated(
-                q[m] - q[p], q[k] - q[places + p], move[m] - move[p], move[k] - move[places + p]
+                q[m] - q[p], q[k] - q[slots + p], move[m] - move[p], move[k] - move[slots + p]
             )
         for i in range(n):
             m = matrix.walk[i]
             if matrix.parent[m] == 0 or inverse_mass[m] == 0.0:
                 q[m] += move[m]
-                q[places + m] += move[places + m]
+                q[slots + m] += move[slots + m]
     _add_up(matrix, inverse_mass, vector, q)
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def _add_up(matrix, inverse_mass, vector, q):
     """Place all masses by the vectors to them, but those without a parent or in a hand."""
-    places = q.size // 2
+    slots = q.size // 2
     if matrix.straight:
-        x, y = q[1], q[places + 1]
-        for place in range(2, matrix.walk.size + 1):
-            m, k = np.uint64(place), np.uint64(places + place)
+        x, y = q[1], q[slots + 1]
+        for index in range(2, matrix.walk.size + 1):
+            m, k = np.uint64(index), np.uint64(slots + index)
             if matrix.parent[m] == 0 or inverse_mass[m] == 0.0:
                 x, y = q[m], q[k]
             else:
@@ -136,7 +136,7 @@ def _add_up(matrix, inverse_mass, vector, q):
             m = matrix.walk[i]
             p = matrix.parent[m]
             if not (p == 0 or inverse_mass[m] == 0.0):
-                q[m], q[places + m] = q[p] + vector[m], q[places + p] + vector[places + m]
+                q[m], q[slots + m] = q[p] + vector[m], q[slots + p] + vector[slots + m]
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -74,7 +74,7 @@ def run_verlet(problem, drive, end, tolerance, attempts):
     controller, count = integrator.controller, integrator.counts
     q, v, a, rows = state.q, state.v, integrator.a, integrator.rows
     to_q, to_v, to_a, driven, slope, to_slope = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]
-    places = q.size // 2
+    slots = q.size // 2
     farthest, fastest = integrator.limits[0], integrator.limits[1]
     t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
     if fixed > 0.0:
@@ -97,13 +97,13 @@ def run_verlet(problem, drive, end, tolerance, attempts):
             drive_to(body, state, drive, t + step, to_q, to_v)
             for k in range(drive.mass.size):
                 m = drive.mass[k]
-                driven[m], driven[places + m] = to_v[m], to_v[places + m]
+                driven[m], driven[slots + m] = to_v[m], to_v[slots + m]
         accelerate(problem, to_q, to_v, to_a)
         past = _PAST if near else 0.0
         change, far, fast, moved = _correct(q, v, a, to_a, half, past, to_q, to_v, to_slope)
         for k in range(drive.mass.size):
             m = drive.mass[k]
-            for j in (m, places + m):
+            for j in (m, slots + m):
                 to_v[j] = driven[j]
                 fast = max(fast, size_bits(driven[j]))
         error = 0.0

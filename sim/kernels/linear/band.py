@@ -118,19 +118,19 @@ def _derive_joints(body, state, q, v, g, law, joint_damped, definite, first, sta
     """The law, whether joints have damping, and `definite`, are constants where it is called: a loop each."""
     soft = body.softening
     for k in range(start, stop):
-        place, other, third = np.uint64(first + k + 1), first + k + 2, first + k + 3
-        vector, after = from_to(q, place, other), from_to(q, other, third)
+        index, other, third = np.uint64(first + k + 1), first + k + 2, first + k + 3
+        vector, after = from_to(q, index, other), from_to(q, other, third)
         rate, rate_after, damping, rest = (0.0, 0.0), (0.0, 0.0), 0.0, 0.0
         if joint_damped:
-            rate, rate_after = from_to(v, place, other), from_to(v, other, third)
-            damping = body.torque_damping[place]
+            rate, rate_after = from_to(v, index, other), from_to(v, other, third)
+            damping = body.torque_damping[index]
         if not is_sine(law):
-            rest = state.torque_rest[place]
+            rest = state.torque_rest[index]
         aa, ab, ba, bb = joint_blocks(
             law,
-            body.torque_size[place],
-            state.torque_cos[place],
-            state.torque_sin[place],
+            body.torque_size[index],
+            state.torque_cos[index],
+            state.torque_sin[index],
             rest,
             damping,
             vector,
@@ -175,7 +175,7 @@ def part(parts, i):
 @kernel(forceinline=True, fastmath=FAST)
 def _build_rows(state, v, a, g, first, start, stop, parts):
     """From how each spring answers to its own vector and to those of the two beside it."""
-    places = v.size // 2
+    slots = v.size // 2
     for k in range(start, stop):
         m = np.uint64(first + k + 1)
         w, drag = state.inverse_mass[m], 2.0 * state.air[m] * g
@@ -187,7 +187,7 @@ def _build_rows(state, v, a, g, first, start, stop, parts):
             diagonal[0] + a + drag * abs(v[m]),
             diagonal[1],
             diagonal[2],
-            diagonal[3] + a + drag * abs(v[np.uint64(places) + m]),
+            diagonal[3] + a + drag * abs(v[np.uint64(slots) + m]),
         )
         put(parts, at(L2, k), scaled(w, last_back))
         put(parts, at(L1, k), scaled(w, minus(last_own, plus(last_back, back))))

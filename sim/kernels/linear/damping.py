@@ -12,11 +12,11 @@ from ..core.vectors import from_to, inverse_of
 @kernel(forceinline=True, fastmath=FAST)
 def remember_directions(body, matrix, q):
     """Keep the springs' directions at positions q, for `add_damping_product`."""
-    places = q.size // 2
+    slots = q.size // 2
     ux, uy, inverse = matrix.ux, matrix.uy, matrix.inverse
     if body.chain:
         springs = whole_eights(body.springs)
-        _chain_directions(springs, body.softening, q[:places], q[places:], ux, uy, inverse)
+        _chain_directions(springs, body.softening, q[:slots], q[slots:], ux, uy, inverse)
     else:
         for s in range(body.springs):
             x, y = from_to(q, body.spring_a[s], body.spring_b[s])
@@ -37,12 +37,12 @@ def _chain_directions(springs, soft, x_of, y_of, ux, uy, inverse):
 def add_damping_product(body, state, matrix, v, z, factor, out):
     """out += factor Jv z, with Jv at velocities v and the positions last given to `remember_directions`."""
     eight_at_a_time()
-    places = z.size // 2
+    slots = z.size // 2
     if not body.chain or body.joint_damped:
         _add_any_damping(body, state, matrix, v, z, factor, out)
         return
-    zx, zy, vx, vy = z[:places], z[places:], v[:places], v[places:]
-    ox, oy = out[:places], out[places:]
+    zx, zy, vx, vy = z[:slots], z[slots:], v[:slots], v[slots:]
+    ox, oy = out[:slots], out[slots:]
     w, air, ux, uy, damping = state.inverse_mass, state.air, matrix.ux, matrix.uy, matrix.damping
     # Each mass asks both of its springs anew: to wait for what another loop stores takes longer.
     for i in range(1, whole_eights(body.masses) + 1):
@@ -54,9 +54,9 @@ def add_damping_product(body, state, matrix, v, z, factor, out):
 
 @kernel(fastmath=FAST)
 def _add_any_damping(body, state, matrix, v, z, factor, out):
-    places = z.size // 2
-    zx, zy = z[:places], z[places:]
-    ox, oy = out[:places], out[places:]
+    slots = z.size // 2
+    zx, zy = z[:slots], z[slots:]
+    ox, oy = out[:slots], out[slots:]
     w, air = state.inverse_mass, state.air
     ux, uy = matrix.ux, matrix.uy
     if body.damped:
@@ -72,7 +72,7 @@ def _add_any_damping(body, state, matrix, v, z, factor, out):
         _add_twist(body, w, matrix, zx, zy, factor, ox, oy)
     for i in range(1, body.masses + 1):
         ox[i] -= factor * 2.0 * air[i] * abs(v[i]) * zx[i]
-        oy[i] -= factor * 2.0 * air[i] * abs(v[places + i]) * zy[i]
+        oy[i] -= factor * 2.0 * air[i] * abs(v[slots + i]) * zy[i]
 
 
 @kernel(fastmath=FAST)

@@ -76,7 +76,7 @@ def assemble(body, state, matrix, q, v, g, definite):
 @kernel(internal=True, fastmath=FAST)
 def factorise_sparse(body, state, matrix, q, v, a, g, definite):
     """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
-    places = q.size // 2
+    slots = q.size // 2
     assemble(body, state, matrix, q, v, g, definite)
     blocks, start, column, diagonal = matrix.blocks, matrix.row_start, matrix.column, matrix.diagonal
     slot = matrix.slot
@@ -91,7 +91,7 @@ def factorise_sparse(body, state, matrix, q, v, a, g, definite):
             blocks[p] *= w
         d = 4 * diagonal[i]
         blocks[d] += a + drag * abs(v[m])
-        blocks[d + 3] += a + drag * abs(v[places + m])
+        blocks[d + 3] += a + drag * abs(v[slots + m])
         for p in range(start[i], diagonal[i]):
             k = column[p]
             e = 4 * diagonal[k]
@@ -118,7 +118,7 @@ def factorise_sparse(body, state, matrix, q, v, a, g, definite):
 @kernel(internal=True, fastmath=FAST)
 def solve_sparse(body, matrix, b):
     """Solve in place; b is flat, x of every place, then y."""
-    places = b.size // 2
+    slots = b.size // 2
     r, start, column, diagonal, order = (
         matrix.blocks,
         matrix.row_start,
@@ -128,18 +128,18 @@ def solve_sparse(body, matrix, b):
     )
     for i in range(body.masses):
         m = order[i]
-        x, y = b[m], b[places + m]
+        x, y = b[m], b[slots + m]
         for p in range(start[i], diagonal[i]):
             o = order[column[p]]
-            x -= r[4 * p] * b[o] + r[4 * p + 1] * b[places + o]
-            y -= r[4 * p + 2] * b[o] + r[4 * p + 3] * b[places + o]
-        b[m], b[places + m] = x, y
+            x -= r[4 * p] * b[o] + r[4 * p + 1] * b[slots + o]
+            y -= r[4 * p + 2] * b[o] + r[4 * p + 3] * b[slots + o]
+        b[m], b[slots + m] = x, y
     for i in range(body.masses - 1, -1, -1):
         m = order[i]
-        x, y = b[m], b[places + m]
+        x, y = b[m], b[slots + m]
         for p in range(diagonal[i] + 1, start[i + 1]):
             o = order[column[p]]
-            x -= r[4 * p] * b[o] + r[4 * p + 1] * b[places + o]
-            y -= r[4 * p + 2] * b[o] + r[4 * p + 3] * b[places + o]
+            x -= r[4 * p] * b[o] + r[4 * p + 1] * b[slots + o]
+            y -= r[4 * p + 2] * b[o] + r[4 * p + 3] * b[slots + o]
         d = 4 * diagonal[i]
-        b[m], b[places + m] = r[d] * x + r[d + 1] * y, r[d + 2] * x + r[d + 3] * y
+        b[m], b[slots + m] = r[d] * x + r[d + 1] * y, r[d + 2] * x + r[d + 3] * y

@@ -103,7 +103,7 @@ def _eliminate(blocks, p, near, far, k, check):
     Returns:
         `check`, and as much added to it: finite unless a pivot is singular.
     """
-    i, o = _place(p), CHUNK + 1 - k
+    i, o = _index(p), CHUNK + 1 - k
     last, older = i - np.uint64(_PAIR), i - np.uint64(2 * _PAIR)
     # What is above a pivot is towards the middle; that is below the diagonal in rows of the far end.
     lower2 = _beside(part(near, at(L2, k)), part(far, at(U2, o)))
@@ -134,7 +134,7 @@ def _eliminate(blocks, p, near, far, k, check):
 @kernel(forceinline=True, fastmath=_ORDERED)
 def _join(blocks, paired, near, k, second):
     """Eliminate from the first or the second of the last two rows those behind it."""
-    i, o = _place(paired - 1), _place(paired - 2)
+    i, o = _index(paired - 1), _index(paired - 2)
     rest = np.uint64(blocks.size - _REST)
     upper1, upper2, diagonal = part(near, at(U1, k)), part(near, at(U2, k)), part(near, at(D, k))
     if second:
@@ -191,7 +191,7 @@ def _less_product(a, b, c):
 
 
 @kernel(forceinline=True)
-def _place(p):
+def _index(p):
     """Where `Matrix.blocks` has pair p."""
     return np.uint64(_PAIR * (p + _BEFORE))
 
@@ -319,7 +319,7 @@ def solve_chain(body, matrix, b):
 
 @kernel(forceinline=True, fastmath=_ORDERED)
 def _forwards(r, p, lane, x, y, m, last):
-    m, i = np.uint64(m), _place(p)
+    m, i = np.uint64(m), _index(p)
     x1, y1, x2, y2 = last
     inverse = _one(r, _of(i, _INVERSE + lane))
     to_x, to_y = inverse[0] * x[m] + inverse[1] * y[m], inverse[2] * x[m] + inverse[3] * y[m]
@@ -331,7 +331,7 @@ def _forwards(r, p, lane, x, y, m, last):
 
 @kernel(forceinline=True, fastmath=_ORDERED)
 def _backwards(r, p, lane, x, y, m, last):
-    m, i = np.uint64(m), _place(p)
+    m, i = np.uint64(m), _index(p)
     x1, y1, x2, y2 = last
     to_x, to_y = _taken(x[m], y[m], _one(r, _of(i, _TO2 + lane)), x2, y2)
     to_x, to_y = _taken(to_x, to_y, _one(r, _of(i, _TO1 + lane)), x1, y1)
