@@ -49,7 +49,7 @@ def _is_node(message: dict[str, Any]) -> bool:
 
 
 def _moves(message: dict[str, Any]) -> bool:
-    return message.get("name") == NODE and "batched_positions" in message.get("updates", {})
+    return message.get("name") == NODE and any(array in message.get("updates", {}) for array in ("points", "batched_positions"))
 
 
 def _runs(message: dict[str, Any]) -> bool:

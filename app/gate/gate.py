@@ -13,12 +13,13 @@ import asyncio
 import contextlib
 import dataclasses
 import functools
+import gzip
 import logging
 import socket
 import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from http import HTTPStatus
 from typing import Any
 
@@ -26,6 +27,7 @@ import viser
 import viser._messages
 import websockets.asyncio.server
 from websockets.asyncio.server import Server, ServerConnection
+from websockets.datastructures import Headers
 from websockets.frames import Frame, Opcode
 from websockets.http11 import Request, Response
 from websockets.protocol import Event
@@ -74,6 +76,22 @@ EXTRA_FRAME_BURST = 2000.0
 MAX_QUEUED_FRAMES = 4
 
 PAGE_PATHS = ("/", "/index.html")
+
+
+@dataclasses.dataclass(frozen=True)
+class StaticFile:
+    """A file that is served in place of viser's.
+
+    Attributes:
+        content: compressed with gzip.
+        content_type: MIME type.
+        cache_control: the header of that name.
+    """
+
+    content: bytes
+    content_type: str
+    cache_control: str
+
 
 SAFETY_HEADERS = {
     # No other site may show the page in a frame and steer clicks on it.
@@ -150,8 +168,14 @@ class _Upload:
 class Gate:
     """Decides what reaches a viser server, and counts what does not."""
 
-    def __init__(self, hosts: frozenset[str], on_oversized: Callable[[int, str], None]) -> None:
+    def __init__(
+        self,
+        hosts: frozenset[str],
+        on_oversized: Callable[[int, str], None],
+        files: Mapping[str, StaticFile],
+    ) -> None:
         self.refused: Counter[Reason] = Counter()
+        self._files = files
         self._hosts = hosts
         self._on_oversized = on_oversized
         self._server: viser.ViserServer | None = None
@@ -173,6 +197,8 @@ class Gate:
             response = connection.respond(status, sentence + "\n")
             if status is HTTPStatus.TEMPORARY_REDIRECT:
                 response.headers["Location"] = PAGE_PATHS[0]
+        elif (file := self._files.get(request.path)) is not None and "Upgrade" not in request.headers:
+            response = _respond(file, request)
         else:
             response = viser_answer(connection, request)
         if response is None:
@@ -194,7 +220,7 @@ class Gate:
             # viser's page would connect to whatever server a query names and run its scripts.
             if query:
                 return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no parameters."
-            if path not in PAGE_PATHS:
+            if path not in PAGE_PATHS and path not in self._files:
                 return "path", HTTPStatus.NOT_FOUND, "There is no such page."
             return None
         if upgrade != ["websocket"]:
@@ -302,6 +328,21 @@ class Gate:
         return tab.client.gui._gui_input_handle_from_uuid.get(uuid)
 
 
+def _respond(file: StaticFile, request: Request) -> Response:
+    compressed = "gzip" in request.headers.get("Accept-Encoding", "")
+    body = file.content if compressed else gzip.decompress(file.content)
+    headers = Headers(
+        {
+            "Content-Type": f"{file.content_type}; charset=utf-8",
+            "Content-Length": str(len(body)),
+            "Content-Encoding": "gzip" if compressed else "identity",
+            "Cache-Control": file.cache_control,
+            "Connection": "close",
+        }
+    )
+    return Response(HTTPStatus.OK.value, HTTPStatus.OK.phrase, headers, body)
+
+
 class GatedServer(viser.ViserServer):
     """A viser server behind its gate."""
 
@@ -320,13 +361,14 @@ def open_server(
     label: str | None = None,
     on_oversized: Callable[[int, str], None] | None = None,
     extra_hosts: Sequence[str] = (),
+    files: Mapping[str, StaticFile] | None = None,
 ) -> GatedServer:
     """Serve viser's page on `host` and `port` (0 for any free port) behind the gate.
 
     `on_oversized` is called on the event loop, where it must not block, with the client id and the file
     name when a page tries to upload too large a file; the name is the browser's, so show it as plain text.
     `extra_hosts` are further names the page is reached by, with their port if it is not `port`
-    (``"localhost:9000"`` for a forwarded one).
+    (``"localhost:9000"`` for a forwarded one). `files` are served by their paths, before viser's own.
 
     Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place.
     """
@@ -335,7 +377,7 @@ def open_server(
     listener = listen(host, port)
     address, port = listener.getsockname()[:2]
     hosts = own_authorities(address, host, port, extra_hosts)
-    gate = Gate(hosts, on_oversized or (lambda client_id, filename: None))
+    gate = Gate(hosts, on_oversized or (lambda client_id, filename: None), files or {})
     # The server gets a duplicate of the socket. This one holds the port until then, and is closed whatever
     # happens.
     with listener, _in_front_of_viser(gate, listener) as calls:

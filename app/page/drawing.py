@@ -1,6 +1,7 @@
-"""From a simulation's state to the arrays that the page's nodes take: pure numpy, no viser.
+"""What the drawing of a scene needs besides where its masses are: pure numpy, no viser.
 
-Every kind of thing is one instanced node: all masses, all springs, all wedges, all pins.
+Every kind of thing is one instanced node: all masses, all springs, all wedges, all pins. The page's script
+makes their instances from the positions.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 
 from sim import Scene
 
-from .colors import Palette, blend, sent
+from .colors import Palette, sent
 from .shapes import COILS
 
 Floats = NDArray[np.float64]
@@ -22,36 +23,13 @@ MANY = 40
 to send."""
 
 WEDGE_SLICES = 6
-FULL_STRAIN = 0.10
-"""Relative stretch at which a spring has the full colour."""
-
-FULL_DEVIATION = 30.0
-"""Degrees off the rest angle at which a wedge has the full colour."""
-
-GHOST_WIDTH = 0.025
-"""Of a second body's springs, in the world."""
 
 WORLD_SIZE = 6.0
 """What the longer side of the scene's frame measures in the page's world."""
 
-# Depths: the page draws what is nearer later. The coil is 0.01 thick.
-Z_GIZMO = -0.3
-"""Behind the masses, so that a press on a mass takes hold of the mass and not of an arrow across it."""
-
-Z_GRID, Z_PIN, Z_SPRING, Z_WEDGE, Z_RING, Z_RIM, Z_MASS, Z_SHINE = (
-    -0.4,
-    -0.15,
-    -0.12,
-    -0.06,
-    0.0,
-    0.02,
-    0.03,
-    0.04,
-)
-
-
-Z_GHOST = 0.06
-"""Over the body: a thin line beside which the body stays visible."""
+Z_GRID, Z_GIZMO = -0.4, -0.3
+"""Depths in the world: the page draws what is nearer later. The body lies in front of both (static/draw.js).
+A press on a mass takes hold of the mass, not of a gizmo's arrow across it."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +63,7 @@ class Mapping:
 
 
 class Sketch:
-    """Everything about a scene's drawing that does not move, and the arrays of what does.
+    """Everything about a scene's drawing that does not move.
 
     Attributes:
         mapping: px to world.
@@ -112,7 +90,6 @@ class Sketch:
         leaves = (ends_b[:, :1] == ends_a).any(1)
         self.joint_mass = np.where(leaves, ends_b[:, 0], ends_b[:, 1])
         self.joint_sense = np.where(leaves, 1.0, -1.0)
-        self.wedge_radius = 2.6 * self.radius[self.joint_mass] if n else np.zeros(0)
         self.thickness = self._spring_thickness()
         self.spring_shape = self._spring_shape()
 
@@ -132,17 +109,6 @@ class Sketch:
         slimness = float(np.median(np.maximum(self.rest_length * self.mapping.scale, 1e-9) / self.thickness))
         return min(COILS, key=lambda name: abs(np.log(COILS[name] / slimness)))
 
-    # --------------------------------------------------------------------- masses
-    def masses(self, positions: Floats) -> Floats:
-        """(3n, 3) places of the discs: rims, then fills, then shines."""
-        world = self.mapping.to_world(positions)
-        shine = world + np.column_stack((-0.3 * self.radius, 0.3 * self.radius, np.full(len(world), Z_SHINE)))
-        return np.vstack((_raised(world, Z_RIM), _raised(world, Z_MASS), shine))
-
-    def mass_scales(self) -> Floats:
-        """(3n,) radii of the discs."""
-        return np.concatenate((self.radius, 0.8 * self.radius, 0.22 * self.radius))
-
     def mass_colors(self) -> NDArray[np.uint8]:
         """(3n, 3) colours of the discs."""
         n = len(self.radius)
@@ -153,95 +119,18 @@ class Sketch:
         shine = fill + (255.0 - fill) * 0.55
         return sent(np.vstack((np.tile(self.palette.ink, (n, 1)), fill, shine)))
 
-    def pins(self, positions: Floats) -> Floats:
-        """(h, 3) places of the supports of held masses, the driven one left out."""
-        return self.mapping.to_world(positions[self.pinned], Z_PIN)
+    def ink_colors(self) -> NDArray[np.uint8]:
+        """(3, 3) colours of the supports, the ring and the ghost."""
+        return sent(np.vstack((self.palette.held, self.palette.driven, self.palette.driven)))
 
     @property
     def pinned(self) -> NDArray[np.int64]:
         """Held masses that are not driven."""
         return self.held[self.held != self.driven] if self.driven is not None else self.held
 
-    # --------------------------------------------------------------------- springs
-    def spring_arrays(
-        self, positions: Floats, scale: float
-    ) -> tuple[Floats, Floats, Floats, NDArray[np.uint8]]:
-        """Places (S, 3), turns (S, 4), scales (S, 3), colours (S, 3); `scale` multiplies the rest lengths."""
-        world = self.mapping.to_world(positions)
-        start = world[self.springs[:, 0]]
-        vector = world[self.springs[:, 1], :2] - start[:, :2]
-        length = np.hypot(vector[:, 0], vector[:, 1])
-        rest = np.maximum(self.rest_length * (scale * self.mapping.scale), 1e-9)
-        strain = np.clip((length / rest - 1.0) / FULL_STRAIN, -1.0, 1.0)
-        colors = np.where(
-            strain[:, None] > 0.0,
-            blend(self.palette.rest, self.palette.pulled, strain),
-            blend(self.palette.rest, self.palette.pushed, -strain),
-        )
-        # A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
-        width = self.thickness if self.many else self.thickness * np.clip(np.sqrt(rest / length), 0.5, 1.2)
-        scales = np.column_stack((length, width, np.ones(len(length))))
-        return (
-            _raised(start, Z_SPRING),
-            turns(np.arctan2(vector[:, 1], vector[:, 0])),
-            scales,
-            sent(colors),
-        )
-
-    # --------------------------------------------------------------------- wedges
-    def wedge_arrays(
-        self, positions: Floats, deviations: Floats
-    ) -> tuple[Floats, Floats, Floats, NDArray[np.uint8]]:
-        """The wedges from rest angle to present angle, each of `slices` thin triangles.
-
-        Args:
-            positions: (n, 2) px.
-            deviations: (J,) present angle minus rest angle, degrees in (-180, 180].
-
-        Returns:
-            Places (J slices, 3), turns (.., 4), scales (.., 3) and colours (.., 3).
-        """
-        m = self.slices
-        world = self.mapping.to_world(positions, Z_WEDGE)
-        ends = world[self.springs[self.joint_b]][:, :, :2]
-        vector = (ends[:, 1] - ends[:, 0]) * self.joint_sense[:, None]
-        off = np.radians(deviations) * self.mapping.flip
-        # From where spring b would be at the rest angle, slice by slice, to where it is.
-        middle = np.arctan2(vector[:, 1], vector[:, 0])[:, None] - off[:, None] * (
-            1 - (np.arange(m) + 0.5) / m
-        )
-        half = np.minimum(np.abs(off) / m, 3.0) / 2.0
-        # A slice wider than a right angle would be a long needle of a triangle; those are drawn shorter.
-        reach = self.wedge_radius * np.cos(np.minimum(half, 1.2)) if m == 1 else self.wedge_radius
-        base = 2.0 * reach * np.tan(np.minimum(half, 1.2))
-        scales = np.column_stack((reach, base, np.ones(len(reach)))).repeat(m, axis=0)
-        part = np.clip(np.abs(deviations) / FULL_DEVIATION, 0.15, 1.0)
-        full = np.where(deviations[:, None] > 0.0, self.palette.torque_plus, self.palette.torque_minus)
-        colors = sent(self.palette.paper + (full - self.palette.paper) * part[:, None])
-        return (
-            world[self.joint_mass].repeat(m, axis=0),
-            turns(middle.ravel()),
-            scales,
-            colors.repeat(m, axis=0),
-        )
-
-    # --------------------------------------------------------------------- ghost
-    def ghost_arrays(self, positions: Floats) -> tuple[Floats, Floats, Floats]:
-        """Places, turns and scales of the thin bars that stand for the springs of a second body."""
-        world = self.mapping.to_world(positions, Z_GHOST)
-        start = world[self.springs[:, 0]]
-        vector = world[self.springs[:, 1], :2] - start[:, :2]
-        length = np.hypot(vector[:, 0], vector[:, 1])
-        width = np.full(len(length), GHOST_WIDTH)
-        return (
-            start,
-            turns(np.arctan2(vector[:, 1], vector[:, 0])),
-            np.column_stack((length, width, np.ones(len(length)))),
-        )
-
     # --------------------------------------------------------------------- paper
     def grid(self, scene: Scene) -> tuple[Floats, Floats, Floats, NDArray[np.uint8]]:
-        """Thin bars of a grid far beyond the frame; as `spring_arrays`."""
+        """Thin bars far beyond the frame: positions (k, 3), turns (k, 4), scales (k, 3), colours (k, 3)."""
         xmin, ymin, xmax, ymax = scene.view.frame
         size = max(xmax - xmin, ymax - ymin)
         major = nice(size / 5.0)
@@ -261,10 +150,6 @@ class Sketch:
         scales = np.column_stack((np.full(len(places), length), width, np.ones(len(places))))
         colors = np.where(np.tile(is_major, 2)[:, None], self.palette.grid_major, self.palette.grid)
         return places, turns(angles), scales, sent(colors)
-
-
-def _raised(points: Floats, z: float) -> Floats:
-    return points + np.array((0.0, 0.0, z))
 
 
 def turns(angles: Floats) -> Floats:

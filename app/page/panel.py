@@ -81,7 +81,6 @@ class Panel:
         self._hud = gui.add_html("")
         self._state = gui.add_html("")
         self._style = gui.add_html("")
-        gui.add_html(script.script_html(_id(self.channel)))
         self.tabs = gui.add_tab_group()
         self._build_play(scenes)
         self._body_tab = self.tabs.add_tab("Body")
@@ -292,7 +291,8 @@ class Panel:
 
     def set_state(self, scene: str) -> None:
         """Tell the page's script about the scene and the follow switch."""
-        content = script.state_html(scene, self._session.scene.view.frame, self._session.follow)
+        session = self._session
+        content = script.state_html(_id(self.channel), scene, session.scene.view.frame, session.follow)
         if self._state.content != content:
             self._state.content = content
 

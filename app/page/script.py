@@ -1,24 +1,19 @@
-"""The page's script and styles, and the messages that the script sends.
+"""What is told to the page's script (in `static`), and the messages that it sends.
 
-viser puts the content of an HTML element into the page as it is, so an image that cannot be loaded runs
-the script. Only softrod's own text ever goes into such an element; what comes from users is escaped.
+viser puts the content of an HTML element into the page as it is: what comes from users is escaped.
 """
 
 from __future__ import annotations
 
-import base64
 import html
 import math
 import re
-from functools import cache
-from pathlib import Path
 
 from ..session import commands
 from ..session.commands import Command
 from .colors import Palette
 from .drawing import WORLD_SIZE, Mapping
 
-_FOLDER = Path(__file__).parent / "static"
 _KEYS = {"U": "up", "D": "down", "L": "left", "R": "right"}
 _NUMBER = r"-?\d{1,7}(?:\.\d{1,6})?"
 _MESSAGE = re.compile(
@@ -32,17 +27,6 @@ ONCE: dict[str, Command] = {
     "reset": commands.Reset(),
 }
 """Commands that the script sends by a word; `follow` is the tab's, which knows the switch."""
-
-
-@cache
-def _text(name: str) -> str:
-    return (_FOLDER / name).read_text(encoding="utf-8")
-
-
-def script_html(channel: str) -> str:
-    """The element that starts the script; `channel` is the id of the hidden text element it sends through."""
-    code = base64.b64encode(_text("page.js").replace("%CHANNEL%", channel).encode()).decode()
-    return f"""<img alt="" style="display:none" src="data:," onerror="(0,eval)(atob('{code}'))">"""
 
 
 def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], bare: str) -> str:
@@ -70,15 +54,23 @@ def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], bare
         "warn": "#ff922b" if dark else "#c2410c",
     }
     variables = ";".join(f"--softrod-{name}:{value}" for name, value in root.items())
-    return f"<style>:root{{{variables}}}{_text('page.css')}{hide}</style>"
+    return f"<style>:root{{{variables}}}{hide}</style>"
 
 
-def state_html(scene: str, frame: tuple[float, float, float, float], follow: bool) -> str:
-    """What the script has to know: which scene it is, the size of its frame in the world, who follows."""
+def state_html(channel: str, scene: str, frame: tuple[float, float, float, float], follow: bool) -> str:
+    """What the script has to know.
+
+    Args:
+        channel: id of the hidden text element that it sends through.
+        scene: another text for every scene, or for every time that it is to be fitted to the window.
+        frame: xmin, ymin, xmax, ymax of the scene, px.
+        follow: whether the driven mass follows the pointer.
+    """
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
     width, height = (frame[2] - frame[0]) * size, (frame[3] - frame[1]) * size
     return (
-        f'<div id="softrod-state" hidden data-scene="{html.escape(scene)}" data-width="{width:.6f}" '
+        f'<div id="softrod-state" hidden data-channel="{html.escape(channel)}" data-scene="{html.escape(scene)}" '
+        f'data-width="{width:.6f}" '
         f'data-height="{height:.6f}" data-follow="{int(follow)}"></div>'
     )
 

@@ -6,6 +6,7 @@ viser's event loop or in its pool, only post commands and requests.
 
 from __future__ import annotations
 
+import time
 from collections import deque
 from typing import Any, Literal
 
@@ -21,7 +22,8 @@ from . import readouts, script
 from .drawing import Mapping
 from .files_panel import FilesPanel
 from .panel import Panel, set_theme
-from .view import Canvas, Picture, Touch
+from .plan import Picture
+from .view import Canvas, Touch
 
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
@@ -50,6 +52,7 @@ class Tab:
         self._gizmos = True
         self._generation = -1
         self._fits = 0
+        self._planned = -1
         self._readouts_due = 0.0
         self._moved_at = 0.0
         self._was_at_rest = False
@@ -61,7 +64,7 @@ class Tab:
         self._session: Session | None = None
         self._mapping = Mapping.of(scene)
         self._view.build(scene, self._dark)
-        self._view.draw(Picture.at_start(scene))
+        self._view.draw(Picture.at_start(scene), time.monotonic())
 
     # --------------------------------------------------------------------- handlers, any thread
     def request(self, what: str, argument: Any) -> None:
@@ -93,6 +96,8 @@ class Tab:
         session.drain()
         if session.generation != self._generation:
             self._rebuild(session)
+        if session.revision != self._planned:
+            self._plan(session)
         self._prepare(session)
         session.tick(budget)
         self._show(session)
@@ -138,14 +143,20 @@ class Tab:
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
         scene = session.scene
-        self._mapping = Mapping.of(scene)
-        self._view.build(scene, self._dark)
+        self._plan(session)
         self._view.show_gizmos(self._gizmos)
         self._panel.build(scene.name)
         self._panel.set_scenes(self._scene_names(scene.name), scene.name)
         self._panel.set_style(self._dark)
         self._moved_at = session.now()
         self._generation = session.generation
+
+    def _plan(self, session: Session) -> None:
+        """Tell the page of the body, as far as it is another one."""
+        simulation = session.simulation
+        self._planned = session.revision
+        self._mapping = Mapping.of(session.scene)
+        self._view.build(session.scene, self._dark, simulation.rest_angles - simulation.rest_angle_shift)
 
     def _show(self, session: Session) -> None:
         """Send the picture, the texts and the controls, as far as they changed."""
@@ -157,6 +168,7 @@ class Tab:
         ghost = session.ghost
         if self._view.draw(
             Picture.of(session.simulation, ghost.simulation if ghost and not ghost.waits else None),
+            now,
             force=changed or not running,
         ):
             self._moved_at = now

@@ -1,7 +1,7 @@
 """One page's picture: the viser nodes of its scene, which belong to that page alone.
 
-Only what changed is sent: a frame in which nothing moved by a tenth of a pixel sends nothing, and an array
-that is the same as before is not sent again.
+The nodes are empty: the page's script fills them in from the plan of the body and the positions of its
+masses. A frame in which nothing moved by a tenth of a pixel is not sent.
 """
 
 from __future__ import annotations
@@ -14,10 +14,11 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
-from sim import Scene, Simulation
+from sim import Scene
 
-from .colors import palette, sent_one
-from .drawing import Z_GIZMO, Z_RING, Floats, Sketch
+from .colors import palette
+from .drawing import Z_GIZMO, Floats, Sketch
+from .plan import Picture, encode_frame, encode_plan
 from .shapes import meshes
 
 STILL = 0.1
@@ -26,42 +27,11 @@ STILL = 0.1
 MAX_GIZMOS = 12
 """Gizmos are one node each; held masses beyond so many are dragged by themselves."""
 
+_PLAN, _FRAME = "/softrod/plan", "/softrod/frame"
+"""Nodes that only carry arrays to the page's script (static/canvas.js)."""
+
 # Ambient light only and no shadows: every mesh shows its own colour, and software rendering is twice as fast.
 _FLAT: dict[str, Any] = {"material": "toon3", "lod": "off", "cast_shadow": False, "receive_shadow": False}
-
-
-@dataclass(frozen=True)
-class Picture:
-    """What is to be drawn.
-
-    Attributes:
-        positions: (n, 2) px.
-        deviations: (J,) present angle minus rest angle, degrees in (-180, 180].
-        rest_length_scale: factor of the rest lengths.
-        ghost: (n, 2) px, where the masses of a second body are, or None.
-    """
-
-    positions: Floats
-    deviations: Floats
-    rest_length_scale: float
-    ghost: Floats | None = None
-
-    @staticmethod
-    def of(simulation: Simulation, ghost: Simulation | None = None) -> Picture:
-        """The present state, and that of a second body."""
-        off = simulation.angles - simulation.rest_angles
-        return Picture(
-            simulation.positions,
-            180.0 - (180.0 - off) % 360.0,
-            simulation.rest_length_scale,
-            ghost.positions if ghost is not None else None,
-        )
-
-    @staticmethod
-    def at_start(scene: Scene) -> Picture:
-        """The start of a scene, when there is no simulation yet; without the joints."""
-        starts = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
-        return Picture(np.array(starts, float), np.zeros(len(scene.angular_springs)), scene.rest_length_scale)
 
 
 @dataclass(frozen=True)
@@ -91,38 +61,68 @@ class Canvas:
         self._on_touch = on_touch
         self._on_click = on_click
         self._nodes: dict[str, Any] = {}
-        self._sent: dict[tuple[str, str], NDArray[Any]] = {}
         self._gizmos: list[tuple[int, viser.TransformControlsHandle]] = []
-        self._built: tuple[Scene, bool] | None = None
+        self._built: tuple[Any, ...] = ()
+        self._plan: NDArray[np.float32] | None = None
+        self._plan_number = 0
         self._drawn: Picture | None = None
         self._gizmo_in_hand: int | None = None
         self.sketch: Sketch | None = None
 
-    def build(self, scene: Scene, dark: bool) -> None:
-        """Put up the nodes of a scene, in place of those of the one before; `draw` then fills them in."""
-        if self._built == (scene, dark):
-            return
+    def build(self, scene: Scene, dark: bool, rest_angles: Floats | None = None) -> None:
+        """Put up what a scene needs, as far as it is not there yet; `draw` then says where the masses are.
+
+        Args:
+            scene: the scene.
+            dark: whether the page is dark.
+            rest_angles: (J,) degrees without the arrow keys' shift; None for the scene's own.
+        """
+        self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
+        shape = (scene.view, dark, *self._kinds(sketch), *sketch.held.tolist())
+        if rest_angles is None:
+            rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])
         with self._client.atomic():
-            self._clear()
-            self._built = (scene, dark)
-            self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
-            places, angles, scales, colors = sketch.grid(scene)
-            self._add("grid", "bar", len(places), colors, places, angles, scales)
-            n, springs, joints = len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)
-            if springs:
-                self._add("springs", sketch.spring_shape, springs)
-            if joints:
-                self._add("wedges", "slice", joints * sketch.slices)
-            if len(sketch.pinned):
-                size = 2.0 * sketch.radius[sketch.pinned]
-                held = np.tile(sent_one(sketch.palette.held), (len(size), 1)).astype(np.uint8)
-                self._add("pins", "pin", len(size), held, scales=size)
-            if sketch.driven is not None:
-                size = 1.75 * sketch.radius[[sketch.driven]]
-                drive = np.array([sent_one(sketch.palette.driven)], np.uint8)
-                self._add("ring", "ring", 1, drive, scales=size)
-            masses = self._add("masses", "disc", 3 * n, sketch.mass_colors(), scales=sketch.mass_scales())
-            self._listen(masses, n)
+            if shape != self._built:
+                self._clear()
+                self._built = shape
+                self._add_nodes(scene, sketch)
+            plan = encode_plan(0, sketch, rest_angles)
+            if self._plan is None or not np.array_equal(plan, self._plan):
+                self._plan = plan
+                self._plan_number += 1
+                self._nodes[_PLAN].points = encode_plan(self._plan_number, sketch, rest_angles)
+                self._drawn = None
+
+    @staticmethod
+    def _kinds(sketch: Sketch) -> tuple[Any, ...]:
+        """Which kinds of things there are to draw."""
+        return (
+            sketch.spring_shape if len(sketch.springs) else "",
+            len(sketch.joint_a) > 0,
+            len(sketch.pinned) > 0,
+            sketch.driven,
+        )
+
+    def _add_nodes(self, scene: Scene, sketch: Sketch) -> None:
+        # The page's script takes these two for itself; viser never sees them.
+        for name in (_PLAN, _FRAME):
+            self._nodes[name] = self._client.scene.add_point_cloud(
+                name, np.zeros((1, 3)), (0, 0, 0), precision="float32", visible=False
+            )
+        self._plan = None
+        springs, joints, pins, driven = self._kinds(sketch)
+        positions, angles, scales, colors = sketch.grid(scene)
+        self._add("/paper", "bar", positions, angles, scales, colors)
+        for name, mesh in (
+            ("springs", springs),
+            ("wedges", "slice" if joints else ""),
+            ("pins", "pin" if pins else ""),
+            ("ring", "ring" if driven is not None else ""),
+            ("masses", "disc"),
+        ):
+            if mesh:
+                self._add_empty(f"/body/{name}", mesh)
+        self._listen(self._nodes["/body/masses"])
 
     def show_gizmos(self, on: bool) -> None:
         """Put up a gizmo at each held mass, or take them away."""
@@ -133,10 +133,12 @@ class Canvas:
                     self._add_gizmos(self.sketch)
             self._drawn = None  # so that the next picture puts them in place
 
-    def draw(self, picture: Picture, force: bool = False) -> bool:
-        """Send what changed since the last picture, and return whether anything did.
+    def draw(self, picture: Picture, now: float, force: bool = False) -> bool:
+        """Send a picture, if it differs from the one before, and return whether it does.
 
         Args:
+            picture: of the scene that was built last.
+            now: wall time, s.
             force: send even the smallest movement, so that a paused picture is exact.
         """
         sketch = self.sketch
@@ -144,40 +146,23 @@ class Canvas:
             return False
         self._drawn = picture
         with self._client.atomic():
-            positions = picture.positions
-            if "springs" in self._nodes:
-                self._put("springs", *sketch.spring_arrays(positions, picture.rest_length_scale))
-            if "wedges" in self._nodes:
-                self._put("wedges", *sketch.wedge_arrays(positions, picture.deviations))
-            if "pins" in self._nodes:
-                self._put("pins", sketch.pins(positions))
-            if sketch.driven is not None:
-                self._put("ring", sketch.mapping.to_world(positions[[sketch.driven]], Z_RING))
-            self._put("masses", sketch.masses(positions))
-            self._draw_ghost(sketch, picture.ghost)
+            self._show_ghost(picture.ghost is not None)
+            self._nodes[_FRAME].points = encode_frame(self._plan_number, now, picture)
             for mass, gizmo in self._gizmos:
                 # While a gizmo is dragged it belongs to the pointer.
                 if mass != self._gizmo_in_hand:
-                    place = sketch.mapping.to_world(positions[[mass]], Z_GIZMO)[0]
-                    if not np.array_equal(place, gizmo.position):
-                        gizmo.position = place
+                    position = sketch.mapping.to_world(picture.positions[[mass]], Z_GIZMO)[0]
+                    if not np.array_equal(position, gizmo.position):
+                        gizmo.position = position
         return True
 
     # --------------------------------------------------------------------- inside
-    def _draw_ghost(self, sketch: Sketch, positions: Floats | None) -> None:
+    def _show_ghost(self, wanted: bool) -> None:
         """A second body is there only while it is compared with."""
-        if positions is None or not len(sketch.springs):
-            node = self._nodes.pop("ghost", None)
-            if node is not None:
-                node.remove()
-                for key in [key for key in self._sent if key[0] == "ghost"]:
-                    del self._sent[key]
-            return
-        if "ghost" not in self._nodes:
-            count = len(sketch.springs)
-            color = np.tile(sent_one(sketch.palette.driven), (count, 1)).astype(np.uint8)
-            self._add("ghost", "bar", count, color)
-        self._put("ghost", *sketch.ghost_arrays(positions))
+        if wanted and "/body/ghost" not in self._nodes:
+            self._add_empty("/body/ghost", "bar")
+        elif not wanted and "/body/ghost" in self._nodes:
+            self._nodes.pop("/body/ghost").remove()
 
     def _is_still(self, picture: Picture) -> bool:
         drawn, sketch = self._drawn, self.sketch
@@ -189,7 +174,7 @@ class Canvas:
         moved = np.abs(picture.positions - drawn.positions).max(initial=0.0)
         if drawn.ghost is not None and picture.ghost is not None:
             moved = max(moved, np.abs(picture.ghost - drawn.ghost).max(initial=0.0))
-        turned = np.abs(picture.deviations - drawn.deviations).max(initial=0.0)
+        turned = abs(picture.rest_angle_shift - drawn.rest_angle_shift)
         grown = abs(picture.rest_length_scale / drawn.rest_length_scale - 1.0)
         return bool(moved < STILL * pixel and turned < 0.5 and grown < 1e-3)
 
@@ -197,7 +182,6 @@ class Canvas:
         for node in self._nodes.values():
             node.remove()
         self._nodes.clear()
-        self._sent.clear()
         self._remove_gizmos()
         self._drawn = None
 
@@ -207,67 +191,45 @@ class Canvas:
         self._gizmos.clear()
         self._gizmo_in_hand = None
 
+    def _add_empty(self, name: str, mesh: str) -> None:
+        """A node that the page's script fills in."""
+        self._add(name, mesh, np.zeros((1, 3)), np.array([[1.0, 0.0, 0.0, 0.0]]), np.full((1, 3), 1e-6))
+
     def _add(
         self,
         name: str,
-        shape: str,
-        count: int,
+        mesh: str,
+        positions: Floats,
+        wxyzs: Floats,
+        scales: Floats,
         colors: NDArray[np.uint8] | None = None,
-        places: Floats | None = None,
-        angles: Floats | None = None,
-        scales: Floats | None = None,
-    ) -> viser.BatchedMeshHandle:
-        if angles is None:
-            angles = np.tile((1.0, 0.0, 0.0, 0.0), (count, 1))
-        mesh = meshes()[shape]
-        node = self._client.scene.add_batched_meshes_simple(
-            f"/body/{name}",
-            mesh.vertices,
-            mesh.faces,
-            batched_wxyzs=angles,
-            batched_positions=np.zeros((count, 3)) if places is None else places,
-            batched_scales=np.full((count, 3), 1e-6) if scales is None else scales,
-            batched_colors=np.zeros((count, 3), np.uint8) if colors is None else colors,
+    ) -> None:
+        shape = meshes()[mesh]
+        self._nodes[name] = self._client.scene.add_batched_meshes_simple(
+            name,
+            shape.vertices,
+            shape.faces,
+            batched_wxyzs=wxyzs,
+            batched_positions=positions,
+            batched_scales=scales,
+            batched_colors=np.zeros((len(positions), 3), np.uint8) if colors is None else colors,
             side="double",
             **_FLAT,
         )
-        self._nodes[name] = node
-        return node
 
-    def _put(
-        self,
-        name: str,
-        positions: Floats,
-        wxyzs: Floats | None = None,
-        scales: Floats | None = None,
-        colors: NDArray[np.uint8] | None = None,
-    ) -> None:
-        for prop, value in (
-            ("batched_positions", positions),
-            ("batched_wxyzs", wxyzs),
-            ("batched_scales", scales),
-            ("batched_colors", colors),
-        ):
-            if value is None:
-                continue
-            value = value if value.dtype == np.uint8 else value.astype(np.float32)
-            before = self._sent.get((name, prop))
-            if before is None or not np.array_equal(before, value):
-                self._sent[name, prop] = value
-                setattr(self._nodes[name], prop, value)
-
-    def _listen(self, masses: viser.BatchedMeshHandle, n: int) -> None:
+    def _listen(self, masses: viser.BatchedMeshHandle) -> None:
         @masses.on_drag
         async def _(event: viser.SceneNodeDragEvent) -> None:
             if event.instance_index is not None and self.sketch is not None:
                 # The drag plane is the front of the disc; only x and y count.
                 x, y = self.sketch.mapping.to_scene(*event.end_position[:2])
-                self._on_touch(Touch(event.phase, event.instance_index % n, x, y, by_gizmo=False))
+                mass = event.instance_index % len(self.sketch.radius)
+                self._on_touch(Touch(event.phase, mass, x, y, by_gizmo=False))
 
         @masses.on_click
         async def _(event: viser.SceneNodePointerEvent) -> None:
-            if event.instance_index is not None:
-                self._on_click(event.instance_index % n)
+            if event.instance_index is not None and self.sketch is not None:
+                self._on_click(event.instance_index % len(self.sketch.radius))
 
     def _add_gizmos(self, sketch: Sketch) -> None:
         for mass in sketch.held[:MAX_GIZMOS].tolist():

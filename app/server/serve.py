@@ -20,6 +20,7 @@ import sim
 from sim.compiling.compiler import Compiler, needed_by
 
 from ..gate.gate import exposure, open_server
+from ..page.assets import page_files
 from ..page.colors import LIGHT_GAIN
 from ..page.panel import set_theme
 from ..page.tab import Tab
@@ -47,7 +48,7 @@ def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.Vise
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     # viser prints an address panel of its own.
     with contextlib.redirect_stdout(io.StringIO()):
-        server = open_server(host, port, label="softrod", on_oversized=oversized)
+        server = open_server(host, port, label="softrod", on_oversized=oversized, files=page_files())
     try:
         _set_stage(server)
         ticker.attach(server)

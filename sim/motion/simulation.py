@@ -129,6 +129,11 @@ class Simulation:
         """The present factor of all rest lengths."""
         return float(self._state.controls[CONTROL_SCALE])
 
+    @property
+    def rest_angle_shift(self) -> float:
+        """What the arrow keys have added to all rest angles since the scene was put in place, degrees."""
+        return float(self._state.controls[CONTROL_SHIFT])
+
     def pose(self) -> Pose:
         """The present positions and velocities, as a scene can carry them."""
         return Pose(

@@ -158,7 +158,7 @@ class Desk:
         new = self.until(lambda: [c for c in list(self.served.ticker.tabs) if c > known], "the page connects")
         self._client = new[0]
         self.until(lambda: self.tab._session is not None, "the tab has its session")
-        self.page.wait_for_function("window.__softrod?.fits > 0", timeout=LIMIT * 1e3)
+        self.page.wait_for_function("window.__softrod?.fitted() > 0", timeout=LIMIT * 1e3)
         self.wait_drawn()
         # viser's word on software rendering would lie over the canvas, and is none of softrod's notices.
         self.dismiss("Software WebGL")
@@ -172,12 +172,13 @@ class Desk:
         drawn, sketch = self.tab._view._drawn, self.tab._view.sketch
         if drawn is None or sketch is None:
             return False
+        n = len(drawn.positions)
         shown = self.instances("/body/masses")
+        if len(shown) != 3 * n:
+            return False
         # While a body moves the page is some frames behind; 8 px is far less than any mistake in the drawing.
-        wanted = sketch.masses(drawn.positions)
-        return (
-            shown.shape == wanted.shape and float(np.abs(shown - wanted).max()) < 8.0 * sketch.mapping.scale
-        )
+        wanted = sketch.mapping.to_world(drawn.positions)[:, :2]
+        return float(np.abs(shown[:n, :2] - wanted).max()) < 8.0 * sketch.mapping.scale
 
     # --------------------------------------------------------------------- the server's side
     @property

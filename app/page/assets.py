@@ -1,0 +1,61 @@
+"""The files that a browser gets: viser's page with softrod's script and styles in its head, and these."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+from functools import cache
+from pathlib import Path
+
+import viser
+
+from ..gate.gate import GateError, StaticFile
+
+_FOLDER = Path(__file__).parent / "static"
+_TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
+_FOREVER = "public, max-age=31536000, immutable"
+_TITLE = "<title>Viser</title>"
+
+
+@cache
+def page_files() -> dict[str, StaticFile]:
+    """Every file of the page by its path.
+
+    The script's address has a digest of its text, so that a browser keeps it, and never mixes two versions.
+
+    Raises:
+        GateError: viser's page is not as it is known here.
+    """
+    sources = {file.name: file.read_bytes() for file in sorted(_FOLDER.iterdir()) if file.suffix in _TYPES}
+    digest = hashlib.sha256(b"".join(sources.values())).hexdigest()[:12]
+    folder = f"/softrod/{digest}/"
+    files = {
+        folder + name: StaticFile(gzip.compress(text, mtime=0), _TYPES[Path(name).suffix], _FOREVER)
+        for name, text in sources.items()
+    }
+    index = StaticFile(gzip.compress(_index(folder).encode(), mtime=0), "text/html", "no-cache")
+    return {**files, "/": index, "/index.html": index}
+
+
+def _index(folder: str) -> str:
+    """viser's page, which is one HTML file, with what is softrod's in its head.
+
+    viser's own script begins when the document has been read, and module scripts run just before that.
+    """
+    path = Path(viser.__file__).parent / "client" / "build" / "index.html"
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise GateError(f"viser's page cannot be read: {error}") from None
+    icon_begin, icon_end = text.find("<link"), text.find("/>", text.find("<link"))
+    if text.count(_TITLE) != 1 or 'rel="icon"' not in text[icon_begin:icon_end]:
+        raise GateError("viser's page is not the one that softrod knows.")
+    own = "\n".join(
+        (
+            "<title>softrod</title>",
+            f'<link rel="icon" href="{folder}icon.svg" />',
+            f'<link rel="stylesheet" href="{folder}page.css" />',
+            f'<script type="module" src="{folder}main.js"></script>',
+        )
+    )
+    return (text[:icon_begin] + text[icon_end + 2 :]).replace(_TITLE, own)

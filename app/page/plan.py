@@ -1,0 +1,142 @@
+"""What a page is told of a body: once, what it is made of, and then where its masses are.
+
+The page draws by itself. It gets one array of single precision numbers for the plan of a body, sections each
+after their length, and one for each frame; `static/plan.js` reads both.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim import Scene, Simulation
+
+from .colors import blend, sent
+from .drawing import Floats, Sketch
+
+CLOCK_PERIOD = 1024.0
+"""Seconds after which the wall clock of the frames starts again: single precision has 0.1 ms there."""
+
+_STRAIN_SHADES = 32
+"""Shades between a spring's colour at rest and its full colour, on either side."""
+
+_TURN_SHADES = 32
+_PALEST = 0.15
+"""How much of its colour the wedge of a joint at its rest angle has."""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """What is to be drawn.
+
+    Attributes:
+        positions: (n, 2) px.
+        time: simulated seconds.
+        rest_length_scale: factor of the rest lengths.
+        rest_angle_shift: degrees added to all rest angles.
+        ghost: (n, 2) px, where the masses of a second body are, or None.
+    """
+
+    positions: Floats
+    time: float = 0.0
+    rest_length_scale: float = 1.0
+    rest_angle_shift: float = 0.0
+    ghost: Floats | None = None
+
+    @staticmethod
+    def of(simulation: Simulation, ghost: Simulation | None = None) -> Picture:
+        """The present state, and that of a second body."""
+        return Picture(
+            simulation.positions,
+            simulation.time,
+            simulation.rest_length_scale,
+            simulation.rest_angle_shift,
+            ghost.positions if ghost is not None else None,
+        )
+
+    @staticmethod
+    def at_start(scene: Scene) -> Picture:
+        """The start of a scene, when there is no simulation yet."""
+        starts = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
+        return Picture(np.array(starts, float), rest_length_scale=scene.rest_length_scale)
+
+
+def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray[np.float32]:
+    """The plan of a body.
+
+    Args:
+        generation: a number that its frames carry too.
+        sketch: its drawing.
+        rest_angles: (J,) degrees, without the shift of the arrow keys.
+    """
+    mapping = sketch.mapping
+    head = (
+        generation,
+        mapping.scale,
+        *mapping.center,
+        mapping.flip,
+        sketch.many,
+        sketch.slices,
+        -1 if sketch.driven is None else sketch.driven,
+    )
+    joints = (sketch.joint_a, sketch.joint_b, sketch.joint_mass, sketch.joint_sense)
+    sections = (
+        head,
+        sketch.radius,
+        sketch.springs,
+        sketch.rest_length,
+        sketch.thickness,
+        np.column_stack(joints),
+        rest_angles,
+        sketch.pinned,
+        sketch.mass_colors(),
+        _strain_colors(sketch),
+        _turn_colors(sketch),
+        sketch.ink_colors(),
+    )
+    flat = [np.asarray(section, np.float32).ravel() for section in sections]
+    return np.concatenate([part for section in flat for part in ([len(section)], section)], dtype=np.float32)
+
+
+def encode_frame(generation: int, wall: float, picture: Picture) -> NDArray[np.float32]:
+    """Where the masses are.
+
+    Args:
+        generation: of the plan.
+        wall: seconds of any clock that runs evenly.
+        picture: what is drawn.
+    """
+    positions = picture.positions
+    head = (
+        generation,
+        wall % CLOCK_PERIOD,
+        picture.time,
+        picture.rest_length_scale,
+        picture.rest_angle_shift,
+        len(positions),
+    )
+    size = positions.size
+    frame = np.empty(len(head) + size * (1 if picture.ghost is None else 2), np.float32)
+    frame[: len(head)] = head
+    frame[len(head) : len(head) + size] = positions.ravel()
+    if picture.ghost is not None:
+        frame[len(head) + size :] = picture.ghost.ravel()
+    return frame
+
+
+def _strain_colors(sketch: Sketch) -> NDArray[np.uint8]:
+    """(2 k + 1, 3) from full compression by rest to full stretch."""
+    part = np.linspace(1.0, 0.0, _STRAIN_SHADES + 1)
+    colors = sketch.palette
+    pushed, pulled = blend(colors.rest, colors.pushed, part), blend(colors.rest, colors.pulled, part)
+    return sent(np.vstack((pushed, pulled[-2::-1])))
+
+
+def _turn_colors(sketch: Sketch) -> NDArray[np.uint8]:
+    """(2 k + 1, 3) from the full negative deviation to the full positive one."""
+    part = np.maximum(np.linspace(1.0, 0.0, _TURN_SHADES + 1), _PALEST)
+    colors = sketch.palette
+    minus, plus = (blend(colors.paper, full, part) for full in (colors.torque_minus, colors.torque_plus))
+    return sent(np.vstack((minus, plus[-2::-1])))

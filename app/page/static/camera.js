@@ -1,0 +1,90 @@
+// @ts-check
+/** The camera: seen from the front, moved and zoomed but never turned. */
+import { told } from "./channel.js";
+import { viser } from "./viser.js";
+
+/** Room around the scene's frame. */
+const MARGIN = 1.04;
+let fits = 0;
+
+/** How often the scene was fitted to the window. */
+export const fitted = () => fits;
+
+/** @param {import("./viser.js").Controls} controls */
+function flatten(controls) {
+  const { ACTION } = controls.constructor;
+  controls.minAzimuthAngle = controls.maxAzimuthAngle = controls.azimuthAngle;
+  controls.minPolarAngle = controls.maxPolarAngle = Math.PI / 2;
+  controls.mouseButtons.left = ACTION.TRUCK;
+  controls.mouseButtons.right = ACTION.TRUCK;
+  controls.mouseButtons.middle = ACTION.TRUCK;
+  controls.touches.one = ACTION.TOUCH_TRUCK;
+  controls.touches.two = ACTION.TOUCH_DOLLY_TRUCK;
+  controls.touches.three = ACTION.TOUCH_TRUCK;
+  controls.dollyToCursor = true;
+}
+
+/**
+ * Height of what lies over the canvas at the bottom: the sheet of the panel on a phone.
+ *
+ * @param {HTMLCanvasElement} canvas
+ * @param {DOMRect} box
+ */
+function covered(canvas, box) {
+  let top = box.bottom;
+  for (const element of document.elementsFromPoint(box.left + box.width / 2, box.bottom - 4)) {
+    if (element === canvas || element.contains(canvas)) break;
+    const { top: edge, width } = element.getBoundingClientRect();
+    if (width > 0.9 * box.width && edge > box.top + 0.2 * box.height) top = Math.min(top, edge);
+  }
+  return box.bottom - top;
+}
+
+/** Shows the scene's frame, whole, in the part of the canvas that can be seen; whether it could. */
+export function fit() {
+  const { canvas, camera, cameraControl: controls, nodeRefFromName } = viser() ?? {};
+  const root = nodeRefFromName?.[""];
+  const [width, height] = [Number(told().width), Number(told().height)];
+  if (!canvas || !camera || !controls || !root || !(width > 0)) return false;
+  const box = canvas.getBoundingClientRect();
+  if (!(box.width > 0 && box.height > 0)) return false;
+  const hidden = covered(canvas, box);
+  const free = box.height - hidden;
+  const perPixel = MARGIN * Math.max(width / box.width, height / free);
+  const distance = (perPixel * box.height) / (2 * Math.tan((camera.fov * Math.PI) / 360));
+  const low = -(perPixel * hidden) / 2;
+  controls.minAzimuthAngle = -Infinity;
+  controls.maxAzimuthAngle = Infinity;
+  // From the nodes' coordinates to those of the camera.
+  const eye = camera.position.clone().set(0, low, distance).applyMatrix4(root.matrixWorld);
+  const target = camera.position.clone().set(0, low, 0).applyMatrix4(root.matrixWorld);
+  controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, false);
+  controls.maxDistance = 20 * distance;
+  controls.minDistance = distance / 200;
+  controls.update(0);
+  flatten(controls);
+  fits += 1;
+  return true;
+}
+
+/** Keeps the camera flat, and fits every new scene and every new size of the window. */
+export function keepFlat() {
+  /** @type {unknown} */
+  let flat = null;
+  /** @type {string | undefined} */
+  let scene;
+  let size = "";
+  setInterval(() => {
+    const { canvas, cameraControl: controls } = viser() ?? {};
+    if (!canvas || !controls) return;
+    if (flat !== controls || controls.mouseButtons.left !== controls.constructor.ACTION.TRUCK) {
+      flat = controls;
+      flatten(controls);
+    }
+    const now = `${canvas.clientWidth}x${canvas.clientHeight}`;
+    if ((told().scene !== scene || size !== now) && fit()) {
+      scene = told().scene;
+      size = now;
+    }
+  }, 100);
+}

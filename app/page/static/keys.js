@@ -1,0 +1,116 @@
+// @ts-check
+/** Keys and the arrow pad: what is held, and what is pressed once. */
+import { fit } from "./camera.js";
+import { send } from "./channel.js";
+
+/** @type {Record<string, string>} */
+const ARROWS = { ArrowUp: "U", ArrowDown: "D", ArrowLeft: "L", ArrowRight: "R" };
+/** @type {Record<string, string>} */
+const ONCE = { Space: "play", KeyN: "step", KeyR: "reset", KeyF: "follow", Escape: "pause", Digit0: "fit" };
+/** With these viser would move the camera. */
+const CAMERA_KEYS = new Set(["KeyW", "KeyA", "KeyS", "KeyD", "KeyQ", "KeyE"]);
+/** Milliseconds between two reports of keys that are held; the server forgets those of which it hears nothing. */
+const REPEAT = 150;
+
+/** @type {Set<string>} */
+const held = new Set();
+
+/** @param {EventTarget | null} target */
+const isTyping = (target) =>
+  target instanceof HTMLElement &&
+  (target.isContentEditable ||
+    target.tagName === "TEXTAREA" ||
+    target.tagName === "SELECT" ||
+    (target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button"].includes(target.type)));
+const dialogIsOpen = () => document.querySelector('[role="dialog"]') !== null;
+/** @param {Event} event */
+const keep = (event) => {
+  event.preventDefault();
+  event.stopImmediatePropagation();
+};
+
+const sendHeld = () => send("keys", [...held].join(""));
+/** @param {string} key */
+const hold = (key) => {
+  if (!held.has(key)) {
+    held.add(key);
+    sendHeld();
+  }
+};
+/** @param {string} key */
+const release = (key) => {
+  if (held.delete(key)) sendHeld();
+};
+const releaseAll = () => {
+  if (held.size) {
+    held.clear();
+    sendHeld();
+  }
+};
+
+/** @param {KeyboardEvent} event */
+function press(event) {
+  if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target) || dialogIsOpen()) return;
+  const arrow = ARROWS[event.key];
+  if (arrow) {
+    keep(event);
+    hold(arrow);
+    return;
+  }
+  if (CAMERA_KEYS.has(event.code)) {
+    keep(event);
+    return;
+  }
+  const once = ONCE[event.code];
+  if (!once) return;
+  // A button reached with the Tab key is pressed with Space, as everywhere.
+  if (once === "play" && document.activeElement?.matches("button:focus-visible")) return;
+  keep(event);
+  if (event.repeat && once !== "step") return;
+  if (once === "fit") fit();
+  else send("do", once);
+}
+
+/** @param {Event} event @returns {HTMLElement | null} */
+const padKey = (event) =>
+  event.target instanceof Element ? event.target.closest("[data-softrod-key]") : null;
+
+function listenToPad() {
+  document.addEventListener("pointerdown", (event) => {
+    const button = padKey(event);
+    if (!button) return;
+    event.preventDefault();
+    button.setPointerCapture(event.pointerId);
+    button.classList.add("softrod-on");
+    hold(button.dataset.softrodKey ?? "");
+  });
+  for (const kind of ["pointerup", "pointercancel", "lostpointercapture"]) {
+    document.addEventListener(kind, (event) => {
+      const button = padKey(event);
+      if (!button) return;
+      button.classList.remove("softrod-on");
+      release(button.dataset.softrodKey ?? "");
+    });
+  }
+  document.addEventListener("contextmenu", (event) => padKey(event) && event.preventDefault());
+}
+
+/** Begins to listen. */
+export function listenToKeys() {
+  window.addEventListener("keydown", press, true);
+  window.addEventListener(
+    "keyup",
+    (event) => {
+      const arrow = ARROWS[event.key];
+      if (arrow) {
+        release(arrow);
+        if (!isTyping(event.target)) keep(event);
+      }
+    },
+    true,
+  );
+  window.addEventListener("blur", releaseAll);
+  document.addEventListener("visibilitychange", releaseAll);
+  setInterval(() => held.size && sendHeld(), REPEAT);
+  listenToPad();
+}

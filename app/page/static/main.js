@@ -1,0 +1,35 @@
+// @ts-check
+/** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
+import { drawBody, shown } from "./canvas.js";
+import { fitted, keepFlat } from "./camera.js";
+import { listenToKeys } from "./keys.js";
+import { followPointer } from "./pointer.js";
+import { isKnown, whenViser } from "./viser.js";
+
+/** Seconds after which viser's page has made its hook, or never will. */
+const PATIENCE = 20;
+
+/** Says over the page that it cannot work. @param {string} text */
+function complain(text) {
+  const box = document.createElement("div");
+  box.className = "softrod-fault";
+  box.setAttribute("role", "alert");
+  box.textContent = text;
+  document.body.append(box);
+}
+
+const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
+const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
+whenViser((viser) => {
+  clearTimeout(late);
+  if (!isKnown(viser)) {
+    complain(FAULT);
+    return;
+  }
+  drawBody(viser);
+  keepFlat();
+  listenToKeys();
+  followPointer();
+  // For the browser tests.
+  Object.assign(window, { __softrod: { shown, fitted } });
+});

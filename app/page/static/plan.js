@@ -1,0 +1,79 @@
+// @ts-check
+/**
+ * What the server sends of a body: once, what it is made of (a plan), and then where its masses are (frames).
+ * Both are written by plan.py.
+ */
+
+/** Numbers at the beginning of a frame, before the positions. */
+const FRAME_HEAD = 6;
+/** Seconds after which a frame's wall clock starts again at 0. */
+export const CLOCK_PERIOD = 1024;
+
+/**
+ * @typedef {object} Plan
+ * @property {number} generation which body this is; frames carry the same number
+ * @property {number} scale from px to the page's world
+ * @property {number} x the middle of the scene's frame, px
+ * @property {number} y
+ * @property {number} flip -1 where y grows downwards
+ * @property {boolean} many whether springs are bars, and wedges one triangle each
+ * @property {number} slices triangles of a wedge
+ * @property {number} driven the mass that the pointer drives, or -1
+ * @property {Float32Array} radius of each mass, in the world
+ * @property {Float32Array} springs two masses each
+ * @property {Float32Array} restLength px, one for each spring
+ * @property {Float32Array} thickness amplitude of the coil or width of the bar, in the world
+ * @property {Float32Array} joints spring a, spring b, the mass at the tip, and whether b leaves it (1) or not (-1)
+ * @property {Float32Array} restAngle degrees
+ * @property {Float32Array} pinned the held masses that have a support
+ * @property {Float32Array} massColors three a mass: of rim, fill and shine
+ * @property {Float32Array} strainColors a table, from full compression to full stretch
+ * @property {Float32Array} turnColors a table, from the full negative deviation to the full positive one
+ * @property {Float32Array} inkColors of pins, ring and ghost
+ */
+
+/**
+ * @param {Float32Array} data sections, each after its length
+ * @returns {Plan}
+ */
+export function readPlan(data) {
+  let at = 0;
+  const take = () => {
+    const length = data[at];
+    const section = data.subarray(at + 1, at + 1 + length);
+    at += 1 + length;
+    return section;
+  };
+  const [generation, scale, x, y, flip, many, slices, driven] = take();
+  return {
+    generation, scale, x, y, flip, many: many === 1, slices, driven,
+    radius: take(), springs: take(), restLength: take(), thickness: take(), joints: take(),
+    restAngle: take(), pinned: take(), massColors: take(), strainColors: take(), turnColors: take(),
+    inkColors: take(),
+  };
+}
+
+/**
+ * @typedef {object} Frame
+ * @property {number} generation of the body
+ * @property {number} wall when it was made, seconds on the server's clock, modulo CLOCK_PERIOD
+ * @property {number} time simulated seconds
+ * @property {number} lengthScale factor of all rest lengths
+ * @property {number} angleShift degrees added to all rest angles
+ * @property {Float32Array} positions px, x and y of each mass
+ * @property {Float32Array | null} ghost of a second body
+ */
+
+/**
+ * @param {Float32Array} data
+ * @returns {Frame}
+ */
+export function readFrame(data) {
+  const [generation, wall, time, lengthScale, angleShift, masses] = data;
+  const end = FRAME_HEAD + 2 * masses;
+  return {
+    generation, wall, time, lengthScale, angleShift,
+    positions: data.subarray(FRAME_HEAD, end),
+    ghost: data.length >= end + 2 * masses && masses > 0 ? data.subarray(end, end + 2 * masses) : null,
+  };
+}
