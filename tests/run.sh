@@ -52,6 +52,7 @@ trap 'kill "$compiling" 2>/dev/null || true' EXIT
 uv run ruff check .
 uv run ruff format --check .
 uv run pyright
+uv run python -m tests.page.check
 wait "$compiling"
 uv run pytest --numprocesses=2 --dist=loadfile tests/sim tests/app "$@"
 

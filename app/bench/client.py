@@ -10,11 +10,14 @@ from collections import deque
 from typing import Any
 
 import msgspec
+import numpy as np
 import viser
 import zstandard
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
+
+from ..page.view import FRAME
 
 CAMERA: dict[str, Any] = {
     "type": "ViewerCameraMessage",
@@ -73,7 +76,7 @@ class Page:
         self._connection.send(msgspec.msgpack.encode(message))
 
     def receive(self, timeout: float) -> list[dict[str, Any]]:
-        """The messages of the next frame; none after the timeout."""
+        """The messages of the next frame, with softrod's arrays in place; none after the timeout."""
         try:
             data = self._connection.recv(timeout=timeout, decode=False)
         except TimeoutError:
@@ -83,6 +86,13 @@ class Page:
         size = int.from_bytes(data[8:16], "little")
         payload = msgspec.msgpack.decode(self._unpack.decompress(data[16 : 16 + size]))
         messages = payload["messages"]
+        lengths: list[int] = payload.get("binaryBufferLengths") or []
+        starts = np.cumsum([-(-(16 + size) // 8) * 8, *(-(-length // 8) * 8 for length in lengths)])
+        for message in messages:
+            updates = message.get("updates", {})
+            if message.get("name") == FRAME and "points" in updates:
+                index: int = updates["points"]["__binary_index"]
+                updates["points"] = np.frombuffer(data, np.float32, lengths[index] // 4, int(starts[index]))
         self.messages += len(messages)
         return messages
 

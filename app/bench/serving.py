@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import re
 import statistics
 import subprocess
 import sys
@@ -18,6 +17,8 @@ from rich.table import Table
 
 import sim
 
+from ..page.plan import FRAME_HEAD, FRAME_TIME
+from ..page.view import FRAME
 from .client import Page
 
 NODE = "/body/masses"
@@ -49,13 +50,18 @@ def _is_node(message: dict[str, Any]) -> bool:
 
 
 def _moves(message: dict[str, Any]) -> bool:
-    return message.get("name") == NODE and any(array in message.get("updates", {}) for array in ("points", "batched_positions"))
+    """Whether the masses are told to be elsewhere: by softrod, or by bare viser."""
+    updates = message.get("updates", {})
+    return message.get("name") in (NODE, FRAME) and ("points" in updates or "batched_positions" in updates)
 
 
 def _runs(message: dict[str, Any]) -> bool:
-    """Whether the clock over the canvas has left zero."""
-    clock = re.search(r"<b>t = ([0-9.]+) s", str(message.get("updates", {}).get("content", "")))
-    return clock is not None and float(clock[1]) > 0.0
+    """Whether simulated time has passed."""
+    return _is_frame(message) and float(message["updates"]["points"][FRAME_TIME]) > 0.0
+
+
+def _is_frame(message: dict[str, Any]) -> bool:
+    return message.get("name") == FRAME and "points" in message.get("updates", {})
 
 
 def _start(kind: str, shown: str | int, cache: str) -> dict[str, float]:
@@ -151,6 +157,7 @@ def _latencies(masses: int, count: int, cache: str) -> list[float]:
         )
         page.read_for(4.0)
         number = 0
+        driven = slice(FRAME_HEAD, FRAME_HEAD + 2)  # the first mass, x and y
 
         def say(text: str) -> None:
             nonlocal number
@@ -168,11 +175,10 @@ def _latencies(masses: int, count: int, cache: str) -> list[float]:
         result = []
         for i in range(count):
             page.read_for(0.03 + 0.01 * (i % 4))
+            before = page.wait_for(_is_frame)["updates"]["points"][driven]
             began = time.perf_counter()
             say(f"at|{0.5 * (i % 2):.6f},1.000000")
-            page.wait_for(
-                lambda m: m.get("name") == "/body/ring" and "batched_positions" in m.get("updates", {})
-            )
+            page.wait_for(lambda m: _is_frame(m) and (m["updates"]["points"][driven] != before).any())  # noqa: B023
             result.append(time.perf_counter() - began)
         return result
 

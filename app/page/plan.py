@@ -19,6 +19,9 @@ from .drawing import Floats, Sketch
 CLOCK_PERIOD = 1024.0
 """Seconds after which the wall clock of the frames starts again: single precision has 0.1 ms there."""
 
+FRAME_HEAD, FRAME_TIME = 6, 2
+"""Numbers of a frame before the positions, and the index of the simulated time among them."""
+
 _STRAIN_SHADES = 32
 """Shades between a spring's colour at rest and its full colour, on either side."""
 

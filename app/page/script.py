@@ -69,7 +69,8 @@ def state_html(channel: str, scene: str, frame: tuple[float, float, float, float
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
     width, height = (frame[2] - frame[0]) * size, (frame[3] - frame[1]) * size
     return (
-        f'<div id="softrod-state" hidden data-channel="{html.escape(channel)}" data-scene="{html.escape(scene)}" '
+        f'<div id="softrod-state" hidden data-channel="{html.escape(channel)}" '
+        f'data-scene="{html.escape(scene)}" '
         f'data-width="{width:.6f}" '
         f'data-height="{height:.6f}" data-follow="{int(follow)}"></div>'
     )

@@ -27,7 +27,7 @@ STILL = 0.1
 MAX_GIZMOS = 12
 """Gizmos are one node each; held masses beyond so many are dragged by themselves."""
 
-_PLAN, _FRAME = "/softrod/plan", "/softrod/frame"
+PLAN, FRAME = "/softrod/plan", "/softrod/frame"
 """Nodes that only carry arrays to the page's script (static/canvas.js)."""
 
 # Ambient light only and no shadows: every mesh shows its own colour, and software rendering is twice as fast.
@@ -90,7 +90,7 @@ class Canvas:
             if self._plan is None or not np.array_equal(plan, self._plan):
                 self._plan = plan
                 self._plan_number += 1
-                self._nodes[_PLAN].points = encode_plan(self._plan_number, sketch, rest_angles)
+                self._nodes[PLAN].points = encode_plan(self._plan_number, sketch, rest_angles)
                 self._drawn = None
 
     @staticmethod
@@ -105,7 +105,7 @@ class Canvas:
 
     def _add_nodes(self, scene: Scene, sketch: Sketch) -> None:
         # The page's script takes these two for itself; viser never sees them.
-        for name in (_PLAN, _FRAME):
+        for name in (PLAN, FRAME):
             self._nodes[name] = self._client.scene.add_point_cloud(
                 name, np.zeros((1, 3)), (0, 0, 0), precision="float32", visible=False
             )
@@ -142,12 +142,12 @@ class Canvas:
             force: send even the smallest movement, so that a paused picture is exact.
         """
         sketch = self.sketch
-        if sketch is None or (not force and self._is_still(picture)):
+        if sketch is None or (self._is_drawn(picture) if force else self._is_still(picture)):
             return False
         self._drawn = picture
         with self._client.atomic():
             self._show_ghost(picture.ghost is not None)
-            self._nodes[_FRAME].points = encode_frame(self._plan_number, now, picture)
+            self._nodes[FRAME].points = encode_frame(self._plan_number, now, picture)
             for mass, gizmo in self._gizmos:
                 # While a gizmo is dragged it belongs to the pointer.
                 if mass != self._gizmo_in_hand:
@@ -163,6 +163,15 @@ class Canvas:
             self._add_empty("/body/ghost", "bar")
         elif not wanted and "/body/ghost" in self._nodes:
             self._nodes.pop("/body/ghost").remove()
+
+    def _is_drawn(self, picture: Picture) -> bool:
+        """Whether exactly this was drawn last."""
+        drawn = self._drawn
+        if drawn is None or (drawn.ghost is None) != (picture.ghost is None):
+            return False
+        ghosts = picture.ghost is None or np.array_equal(drawn.ghost, picture.ghost)  # type: ignore[arg-type]
+        numbers, before = ((p.time, p.rest_length_scale, p.rest_angle_shift) for p in (picture, drawn))
+        return ghosts and numbers == before and np.array_equal(drawn.positions, picture.positions)
 
     def _is_still(self, picture: Picture) -> bool:
         drawn, sketch = self._drawn, self.sketch

@@ -1,28 +1,27 @@
-"""What is drawn, without a page: places, turns, colours."""
+"""What is drawn, without a browser: positions, turns, colours."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import trimesh
 
 import sim
-from app.page.colors import LIGHT_GAIN, palette, rgb, sent
-from app.page.drawing import MANY, Mapping, Sketch, nice
+from app.page.colors import LIGHT_GAIN, rgb, sent
+from app.page.drawing import MANY, Mapping, nice
+from app.page.plan import Picture
 from app.page.shapes import COILS, meshes
-from app.page.view import Picture
+from tests.app.page_script import after, drawn, sketch_of
 
 PRESETS = [info.name for info in sim.list_scenes() if info.built_in]
 
 
-def sketch_of(scene: sim.Scene) -> Sketch:
-    return Sketch(scene, palette(scene.view.colors, dark=False))
-
-
-def ends(places: np.ndarray, turns: np.ndarray, scales: np.ndarray) -> np.ndarray:
+def ends(node: dict[str, np.ndarray]) -> np.ndarray:
     """Where the far ends of instances along x are."""
-    angle = 2.0 * np.arctan2(turns[:, 3], turns[:, 0])
-    return places[:, :2] + scales[:, :1] * np.column_stack((np.cos(angle), np.sin(angle)))
+    angle = 2.0 * np.arctan2(node["wxyzs"][:, 3], node["wxyzs"][:, 0])
+    return node["positions"][:, :2] + node["scales"][:, :1] * np.column_stack((np.cos(angle), np.sin(angle)))
 
 
 @pytest.mark.parametrize("y_down", [True, False])
@@ -38,26 +37,29 @@ def test_the_mapping_goes_there_and_back(y_down: bool) -> None:
 
 
 @pytest.mark.parametrize("name", PRESETS)
-def test_springs_are_drawn_from_mass_to_mass(name: str) -> None:
+def test_springs_and_ghost_are_drawn_from_mass_to_mass(name: str) -> None:
     scene = sim.load_scene(name)
-    sketch, positions = sketch_of(scene), sim.Simulation(scene).positions
-    places, turns, scales, colors = sketch.spring_arrays(positions, scene.rest_length_scale)
-    world = sketch.mapping.to_world(positions)[:, :2]
+    simulation, picture = after(scene, 50)
+    there = picture.positions + np.array((7.0, -3.0))
+    nodes = drawn(scene, replace(picture, ghost=there))
     a = [spring.a for spring in scene.linear_springs]
     b = [spring.b for spring in scene.linear_springs]
-    assert places[:, :2] == pytest.approx(world[a])
-    assert ends(places, turns, scales) == pytest.approx(world[b])
-    assert colors.dtype == np.uint8
+    mapping = sketch_of(scene).mapping
+    for node, positions in (("springs", simulation.positions), ("ghost", there)):
+        world = mapping.to_world(positions)[:, :2]
+        assert nodes[node]["positions"][:, :2] == pytest.approx(world[a], abs=1e-5)
+        assert ends(nodes[node]) == pytest.approx(world[b], abs=1e-5)
 
 
 @pytest.mark.parametrize("name", PRESETS)
 def test_wedges_reach_from_rest_angle_to_present_angle(name: str) -> None:
     """The last slice's far edge lies along spring b as it leaves the shared mass."""
     scene = sim.load_scene(name)
-    simulation = sim.Simulation(scene)
-    simulation.step(200)
-    sketch, picture = sketch_of(scene), Picture.of(simulation)
-    _, turns, _, _ = sketch.wedge_arrays(picture.positions, picture.deviations)
+    simulation, picture = after(scene, 200)
+    nodes, sketch = drawn(scene, picture), sketch_of(scene)
+    off = simulation.angles - simulation.rest_angles
+    assert nodes["deviations"] == pytest.approx(180.0 - (180.0 - off) % 360.0, abs=1e-3)
+    turns = nodes["wedges"]["wxyzs"]
     middle = 2.0 * np.degrees(np.arctan2(turns[:, 3], turns[:, 0])).reshape(-1, sketch.slices)
     world = sketch.mapping.to_world(picture.positions)
     for j, joint in enumerate(scene.angular_springs):
@@ -65,20 +67,60 @@ def test_wedges_reach_from_rest_angle_to_present_angle(name: str) -> None:
         (shared,) = {a.a, a.b} & {b.a, b.b}
         far = b.b if b.a == shared else b.a
         along = world[far] - world[shared]
-        off = picture.deviations[j] * sketch.mapping.flip
-        wanted = np.degrees(np.arctan2(along[1], along[0])) - off / (2 * sketch.slices)
-        assert (middle[j, -1] - wanted + 180.0) % 360.0 - 180.0 == pytest.approx(0.0, abs=1e-6)
+        turn = nodes["deviations"][j] * sketch.mapping.flip
+        wanted = np.degrees(np.arctan2(along[1], along[0])) - turn / (2 * sketch.slices)
+        assert (middle[j, -1] - wanted + 180.0) % 360.0 - 180.0 == pytest.approx(0.0, abs=1e-3)
+
+
+def test_held_keys_turn_the_rest_angles_of_the_wedges() -> None:
+    scene = sim.load_scene("tutorial-3.3")
+    simulation = sim.Simulation(scene)
+    simulation.keys = frozenset({"right"})
+    simulation.step(200)
+    assert abs(simulation.rest_angle_shift) > 1.0
+    off = simulation.angles - simulation.rest_angles
+    assert drawn(scene, Picture.of(simulation))["deviations"] == pytest.approx(off, abs=1e-3)
 
 
 def test_a_pulled_spring_is_red_and_a_pushed_one_blue() -> None:
     scene = sim.rope(masses=3, length=200.0, joints=False)
-    sketch = sketch_of(scene)
-    positions = np.array([[0.0, 0.0], [0.0, 150.0], [0.0, 200.0]])
-    *_, colors = sketch.spring_arrays(positions, 1.0)
-    assert (colors[0] == sent(sketch.palette.pulled)).all()
-    assert (colors[1] == sent(sketch.palette.pushed)).all()
-    *_, longer = sketch.spring_arrays(positions, 1.5)
-    assert (longer[0] == sent(sketch.palette.rest)).all()
+    colors = sketch_of(scene).palette
+    picture = Picture(np.array([[0.0, 0.0], [0.0, 150.0], [0.0, 200.0]]))
+    springs = drawn(scene, picture)["springs"]["colors"]
+    assert (springs[0] == sent(colors.pulled)).all()
+    assert (springs[1] == sent(colors.pushed)).all()
+    springs = drawn(scene, replace(picture, rest_length_scale=1.5))["springs"]["colors"]
+    assert (springs[0] == sent(colors.rest)).all()
+
+
+def test_a_wedge_has_the_colour_of_its_sense_and_pales_at_rest() -> None:
+    scene = sim.rope(masses=3, length=200.0)
+    colors = sketch_of(scene).palette
+    for x, full in ((-100.0, colors.torque_plus), (100.0, colors.torque_minus)):
+        bent = np.array([[0.0, 0.0], [0.0, 100.0], [x, 100.0]])
+        nodes = drawn(scene, Picture(bent))
+        assert abs(nodes["deviations"][0]) == pytest.approx(90.0)
+        full = colors.torque_plus if nodes["deviations"][0] > 0.0 else colors.torque_minus
+        assert (nodes["wedges"]["colors"] == sent(full)).all()
+    straight = drawn(scene, Picture(np.array([[0.0, 0.0], [0.0, 100.0], [0.0, 200.0]])))
+    assert (straight["wedges"]["colors"] > sent(colors.torque_plus).min()).all()
+
+
+def test_discs_pins_and_ring_are_at_their_masses() -> None:
+    scene = sim.load_scene("tutorial-3.2")
+    picture, sketch = Picture.at_start(scene), sketch_of(scene)
+    nodes, n = drawn(scene, picture), len(scene.masses)
+    world = sketch.mapping.to_world(picture.positions)[:, :2]
+    discs = nodes["masses"]
+    for k, size in enumerate((1.0, 0.8)):
+        assert discs["positions"][k * n : (k + 1) * n, :2] == pytest.approx(world, abs=1e-5)
+        assert discs["scales"][k * n : (k + 1) * n, 0] == pytest.approx(size * sketch.radius, rel=1e-5)
+    assert (discs["colors"] == sketch.mass_colors()).all()
+    assert nodes["pins"]["positions"][:, :2] == pytest.approx(world[sketch.pinned], abs=1e-5)
+    assert nodes["ring"]["positions"][:, :2] == pytest.approx(world[sketch.held[:1]], abs=1e-5)
+    held, driven, _ = sketch.ink_colors()
+    assert (nodes["pins"]["colors"] == held).all()
+    assert (nodes["ring"]["colors"] == driven).all()
 
 
 def test_many_masses_are_drawn_with_less() -> None:

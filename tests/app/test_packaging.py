@@ -51,7 +51,7 @@ def test_the_wheel_has_everything_that_runs(wheel: Path) -> None:
     assert {
         "sim/py.typed",
         "app/py.typed",
-        "app/page/static/page.js",
+        "app/page/static/main.js",
         "app/page/static/page.css",
         "app/bench/fused.c",
     } <= names

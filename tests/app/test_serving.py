@@ -13,6 +13,7 @@ import viser
 import sim
 from app.bench.client import Page
 from app.page.tab import Tab
+from app.page.view import FRAME
 from app.server.serve import serving
 from app.server.ticker import Ticker
 from app.session import commands
@@ -74,6 +75,14 @@ def nodes(messages: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:
     return {m["name"]: m for m in messages if "name" in m and "props" in m}
 
 
+def drawn_nodes(tab: Tab) -> set[str]:
+    return {name for name in tab._view._nodes if not name.startswith("/softrod/")}
+
+
+def is_frame(message: dict[str, Any]) -> bool:
+    return message.get("name") == FRAME and "points" in message.get("updates", {})
+
+
 def say(page: Page, tab: Tab, *texts: str) -> None:
     """Send what the page's script would."""
     for number, text in enumerate(texts):
@@ -88,11 +97,11 @@ def say(page: Page, tab: Tab, *texts: str) -> None:
 
 
 def test_one_node_per_kind(stage: Stage) -> None:
-    """However many masses: the grid, springs, wedges, the ring, masses; and a gizmo per held mass."""
+    """However many masses: the paper, springs, wedges, the ring, masses; and a gizmo per held mass."""
     with stage.page() as page:
         tab = stage.new_tab(set())
-        eventually(lambda: "springs" in tab._view._nodes)
-        assert set(tab._view._nodes) == {"grid", "springs", "wedges", "ring", "masses"}
+        eventually(lambda: "/body/springs" in tab._view._nodes)
+        assert drawn_nodes(tab) == {"/paper", "/body/springs", "/body/wedges", "/body/ring", "/body/masses"}
         assert len(tab._view._gizmos) == 1
         page.read_for(0.1)
 
@@ -103,7 +112,7 @@ def test_a_scene_pays_only_for_what_it_has(stage: Stage) -> None:
         bare = sim.rope(masses=5, joints=False, driven=None, held=())
         session_of(tab).post(Open(bare))
         eventually(lambda: session_of(tab).generation == 1 and tab._generation == 1)
-        assert set(tab._view._nodes) == {"grid", "springs", "masses"}
+        assert drawn_nodes(tab) == {"/paper", "/body/springs", "/body/masses"}
         assert not tab._view._gizmos
         keys = {slider_box.setting.key for slider_box in tab._panel._sliders}
         assert "angular_stiffness" not in keys
@@ -116,11 +125,12 @@ def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
         tab = stage.new_tab(set())
         say(page, tab, "do|pause")
         eventually(lambda: not session_of(tab).playing)
-        page.read_for(0.5)
-        sent = tab._view._sent["masses", "batched_positions"]
-        sketch = tab._view.sketch
-        assert sketch is not None
-        assert np.allclose(sent, sketch.masses(session_of(tab).simulation.positions).astype(np.float32))
+        frames: list[np.ndarray] = []
+        deadline = time.monotonic() + 0.5
+        while time.monotonic() < deadline:
+            frames += [m["updates"]["points"] for m in page.receive(0.1) if is_frame(m)]
+        positions = session_of(tab).simulation.positions
+        assert frames[-1][-positions.size :] == pytest.approx(positions.ravel(), abs=1e-3)
 
 
 def test_nothing_is_sent_while_paused(stage: Stage) -> None:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from unittest.mock import MagicMock
 
-import numpy as np
 import pytest
 
 import sim
-from app.page.view import STILL, Canvas, Picture
+from app.page.plan import Picture
+from app.page.view import STILL, Canvas
 
 
 @pytest.fixture
@@ -22,7 +22,7 @@ def view(scene: sim.Scene) -> Canvas:
     """A view that was just drawn, of a page that is none."""
     view = Canvas(MagicMock(), lambda touch: None, lambda mass: None)
     view.build(scene, dark=False)
-    assert view.draw(start(scene))
+    assert view.draw(start(scene), 0.0)
     return view
 
 
@@ -33,10 +33,13 @@ def start(scene: sim.Scene) -> Picture:
 
 
 def test_the_same_picture_is_not_sent_again_unless_it_must_be(view: Canvas, scene: sim.Scene) -> None:
-    assert not view.draw(start(scene))
-    assert view.draw(start(scene), force=True)
+    assert not view.draw(start(scene), 0.0)
+    assert not view.draw(start(scene), 0.0, force=True)
+    near = replace(start(scene), positions=start(scene).positions + 0.01)
+    assert not view.draw(near, 0.0)
+    assert view.draw(near, 0.0, force=True)
     view.build(scene, dark=True)
-    assert view.draw(start(scene))
+    assert view.draw(start(scene), 0.0)
 
 
 @pytest.mark.parametrize("what", ["positions", "ghost"])
@@ -45,21 +48,35 @@ def test_a_movement_of_a_tenth_of_a_pixel_is_sent(view: Canvas, scene: sim.Scene
     for part, sent in ((0.9, False), (1.1, True)):
         moved = places.copy()
         moved[2, 1] -= part * STILL
-        assert view.draw(replace(start(scene), **{what: moved})) is sent
+        assert view.draw(replace(start(scene), **{what: moved}), 0.0) is sent
 
 
 def test_a_turn_of_half_a_degree_is_sent(view: Canvas, scene: sim.Scene) -> None:
-    """Of a joint whose masses stay where they are: its rest angle turns."""
+    """Of joints whose masses stay where they are: their rest angles turn."""
     for degrees, sent in ((0.4, False), (-0.6, True)):
-        turned = start(scene).deviations + np.array([0.0, degrees])
-        assert view.draw(replace(start(scene), deviations=turned)) is sent
+        assert view.draw(replace(start(scene), rest_angle_shift=degrees), 0.0) is sent
+
+
+def test_a_body_that_is_another_one_only_by_its_numbers_keeps_its_nodes() -> None:
+    scene = sim.rope(12)
+    client = MagicMock()
+    view = Canvas(client, lambda touch: None, lambda mass: None)
+    view.build(scene, dark=False)
+    added = client.scene.add_batched_meshes_simple.call_count
+    for key, value in (("masses", 13), ("rest_angle", 20.0)):
+        scene = sim.set_value(scene, key, value)
+        view.build(scene, dark=False)
+        assert view.draw(Picture.at_start(scene), 0.0), f"after another {key} everything is drawn anew"
+    assert client.scene.add_batched_meshes_simple.call_count == added
+    view.build(scene, dark=True)
+    assert client.scene.add_batched_meshes_simple.call_count == 2 * added
 
 
 def test_a_growth_of_rest_lengths_by_a_thousandth_is_sent(view: Canvas, scene: sim.Scene) -> None:
     for factor, sent in ((1.0009, False), (1.0011, True)):
-        assert view.draw(replace(start(scene), rest_length_scale=factor)) is sent
+        assert view.draw(replace(start(scene), rest_length_scale=factor), 0.0) is sent
 
 
 def test_a_second_body_that_comes_or_goes_is_sent(view: Canvas, scene: sim.Scene) -> None:
-    assert view.draw(replace(start(scene), ghost=None))
-    assert view.draw(start(scene))
+    assert view.draw(replace(start(scene), ghost=None), 0.0)
+    assert view.draw(start(scene), 0.0)

@@ -55,7 +55,10 @@ export class Glide {
     if (before && gap > STOOD) {
       this.shown = at - this.interval;
       this.frames = [{ ...before, at: this.shown }];
-    } else if (gap < STOOD && gap > 0) this.interval += 0.1 * (gap - this.interval);
+    } else if (gap < STOOD && gap > 0) {
+      // Soon longer, slowly shorter: a picture too late is worse than one that waits.
+      this.interval += (gap > this.interval ? 0.5 : 0.05) * (gap - this.interval);
+    }
     this.frames.push({ ...frame, at });
     // The fastest frame tells how far the clocks are apart; slowly forgotten, since clocks drift.
     this.ahead = Math.max(this.ahead - 1e-4 * Math.min(gap, 1), at - now);

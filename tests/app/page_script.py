@@ -1,0 +1,49 @@
+"""What the page's script draws, computed by node instead of a browser."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from typing import Any
+
+import numpy as np
+
+from app.page.colors import palette
+from app.page.drawing import Sketch
+from app.page.plan import Picture, encode_frame, encode_plan
+from sim import Scene, Simulation
+from tests.page.check import FOLDER, NODE
+
+_WIDTHS = {"positions": 3, "wxyzs": 4, "scales": 3, "colors": 3}
+
+
+def sketch_of(scene: Scene) -> Sketch:
+    return Sketch(scene, palette(scene.view.colors, dark=False))
+
+
+def drawn(scene: Scene, picture: Picture) -> dict[str, Any]:
+    """What the page draws of a picture, with the scene's rest angles.
+
+    Returns:
+        For each node its arrays `positions`, `wxyzs`, `scales` and `colors`; and the (J,) `deviations` of the
+        joints, degrees.
+    """
+    rest = np.array([joint.rest_angle for joint in scene.angular_springs])
+    plan = encode_plan(1, sketch_of(scene), rest)
+    line = json.dumps({"plan": plan.tolist(), "frame": encode_frame(1, 0.0, picture).tolist()})
+    out = subprocess.run(
+        [NODE, FOLDER / "instances.mjs"], input=line, stdout=subprocess.PIPE, text=True, check=True
+    ).stdout
+    return {
+        name: {key: np.array(values, float).reshape(-1, _WIDTHS[key]) for key, values in node.items()}
+        if isinstance(node, dict)
+        else np.array(node, float) if node is not None else None
+        for name, node in json.loads(out).items()
+    }  # fmt: skip
+
+
+def after(scene: Scene, steps: int) -> tuple[Simulation, Picture]:
+    """A scene in motion, and its picture."""
+    simulation = Simulation(scene)
+    simulation.step(steps)
+    return simulation, Picture.of(simulation)
