@@ -156,13 +156,13 @@ class Bench:
     """Measure softrod on this machine, beside other programs that do the same."""
 
     what: Annotated[
-        Positional[Literal["kernels", "growth", "frames", "matrices", "compile", "start", "page"]],
-        arg(metavar="{kernels,growth,frames,matrices,compile,start,page}"),
+        Positional[Literal["kernels", "growth", "frames", "matrices", "compile", "start", "page", "tabs"]],
+        arg(metavar="{kernels,growth,frames,matrices,compile,start,page,tabs}"),
     ]
     """kernels: the step by several programs; growth: the step as the body grows; frames: time and error of a
     rod led in a circle, and time of one torn to and fro; matrices: what implicit steps of any topology
     factorise; compile: processor time of compiling; start: until each preset moves; page: cost and
-    latency."""
+    latency; tabs: many pages at once."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 
@@ -174,6 +174,7 @@ class Bench:
         from .bench.kernels import bench
         from .bench.matrices import bench_matrices
         from .bench.serving import bench_page, bench_start
+        from .bench.tabs import bench_tabs
 
         if not 1 <= self.repeats <= 1000:
             return _fail("--repeats: it must be from 1 to 1000")
@@ -185,6 +186,7 @@ class Bench:
             "compile": bench_compile,
             "start": bench_start,
             "page": bench_page,
+            "tabs": bench_tabs,
         }
         benches[self.what](Console(), self.repeats)
         return 0

@@ -33,6 +33,41 @@ CAMERA: dict[str, Any] = {
 }
 
 
+def options_of(address: str) -> dict[str, Any]:
+    """Arguments for a connection, as the page makes it."""
+    return {
+        "origin": Origin(f"http://{address}"),
+        "subprotocols": [Subprotocol(f"viser-v{viser.__version__}")],
+        "compression": None,
+        "max_size": None,
+    }
+
+
+class Decoder:
+    """Reads and writes viser's messages."""
+
+    def __init__(self) -> None:
+        self._unpack = zstandard.ZstdDecompressor()
+        self.encode = msgspec.msgpack.Encoder().encode
+
+    def decode(self, data: bytes) -> list[dict[str, Any]]:
+        """The messages of a frame, with softrod's arrays in place."""
+        # viser 1.1.1, infra/_infra.py: two lengths, compressed msgpack, then raw arrays.
+        size = int.from_bytes(data[8:16], "little")
+        payload = msgspec.msgpack.decode(self._unpack.decompress(data[16 : 16 + size]))
+        messages: list[dict[str, Any]] = payload["messages"]
+        lengths: list[int] = payload.get("binaryBufferLengths") or []
+        for message in messages:
+            updates = message.get("updates", {})
+            if message.get("name") == FRAME and "points" in updates:
+                index: int = updates["points"]["__binary_index"]
+                # Each array begins at a multiple of eight bytes.
+                before = sum(-(-length // 8) * 8 for length in lengths[:index])
+                start = -(-(16 + size) // 8) * 8 + before
+                updates["points"] = np.frombuffer(data, np.float32, lengths[index] // 4, start)
+        return messages
+
+
 class Page:
     """A connected client; a context manager.
 
@@ -44,7 +79,7 @@ class Page:
     def __init__(self, port: int, patience: float = 60.0) -> None:
         self._address = f"127.0.0.1:{port}"
         self._patience = patience
-        self._unpack = zstandard.ZstdDecompressor()
+        self._decoder = Decoder()
         self._unread: deque[dict[str, Any]] = deque()
         self.bytes = 0
         self.messages = 0
@@ -54,11 +89,7 @@ class Page:
         while True:
             try:
                 self._connection: ClientConnection = connect(
-                    f"ws://{self._address}",
-                    origin=Origin(f"http://{self._address}"),
-                    subprotocols=[Subprotocol(f"viser-v{viser.__version__}")],
-                    compression=None,
-                    max_size=None,
+                    f"ws://{self._address}", **options_of(self._address)
                 )
                 break
             except (OSError, ConnectionClosed):
@@ -73,7 +104,7 @@ class Page:
 
     def send(self, message: dict[str, Any]) -> None:
         """Send one message, as the page does."""
-        self._connection.send(msgspec.msgpack.encode(message))
+        self._connection.send(self._decoder.encode(message))
 
     def receive(self, timeout: float) -> list[dict[str, Any]]:
         """The messages of the next frame, with softrod's arrays in place; none after the timeout."""
@@ -82,17 +113,7 @@ class Page:
         except TimeoutError:
             return []
         self.bytes += len(data)
-        # viser 1.1.1, infra/_infra.py: two lengths, compressed msgpack, then raw arrays.
-        size = int.from_bytes(data[8:16], "little")
-        payload = msgspec.msgpack.decode(self._unpack.decompress(data[16 : 16 + size]))
-        messages = payload["messages"]
-        lengths: list[int] = payload.get("binaryBufferLengths") or []
-        starts = np.cumsum([-(-(16 + size) // 8) * 8, *(-(-length // 8) * 8 for length in lengths)])
-        for message in messages:
-            updates = message.get("updates", {})
-            if message.get("name") == FRAME and "points" in updates:
-                index: int = updates["points"]["__binary_index"]
-                updates["points"] = np.frombuffer(data, np.float32, lengths[index] // 4, int(starts[index]))
+        messages = self._decoder.decode(data)
         self.messages += len(messages)
         return messages
 

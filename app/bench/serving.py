@@ -57,10 +57,10 @@ def _moves(message: dict[str, Any]) -> bool:
 
 def _runs(message: dict[str, Any]) -> bool:
     """Whether simulated time has passed."""
-    return _is_frame(message) and float(message["updates"]["points"][FRAME_TIME]) > 0.0
+    return is_frame(message) and float(message["updates"]["points"][FRAME_TIME]) > 0.0
 
 
-def _is_frame(message: dict[str, Any]) -> bool:
+def is_frame(message: dict[str, Any]) -> bool:
     return message.get("name") == FRAME and "points" in message.get("updates", {})
 
 
@@ -79,7 +79,7 @@ def _start(kind: str, shown: str | int, cache: str) -> dict[str, float]:
         return {"port": listening, "drawn": drawn, "moving": time.perf_counter() - began}
 
 
-def _warm(cache: str) -> None:
+def warm(cache: str) -> None:
     """Compile all kernels into a folder."""
     words = [sys.executable, "-m", "sim.compiling.precompile", "all"]
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL, env={**os.environ, "XDG_CACHE_HOME": cache})
@@ -100,7 +100,7 @@ def bench_start(console: Console, repeats: int) -> None:
     best: dict[tuple[str, str], dict[str, float]] = {}
     numba = float("inf")
     with tempfile.TemporaryDirectory() as kept:
-        _warm(kept)
+        warm(kept)
         for _ in range(repeats):
             runs = {("bare viser", ""): _start("bare", 12, kept)}
             for preset in presets:
@@ -175,10 +175,10 @@ def _latencies(masses: int, count: int, cache: str) -> list[float]:
         result = []
         for i in range(count):
             page.read_for(0.03 + 0.01 * (i % 4))
-            before = page.wait_for(_is_frame)["updates"]["points"][driven]
+            before = page.wait_for(is_frame)["updates"]["points"][driven]
             began = time.perf_counter()
             say(f"at|{0.5 * (i % 2):.6f},1.000000")
-            page.wait_for(lambda m: _is_frame(m) and (m["updates"]["points"][driven] != before).any())  # noqa: B023
+            page.wait_for(lambda m: is_frame(m) and (m["updates"]["points"][driven] != before).any())  # noqa: B023
             result.append(time.perf_counter() - began)
         return result
 
@@ -187,7 +187,7 @@ def bench_page(console: Console, repeats: int) -> None:
     """Server cost of one page at 60 Hz beside bare viser, and the latency from pointer to page."""
     table = Table("masses", "server", "% of a core", "kB/s", "frames/s", "softrod / viser", box=None)
     with tempfile.TemporaryDirectory() as cache:
-        _warm(cache)
+        warm(cache)
         for masses in (12, 200, 1000):
             best: dict[str, tuple[float, float, float]] = {}
             for _ in range(repeats):
