@@ -7,11 +7,15 @@ import math
 import tempfile
 import time
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from rich.console import Console
 from rich.table import Table
 from websockets.asyncio.client import connect
+
+from sim import Anchor, Integrator, LinearSpring, Mass, Scene
+from sim.scene.files import encode_scene
 
 from ..page.plan import FRAME_TIME
 from .client import CAMERA, Decoder, options_of
@@ -20,6 +24,9 @@ from .serving import is_frame, served, warm
 MASSES = 200
 SETTLE, SPAN = 4.0, 6.0
 """Seconds until it is measured, and for how long."""
+
+CLOTHS = (20, 70, 105)
+"""Masses along the sides of the cloths that another page has."""
 
 STEER_EVERY = 0.05
 """Seconds between two reports of the pointer, which leads the rope's end in a circle."""
@@ -33,11 +40,13 @@ class Visitor:
         arrivals: wall time of each frame, s.
         times: simulated time of each frame, s.
         bytes: received.
+        paused: wall time at which the page was told that it is paused, s.
     """
 
     arrivals: list[float] = field(default_factory=list)
     times: list[float] = field(default_factory=list)
     bytes: int = 0
+    paused: float = math.inf
 
     def within(self, begin: float, end: float) -> tuple[float, float, float]:
         """(frames a second, longest gap in s, simulated seconds per second) of a span of wall time."""
@@ -50,24 +59,41 @@ class Visitor:
         return len(at) / (end - begin), max(gaps), passed / (at[-1] - at[0])
 
 
-async def _visit(port: int, visitor: Visitor, number: int, stop: asyncio.Event) -> None:
+async def _visit(
+    port: int,
+    visitor: Visitor,
+    number: int,
+    stop: asyncio.Event,
+    scene: str = "",
+    press: asyncio.Event | None = None,
+) -> None:
+    """Be a page until told to stop: go on to another scene, lead the driven mass, press Pause when told."""
     address = f"127.0.0.1:{port}"
     decoder = Decoder()
     async with connect(f"ws://{address}", **options_of(address)) as connection:
         await connection.send(decoder.encode(CAMERA))
-        channel = ""
+        channel = chooser = ""
+
+        async def put(uuid: str, value: str) -> None:
+            message = {"type": "GuiUpdateMessage", "uuid": uuid, "updates": {"value": value}}
+            await connection.send(decoder.encode(message))
 
         async def steer() -> None:
-            sequence = 0
-            while not channel:
+            sequence, pressed = 0, False
+            while not (channel and chooser):
                 await asyncio.sleep(STEER_EVERY)
+            if scene:
+                await put(chooser, scene)
+                await asyncio.sleep(1.0)
             while not stop.is_set():
                 sequence += 1
                 angle = 2.0 * time.monotonic() + number
-                at = f"at|{0.6 * math.cos(angle):.6f},{1.0 + 0.6 * math.sin(angle):.6f}"
-                text = "do|follow" if sequence == 1 else at
-                update = {"uuid": channel, "updates": {"value": f"{sequence}|{text}"}}
-                await connection.send(decoder.encode({"type": "GuiUpdateMessage", **update}))
+                text = f"at|{0.6 * math.cos(angle):.6f},{1.0 + 0.6 * math.sin(angle):.6f}"
+                if sequence == 1:
+                    text = "do|follow"
+                elif press is not None and press.is_set() and not pressed:
+                    text, pressed = "do|pause", True
+                await put(channel, f"{sequence}|{text}")
                 await asyncio.sleep(STEER_EVERY)
 
         steering = asyncio.create_task(steer())
@@ -83,6 +109,10 @@ async def _visit(port: int, visitor: Visitor, number: int, stop: asyncio.Event) 
                     visitor.times.append(float(message["updates"]["points"][FRAME_TIME]))
                 elif message.get("type") == "GuiTextMessage" and message["props"]["label"] == "softrod":
                     channel = message["uuid"]
+                elif message.get("type") == "GuiDropdownMessage" and message["props"]["label"] == "Scene":
+                    chooser = message["uuid"]
+                elif message.get("updates", {}).get("label") == "Play":
+                    visitor.paused = time.monotonic()
         await steering
 
 
@@ -136,3 +166,58 @@ def bench_tabs(console: Console, repeats: int) -> None:
                 f"{100 * share:.0f}", f"{size:.0f}",
             )  # fmt: skip
     console.print(table)
+    bench_neighbour(console)
+
+
+def bench_neighbour(console: Console) -> None:
+    """What a page with a rope notices of another page's heavy cloth, and how soon that one answers."""
+    table = Table(
+        "beside a cloth of", "frames/s", "longest gap, ms", "its page pauses in, ms", box=None
+    )
+    with tempfile.TemporaryDirectory() as cache:
+        warm(cache)
+        for side in CLOTHS:
+            scene = Path(cache) / "cloth.json"
+            scene.write_bytes(encode_scene(cloth(side)))
+            with served("softrod", str(scene), cache) as (_, port, _):
+                rate, gap, answer = asyncio.run(_beside(port))
+            table.add_row(f"{side * side} masses", f"{rate:.1f}", f"{1e3 * gap:.0f}", f"{1e3 * answer:.0f}")
+    console.print(table)
+
+
+async def _beside(port: int) -> tuple[float, float, float]:
+    """(frames a second and longest gap of a page that goes on to a rope, seconds until the other pauses)."""
+    stop, answered = asyncio.Event(), asyncio.Event()
+    rope, heavy = Visitor(), Visitor()
+    tasks = [asyncio.create_task(_visit(port, heavy, 1, stop, press=answered))]
+    await asyncio.sleep(SETTLE)
+    tasks.append(asyncio.create_task(_visit(port, rope, 0, stop, scene="tutorial-3.3")))
+    await asyncio.sleep(2.0 * SETTLE)
+    begin = time.monotonic()
+    await asyncio.sleep(SPAN)
+    end = time.monotonic()
+    answered.set()
+    await asyncio.sleep(1.0)
+    stop.set()
+    await asyncio.gather(*tasks)
+    rate, gap, _ = rope.within(begin, end)
+    return rate, gap, heavy.paused - end
+
+
+def cloth(side: int) -> Scene:
+    """A square cloth of so many masses a side, held at two corners, by an implicit method."""
+    spacing = 500.0 / side
+    at = [(50.0 + spacing * i, 50.0 + spacing * j) for j in range(side) for i in range(side)]
+    ends = [(n, n + 1) for n in range(side * side) if (n + 1) % side]
+    ends += [(n, n + side) for n in range(side * (side - 1))]
+    return Scene(
+        name="cloth",
+        masses=tuple(Mass(position=position, radius=2.0) for position in at),
+        linear_springs=tuple(
+            LinearSpring(a=a, b=b, stiffness=1e4, damping=4.0, rest_length=spacing) for a, b in ends
+        ),
+        angular_springs=(),
+        anchors=(Anchor(mass=0), Anchor(mass=side - 1)),
+        gravity=(0.0, 981.0),
+        integrator=Integrator(method="generalized_alpha", dt=1.0 / 60.0),
+    )

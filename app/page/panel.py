@@ -113,7 +113,8 @@ class Panel:
             help_button = gui.add_button("Help", icon=viser.Icon.HELP, color="gray")
 
         @self.chooser.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
+        def _(event: viser.GuiEvent[Any]) -> None:
+            # Not on the event loop: a large scene takes a second to read.
             if event.client_id is not None:
                 self._act("open", self.chooser.value)
 
@@ -254,6 +255,13 @@ class Panel:
         if self.chooser.value != present:
             self.chooser.value = present
 
+    def show_playing(self, playing: bool) -> None:
+        """Say on the button what it does next."""
+        label = "Pause" if playing else "Play"
+        if self._play.label != label:
+            self._play.label = label
+            self._play.icon = viser.Icon.PLAYER_PAUSE if playing else viser.Icon.PLAYER_PLAY
+
     def refresh_controls(self) -> None:
         """Show in the controls what keys, commands or other controls changed."""
         session = self._session
@@ -261,11 +269,7 @@ class Panel:
         if self._shown_revision != session.revision:
             self._shown_revision = session.revision
             self._solver.refresh_controls()
-            running = session.playing
-            label = "Pause" if running else "Play"
-            if self._play.label != label:
-                self._play.label = label
-                self._play.icon = viser.Icon.PLAYER_PAUSE if running else viser.Icon.PLAYER_PLAY
+            self.show_playing(session.playing)
             speed = SPEEDS.index(min(SPEEDS, key=lambda s: abs(s - session.pacer.speed)))
             if self._speed.value != speed:
                 self._speed.value = speed

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import time
 from collections import deque
-from typing import Any, Literal
+from concurrent.futures import Future
+from typing import Any, Literal, Protocol
 
 import viser
 
@@ -17,7 +18,7 @@ from sim.compiling.compiler import Compiler, needed_by
 from sim.methods.registry import METHODS
 
 from ..session import commands
-from ..session.session import Notice, Session
+from ..session.session import Notice, Session, is_large
 from . import readouts, script
 from .drawing import Mapping
 from .files_panel import FilesPanel
@@ -32,6 +33,12 @@ RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
+
+
+class Submit(Protocol):
+    """Has something done in another thread, as `ThreadPoolExecutor.submit`."""
+
+    def __call__(self, work: Any, /, *arguments: Any, **options: Any) -> Future[Any]: ...
 
 
 class Tab:
@@ -62,14 +69,18 @@ class Tab:
         self._first = scene
         self._view = Canvas(client, self._touched, self._clicked)
         self._session: Session | None = None
+        self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
         self._view.build(scene, self._dark)
         self._view.draw(Picture.at_start(scene), time.monotonic())
 
     # --------------------------------------------------------------------- handlers, any thread
     def request(self, what: str, argument: Any) -> None:
-        """Ask the ticker for something that is not the session's."""
-        self._requests.append((what, argument))
+        """Ask the ticker for something that is not the session's; scenes are read at once."""
+        if what == "open":
+            self._open(argument)
+        else:
+            self._requests.append((what, argument))
 
     def notify(self, notice: Notice) -> None:
         """Have the user told something."""
@@ -89,23 +100,47 @@ class Tab:
         self.request("joint", mass)
 
     # --------------------------------------------------------------------- the ticker's
-    def frame(self, budget: float) -> None:
-        """One frame: `budget` seconds of computing may go into it."""
-        session = self._session or self._begin()
-        self._serve_requests(session)
-        session.drain()
+    def frame(self, budget: float, beside: Submit) -> None:
+        """One frame: `budget` seconds of computing may go into it.
+
+        What a heavy body needs is done by `beside`, in another thread. Until that is done the session is that
+        thread's, and the page keeps its picture.
+        """
+        session = self._session
+        if self._under_way is not None:
+            if not self._under_way.done():
+                if session is not None:
+                    self._panel.show_playing(session.will_play)
+                return
+            done, self._under_way = self._under_way, None
+            made = done.result()
+            session = session or self._begin(made)
+        elif session is None:
+            if is_large(self._first):
+                self._under_way = beside(Session, self._first, wait=False)
+                return
+            session = self._begin(Session(self._first, wait=False))
+        else:
+            self._serve_requests(session)
+            self._prepare(session)
+            if session.heavy:
+                self._under_way = beside(self._advance, session, budget)
+                return
+            self._advance(session, budget)
         if session.generation != self._generation:
             self._rebuild(session)
         if session.revision != self._planned:
             self._plan(session)
-        self._prepare(session)
-        session.tick(budget)
         self._show(session)
         self._tell(session)
 
-    def _begin(self) -> Session:
-        """The session and the panel, which are made after the first picture has been sent."""
-        session = Session(self._first, wait=False)
+    @staticmethod
+    def _advance(session: Session, budget: float) -> None:
+        session.drain()
+        session.tick(budget)
+
+    def _begin(self, session: Session) -> Session:
+        """The panel, which is made after the first picture has been sent."""
         self._panel = Panel(self.client, session, self._scene_names(self._first.name), self.request)
         with self._panel.files_tab:
             self._files = FilesPanel(self.client, session, self.notify, lambda: self.request("scenes", None))
@@ -184,9 +219,7 @@ class Tab:
     def _serve_requests(self, session: Session) -> None:
         while self._requests:
             what, argument = self._requests.popleft()
-            if what == "open":
-                self._open(session, argument)
-            elif what == "theme":
+            if what == "theme":
                 self._dark = argument
                 set_theme(self.client.gui, dark=argument)
                 self._generation = -1
@@ -208,14 +241,16 @@ class Tab:
             elif what == "help":
                 self._help()
 
-    def _open(self, session: Session, name: str) -> None:
+    def _open(self, name: str) -> None:
+        """Read a scene, in the handler's thread."""
         try:
             scene = sim.load_scene(name)
         except sim.SceneError as error:
             self.notify(Notice("error", "That scene cannot be opened", str(error)))
-            self._panel.set_scenes(self._scene_names(session.scene.name), session.scene.name)
+            self.request("scenes", None)
             return
-        session.post(commands.Open(scene))
+        if self._session is not None:
+            self._session.post(commands.Open(scene))
 
     def _help(self) -> None:
         with self.client.gui.add_modal("How to use softrod") as modal:

@@ -1,4 +1,8 @@
-"""The one thread that steps and draws all tabs, sixty times a second; with no tab it sleeps."""
+"""The one thread that steps and draws all tabs, sixty times a second; with no tab it sleeps.
+
+With many tabs it is fewer times a second, down to 25, and the pages glide from one picture to the next. The
+time steps of heavy bodies are done by threads beside it, since the kernels do not hold the interpreter.
+"""
 
 from __future__ import annotations
 
@@ -7,14 +11,24 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 
 import viser
 
 from ..page.tab import Tab
 from ..session.session import FRAME
 
-BUDGET = 0.7 * FRAME
-"""Computing time of a frame, for all tabs together; the rest of the frame is for drawing and the network."""
+BUDGET = 0.7
+"""Computing time of all tabs, as a part of a frame; the rest is for drawing and the network."""
+
+LONGEST_FRAME = 1.0 / 25.0
+"""Seconds of a frame at most, however many tabs there are."""
+
+WORKED = 0.75
+"""Part of a frame that the ticker may work; the rest is the event loop's, which has the network."""
+
+HEAVY_THREADS = 2
+"""Threads for heavy bodies, all tabs together."""
 
 _log = logging.getLogger(__name__)
 
@@ -36,6 +50,8 @@ class Ticker:
         self._departures: deque[int] = deque()
         self._wake = threading.Event()
         self._stopping = False
+        self._frame = FRAME
+        self._workers = ThreadPoolExecutor(HEAVY_THREADS, thread_name_prefix="softrod-heavy")
         self._thread = threading.Thread(target=self._run, name="softrod-ticker", daemon=True)
         self.tabs: dict[int, Tab] = {}
         self.drawn = threading.Event()
@@ -60,6 +76,7 @@ class Ticker:
         self._stopping = True
         self._wake.set()
         self._thread.join(timeout=10.0)
+        self._workers.shutdown(wait=False, cancel_futures=True)
 
     def _run(self) -> None:
         due = time.monotonic()
@@ -69,17 +86,20 @@ class Ticker:
                 if not self._arrivals and not self._departures and not self._stopping:
                     self._wake.wait()
                 due = time.monotonic()
+            began = time.monotonic()
             self._come_and_go()
             for client_id, tab in list(self.tabs.items()):
                 try:
-                    tab.frame(BUDGET / len(self.tabs))
+                    tab.frame(BUDGET * self._frame / len(self.tabs), self._workers.submit)
                     tab.client.flush()
                 except Exception:
                     # A page that went away in the middle of a frame, or a defect: the other tabs go on.
                     _log.exception("the tab %s is closed after an error", client_id)
                     self.tabs.pop(client_id, None)
-            due = max(due + FRAME, time.monotonic() - FRAME)
-            time.sleep(max(0.0, due - time.monotonic()))
+            now = time.monotonic()
+            self._frame = next_frame(self._frame, now - began)
+            due = max(due + self._frame, now - FRAME)
+            time.sleep(max(0.0, due - now))
 
     def _come_and_go(self) -> None:
         while self._arrivals:
@@ -92,3 +112,9 @@ class Ticker:
                 _log.exception("a page could not be set up")
         while self._departures:
             self.tabs.pop(self._departures.popleft(), None)
+
+
+def next_frame(frame: float, worked: float) -> float:
+    """Seconds of the next frame, after one in which all tabs together took so long."""
+    wanted = min(max(worked / WORKED, FRAME), LONGEST_FRAME)
+    return frame + 0.1 * (wanted - frame)

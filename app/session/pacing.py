@@ -57,6 +57,11 @@ class Pacer:
         self._attempt_cost = 0.0
         self._frames: deque[tuple[float, float, int, int, float, float]] = deque()
 
+    @property
+    def unit_cost(self) -> float:
+        """Seconds of what cannot be divided: one step, or one attempt at one."""
+        return self._attempt_cost or self._step_cost
+
     def restart(self) -> None:
         """Owe nothing and forget the rates, as after a pause."""
         self._last = None

@@ -39,11 +39,18 @@ FRAME = 1.0 / 60.0
 DRAG_EVENT = 0.05
 """Seconds between two of viser's own reports of a drag; a mass is led smoothly from one to the next."""
 
+HEAVY_UNIT = 0.004
+"""Seconds of one step, or one attempt at a step, from which on a body is heavy."""
+
+LARGE = 2000
+"""Masses and springs from which on a scene counts as heavy before anything is known of its steps."""
+
 MOST_ATTEMPTS = 20_000
 """Steps that a method may try for single steps of the clock, which have no frame to keep to."""
 
 STABILITY_EVERY, STABILITY_SHARE = 0.25, 0.02
-"""Seconds between two looks at the stability limit, at least; and the share of time that they may take."""
+"""Seconds between two looks at the stability limit, at least; and the share of the budget that they may
+take."""
 
 
 @dataclass(frozen=True)
@@ -107,6 +114,24 @@ class Session:
         self.books = False
         self.fallbacks = 0
         self.preparing = ""
+
+    @property
+    def heavy(self) -> bool:
+        """Whether the next frame may take longer than others can wait for."""
+        opened = [command.scene for _, command in list(self._queue) if isinstance(command, commands.Open)]
+        return self.pacer.unit_cost > HEAVY_UNIT or any(map(is_large, (self.simulation.scene, *opened)))
+
+    @property
+    def will_play(self) -> bool:
+        """Whether the clock runs once the commands that wait are applied."""
+        playing = self.playing
+        for _, command in list(self._queue):
+            match command:
+                case commands.Play(on):
+                    playing = not playing if on is None else on
+                case commands.DoSteps():
+                    playing = False
+        return playing
 
     def now(self) -> float:
         """Wall time, s, by the clock that everything here goes by."""
@@ -177,7 +202,7 @@ class Session:
             began = time.perf_counter()
             self.stability = self.simulation.stability()
             took = time.perf_counter() - began
-            self._stability_due = now + max(STABILITY_EVERY, took / STABILITY_SHARE)
+            self._stability_due = now + max(STABILITY_EVERY, took / (STABILITY_SHARE * budget / FRAME))
 
     def drain(self) -> None:
         """Apply the commands that wait; also while the clock stands."""
@@ -389,6 +414,11 @@ class Session:
                 "Move it more gently, or lower the time step, then press Reset."
             )
         self.notices.append(Notice("error", "The simulation ran away", text))
+
+
+def is_large(scene: sim.Scene) -> bool:
+    """Whether a scene is heavy by its size alone."""
+    return len(scene.masses) + len(scene.linear_springs) + len(scene.angular_springs) > LARGE
 
 
 def _clamp(coordinate: float) -> float:

@@ -13,7 +13,7 @@ import pytest
 from playwright.sync_api import Browser, Playwright, sync_playwright
 
 import sim
-from app.page.tab import Tab
+from app.page.tab import Submit, Tab
 from app.server.serve import serving
 from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.driver import ARTIFACTS, Desk, Served
@@ -78,9 +78,9 @@ def frames_are_whole() -> Iterator[None]:
     """The solver is the ticker's alone: a test, which is another thread, sees it only between two frames."""
     frame = Tab.frame
 
-    def alone(tab: Tab, budget: float) -> None:
+    def alone(tab: Tab, budget: float, beside: Submit) -> None:
         with FRAME_LOCK:
-            frame(tab, budget)
+            frame(tab, budget, beside)
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Tab, "frame", alone)
