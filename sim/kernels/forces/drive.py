@@ -66,7 +66,7 @@ def drive_to(body, state, drive, t, q, v):
 
 @kernel(forceinline=True)
 def press(body, state, drive, h):
-    """Let held keys act for h more seconds; unlike `drive_to`, the same however steps are grouped in calls."""
+    """Let held keys act for h more seconds; unlike `drive_to`, the same for any grouping of steps."""
     if drive.pressed:
         scale = state.controls[CONTROL_SCALE] * math.exp(drive.growth * h)
         set_controls(body, state, scale, state.controls[CONTROL_SHIFT] + drive.turn * h)
