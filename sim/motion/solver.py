@@ -65,7 +65,7 @@ _NEW = np.array(AUTO_NEW)
 """Initial contents of `IntegratorState.selector`."""
 
 LOW_TOLERANCE = 3e-3
-"""Tolerance, px, below which `auto` uses RODAS 5P instead of RODAS 4."""
+"""Tolerance, px, below which `auto` uses RODAS 5P instead of RODAS 4, and no generalized-alpha."""
 
 LONG = 200
 """Number of masses from which `auto` also tries generalized-alpha, which is good at long rods."""

@@ -62,7 +62,7 @@ _NEWS = 0.3
 _LONG_STEP = 0.03
 """Length, s, that implicit steps of a moving body hardly exceed at a tolerance of 1 px; it is proportional to
 the fifth root of the tolerance. Where the best method already gets as far in the computing time of such a
-step, implicit methods are tried later."""
+step, the other methods are tried later."""
 
 _WITH_CARE = 0.1
 """Factor of all tolerances while small errors grow quickly: where a joint is bent by more than 90 degrees
