@@ -1,6 +1,6 @@
 """softrod's solver: scenes of masses, linear springs and angular springs, and their motion.
 
-Nothing here knows of the page; `import sim` is enough to use it in a script:
+It does not depend on the page; `import sim` is enough to use it in a script:
 
     import sim
 

@@ -1,8 +1,8 @@
-"""The errors that softrod raises for what a user can get wrong; each is one clear sentence."""
+"""Errors for what a user can get wrong. Each message is one clear sentence."""
 
 
 class SceneError(ValueError):
-    """A scene or a scene file is not valid; the sentence names the field and what is allowed."""
+    """A scene or a scene file is not valid. The message names the field and what is allowed."""
 
 
 class SettingError(ValueError):
@@ -10,4 +10,4 @@ class SettingError(ValueError):
 
 
 class InputError(ValueError):
-    """A call or an input log asks for what the simulation cannot do."""
+    """A call or an input log asks for something that the simulation cannot do."""

@@ -1,15 +1,15 @@
-"""The physics of softrod in NumPy: start reading here.
+"""The physics of softrod in NumPy. Start reading here.
 
-A body is point masses, linear springs between two masses, and angular springs ("joints"), each of which holds
-two linear springs at an angle. This module says what they do, in as few lines as it takes, for any body and
-under every force law. It needs no compiler, so the page moves by it until the compiled kernels are ready; the
-tests hold every kernel against it.
+A body consists of point masses, linear springs between two masses, and angular springs ("joints"), each of
+which holds two linear springs at an angle. This module computes their forces for any body and every force
+law, in as few lines as possible. It needs no compiler: the page uses it until the compiled kernels are ready,
+and the tests compare every kernel with it.
 
-A vector (x, y) is the complex number x + iy. So the length of a vector is `abs`, a turn by an angle r is a
-product with exp(ir), and of two vectors A and B, conj(A) B = A . B + i (A x B) = |A||B| exp(iV), with V the
-angle from A to B. For a joint with the rest angle r, everything follows from S = conj(A) B exp(-ir): its
-angle is the deflection V - r, its size is |A||B|, and its imaginary part is |A||B| sin(V - r), which takes no
-trigonometry.
+A vector (x, y) is the complex number x + iy. The length of a vector is `abs`, and rotating it by an angle r
+multiplies it by exp(ir). For two vectors A and B, conj(A) B = A . B + i (A x B) = |A||B| exp(iV), where V is
+the angle from A to B. For a joint with the rest angle r, everything follows from S = conj(A) B exp(-ir): its
+argument is the deflection V - r, its modulus is |A||B|, and its imaginary part is |A||B| sin(V - r), which
+needs no trigonometric function.
 """
 
 from __future__ import annotations
@@ -23,15 +23,16 @@ from .kernels.core.tables import Body, State
 from .kernels.forces.laws import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL
 
 Vectors = NDArray[np.complex128]
-"""One vector each, as complex numbers."""
+"""An array of vectors, each a complex number."""
 Floats = NDArray[np.float64]
+"""An array of real numbers."""
 
 SHORTEST = 1e-150
-"""Length (px) that a spring has at least when something is divided by it."""
+"""Lower bound, px, of a spring's length where something is divided by it."""
 
 
 def sine_law(s: Vectors) -> tuple[Floats, Floats]:
-    """The torque |A||B| sin(V - r), and the energy |A||B| (1 - cos(V - r)) that it belongs to."""
+    """The torque |A||B| sin(V - r), and the energy |A||B| (1 - cos(V - r)) of which it is the gradient."""
     return s.imag, abs(s) - s.real
 
 
@@ -47,18 +48,19 @@ LAWS: dict[int, Callable[[Vectors], tuple[Floats, Floats]]] = {
     CONSERVATIVE: sine_law,
     ANGLE: angle_law,
 }
-"""Torque and energy of a joint of stiffness one, by `Body.law`. The tutorial's law has the sine law's torque,
-but leaves out the pull along the springs that makes it the gradient of an energy."""
+"""Torque and energy of a joint of stiffness one, by `Body.law`. The tutorial's law has the torque of the sine
+law without the pull along the springs that would make it the gradient of an energy."""
 
 
 class Physics:
-    """What acts on a body's masses.
+    """The forces on a body's masses.
 
-    Masses stand at indices 1 to n of the arrays; the others are padding, see `sim.kernels.tables`.
+    The masses are at indices 1 to n of the arrays; the other slots are padding, see
+    `sim.kernels.core.tables`.
 
     Args:
-        body: how the masses are joined, and by what.
-        state: rest lengths and rest angles as they are now, and what acts on each mass beside its springs.
+        body: the springs and joints, and which masses they connect.
+        state: the present rest lengths and rest angles, and what acts on each mass besides its springs.
     """
 
     def __init__(self, body: Body, state: State) -> None:
@@ -76,7 +78,7 @@ class Physics:
         self._ends = np.concatenate((self.b, self.a))
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """(slots) the forces of all springs on the masses at positions x (px) and velocities v (px/s)."""
+        """(slots,) the forces of all springs on the masses at positions x (px) and velocities v (px/s)."""
         spring, rate = x[self.b] - x[self.a], v[self.b] - v[self.a]
         square = np.maximum(abs(spring), SHORTEST) ** 2
         # Of a spring with the vector L: -stiffness (|L| - rest) L/|L| - damping (L . dL/dt) L/|L|².
@@ -92,20 +94,20 @@ class Physics:
             if not self._has_energy:
                 energy = 0.0 * energy
             # The torque turns both springs towards the rest angle. The energy grows with both lengths, so its
-            # gradient pulls along them, too.
+            # gradient also pulls along them.
             turned = spring / square
             np.add.at(tension, self.first, (1j * torque - energy) * turned[self.first])
             np.add.at(tension, self.second, (-1j * torque - energy) * turned[self.second])
         return self._sum(np.concatenate((tension, -tension)), x.size)
 
     def accelerations(self, x: Vectors, v: Vectors) -> Vectors:
-        """(slots) px/s²; zero where a mass is held. Air friction acts along each axis by itself."""
+        """(slots,) px/s²; zero where a mass is held. Air friction acts on each axis separately."""
         state = self.state
         air = v.real * abs(v.real) + 1j * (v.imag * abs(v.imag))
         return self.forces(x, v) * state.inverse_mass - air * state.air + (state.gx + 1j * state.gy)
 
     def energies(self, x: Vectors) -> tuple[float, float]:
-        """The energy in linear and in angular springs, kg px²/s²; the tutorial's law has the sine law's."""
+        """Energies of linear and of angular springs, kg px²/s²; the tutorial's law uses the sine law's."""
         spring = x[self.b] - x[self.a]
         pulls = self.stiffness > 0.0
         rest = self.pull[pulls] / self.stiffness[pulls]
@@ -114,13 +116,13 @@ class Physics:
         return linear, float((self.joint_stiffness * self._law(s)[1]).sum())
 
     def _sum(self, at_ends: Vectors, slots: int) -> Vectors:
-        """Add up what acts at both ends of each spring by mass."""
+        """Sum the forces on both ends of the springs by mass."""
         x, y = (np.bincount(self._ends, part, slots) for part in (at_ends.real, at_ends.imag))
         return x + 1j * y
 
 
 def euler_step(physics: Physics, x: Vectors, v: Vectors, h: float) -> tuple[Vectors, Vectors]:
-    """Symplectic Euler, the tutorial's step of h seconds: first velocities, then positions."""
+    """A step of h seconds of symplectic Euler, the tutorial's method: first velocities, then positions."""
     v = v + h * physics.accelerations(x, v)
     return x + h * v, v
 
@@ -128,9 +130,11 @@ def euler_step(physics: Physics, x: Vectors, v: Vectors, h: float) -> tuple[Vect
 def verlet_step(
     physics: Physics, x: Vectors, v: Vectors, a: Vectors, h: float, lead: Callable[[Vectors, Vectors], None]
 ) -> tuple[Vectors, Vectors, Vectors]:
-    """Velocity Verlet, from the accelerations a of the step before; forces take v + h a for the new velocity.
+    """A step of h seconds of velocity Verlet.
 
-    `lead` puts the masses that are led where they are at the end of the step.
+    Args:
+        a: accelerations at the start of the step. Forces at its end use v + h a as the velocity.
+        lead: moves the led masses, in positions and velocities, to where they are at the end of the step.
     """
     x, expected = x + h * v + 0.5 * h * h * a, v + h * a
     lead(x, expected)

@@ -1,8 +1,8 @@
-"""The numbers of a scene that have a slider, by name: reading them, setting them, and which ones apply.
+"""Settings: the numbers and choices of a scene that the panel and `--set` can change, by name.
 
-A scene's springs may differ from each other. A stiffness or damping setting shows the largest and scales
-the others with it; the rest-angle setting shows the first joint's and turns the others by as much, as the
-arrow keys do. Where all are equal, as in the tutorial, each setting is just the number itself.
+The springs of a scene may differ. A stiffness or damping setting shows the largest value and scales the
+others in proportion. The rest-angle setting shows the first joint's angle and turns all joints by the same
+amount, as the arrow keys do. Where all springs are equal, as in the tutorial, a setting is just their value.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from .scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope
 from .scene.validate import number_range, validate
 
 TEMPLATES: tuple[int, ...] = get_args(Template)
+"""The tutorial's eight rest angles, degrees."""
 
 
 @dataclass(frozen=True)
@@ -32,12 +33,13 @@ class Setting:
     Attributes:
         key, label, unit: its name in commands, its name for people, and its unit ("px" stands for the
             scene's own length unit).
-        low, high: the range allowed.
-        slider: the range that a slider usefully covers.
-        logarithmic: whether a slider should be.
-        read: the number in a scene.
-        write: the scene with another number, unvalidated.
-        applies: whether a scene has any use for it.
+        low, high: the allowed range.
+        slider: the range of its slider.
+        read: returns the number in a scene.
+        write: returns the scene with another number, not yet validated.
+        applies: whether the setting has any effect on a scene.
+        logarithmic: whether its slider is logarithmic.
+        integer: whether it takes whole numbers only.
     """
 
     key: str
@@ -54,20 +56,20 @@ class Setting:
 
 
 def settings_of(scene: Scene) -> list[Setting]:
-    """The settings that the scene has a use for, in the order of a panel."""
+    """The settings that apply to the scene, in the order of the panel."""
     return [setting for setting in SETTINGS.values() if setting.applies(scene)]
 
 
 @dataclass(frozen=True)
 class Choice:
-    """One thing about a scene that is chosen from a list, by name.
+    """A property of a scene that is chosen from a list of names.
 
     Attributes:
         key, label: its name in commands, and its name for people.
-        options: what there is to choose from, and what people call it.
-        read: what a scene has.
-        write: the scene with another choice, unvalidated.
-        applies: whether a scene has any use for it.
+        options: the names to choose from, each with its label for people.
+        read: returns the name that a scene has.
+        write: returns the scene with another name, not yet validated.
+        applies: whether the choice has any effect on a scene.
     """
 
     key: str
@@ -82,7 +84,7 @@ def set_choice(scene: Scene, key: str, value: str) -> Scene:
     """The scene with another choice made.
 
     Raises:
-        SettingError: there is no such choice, the scene has no use for it, or the value is none of its
+        SettingError: there is no such choice, it does not apply to the scene, or the value is not one of its
             options.
     """
     choice = CHOICES.get(key)
@@ -99,7 +101,7 @@ def set_value(scene: Scene, key: str, value: float) -> Scene:
     """The scene with one setting changed.
 
     Raises:
-        SettingError: there is no such setting, the scene has no use for it, or the value is out of range.
+        SettingError: there is no such setting, it does not apply to the scene, or the value is out of range.
     """
     setting = SETTINGS.get(key)
     if setting is None:
@@ -121,10 +123,10 @@ def set_value(scene: Scene, key: str, value: float) -> Scene:
 
 
 def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
-    """The scene with `KEY=VALUE` settings applied in order.
+    """The scene with `KEY=VALUE` assignments applied in order, to settings and choices.
 
     Raises:
-        SettingError: as `set_value`, or an assignment is not KEY=VALUE with a number.
+        SettingError: as `set_value` and `set_choice`, or an assignment is not KEY=VALUE with a finite number.
     """
     for assignment in assignments:
         key, equals, text = assignment.partition("=")
@@ -142,9 +144,9 @@ def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
 
 
 def shift_rest_angles(scene: Scene, degrees: float) -> Scene:
-    """The scene with every rest angle turned by some degrees (|degrees| <= 360), wrapped into (-180, 180].
+    """The scene with every rest angle shifted by some degrees (|degrees| <= 360), wrapped into (-180, 180].
 
-    A scene of one of the eight templates becomes one of the general law, with the stiffness the template had.
+    A scene with one of the eight templates becomes one without; its joints keep the template's stiffness.
     """
     stiffness = joint_stiffness(scene)
 
@@ -170,7 +172,7 @@ def _largest(field: str, springs: str) -> Callable[[Scene], float]:
 
 
 def _scaled(field: str, springs: str, of_rope: str) -> Callable[[Scene, float], Scene]:
-    """Set the largest to the value and keep the others in proportion; all equal where all were zero."""
+    """Set the largest to the value and scale the others in proportion; if all were zero, set all."""
 
     def write(scene: Scene, value: float) -> Scene:
         if scene.rope is not None:
@@ -192,7 +194,7 @@ def _read_rest_angle(scene: Scene) -> float:
 def _write_rest_angle(scene: Scene, value: float) -> Scene:
     turn = value - _read_rest_angle(scene)
     scene = shift_rest_angles(scene, turn)
-    # The sum above rounds; the first joint gets the very number that was asked for.
+    # The sum above rounds; the first joint gets exactly the given value.
     if scene.rope is not None:
         return with_rope(scene, rest_angle=value)
     first = msgspec.structs.replace(scene.angular_springs[0], rest_angle=value)
@@ -200,14 +202,14 @@ def _write_rest_angle(scene: Scene, value: float) -> Scene:
 
 
 def _read_gravity(scene: Scene) -> float:
-    """The size of gravity, negative where it points up the screen."""
+    """The magnitude of gravity, negative where it points up the screen."""
     x, y = scene.gravity
     down = y if scene.view.y_down else -y
     return math.copysign(math.hypot(x, y), down or x) if x else down
 
 
 def _write_gravity(scene: Scene, value: float) -> Scene:
-    """Along its direction; straight down the screen where there was none."""
+    """Keep the direction of gravity; straight down the screen where there was none."""
     x, y = scene.gravity
     size = _read_gravity(scene)
     if x and size:
@@ -241,7 +243,7 @@ def _of_integrator(field: str) -> Callable[[Scene, Any], Scene]:
 
 # ------------------------------------------------------------------------- when they apply
 def moves(scene: Scene) -> bool:
-    """Whether any mass is free, so that there are dynamics at all."""
+    """Whether any mass is free."""
     return len(scene.anchors) < len(scene.masses)
 
 
@@ -324,6 +326,7 @@ _ALL = (
 )  # fmt: skip
 
 SETTINGS: dict[str, Setting] = {setting.key: setting for setting in _ALL}
+"""The settings, by their keys."""
 
 CHOICES: dict[str, Choice] = {
     "force_law": Choice(

@@ -14,7 +14,7 @@ Point = tuple[float, float]
 
 
 def chain(
-    places: Sequence[Point],
+    positions: Sequence[Point],
     *,
     stiffness: float,
     held: Sequence[int],
@@ -27,21 +27,21 @@ def chain(
     law: ForceLaw = "conservative",
     integrator: Integrator | None = None,
 ) -> Scene:
-    """A chain through some places, with equal springs; gravity is along +y.
+    """A chain through some positions, with equal springs; gravity is along +y.
 
     Args:
         angular_stiffness: None for no joints.
         rest_angle: of every joint, degrees.
         masses: kg each; None for 1 kg each.
     """
-    n = len(places)
+    n = len(positions)
     joints = range(n - 2 if angular_stiffness is not None else 0)
     return sim.validate(
         Scene(
             name="study",
             masses=tuple(
-                Mass(position=place, mass=mass)
-                for place, mass in zip(places, masses or [1.0] * n, strict=True)
+                Mass(position=position, mass=mass)
+                for position, mass in zip(positions, masses or [1.0] * n, strict=True)
             ),
             linear_springs=tuple(
                 LinearSpring(a=i, b=i + 1, stiffness=stiffness, damping=damping, rest_length=rest_length)
@@ -60,7 +60,7 @@ def chain(
 
 
 def straight(segments: int) -> list[Point]:
-    """The places of masses 0..N along x."""
+    """The positions of masses 0..N along x."""
     return [(float(i), 0.0) for i in range(segments + 1)]
 
 
@@ -121,8 +121,8 @@ def sagging_rope(segments: int, length: float) -> Scene:
     span = segments / length
     across = span / segments
     down = (1.0 - across**2) ** 0.5
-    places = [(i * across, down * min(i, segments - i)) for i in range(segments + 1)]
-    return chain(places, stiffness=1e7 * segments, held=(0, segments), gravity=1.0)
+    positions = [(i * across, down * min(i, segments - i)) for i in range(segments + 1)]
+    return chain(positions, stiffness=1e7 * segments, held=(0, segments), gravity=1.0)
 
 
 def rolled(segments: int) -> Scene:

@@ -152,7 +152,7 @@ class Theirs:
 
 
 def distance(one: Points, other: Points) -> float:
-    """The largest distance between two places of a mass, px."""
+    """The largest distance between two positions of a mass, px."""
     return float(np.sqrt(((one - other) ** 2).sum(-1)).max())
 
 

@@ -33,10 +33,10 @@ class _Tables(Table):
     scratch: Scratch
     drive: Drive
     matrix: Matrix
-    at: Indices  # place of each free mass
+    at: Indices  # slot of each free mass
     a: Floats  # accelerations, flat
     used: Indices  # blocks of the matrix
-    row: Indices  # place of the row of each
+    row: Indices  # index of the row of each
     kept: Floats
 
 
@@ -44,10 +44,10 @@ class _Tables(Table):
 def _take(tables, t, y):
     """Put the state y at time t where the kernels want it."""
     at, q, v = tables.at, tables.state.q, tables.state.v
-    places = q.size // 2
+    slots = q.size // 2
     for i in range(at.size):
         m, k = at[i], 4 * i
-        q[m], q[places + m], v[m], v[places + m] = y[k], y[k + 1], y[k + 2], y[k + 3]
+        q[m], q[slots + m], v[m], v[slots + m] = y[k], y[k + 1], y[k + 2], y[k + 3]
     if tables.drive.moving:
         drive_to(tables.body, tables.state, tables.drive, t, q, v)
 
@@ -55,12 +55,12 @@ def _take(tables, t, y):
 @numba.njit
 def _derivative(tables, t, y, out):
     at, q, a = tables.at, tables.state.q, tables.a
-    places = q.size // 2
+    slots = q.size // 2
     _take(tables, t, y)
     accelerations(tables.body, tables.state, tables.scratch, q, tables.state.v, a)
     for i in range(at.size):
         m, k = at[i], 4 * i
-        out[k], out[k + 1], out[k + 2], out[k + 3] = y[k + 2], y[k + 3], a[m], a[places + m]
+        out[k], out[k + 1], out[k + 2], out[k + 3] = y[k + 2], y[k + 3], a[m], a[slots + m]
 
 
 @numba.njit
@@ -118,7 +118,7 @@ class Equations:
         matrix = new_matrix(general, system.held)
         owner = np.repeat(np.arange(n), np.diff(matrix.row_start))
         used = np.unique(np.concatenate((matrix.spring_target, matrix.joint_target, matrix.diagonal)))
-        row, column = matrix.order[owner[used]], matrix.order[matrix.column[used]]  # places
+        row, column = matrix.order[owner[used]], matrix.order[matrix.column[used]]  # slots
         free = np.flatnonzero(~system.held) + 1
         inside = np.isin(row, free) & np.isin(column, free)
         used, row, column = used[inside], row[inside], column[inside]
@@ -171,12 +171,12 @@ class Equations:
         are there."""
         size, (i, j) = self.start.size, (self._rows, self._columns)
         if layout == "dense":
-            place = i * size + j
+            index = i * size + j
         elif layout == "banded":
-            place = (self.above + i - j) * size + j
+            index = (self.above + i - j) * size + j
         else:
-            place = np.searchsorted(np.unique(j * size + i), j * size + i)
-        parts = np.split(place, (self._scratch.size, 2 * self._scratch.size))
+            index = np.searchsorted(np.unique(j * size + i), j * size + i)
+        parts = np.split(index, (self._scratch.size, 2 * self._scratch.size))
         return functools.partial(_jacobian, self._tables, *parts)
 
     def pattern(self) -> tuple[Indices, Indices]:
@@ -192,7 +192,7 @@ class Equations:
 
 
 def _in_order(free: Indices, row: Indices, column: Indices) -> Indices:
-    """The free places in reverse Cuthill-McKee order."""
+    """The slots of the free masses in reverse Cuthill-McKee order."""
     from scipy.sparse import csr_matrix
     from scipy.sparse.csgraph import reverse_cuthill_mckee
 

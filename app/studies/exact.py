@@ -181,7 +181,7 @@ def double_pendulum(time: float, angles: tuple[float, float], gravity: float) ->
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    """The zero of a function between two places at which its signs differ."""
+    """The zero of a function between two arguments at which its signs differ."""
     from scipy.optimize import brentq
 
     return float(np.asarray(brentq(function, low, high, xtol=1e-14)))

@@ -42,7 +42,7 @@ def tidy(axes: Axes) -> None:
 
 
 def _plain(axis: Axis, ticks: Sequence[float]) -> None:
-    """Ticks at these places of a logarithmic axis, as plain numbers."""
+    """Ticks at these values of a logarithmic axis, as plain numbers."""
     axis.set_ticks(ticks, labels=[f"{tick:g}" for tick in ticks])
     axis.set_ticks([], minor=True)
 

@@ -34,10 +34,10 @@ def rope(**changes: object) -> Scene:
     return sim.rope(**(defaults | changes))  # type: ignore[arg-type]
 
 
-def placed(scene: Scene, places: list[tuple[float, float]]) -> Scene:
-    """The scene with its masses at other places, at rest."""
-    rest = ((0.0, 0.0),) * len(places)
-    return REPLACE(scene, pose=Pose(positions=tuple(places), velocities=rest))
+def placed(scene: Scene, positions: list[tuple[float, float]]) -> Scene:
+    """The scene with its masses at other positions, at rest."""
+    rest = ((0.0, 0.0),) * len(positions)
+    return REPLACE(scene, pose=Pose(positions=tuple(positions), velocities=rest))
 
 
 def weighted(scene: Scene, masses: list[float]) -> Scene:
@@ -50,15 +50,15 @@ def _folded(noise: float) -> list[tuple[float, float]]:
     """The second half of the rope folded back by exactly 180 degrees, and then perhaps not quite exactly."""
     rng = np.random.default_rng(1)
     straight = [100.0 + SPACING * i for i in range(6)]
-    places = [(x, 100.0) for x in (*straight, *(straight[5] - SPACING * (i + 1) for i in range(6)))]
-    return [places[0], *((x + rng.normal(0, noise), y + rng.normal(0, noise)) for x, y in places[1:])]
+    positions = [(x, 100.0) for x in (*straight, *(straight[5] - SPACING * (i + 1) for i in range(6)))]
+    return [positions[0], *((x + rng.normal(0, noise), y + rng.normal(0, noise)) for x, y in positions[1:])]
 
 
 def _short(length: float) -> list[tuple[float, float]]:
     """One spring that starts with almost no length."""
-    places = [(100.0 + SPACING * i, 100.0) for i in range(12)]
-    places[6] = (places[5][0] + length, 100.0)
-    return places
+    positions = [(100.0 + SPACING * i, 100.0) for i in range(12)]
+    positions[6] = (positions[5][0] + length, 100.0)
+    return positions
 
 
 def _tangled() -> list[tuple[float, float]]:
@@ -86,7 +86,7 @@ def _tear_gently(simulation: Simulation, frame: int, rng: np.random.Generator) -
 
 
 def _coincide(simulation: Simulation, frame: int, rng: np.random.Generator) -> None:
-    """Two masses in the very same place: the anchor is put on the free mass beside it."""
+    """Two masses at the same position: the anchor is put on the free mass beside it."""
     if frame % 5 == 0:
         x, y = simulation.positions[1]
         simulation.move(0, (float(x), float(y)))

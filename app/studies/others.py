@@ -20,7 +20,7 @@ CVODE = {f"cvode_{name.lower()}": name for name in ("BDF", "Adams")}
 """The names that the solvers have here, and those that they have there."""
 
 RELATIVE = 1e-3
-"""Relative tolerance for an absolute one of 1 px and 1 px/s: places and speeds are hundreds."""
+"""Relative tolerance for an absolute one of 1 px and 1 px/s: positions and speeds are in the hundreds."""
 
 LARGE = 60
 """Unknowns from which on SciPy's implicit methods are faster with a sparse Jacobian than with a dense one."""

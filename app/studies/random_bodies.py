@@ -12,10 +12,10 @@ import sim
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
 from sim.scene.types import Circle
 
-Places = list[tuple[float, float]]
+Positions = list[tuple[float, float]]
 Pairs = list[tuple[int, int]]
-Graph = tuple[Places, Pairs, Pairs]
-"""Places of masses, (start, end) of springs, and pairs of springs that joints hold."""
+Graph = tuple[Positions, Pairs, Pairs]
+"""Positions of masses, (start, end) of springs, and pairs of springs that joints hold."""
 
 _SEED = 2008
 """Goes before the seed of each body."""
@@ -31,9 +31,9 @@ def random_body(seed: int) -> Scene:
     rng = np.random.default_rng((_SEED, seed))
     shape = list(_SHAPES)[int(rng.integers(len(_SHAPES)))]
     spacing = float(rng.uniform(15.0, 50.0))
-    places, springs, joints = _SHAPES[shape](rng)
-    n = len(places)
-    at = spacing * (np.array(places) + rng.normal(0.0, 0.05, (n, 2)))
+    positions, springs, joints = _SHAPES[shape](rng)
+    n = len(positions)
+    at = spacing * (np.array(positions) + rng.normal(0.0, 0.05, (n, 2)))
 
     def log_uniform(low: float, high: float) -> float:
         return float(np.exp(rng.uniform(math.log(low), math.log(high))))
@@ -116,25 +116,25 @@ def _ring(rng: np.random.Generator) -> Graph:
 def _tree(rng: np.random.Generator) -> Graph:
     """Each mass hangs on one that was there before; joints between a spring and the one that it hangs on."""
     n = int(rng.integers(5, 41))
-    places: Places = [(0.0, 0.0)]
+    positions: Positions = [(0.0, 0.0)]
     springs: Pairs = []
     joints: Pairs = []
     way = [0.0]
     for i in range(1, n):
         parent = int(rng.integers(max(0, i - 6), i))
         way.append(way[parent] + float(rng.uniform(-1.0, 1.0)))
-        x, y = places[parent]
-        places.append((x + math.cos(way[i]), y + math.sin(way[i])))
+        x, y = positions[parent]
+        positions.append((x + math.cos(way[i]), y + math.sin(way[i])))
         springs.append((parent, i) if rng.random() < 0.7 else (i, parent))
         if parent:
             joints.append((parent - 1, i - 1))
-    return places, springs, joints
+    return positions, springs, joints
 
 
 def _grid(rng: np.random.Generator) -> Graph:
     """A grid with diagonals in some of its cells, and joints where two springs lie in line."""
     across, down = (int(c) for c in rng.integers(2, 8, 2))
-    places = [(float(i % across), float(i // across)) for i in range(across * down)]
+    positions = [(float(i % across), float(i // across)) for i in range(across * down)]
     springs = [(i, i + 1) for i in range(across * down) if i % across < across - 1]
     springs += [(i, i + across) for i in range(across * (down - 1))]
     joints = [
@@ -144,13 +144,13 @@ def _grid(rng: np.random.Generator) -> Graph:
     ]
     if rng.random() < 0.7:
         springs += [(i, i + across + 1) for i in range(across * (down - 1)) if i % across < across - 1]
-    return places, springs, joints
+    return positions, springs, joints
 
 
 def _tangle(rng: np.random.Generator) -> Graph:
     """Springs between random pairs, and joints between random pairs of those that share a mass."""
     n = int(rng.integers(4, 16))
-    places = [(float(x), float(y)) for x, y in rng.uniform(0.0, math.sqrt(n), (n, 2))]
+    positions = [(float(x), float(y)) for x, y in rng.uniform(0.0, math.sqrt(n), (n, 2))]
     pairs = list(itertools.combinations(range(n), 2))
     chosen = rng.choice(len(pairs), min(len(pairs), int(rng.integers(n, 3 * n))), replace=False)
     springs = [pairs[i] if rng.random() < 0.5 else pairs[i][::-1] for i in sorted(chosen.tolist())]
@@ -160,7 +160,7 @@ def _tangle(rng: np.random.Generator) -> Graph:
         if len({*springs[s], *springs[t]}) == 3
     ]
     some = rng.choice(len(sharing), min(len(sharing), int(rng.integers(0, 2 * n))), replace=False)
-    return places, springs, [sharing[i] for i in sorted(some.tolist())]
+    return positions, springs, [sharing[i] for i in sorted(some.tolist())]
 
 
 _SHAPES: dict[str, Callable[[np.random.Generator], Graph]] = {

@@ -105,9 +105,9 @@ def _nudged(scene: Scene, seed: int) -> Scene:
     shift = np.random.default_rng((7, seed)).normal(size=(len(scene.masses), 2))
     shift[[anchor.mass for anchor in scene.anchors]] = 0.0
     shift *= NUDGE / np.hypot(*shift.T).max()
-    places = np.array([mass.position for mass in scene.masses]) + shift
+    positions = np.array([mass.position for mass in scene.masses]) + shift
     pose = Pose(
-        positions=tuple((x, y) for x, y in places.tolist()),
+        positions=tuple((x, y) for x, y in positions.tolist()),
         velocities=tuple(mass.velocity for mass in scene.masses),
     )
     return msgspec.structs.replace(scene, pose=pose)

@@ -160,8 +160,9 @@ def markdown(scene: Scene, moving: Scene, charts: Sequence[Map], duration: float
         f"# Where {scene.name} breaks",
         "",
         f"Written by `softrod stability --out DIR`. {let_go}Each cell is a simulation of {duration:g} s with "
-        f"the two numbers of its place, under the force law “{moving.force_law}”, with a time step of "
-        f"{1e3 * moving.integrator.dt:g} ms where none is an axis. Each free mass starts with a kick of an "
+        "the two values of its row and column, under the force law "
+        f"“{moving.force_law}”, with a time step of {1e3 * moving.integrator.dt:g} ms where none is an axis. "
+        "Each free mass starts with a kick of an "
         "extent of the body per second, in a direction that turns by "
         f"the golden angle from mass to mass. It is looked at {SAMPLES} times:",
         "",

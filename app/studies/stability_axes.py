@@ -185,5 +185,5 @@ def in_cell(scene: Scene, values: dict[str, float]) -> Scene:
 
 def extent(scene: Scene) -> float:
     """How large a body is, px: the diagonal of the box around its masses at the start."""
-    places = np.array(scene.pose.positions if scene.pose else [m.position for m in scene.masses])
-    return max(float(np.hypot(*np.ptp(places, axis=0))), 1e-3)
+    positions = np.array(scene.pose.positions if scene.pose else [m.position for m in scene.masses])
+    return max(float(np.hypot(*np.ptp(positions, axis=0))), 1e-3)

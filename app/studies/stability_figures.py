@@ -83,9 +83,9 @@ def _panel(axes: Axes, chart: Map, method: str) -> None:
     elif "dt" in (chart.x.key, chart.y.key):
         along_y = chart.x.key == "dt"
         steps = limits[:, 0] if along_y else limits[0]
-        places = (steps, chart.ys) if along_y else (chart.xs, steps)
+        line = (steps, chart.ys) if along_y else (chart.xs, steps)
         for color, width in (("white", 3.4), (BLACK, 1.6)):
-            axes.plot(*places, color=color, lw=width, **lines)
+            axes.plot(*line, color=color, lw=width, **lines)
     else:
         for color, width in (("white", 3.4), (BLACK, 1.6)):
             axes.contour(

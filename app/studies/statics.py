@@ -157,13 +157,13 @@ def _by_time_steps(segments: int, periods: int) -> Result:
     scene = bodies.cantilever(segments)
     modes = vibrations(scene, 1)
     omega, amplitude = float(modes.frequencies[0]), 1e-3
-    places = np.array([mass.position for mass in scene.masses]) + amplitude * modes.shapes[0]
+    positions = np.array([mass.position for mass in scene.masses]) + amplitude * modes.shapes[0]
     pose = sim.Pose(
-        positions=tuple((x, y) for x, y in places.tolist()), velocities=((0.0, 0.0),) * (segments + 1)
+        positions=tuple((x, y) for x, y in positions.tolist()), velocities=((0.0, 0.0),) * (segments + 1)
     )
     integrator = sim.Integrator(method="auto", dt=1.0, tolerance=1e-6 * amplitude)
     simulation = sim.Simulation(replace(bodies.at(scene, pose), integrator=integrator))
-    times, heights = [0.0], [float(places[-1, 1])]
+    times, heights = [0.0], [float(positions[-1, 1])]
     steps = round(2.0 * math.pi / omega / 40.0)
     for _ in range(40 * periods):
         simulation.step(steps)
@@ -206,12 +206,12 @@ def _hanging_rope(fast: bool) -> Iterator[Result]:
 
 def _ring(fast: bool) -> Iterator[Result]:
     for n in (12, 50) if fast else (12, 24, 50, 100):
-        places = np.array(equilibrium(bodies.rolled(n)).positions)
-        gap = float(np.hypot(*(places[-1] - places[0])))
+        positions = np.array(equilibrium(bodies.rolled(n)).positions)
+        gap = float(np.hypot(*(positions[-1] - positions[0])))
         yield Result(
             f"gap between the ends, N = {n}", 0.0, gap, gap, unit="px", target="≤ 1e-06 px", met=gap <= 1e-6
         )
-        radii = np.hypot(*(places - places[:-1].mean(0)).T)
+        radii = np.hypot(*(positions - positions[:-1].mean(0)).T)
         yield compared(
             f"radius, N = {n}", exact.ring_radius(1.0, 2.0 * math.pi / n), float(radii.mean()), 1e-8
         )
@@ -231,13 +231,13 @@ def _catenary(fast: bool) -> Iterator[Result]:
 def sag_and_tension(segments: int, length: float) -> tuple[float, float]:
     """Sag in spans, and horizontal tension over the weight of a span, of a rope at rest."""
     scene = bodies.sagging_rope(segments, length)
-    places = np.array(equilibrium(scene).positions)
+    positions = np.array(equilibrium(scene).positions)
     span = segments / length
     spring = scene.linear_springs[0]
-    x, y = places[1] - places[0]
+    x, y = positions[1] - positions[0]
     stretched = math.hypot(x, y)
     tension = spring.stiffness * (stretched - spring.rest_length) * x / stretched
-    return float(places[segments // 2, 1]) / span, tension / span
+    return float(positions[segments // 2, 1]) / span, tension / span
 
 
 CASES = (

@@ -1,1 +1,1 @@
-"""What is asked of a body beside its motion: where it rests, how it vibrates, how many of it end."""
+"""Analyses of a body: its equilibrium, its vibrations, and runs of many bodies."""

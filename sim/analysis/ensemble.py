@@ -1,6 +1,6 @@
-"""Many bodies, each with a fixed step of its own: what a map of a method's behaviour is made of.
+"""Runs many bodies, each with its own fixed step, for maps of a method's behaviour.
 
-The work is spread over threads, since kernels hold no lock.
+The work is spread over threads, since kernels release the GIL.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ..motion.simulation import Simulation
 from ..scene.types import Scene
 
 _ATTEMPTS = 60
-"""Attempts per step that a method gets which shortens a step that fails; one that needs more has given up."""
+"""Attempts per step for a method that shortens steps that fail; one that needs more counts as failed."""
 
 
 @dataclass(frozen=True)
@@ -27,9 +27,9 @@ class Member:
     """One body of an ensemble.
 
     Attributes:
-        scene: what starts; its own method is not used.
+        scene: the body and its start; the scene's method is not used.
         dt: time step, s.
-        marks: numbers of steps, ascending, after which the state is kept.
+        marks: ascending numbers of steps after which the state is recorded.
     """
 
     scene: Scene
@@ -39,11 +39,11 @@ class Member:
 
 @dataclass(frozen=True)
 class Track:
-    """How a body went.
+    """The recorded states of a body.
 
     Attributes:
-        positions: (marks, n, 2) px, in the order of the scene's masses. From the mark on at which a body has
-            run away by the limits of a `Simulation`, or found no way on, NaN.
+        positions: (marks, n, 2) px, in the order of the scene's masses. NaN from the mark before which the
+            body ran away, by the limits of a `Simulation`, or the method found no step.
         velocities: (marks, n, 2) px/s, likewise.
     """
 
@@ -52,19 +52,19 @@ class Track:
 
 
 def fixed_step_methods() -> list[str]:
-    """The methods that an ensemble can be run by."""
+    """The methods that an ensemble can use."""
     return [name for name, method in METHODS.items() if not method.adaptive]
 
 
 def run_ensemble(
     members: Sequence[Member], method: str, threads: int | None = None
 ) -> Iterator[tuple[int, Track]]:
-    """Run all members, and give (index, track) of each when it is done, in no order.
+    """Run all members, and yield (index, track) of each when it is done, in any order.
 
     Args:
         members: the bodies; they may differ in everything.
         method: one of `fixed_step_methods()`.
-        threads: how many; None for as many as there are cores.
+        threads: number of threads; None for as many as there are cores.
 
     Raises:
         InputError: the method has no fixed step.
@@ -104,6 +104,6 @@ def _run_member(index: int, member: Member, method: str) -> tuple[int, Track]:
 
 
 def marks(duration: float, dt: float, samples: int) -> tuple[int, ...]:
-    """Steps after which a body is looked at, evenly over a duration (s); the first is 1 at least."""
+    """Numbers of steps, at least 1, that divide a duration (s) evenly into samples."""
     steps = max(1, round(duration / dt))
     return tuple(max(1, round(steps * (k + 1) / samples)) for k in range(samples))

@@ -1,4 +1,4 @@
-"""A body at rest: the pose in which its forces balance, and its small vibrations about a pose."""
+"""The equilibrium of a body, in which its forces balance, and its small vibrations about a pose."""
 
 from __future__ import annotations
 
@@ -18,61 +18,64 @@ from ..scene.types import MAX_COORDINATE, Integrator, Pose, Scene
 from ..scene.validate import validate
 
 _MOST_STEPS = 3000
+"""Largest number of steps."""
 _TURN = 0.5
-"""How far a step may move the ends of a spring against each other, in lengths of the spring."""
+"""Largest relative movement of a spring's ends in a step, as a fraction of its length."""
 _CONTRACTION = 0.5
-"""Each iteration of a step has to move by at most this part of what the one before it moved."""
+"""Largest size of each iteration of a step relative to the one before."""
 _ITERATIONS = 6
-"""Iterations of a step, at most."""
+"""Largest number of iterations in a step."""
 _SETTLED = 0.02
-"""A step has converged when an iteration is this small beside the first."""
+"""Size of an iteration, relative to the first, at which a step has converged."""
 _PRECISION = 1e-12
-"""Steps this short, in typical lengths of a spring, are the end."""
+"""Size of a step, in typical lengths of a spring, at which the search ends."""
 _LOWEST = 1e-15
-"""The smallest shift that is tried, 1/s²."""
+"""Smallest shift that is tried, 1/s²."""
 _NEUTRAL = 1e-13
-"""The largest shift, 1/s², that a stable body with held masses may need to be definite in spite of
+"""Largest shift, 1/s², that a stable body with held masses may need for its matrix to be definite in spite of
 rounding."""
 _NEUTRAL_FREE = 1e-9
-"""The same of a body that is free to move as a whole."""
+"""The same for a body that is free to move as a whole."""
 _CLOSE = 1e-5
-"""Steps this short, in typical lengths of a spring, end at a balance; if it is not stable, the body is
-nudged."""
+"""Size of a step, in typical lengths of a spring, at which the forces balance; if the balance is not stable,
+the body is nudged."""
 _NUDGE = 1e-3
 """Size of a nudge, in typical lengths of a spring."""
 _NUDGES = 5
-"""Nudges at most."""
+"""Largest number of nudges."""
 _HALVINGS = 60
+"""Largest number of halvings in a line search."""
 _EPSILON = 4.0 * float(np.finfo(float).eps)
+"""Relative rounding error that is allowed for."""
 _MOST_MASSES = 1000
-"""Masses up to which vibrations are worked out, with full matrices."""
+"""Largest number of masses for vibrations, which are computed with full matrices."""
 _NOT_HELD = "vibrations: the springs do not hold the body where it starts, so it does not vibrate there"
 
 
 def equilibrium(scene: Scene) -> Pose:
     """The pose at rest that a scene would creep into if everything were damped heavily.
 
-    It starts from the scene's pose (or its masses' own positions), and the held masses stay where they are
-    there, also those on circles. The springs are those of the scene, whatever its method.
+    It starts from the scene's pose, or from the masses' own positions. Held masses stay there, including
+    those on circles. The springs are those of the scene, whatever its method.
 
-    This is pseudo-transient continuation (Kelley & Keyes 1998): steps of implicit Euler, each from rest and
-    ever longer, so that they end as Newton's method. Newton's iterations with the analytic Jacobian solve for
-    the end of a step, the first of them being the linearly implicit step; how fast they converge sets the
-    length of the next, which needs no energy and so serves every force law. A step may not be so long that
-    the matrix is indefinite, so that the body slides off a balance that would tip over. Where no step
-    converges, one is made with the positive definite matrix and a line search along it.
+    This is pseudo-transient continuation (Kelley & Keyes 1998): steps of implicit Euler, each from rest,
+    which become longer and longer and end as Newton's method. The end of a step is found by Newton's
+    iterations with the analytic Jacobian; the first of them is the linearly implicit step. Their rate of
+    convergence determines the length of the next step. This needs no energy, so it works for every force law.
+    A step may not be so long that the matrix is indefinite, so the body leaves an unstable balance. Where no
+    step converges, a step is taken with the positive definite matrix and a line search.
 
     Args:
-        scene: a valid scene. Where the forces of no spring balance the gravity, there is no equilibrium.
+        scene: a valid scene. If no spring forces can balance gravity, there is no equilibrium.
 
     Returns:
-        Positions in px, and velocities of zero. Positions are as exact as rounding and the softness of the
-        body let them be: usually within 1e-9 of a spring's length, less for long bodies with springs more
-        than 1e5 times as stiff as their joints.
+        Positions in px, and velocities of zero. Positions are as accurate as rounding and the softness of the
+        body permit: usually within 1e-9 of a spring's length, less for long bodies with springs more than 1e5
+        times as stiff as their joints.
 
     Raises:
         SceneError: the scene is not valid.
-        InputError: something falls because nothing holds it, or the steps do not end in a balance.
+        InputError: a part of the body falls because nothing holds it, or the steps do not end in a balance.
     """
     body = _Resting(scene, balanced=True)
     if any(scene.gravity):
@@ -87,7 +90,7 @@ class Vibrations(NamedTuple):
 
     Attributes:
         frequencies: (k,) angular frequencies, rad/s.
-        shapes: (k, n, 2) how far each mass moves, in parts of the farthest; signs are arbitrary.
+        shapes: (k, n, 2) amplitude of each mass relative to the largest; signs are arbitrary.
     """
 
     frequencies: Floats
@@ -97,17 +100,18 @@ class Vibrations(NamedTuple):
 def vibrations(scene: Scene, count: int) -> Vibrations:
     """The slowest small vibrations about the scene's start, which should be an equilibrium.
 
-    They are eigenvalues of the inverse of the Jacobian of the accelerations by positions, so that the slow
-    ones are exact however stiff the body is. Damping and air are left out.
+    They are found from the eigenvalues of the inverse of the Jacobian of the accelerations with respect to
+    positions, so that the slow ones are accurate however stiff the body is. Damping and air friction are
+    ignored.
 
     Args:
         scene: a valid scene of at most 1000 masses.
-        count: how many, from 1 to two for each free mass.
+        count: number of vibrations, from 1 to twice the number of free masses.
 
     Raises:
         SceneError: the scene is not valid.
-        InputError: the count or the number of masses is out of range, or the body is free to move without
-            any force or moves away from its start on its own, so that its motion there is no vibration.
+        InputError: the count or the number of masses is out of range, or the body can move without any
+            restoring force, or moves away from its start by itself, so that its motion there is no vibration.
     """
     body = _Resting(scene, balanced=False)
     free = np.flatnonzero(body.state.inverse_mass)
@@ -116,10 +120,10 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
         raise InputError(f"vibrations: {count} is not in the range 1..{columns.size}")
     if body.tables.masses > _MOST_MASSES:
         raise InputError(f"vibrations: {body.tables.masses} masses are more than {_MOST_MASSES}")
-    # No shift to speak of, but without one the rows of held masses would be empty.
+    # A negligible shift; without it the rows of held masses would be zero.
     stable = body.factorise(body.start, 1e-100)
     inverse = np.array([body.solve(unit)[columns] for unit in np.eye(2 * body.slots)[columns]]).T
-    # Masses on both sides make it symmetric where the law has an energy: real and exact eigenvalues.
+    # Scaling by the masses on both sides makes it symmetric if the law has an energy.
     root = np.sqrt(np.tile(body.state.inverse_mass[free], 2))
     scaled = inverse / root[:, None] * root[None, :]
     if not (stable and np.isfinite(scaled).all()):
@@ -147,13 +151,13 @@ class _Resting:
 
     Args:
         scene: the scene.
-        balanced: whether masses are to be as large (in kg) as the stiffnesses that act on them (in kg/s²),
-            instead of the scene's own, as in dynamic relaxation. Where a body rests only weights matter, and
-            so no mass is much faster than another: eigenvalues of the Jacobian are of the order of 1/s².
+        balanced: whether each mass (in kg) is replaced by the stiffnesses that act on it (in kg/s²), as in
+            dynamic relaxation. The equilibrium depends on weights only, and in this way no mass is much
+            faster than another: eigenvalues of the Jacobian are of the order of 1/s².
     """
 
     def __init__(self, scene: Scene, balanced: bool) -> None:
-        # The tutorial's method, which softens no spring.
+        # A method with a fixed step, for which springs are not softened.
         exact = Integrator(method="symplectic_euler")
         self.system = build_system(msgspec.structs.replace(validate(scene), integrator=exact))
         body = self.tables = self.system.body
@@ -174,7 +178,7 @@ class _Resting:
         self.typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
 
     def _stiffness_at_masses(self) -> Floats:
-        """(n,) the stiffnesses of all springs and joints that act on each mass, kg/s²; nowhere zero."""
+        """(n,) sum of the stiffnesses of all springs and joints that act on each mass, kg/s²; never zero."""
         body = self.tables
         own = body.stiffness[: body.springs].copy()
         for joints in (body.joint_a, body.joint_b):
@@ -185,7 +189,7 @@ class _Resting:
         return np.where(at_mass[1:] > 0.0, at_mass[1:], max(1.0, float(at_mass.max())))
 
     def refuse_falling(self) -> None:
-        """Refuse a body of which some part hangs on no held mass."""
+        """Refuse a body with a part that is connected to no held mass."""
         held, parent = self.system.held, self.matrix.parent
         for m in self.matrix.walk.tolist():
             if parent[m] == 0 and not held[m - 1]:
@@ -193,7 +197,7 @@ class _Resting:
                 raise InputError(f"equilibrium: nothing holds mass {mass}, so it falls")
 
     def accelerations(self, q: Floats) -> Floats:
-        """At positions q and at rest, px/s²."""
+        """The accelerations at positions q and at rest, px/s²."""
         a = np.zeros_like(q)
         accelerations(self.tables, self.state, self.scratch, q, self.still, a)
         return a
@@ -201,8 +205,8 @@ class _Resting:
     def factorise(self, q: Floats, shift: float, definite: bool = False) -> bool:
         """Factorise shift I - J at positions q; whether it is positive definite.
 
-        Without pivoting between blocks, a matrix that is symmetric but for the masses is positive definite
-        exactly if all its pivots are. (The tutorial's law makes it a little unsymmetric.)
+        Without pivoting between blocks, a matrix that is symmetric apart from the masses is positive definite
+        if and only if all its pivots are. (Under the tutorial's law it is slightly unsymmetric.)
         """
         matrix, n = self.matrix, self.tables.masses
         regular = factorise_matrix(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite)
@@ -215,7 +219,7 @@ class _Resting:
 
     @property
     def _rows(self) -> np.ndarray:
-        """The place of the mass that each row of the matrix belongs to."""
+        """The slot of the mass that each row of the matrix belongs to."""
         return np.arange(1, self.tables.masses + 1) if self.tables.chain else self.matrix.order
 
     def solve(self, b: Floats) -> Floats:
@@ -225,27 +229,27 @@ class _Resting:
         return x
 
     def vectors(self, q: Floats) -> tuple[Floats, Floats]:
-        """(S,) x and y of the vectors of the springs."""
+        """(S,) x and y of the springs' vectors, px."""
         a, b, p = self.tables.spring_a, self.tables.spring_b, self.slots
         return q[b] - q[a], q[p + b] - q[p + a]
 
     def turn(self, q: Floats, move: Floats) -> float:
-        """The most that a move takes the ends of a spring against each other, in its lengths."""
+        """The largest relative movement of a spring's ends in a move, as a fraction of its length."""
         if not self.tables.springs:
             return 0.0
         lengths = np.maximum(np.hypot(*self.vectors(q)), 1e-3 * self.typical)
         return float((np.hypot(*self.vectors(move)) / lengths).max())
 
     def nudge(self, q: Floats, size: float) -> Floats:
-        """The positions with every free mass a little elsewhere, up to `size` typical lengths."""
+        """The positions with every free mass displaced at random by up to `size` typical lengths."""
         noise = np.random.default_rng(1).uniform(-1.0, 1.0, q.size)
         return q + size * self.typical * noise * (np.tile(self.state.inverse_mass, 2) > 0.0)
 
     def rounding(self, q: Floats) -> Floats:
-        """What rounding may make of accelerations that are zero at positions q, px/s².
+        """Bound of the rounding errors of accelerations at positions q, px/s².
 
-        A coordinate is as exact as its size allows; the springs make a force of that, mostly along
-        themselves, and their joints one in every direction.
+        Coordinates have rounding errors in proportion to their size. Springs turn them into forces mainly
+        along themselves, joints into forces in all directions.
         """
         body, p = self.tables, self.slots
         x, y = self.vectors(q)
@@ -264,20 +268,20 @@ class _Resting:
         return force * np.tile(self.state.inverse_mass, 2) + _EPSILON * gravity
 
     def refuse_shrunk(self, q: Floats) -> None:
-        """Refuse positions in which a spring has no direction; some force laws pull them as short as that."""
+        """Refuse positions in which a spring has shrunk to a point, as it may under some force laws."""
         lengths = np.hypot(*self.vectors(q))
         for s in np.flatnonzero(lengths < 1e-9 * max(self.typical, 1.0)).tolist():
-            slots = (int(self.tables.spring_a[s]), int(self.tables.spring_b[s]))
-            a, b = sorted(int(self.system.mass_order[index - 1]) for index in slots)
+            ends = (int(self.tables.spring_a[s]), int(self.tables.spring_b[s]))
+            a, b = sorted(int(self.system.mass_order[slot - 1]) for slot in ends)
             raise InputError(f"equilibrium: the spring between masses {a} and {b} shrinks to no length")
 
     def by_mass(self, q: Floats) -> tuple[Floats, Floats]:
-        """(n,) x and y of each mass, in the order of the scene."""
+        """(n,) x and y of each mass, in the order of the scene's masses."""
         index = self.system.mass_index
         return q[index], q[self.slots + index]
 
     def pose(self, q: Floats) -> Pose:
-        """The positions as a scene can carry them, at rest."""
+        """The positions as a pose at rest."""
         x, y = (part.tolist() for part in self.by_mass(q))
         return Pose(positions=tuple(zip(x, y, strict=True)), velocities=((0.0, 0.0),) * len(x))
 
@@ -291,16 +295,16 @@ def _continuation(body: _Resting) -> Floats:
     nudges = balanced = 0
     for _ in range(_MOST_STEPS):
         if (np.abs(a) <= body.rounding(q)).all():
-            # A few more steps make the most of what the rounding leaves.
+            # A few more steps reach the accuracy that rounding permits.
             balanced += shift <= 1e4 * neutral
             if balanced == 8:
                 return q
-        stats, turned, to_q = np.inf, 0.0, q
+        ratio, turned, to_q = np.inf, 0.0, q
         if body.factorise(q, shift):
             move = body.solve(a)
             size = float(np.abs(move).max()) / body.typical
             if size <= _CLOSE and nudges < _NUDGES and not body.factorise(q, neutral):
-                # Balanced on a point, or about to be: no force, and yet no rest.
+                # An unstable balance, or close to one.
                 nudges += 1
                 q = body.nudge(q, _NUDGE)
                 a = body.accelerations(q)
@@ -312,15 +316,15 @@ def _continuation(body: _Resting) -> Floats:
                 continue
             turned = body.turn(q, move)
             if turned <= _TURN:
-                stats, to_q = _settle(body, q, move, shift)
-        if stats < np.inf:
+                ratio, to_q = _settle(body, q, move, shift)
+        if ratio < np.inf:
             q, a = to_q, body.accelerations(to_q)
             if not np.abs(q).max() <= MAX_COORDINATE:
                 raise InputError(
                     f"equilibrium: the body would leave ±{MAX_COORDINATE:g} px; nothing stops it"
                 )
-            # In the end a step is Newton's, and the second iteration moves by next to nothing.
-            calm = max(turned / _TURN, stats / _CONTRACTION)
+            # In the end a step is one of Newton's method, and its second iteration hardly moves.
+            calm = max(turned / _TURN, ratio / _CONTRACTION)
             shift = max(shift * max(2.0 * calm, 1e-3), _LOWEST)
         elif shift < 1e6:
             shift = max(10.0 * shift, _LOWEST)
@@ -343,34 +347,38 @@ def _settle(body: _Resting, q: Floats, move: Floats, shift: float) -> tuple[floa
     """Newton's iterations for the end of an implicit step, of which `move` is the first.
 
     Returns:
-        The length of the second in parts of the first, infinite if they do not converge; the end.
+        The size of the second iteration relative to the first, which is infinite if they do not converge; and
+        the positions at the end.
     """
     first = last = float(np.abs(move).max())
-    stats = 0.0
+    ratio = 0.0
     to_q = q + move
     for i in range(_ITERATIONS):
         if not body.factorise(to_q, shift):
             return np.inf, q
         rest = body.accelerations(to_q) - shift * (to_q - q)
         if (np.abs(rest) <= body.rounding(to_q)).all():
-            return stats, to_q
+            return ratio, to_q
         update = body.solve(rest)
         size = float(np.abs(update).max())
         if not size <= _CONTRACTION * last:
             return np.inf, q
         to_q = to_q + update
-        stats = stats if i else size / first
+        ratio = ratio if i else size / first
         if size <= _SETTLED * first:
-            return stats, to_q
+            return ratio, to_q
         last = size
     return np.inf, q
 
 
 def _search(body: _Resting, q: Floats, a: Floats) -> tuple[float, Floats, Floats]:
-    """One step along the solution with the positive definite matrix, and the shift to go on with.
+    """One step along the solution with the positive definite matrix.
 
-    It is halved until the power of the forces along it is no longer much below zero: until it does not go
-    far beyond the valley.
+    It is halved until the power of the forces along it is no longer much below zero, so that the step does
+    not go far beyond the minimum.
+
+    Returns:
+        The shift to go on with, the positions, and the accelerations there.
     """
     shift = 1e-6
     body.factorise(q, shift, definite=True)

@@ -1,1 +1,1 @@
-"""From a scene to the read-only tables of the kernels."""
+"""Builds the read-only tables of the kernels from a scene."""

@@ -1,4 +1,4 @@
-"""Where the matrix of an implicit step has blocks, and in which order masses are best eliminated."""
+"""The sparsity pattern of the matrix of an implicit step, and the order in which masses are eliminated."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ NO_MATRIX = Matrix(
     joint_target=_NOWHERE,
     straight=False,
 )
-"""For methods that solve no linear systems."""
+"""An empty matrix, for methods that solve no linear systems."""
 
 
 def new_matrix(body: Body, held: np.ndarray) -> Matrix:
-    """Room for the matrix of a body. For any topology but a chain the pattern is found here, once.
+    """Arrays for the matrix of a body; unless it is a chain, the pattern is found here, once.
 
-    The order is SuperLU's minimum degree, through SciPy; the pattern of the factors follows by
-    elimination on the graph of masses, in which a spring joins its two masses and a joint all of its three
+    The order is SuperLU's minimum degree, called through SciPy. The pattern of the factors follows from
+    elimination on the graph of masses, in which a spring connects its two masses and a joint all of its three
     or four.
     """
     room = body.stiffness.size
@@ -67,7 +67,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     rows = _fill(neighbours, order, position)
     row_start = np.concatenate(([0], np.cumsum([len(row) for row in rows]))).astype(np.int64)
     column = np.concatenate([np.array(row, np.int64) for row in rows])
-    # A block's number, from its row and column: keys are ascending, so a search finds it.
+    # The keys are ascending, so that a binary search finds the number of a block from its row and column.
     keys = np.repeat(np.arange(n), np.diff(row_start)) * n + column
 
     def targets(pairs: Indices) -> Indices:
@@ -96,7 +96,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
 
 
 def fill(body: Body, matrix: Matrix) -> tuple[int, int]:
-    """(blocks of the matrix, blocks of its factors): how much elimination fills in."""
+    """(number of blocks of the matrix, number of blocks of its factors)."""
     if body.chain:
         n = body.masses
         width = 2 if body.joints else 1
@@ -114,7 +114,7 @@ def _pairs(rows: Indices, columns: Indices) -> Indices:
 
 
 def _minimum_degree(neighbours: list[set[int]]) -> Indices:
-    # Only bodies that are no chains, under an implicit method, pay for the import.
+    # Only bodies other than chains, under an implicit method, need this import.
     from scipy.sparse import csc_matrix
     from scipy.sparse.linalg import splu
 
@@ -138,7 +138,8 @@ def _minimum_degree(neighbours: list[set[int]]) -> Indices:
 def _fill(neighbours: list[set[int]], order: Indices, position: Indices) -> list[list[int]]:
     """The columns of each row of the factors, in the order of elimination.
 
-    Eliminating a mass joins its later neighbours; it is enough to hand them on to the first of those.
+    Eliminating a mass connects its later neighbours with each other; it is enough to add them to the
+    neighbours of the first of them.
     """
     n = len(neighbours)
     upper: list[set[int]] = [
@@ -157,7 +158,7 @@ def _fill(neighbours: list[set[int]], order: Indices, position: Indices) -> list
 
 
 def forest(body: Body, held: np.ndarray) -> tuple[Indices, Indices]:
-    """(walk, parent): see `Matrix`. A held mass, or the first of a part that has none, hangs on nothing."""
+    """(walk, parent): see `Matrix`. Held masses and the first mass of a part without any have no parent."""
     n = body.masses
     parent = np.zeros(body.stiffness.size + 3, np.int64)
     ends = list(zip(body.spring_a.tolist(), body.spring_b.tolist(), strict=True))
@@ -168,7 +169,7 @@ def forest(body: Body, held: np.ndarray) -> tuple[Indices, Indices]:
     seen = [False] * (n + 1)
     walk: list[int] = []
     roots = [*(np.flatnonzero(held) + 1).tolist(), *range(1, n + 1)]
-    # All held masses are roots before any other mass is reached from one of them.
+    # All held masses are made roots before any other mass is reached from one of them.
     queue: list[int] = (np.flatnonzero(held) + 1).tolist()
     for m in queue:
         seen[m] = True

@@ -1,10 +1,10 @@
-"""The stable spring: every spring as stiff as symplectic Euler bears, and no stiffer.
+"""The stable spring: limits every spring to the stiffness at which symplectic Euler is stable.
 
 After M. Nissen, "Towards a simpler, stiffer and more stable spring" (2014): a spring between masses m1 and m2
 with f = -(m_red / dt²) C_k x - (m_red / dt) C_d v, m_red = m1 m2 / (m1 + m2), cannot explode for C_k, C_d up
-to 1, divided among the springs that share a mass. Here a spring keeps the stiffness and the damping that its
-scene gives it as long as they are below that. A joint is treated alike: what stands for the reduced mass is
-the inertia that its angle has, at rest lengths.
+to 1, divided among the springs that share a mass. Here a spring keeps the stiffness and damping of the scene
+where they are below this limit. Joints are treated in the same way, with the moment of inertia of the angle,
+at rest lengths, in place of the reduced mass.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from ..kernels.core.tables import Body, Floats
 
 
 def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> Body:
-    """The tables with every spring and joint as stiff as a step of `dt` seconds bears.
+    """The tables with stiffness and damping of every spring and joint limited for a step of `dt` seconds.
 
     Args:
         body: the tables of the scene.
-        inverse_mass: (n,) 1/kg, in the order of places.
-        held: (n,) whether a mass is held.
+        inverse_mass: (n,) 1/kg, in slot order.
+        held: (n,) whether a mass is held, in slot order.
         dt: the step, s.
     """
     free = np.concatenate(([0.0], np.where(held, 0.0, inverse_mass)))
@@ -53,12 +53,12 @@ def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: floa
 
 
 def _joint_limit(body: Body, free: Floats) -> Floats:
-    """(J,) the stiffness that each joint may have, times dt²."""
+    """(J,) the largest stiffness of each joint times dt², kg; also its largest damping times dt."""
     p, q = body.joint_a, body.joint_b
     ends = np.stack((body.spring_a[p], body.spring_b[p], body.spring_a[q], body.spring_b[q]), 1)
     lengths = np.maximum(body.rest_length, 1e-9)
     la, lb = lengths[p], lengths[q]
-    # How fast the angle answers to an impulse at each end, springs in line: the shared mass gets both.
+    # The derivative of the angle by the position of each end, for springs in line; the shared mass adds two.
     slopes = np.stack((-1.0 / la, 1.0 / la, 1.0 / lb, -1.0 / lb), 1)
     softness = np.zeros(len(p))
     for i in range(4):

@@ -1,4 +1,4 @@
-"""From a scene to the read-only tables of the kernels."""
+"""Builds the tables of the kernels from a scene."""
 
 from __future__ import annotations
 
@@ -24,13 +24,12 @@ from ..methods.registry import METHODS
 from ..scene.types import Scene
 
 _SOFT_IN_TOLERANCES = 0.02
-"""The length below which a spring has no direction, in tolerances: no method could follow anything
-smaller."""
+"""Softening length of springs under an adaptive method, in tolerances; see `Body.softening`."""
 _SOFT_AT_MOST = 1e-4
-"""That length at most, as a part of a typical spring's."""
+"""The largest softening length, as a fraction of a typical spring's length."""
 
 _ENDLESS = 1e30
-"""What padding is softened by, px²: it is longer than any spring then; single precision still holds this."""
+"""Softening of padding springs, px²: makes them longer than any spring, and fits into single precision."""
 
 
 @dataclass(frozen=True)
@@ -39,12 +38,12 @@ class System:
 
     Attributes:
         body: the tables; masses and springs are numbered as the kernels visit them.
-        mass_order: (n,) scene index of the mass at index 1, 2, ..., n.
-        mass_index: (n,) the place, from 1 on, of each mass of the scene.
-        joint_order: (J,) the kernels' joint for each angular spring of the scene.
-        inverse_mass: (n,) 1/kg, in the order of places, also of held masses.
-        held: (n,) whether a mass is held, in the order of places.
-        start: (4, n) x, y, vx, vy at the start, in the order of places.
+        mass_order: (n,) scene index of the mass in slot 1, 2, ..., n.
+        mass_index: (n,) the slot, counted from 1, of each mass of the scene.
+        joint_order: (J,) index of the joint in the tables for each angular spring of the scene.
+        inverse_mass: (n,) 1/kg, in slot order, also of held masses.
+        held: (n,) whether a mass is held, in slot order.
+        start: (4, n) x, y, vx, vy at the start, in slot order.
     """
 
     body: Body
@@ -60,8 +59,8 @@ def build_system(scene: Scene) -> System:
     """Build the tables of a valid scene.
 
     A chain is a body whose springs run head to tail through all masses, and whose angular springs each
-    hold a spring and the next one; its masses and springs may be listed in any order. A ring is one that
-    comes back to where it began.
+    hold a spring and the next one; its masses and springs may be listed in any order. A ring is a closed
+    chain.
     """
     order = _order_along(scene)
     n = len(scene.masses)
@@ -93,7 +92,7 @@ def build_system(scene: Scene) -> System:
 
 
 def same_topology(old: Scene, new: Scene) -> bool:
-    """Whether the masses, springs and angular springs of both join the same, so that a state carries over."""
+    """Whether springs and angular springs connect the same masses in both, so that a state carries over."""
     return (
         len(old.masses) == len(new.masses)
         and [(s.a, s.b) for s in old.linear_springs] == [(s.a, s.b) for s in new.linear_springs]
@@ -102,20 +101,20 @@ def same_topology(old: Scene, new: Scene) -> bool:
 
 
 def joint_stiffness(scene: Scene) -> list[float]:
-    """The stiffness of each angular spring; the tutorial's diagonal templates are sqrt(2) stronger."""
+    """The stiffness of each angular spring, kg/s²; diagonal templates are sqrt(2) times as stiff."""
     factor = math.sqrt(2.0) if scene.template is not None and scene.template % 90 else 1.0
     return [joint.stiffness * factor for joint in scene.angular_springs]
 
 
 def slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
-    """Zeroed arrays behind each other in one block of memory.
+    """Zeroed arrays, one after another in one block of memory.
 
-    Each is given as (count, first): its length, and the element that is to stand at a multiple of 64 bytes,
-    because loops start there.
+    Each is given as (count, first): its length, and the index of the element to align to 64 bytes because
+    loops start there.
 
-    Where arrays lie decides how fast a short chain is: a vector that crosses two cache lines is slower, and a
-    load must wait for a store of the same address but for multiples of 4096 bytes. Left to chance, that
-    makes a fifth between one run and the next. The block starts `page_offset` bytes behind such a multiple.
+    The speed of a short chain depends on how its arrays are aligned: a vector that crosses a cache line is
+    slower to load, and a load waits for a store whose address differs by a multiple of 4096 bytes. Left to
+    chance, run times differ by a fifth. The block starts `page_offset` bytes after such a multiple.
     """
     strides = [-(-(first % 8 + count + 8) // 8) * 8 for count, first in sizes]
     block = np.zeros(sum(strides) + 512)
@@ -131,10 +130,10 @@ def slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
 def new_state(system: System) -> State:
     """A state with room for the system's masses; `Simulation` fills it."""
     body = system.body
-    # The chain's loops look one place back and, from the last spring, three ahead; and loops over flat
-    # vectors should have no scalar rest.
+    # The chain's loops look one slot back and, from the last spring, three ahead; and loops over flat
+    # vectors should leave no scalar remainder.
     last = body.stiffness.size if body.chain or body.ring else padded(body.masses)
-    slots = padded(last + 3)  # so that both halves of a flat vector begin alike
+    slots = padded(last + 3)  # aligns both halves of a flat vector alike
     joints = max(body.joints, body.stiffness.size) + 1
     sizes = {
         "q": (2 * slots, 1),
@@ -152,7 +151,7 @@ def new_state(system: System) -> State:
 
 
 def refresh(body: Body, state: State) -> None:
-    """Compute anew what depends on the scale of rest lengths and the shift of rest angles."""
+    """Recompute what depends on the scale of rest lengths and the shift of rest angles."""
     scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
     springs, joints = slice(body.springs), slice(1, body.joints + 1)
     state.pull[springs] = body.stiffness[springs] * (body.rest_length[springs] * scale)
@@ -170,14 +169,14 @@ def refresh(body: Body, state: State) -> None:
 def new_scratch(system: System) -> Scratch:
     """Scratch arrays for the system."""
     room = max(system.body.stiffness.size, system.body.joints) + 3
-    first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # the places that loops over springs and masses start at
-    # Behind the arrays of a short chain's `State`.
+    first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
+    # An offset behind that of the arrays of a short chain's `State`.
     arrays = slab([(room, first.get(field, 0)) for field in Scratch.fields], page_offset=2560)
     return Scratch(**dict(zip(Scratch.fields, arrays, strict=True)))
 
 
 def _order_along(scene: Scene) -> tuple[list[int], list[int]] | None:
-    """(masses, springs) as they follow each other, or None where the body is neither a chain nor a ring."""
+    """(masses, springs) in order along a chain or a ring, or None for any other body."""
     n, springs = len(scene.masses), scene.linear_springs
     closed = len(springs) == n
     if n < (3 if closed else 2) or not (closed or len(springs) == n - 1):
@@ -204,7 +203,7 @@ def _order_along(scene: Scene) -> tuple[list[int], list[int]] | None:
 
 
 def _hinged_first(scene: Scene) -> list[int]:
-    """The springs, those that angular springs hold before the others."""
+    """Indices of the springs, with those that angular springs hold first."""
     hinged = {s for joint in scene.angular_springs for s in (joint.a, joint.b)}
     return sorted(range(len(scene.linear_springs)), key=lambda s: s not in hinged)
 
@@ -214,7 +213,7 @@ def _body(
 ) -> tuple[Body, Indices]:
     n, springs = len(scene.masses), [scene.linear_springs[s] for s in spring_order]
     ring = in_order and len(springs) == n
-    # As many springs as masses at least, since the chain's loops over masses look at as many, and one ahead.
+    # At least as many springs as masses, since the chain's loops over masses read as many, and one more.
     room = padded(max(len(springs), n)) + 1
     torques = max(room, len(scene.angular_springs)) + 1
     stiffness, damping, rest, torque_size, softenings = slab(
@@ -223,7 +222,7 @@ def _body(
     for s, spring in enumerate(springs):
         stiffness[s], damping[s], rest[s] = spring.stiffness, spring.damping, spring.rest_length
     softening = _softening(scene)
-    # The loop round a ring comes by its first spring again.
+    # The loop around a ring visits its first spring twice.
     softenings[:], softenings[: len(springs) + ring] = _ENDLESS, max(softening, LEAST)
     spring_a = mass_index[np.array([spring.a for spring in springs], np.int64)]
     spring_b = mass_index[np.array([spring.b for spring in springs], np.int64)]
@@ -294,7 +293,7 @@ def _body(
 
 
 def _softening(scene: Scene) -> float:
-    """`Body.softening`, px²: next to none for a method with a fixed step, the tutorial's among them."""
+    """`Body.softening`, px²: practically none for methods with a fixed step."""
     if not METHODS[scene.integrator.method].adaptive:
         return SHORTEST_SQUARED
     lengths = np.array([spring.rest_length for spring in scene.linear_springs])
@@ -311,10 +310,20 @@ def _softening(scene: Scene) -> float:
 def _slots(
     plus: Indices, minus: Indices, owners: int, first: int, nothing: int, layers: int = 1
 ) -> tuple[Indices, Indices, Indices, Indices, Floats]:
-    """In each layer one thing that acts on each owner with plus and one with minus, and lists of the others.
+    """Tables for summing, at each owner, the things that act on it, with sign plus or minus.
 
-    `plus[i]` and `minus[i]` are the owners that thing i acts on. Things are numbered from `first` on, and
-    `nothing` fills the empty slots.
+    Each layer has one slot of each sign for every owner; things that find no slot go into lists.
+
+    Args:
+        plus, minus: the owners that each thing acts on with that sign.
+        owners: number of owners.
+        first: number of the first thing.
+        nothing: value of an empty slot.
+        layers: number of layers.
+
+    Returns:
+        (layers owners,) the things in the slots of either sign, one layer after another; and for the things
+        in the lists: number, owner and sign.
     """
     slots = np.full((2, layers, owners), nothing, np.int64)
     more: list[tuple[int, int, float]] = []
@@ -337,9 +346,9 @@ def _slots(
 
 
 def _layers(plus: Indices, minus: Indices, owners: int) -> int:
-    """How many layers of slots are worth it: each but the first has things for half of the owners at least.
+    """The number of layers for `_slots`: all but the first have things for at least half of the owners.
 
-    A layer is gathered in vectors, empty slots and all; the lists are gone through one by one.
+    A layer is gathered in vectors, empty slots included; the lists are processed one by one.
     """
     counts = np.stack((np.bincount(plus, minlength=owners), np.bincount(minus, minlength=owners)))
     layers = 1

@@ -1,1 +1,1 @@
-"""Which kernels are ready, and compiling them in the background."""
+"""Keeps track of which kernels are compiled, and compiles them in the background."""

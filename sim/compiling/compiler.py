@@ -1,8 +1,8 @@
-"""Which kernels are ready, and compiling them in the background, in processes of their own.
+"""Keeps track of which kernels are compiled, and compiles them in the background, in other processes.
 
-Every kernel that is called from Python, or through its address, is an entry point with one signature. It is
-compiled and kept on disk by itself. It is ready once its machine code is loaded in this process, and not
-because a file says so.
+Every kernel that is called from Python, or through its address, is an entry point with one signature. Entry
+points are compiled and cached on disk separately. One is ready when its machine code is loaded in this
+process, whatever files there are.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..methods.registry import ARM_METHODS, METHODS
 
 _FLOAT, _INT = types.float64, types.int64
-_MOST_HELPERS = 2
-"""Processes that compile at a time: two are nearly twice as fast as one, if there are two cores."""
 
+_MOST_HELPERS = 2
+"""Number of processes that compile at a time: with two cores, two are nearly twice as fast as one."""
 
 _PATIENCE = 5.0
-"""Seconds that stopping waits for what is being loaded."""
+"""Seconds for which `stop` waits for what is being loaded."""
 
 
 @dataclass(frozen=True)
@@ -48,9 +48,9 @@ class EntryPoint:
     """A kernel that is called from Python or through its address.
 
     Attributes:
-        name: of the kernel.
+        name: name of the kernel.
         label: what it is, for people.
-        kernel: numba's dispatcher of it.
+        kernel: numba's dispatcher of the kernel.
         signature: the types of its arguments.
     """
 
@@ -65,17 +65,17 @@ class EntryPoint:
         return self.signature in self.kernel.overloads
 
     def load(self) -> None:
-        """Load its machine code from the disk, or compile it where it is not there."""
+        """Load its machine code from the disk, or compile it."""
         self.kernel.compile(self.signature)
 
     @property
     def marker(self) -> Path | None:
-        """A file that is there if the machine code probably is on the disk; None where nothing is kept."""
+        """A file that exists if the machine code is probably on the disk; None where nothing is cached."""
         function = self.kernel.py_func
         folder = cache_folder(module_of(function))
         if folder is None:
             return None
-        # What numba's own files depend on, beside the folder.
+        # What numba's own files depend on, besides the folder.
         processor = numba.config.CPU_NAME or llvmlite.binding.get_host_cpu_name()  # type: ignore[attr-defined]
         kept_for = hashlib.sha256(f"{function.__code__.co_filename} {processor}".encode()).hexdigest()[:12]
         return folder / f"{self.name}-{kept_for}.compiled"
@@ -84,7 +84,7 @@ class EntryPoint:
 def _entry_points() -> dict[str, EntryPoint]:
     problem, drive = Problem.numba_type, Drive.numba_type
     run = (problem, drive, _FLOAT, _FLOAT, _INT)
-    # In the order in which they are wanted: what `auto` uses comes first.
+    # In the order in which they are needed: those that `auto` uses come first.
     methods = sorted(METHODS.values(), key=lambda method: method not in ARM_METHODS)
     points = [
         ("forces", accelerations, ACCELERATIONS.args),
@@ -104,17 +104,17 @@ def _entry_points() -> dict[str, EntryPoint]:
 
 
 ENTRY_POINTS = _entry_points()
-"""By name."""
+"""The entry points, by name."""
 
 FOR_FALLBACK = ("factorise_matrix", "solve_matrix", "run_fallback")
-"""Entry points that a fallback step takes."""
+"""Entry points that a fallback step needs."""
 
 FOR_ENERGY = ("energies", "accumulate_work")
-"""Entry points that following the energy takes."""
+"""Entry points that the energy balance needs."""
 
 
 def needed_by(method: str) -> tuple[str, ...]:
-    """Names of what has to be ready before a method can run; `auto` begins with the first that it tries."""
+    """Names of the entry points that a method needs; for `auto`, those that it needs to start."""
     info = METHODS[method]
     if info.kernel is None:
         return "accelerations", ARM_METHODS[0].kernel.py_func.__name__, "next_turn"
@@ -128,10 +128,10 @@ def is_ready(names: Iterable[str]) -> bool:
 
 
 class Compiler:
-    """Makes all entry points ready, one after another, without keeping the caller waiting.
+    """Makes all entry points ready, one after another, in the background.
 
-    What is on the disk is loaded. The rest is compiled by helpers, processes that keep their results on the
-    disk, so that this one has its interpreter for itself.
+    What is on the disk is loaded. The rest is compiled by helper processes, which write their results to the
+    disk, so that compiling does not block the interpreter of this process.
 
     Attributes:
         compiles: whether anything had to be compiled, and not only loaded.
@@ -148,43 +148,43 @@ class Compiler:
 
     @property
     def progress(self) -> tuple[int, int]:
-        """(how many entry points are ready, how many there are)."""
+        """(number of entry points that are ready, number of all)."""
         return sum(point.ready for point in ENTRY_POINTS.values()), len(ENTRY_POINTS)
 
     @property
     def busy_with(self) -> str:
-        """What is being compiled, for people; empty when nothing is."""
+        """Label of what is being compiled; empty if nothing is."""
         busy = self._busy[:1]
         return ENTRY_POINTS[busy[0]].label if busy else ""
 
     def want(self, names: Iterable[str]) -> None:
-        """Have these entry points before all others."""
+        """Make these entry points ready before all others."""
         first = list(names)
         with self._lock:
             self._waiting.sort(key=lambda name: first.index(name) if name in first else len(first))
 
     def start(self) -> None:
-        """Begin; entry points become ready from now on."""
+        """Start making entry points ready."""
         helpers = min(_MOST_HELPERS, os.cpu_count() or 1)
         self._threads = [threading.Thread(target=self._run, daemon=True) for _ in range(helpers)]
         for thread in self._threads:
             thread.start()
 
     def wait(self, timeout: float | None = None) -> None:
-        """Wait until everything is ready, or until `stop`, or for some seconds."""
+        """Wait until everything is ready or `stop` is called, at most for a timeout (s)."""
         end = None if timeout is None else time.monotonic() + timeout
         for thread in self._threads:
             thread.join(None if end is None else max(0.0, end - time.monotonic()))
 
     def stop(self) -> None:
-        """Compile no more: nobody will use it."""
+        """Stop compiling."""
         self._stopped = True
         for helper in self._helpers:
             helper.terminate()
         self.wait(timeout=_PATIENCE)  # a thread in the middle of LLVM would not survive the interpreter
 
     def _run(self) -> None:
-        """Take one entry point after another, with a helper where something has to be compiled."""
+        """Make one entry point after another ready, with a helper where something has to be compiled."""
         helper: subprocess.Popen[str] | None = None
         while not self._stopped and (name := self._take()) is not None:
             point = ENTRY_POINTS[name]
@@ -220,9 +220,9 @@ class Compiler:
 
 
 def _ask(helper: subprocess.Popen[str], name: str) -> None:
-    """Have a helper compile an entry point, and wait until it is done or the helper has ended."""
+    """Let a helper compile an entry point, and wait until it is done or the helper has ended."""
     assert helper.stdin is not None and helper.stdout is not None
-    with contextlib.suppress(OSError):  # it has ended: then this process compiles
+    with contextlib.suppress(OSError):  # if the helper has ended, this process compiles
         helper.stdin.write(f"{name}\n")
         helper.stdin.flush()
         helper.stdout.readline()

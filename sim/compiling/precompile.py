@@ -1,7 +1,7 @@
-"""Compiles entry points and keeps the machine code: `python -m sim.compiling.precompile all`, or names.
+"""Compiles entry points and caches the machine code: `python -m sim.compiling.precompile all`, or names.
 
-Without arguments it is a helper of `compiler.Compiler`: it reads names from its standard input, one a line,
-and prints each when it is done.
+Without arguments it is a helper of `compiler.Compiler`: it reads names from standard input, one per line, and
+prints each when it is done.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from .compiler import ENTRY_POINTS
 
 
 def precompile(names: Iterable[str]) -> None:
-    """Compile entry points one by one, mark each as kept, and print its name."""
+    """Compile entry points one by one, mark each as cached, and print its name."""
     for name in names:
         point = ENTRY_POINTS[name]
         point.load()
@@ -28,5 +28,5 @@ if __name__ == "__main__":
         precompile(ENTRY_POINTS if sys.argv[1:] == ["all"] else sys.argv[1:])
     else:
         if hasattr(os, "nice"):
-            os.nice(5)  # the page comes first
+            os.nice(5)  # the page has priority
         precompile(line.strip() for line in sys.stdin)

@@ -1,1 +1,1 @@
-"""Compiled kernels. Everything here is numba; nothing here knows of scenes or files."""
+"""Compiled kernels. Everything here is numba code and independent of scenes and files."""

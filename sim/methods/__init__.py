@@ -1,1 +1,1 @@
-"""The methods of integration: a row each, their coefficients and their stability limits."""
+"""The integration methods: a table with one row each, their coefficients and their stability limits."""

@@ -1,4 +1,4 @@
-"""Coefficients of Adams' methods, from their definition: integrals of polynomials, in exact fractions."""
+"""Coefficients of Adams methods, computed as integrals of polynomials in exact fractions."""
 
 from __future__ import annotations
 
@@ -10,15 +10,16 @@ import numpy as np
 from ..kernels.core.tables import PAST, Adams
 
 _Polynomial = list[Fraction]
-"""Coefficients, the constant one first."""
+"""Coefficients of a polynomial, the constant one first."""
 
 
 def adams(degree: int) -> Adams:
-    """The methods up to a degree of the polynomial through past accelerations, at most `PAST` - 1.
+    """The coefficients for degrees of the polynomial up to `degree`, which is at most `PAST` - 1.
 
-    Time is in steps, 0 at the last known state and 1 at the one wanted; the accelerations are those at
-    0, -1, ... -k. The correction adds e L(s) to the polynomial, with e the difference between the
-    acceleration found and the one extrapolated, and L the polynomial that is 1 at 1 and 0 at all of those.
+    Time s is measured in steps: 0 at the last known state and 1 at the next one. The polynomial of degree k
+    goes through the accelerations at 0, -1, ... -k. The correction adds e L(s) to it, where e is the
+    difference between the acceleration found and the one extrapolated, and L is the polynomial that is 1 at 1
+    and 0 at these times.
     """
     shape = (PAST, PAST)
     position, velocity, ahead, barycentric = (np.zeros(shape) for _ in range(4))
@@ -35,7 +36,8 @@ def adams(degree: int) -> Adams:
             barycentric[k, i] = 1.0 / math.prod(i - other for other in range(k + 1) if other != i)
         longer, shorter = (_lagrange([Fraction(1), *nodes[:count]], 0) for count in (k + 1, k))
         to_position[k], to_velocity[k] = _twice_integrated(longer), _integrated(longer)
-        # The estimate is what the oldest of the points changes, in positions or by velocities in a step.
+        # The estimate is the effect of the oldest point on positions, directly or through velocities in a
+        # step.
         error[k] = max(
             abs(to_position[k] - _twice_integrated(shorter)), abs(to_velocity[k] - _integrated(shorter))
         )
@@ -64,10 +66,10 @@ def _lagrange(nodes: list[Fraction], i: int) -> _Polynomial:
 
 
 def _integrated(p: _Polynomial, to: int = 1) -> float:
-    """From 0 to `to`."""
+    """The integral from 0 to `to`."""
     return float(sum(c * to ** (i + 1) / (i + 1) for i, c in enumerate(p)))
 
 
 def _twice_integrated(p: _Polynomial) -> float:
-    """The integral from 0 to 1 of the integral from 0."""
+    """The integral from 0 to 1 of the integral that starts at 0."""
     return float(sum(c / ((i + 1) * (i + 2)) for i, c in enumerate(p)))

@@ -1,4 +1,4 @@
-"""The methods of integration: one table, one entry each."""
+"""The table of integration methods."""
 
 from __future__ import annotations
 
@@ -23,22 +23,23 @@ Kernel = Any
 
 @dataclass(frozen=True)
 class MethodInfo:
-    """One method.
+    """An integration method.
 
     Attributes:
-        name: as scenes have it.
-        label: for people.
-        kernel: what runs it; None for `auto`, which runs others by turns.
-        order: of its error, as a power of the step; 0 where that says nothing.
-        summary: what it is and what it is good for, one sentence.
-        look: its colour and its marker in figures, as matplotlib has them.
+        name: its name in scenes.
+        label: its name for people.
+        kernel: the kernel that runs it; None for `auto`, which runs other methods by turns.
+        order: order of its error as a power of the step; 0 where there is none.
+        summary: what it is and what it is good for, in one sentence.
+        look: its colour and marker in figures, in matplotlib's notation.
         adaptive: whether it chooses its steps by a tolerance.
-        implicit: whether it solves linear systems, and so bears any stiffness.
-        limit: how its stability limit follows from a body; None where it has none.
-        table: its coefficients, if it has any.
-        tolerance_factor: for a tolerance of 1 px, the position error per second that one step may make, 1/s;
-            found by trying, so that errors after a second come out somewhat below the tolerance. An error
-            per unit of time, and not per step, makes errors proportional to the tolerance.
+        implicit: whether it solves linear systems, and so handles any stiffness.
+        limit: the rule for its stability limit; None where it has none.
+        table: its coefficients, if it has a table of them.
+        tolerance_factor: position error per second of simulated time that a step may make, as a multiple of
+            the tolerance; found by experiment, so that errors after a second are somewhat below the
+            tolerance. An error per unit of time, and not per step, makes errors proportional to the
+            tolerance.
     """
 
     name: Method
@@ -108,6 +109,7 @@ _ALL = (
 )  # fmt: skip
 
 METHODS: dict[str, MethodInfo] = {method.name: method for method in _ALL}
+"""The methods, by name."""
 
 assert set(METHODS) == set(get_args(Method))
 

@@ -1,8 +1,8 @@
 """Coefficients of the Runge-Kutta and Rosenbrock methods, as published.
 
-Explicit methods are given by their rows a, weights b, times c, and one or two error estimates; what a
-Nyström method for q'' = f(t, q, q') needs beside follows, abar = a a. Rosenbrock methods are given in the
-form in which each stage is one solve.
+Explicit methods are given by their rows a, weights b and times c; for q'' = f(t, q, q') the coefficients of
+positions follow as abar = a a. Rosenbrock methods are given in the form in which each stage is one linear
+solve.
 """
 
 from __future__ import annotations
@@ -14,13 +14,14 @@ import numpy as np
 from ..kernels.core.tables import Rosenbrock, Tableau
 
 Row = Sequence[float]
+"""A row of coefficients."""
 
 
 def explicit(rows: Sequence[Row], weights: Row, times: Row) -> Tableau:
     """The table of an explicit method of s stages.
 
     Args:
-        rows: s rows of a, the first empty.
+        rows: a, s rows, of which the first is empty.
         weights: b.
         times: c.
     """
@@ -41,7 +42,7 @@ def rosenbrock(
     error: Row,
     order: int,
 ) -> Rosenbrock:
-    """The table of a Rosenbrock method of s stages; `weights` and `error` are for the stages' solutions."""
+    """The table of a Rosenbrock method; `weights` and `error` apply to the solutions of the stages."""
     stages = len(weights)
     padded = -(-stages // 4) * 4
     a, c = np.zeros((2, stages + 1, padded))
@@ -68,6 +69,7 @@ RK4 = explicit(
 )
 """Kutta 1901: the classical method."""
 
+# The coefficients a of the last stage, which are repeated in the weights.
 _LAST = (1.221224509226641, 6.019134481288629, 12.53708332932087, -0.6878860361058950)
 
 RODAS4 = rosenbrock(
@@ -94,12 +96,9 @@ RODAS4 = rosenbrock(
     error=(0.0, 0.0, 0.0, 0.0, 0.0, 1.0),
     order=4,
 )
-"""Hairer & Wanner 1996: order 4 with an estimate of order 3, stiffly accurate (code RODAS).
+"""Hairer & Wanner 1996: order 4 with an error estimate of order 3, stiffly accurate (code RODAS)."""
 
-The published code has 12.53708333932087 for the third number of its last row, with which the method is
-inconsistent by 1e-9 and errors stall there; the digit changed here makes every condition hold to rounding.
-"""
-
+# Likewise for RODAS 5P.
 _LAST5 = (
     -7.502846399306121,
     2.561846144803919,
@@ -169,4 +168,4 @@ RODAS5P = rosenbrock(
     error=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0),
     order=5,
 )
-"""Steinebach 2023: order 5 with an estimate of order 4, stiffly accurate."""
+"""Steinebach 2023: order 5 with an error estimate of order 4, stiffly accurate."""

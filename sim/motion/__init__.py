@@ -1,1 +1,1 @@
-"""A scene in motion: what runs a method, who leads its masses, its energy, its limits."""
+"""A scene in motion: running a method, driving masses, the energy balance, stability and divergence."""

@@ -12,11 +12,14 @@ from ..kernels.integrators import guard
 from ..scene.types import MAX_COORDINATE, RUNAWAY_SPEED
 from .stability import StabilityEstimate, StabilityMeter
 
-# A body that leaves the range of a scene file has run away; so whatever the kernels let out can be saved.
 FARTHEST = MAX_COORDINATE
+"""Coordinate, px, beyond which a body has run away: the range of a scene file, so that every state can be
+saved."""
 FASTEST = RUNAWAY_SPEED
+"""Velocity component, px/s, beyond which a body has run away under a method with a fixed step."""
 
 Quantity = Literal["number", "position", "speed", "step"]
+"""What went wrong; see `Divergence.quantity`."""
 
 LIMITS: dict[int, tuple[Quantity, float]] = {
     guard.BAD_NUMBER: ("number", math.inf),
@@ -24,6 +27,7 @@ LIMITS: dict[int, tuple[Quantity, float]] = {
     guard.BAD_SPEED: ("speed", FASTEST),
     guard.STUCK: ("step", 0.0),
 }
+"""Quantity and limit for each code of `guard`."""
 
 
 @dataclass(frozen=True)
@@ -31,16 +35,17 @@ class Divergence:
     """Why a simulation stopped; the state is the last good one.
 
     Attributes:
-        mass: the mass that showed it first.
+        mass: the first mass at which it was found.
         step: number of the step that was not done, counted from the start.
-        quantity: "position" or "speed" passed its limit, or a "number" became NaN or infinite.
-        limit: the limit passed, px or px/s; infinite for "number".
-        dt: the time step used, s.
-        stability: the stability limit to blame: that of the body as it was at its start, or, if that
-            was stable, in its last good shape.
-        adaptive: whether the method has a tolerance, and no time step to blame.
-        driven: whether the force law has no energy and the method a tolerance, so that it is the law, and not
-            the method, that drove the body ever faster.
+        quantity: "position" or "speed" passed its limit, a "number" became NaN or infinite, or no "step" was
+            short enough.
+        limit: the limit that was passed, px or px/s; infinite for "number", 0 for "step".
+        dt: the time step, s.
+        stability: the stability limit in question: that of the body at its start or, if the time step was
+            below it, in its last good shape.
+        adaptive: whether the method has a tolerance, so that the time step cannot be the cause.
+        driven: whether the force law has no energy and the method has a tolerance, so that the law, and not
+            the method, made the body ever faster.
     """
 
     mass: int
@@ -78,10 +83,11 @@ class Divergence:
 def limit_to_blame(
     system: System, state: State, method: str, dt: float, air_friction: float
 ) -> StabilityEstimate:
-    """The stability limit to blame for a divergence.
+    """The stability limit in question after a divergence.
 
-    The last good state is torn apart already, so the body is looked at as it was before it moved; if
-    that was stable, in its last shape. Speeds are left out: an exploding body is fast for that reason.
+    The last good state is usually distorted already, so the limit is that of the body at its start or, if the
+    time step is below that, of its last shape. Velocities are set to zero, since those of an exploding body
+    are a consequence of the divergence.
     """
     masses = slice(1, system.body.masses + 1)
     rest = state.copied()

@@ -1,8 +1,9 @@
-"""Hands that hold masses and lead them: at once, or no faster than a body of many stiff springs can follow.
+"""Hands, which hold and lead masses: at once, or at a limited speed for bodies of many stiff springs.
 
-What is torn away at once is a shock, whose waves are as short as the body's springs: to follow those takes a
-rod of a thousand masses a thousand times as long as the motion that its user sees. So there the hand comes
-after the pointer, with an acceleration that does not jump, and slower than a pull goes through the springs.
+Moving a mass at once is a shock that sends waves through the body which are as short as its springs.
+Resolving them takes a thousand times the computing time of the motion that one sees, in a rod of a thousand
+masses. In such bodies the hand follows the pointer with a continuous acceleration, and more slowly than a
+pull travels through the springs.
 """
 
 from __future__ import annotations
@@ -21,27 +22,27 @@ from ..scene.types import MAX_COORDINATE, MAX_SPEED, Scene
 from .stability import quick_limit
 
 _TOO_MANY = 8e4
-"""Masses times the steps that explicit methods take for a simulated second, above which hands are
-rate-limited. Bodies with a half or a tenth of that follow an anchor that is torn over thousands of pixels in
-a frame."""
+"""Number of masses times the number of steps of an explicit method per simulated second, 1/s, above which
+hands are rate-limited. Bodies with half or a tenth of that can follow an anchor that is moved by thousands of
+pixels in a frame."""
 
 _PART = 1.0 / 3.0
-"""The part of the speed of a pull that a hand goes at, at most."""
+"""Largest speed of a hand as a fraction of the speed at which a pull travels through the springs."""
 _SLOWEST = 100.0
-"""Speed, px/s, that a hand may always go at."""
+"""Speed, px/s, that is always allowed."""
 
 _EAGERNESS = 30.0
-"""How fast the hand comes to where the pointer stands, 1/s."""
+"""Rate at which a hand approaches the pointer, 1/s."""
 
 LONGEST_PART = 0.02
-"""Seconds for which the hand's acceleration is a straight line in time."""
+"""Longest time, s, for which the acceleration of a hand is taken to be linear in time."""
 
 _THERE = 1e-9
-"""px from its goal at which a hand is there."""
+"""Distance, px, from its goal below which a hand has arrived."""
 
 
 class HandMotion(NamedTuple):
-    """How a hand moves in a short time: velocity, px/s; acceleration, px/s²; and the rate of that, px/s³."""
+    """Motion of a hand during a short time: velocity, px/s, acceleration, px/s², and jerk, px/s³."""
 
     vx: float
     vy: float
@@ -52,18 +53,20 @@ class HandMotion(NamedTuple):
 
 
 NO_MOTION = HandMotion(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+"""A hand at rest."""
 
 HandMotions = Mapping[int, HandMotion]
-"""How hands move, by the place of the mass in each."""
+"""Motions of hands, by the slot of the mass in each."""
 
 NO_MOTIONS: HandMotions = {}
+"""No hands."""
 
 
 def speed_to_follow(system: System, state: State, index: int) -> float:
-    """The speed, px/s, at which a hand may lead the mass at a place.
+    """The largest speed, px/s, at which a hand may lead the mass in a slot.
 
-    A pull goes through a chain of springs by their length times sqrt(stiffness / mass) in a second. Where a
-    mass is led faster than that, its springs are torn apart, or pushed to nothing.
+    A pull travels through a chain of springs at their length times sqrt(stiffness / mass). If a mass is led
+    faster than that, its springs are torn apart or compressed to nothing.
     """
     body, speed = system.body, MAX_SPEED
     for ends, others in ((body.spring_a, body.spring_b), (body.spring_b, body.spring_a)):
@@ -75,17 +78,17 @@ def speed_to_follow(system: System, state: State, index: int) -> float:
 
 
 class Hand:
-    """Where a hand is, and how it comes to its goal.
+    """A hand at a limited speed: a critically damped filter of third order that approaches a goal.
 
-    It is a critically damped filter of third order: without limits, x''' = w³ (goal - x) - 3 w² x' - 3 w x''.
+    Without the limit, x''' = w³ (goal - x) - 3 w² x' - 3 w x''.
 
     Args:
-        x, y: place, px.
-        vx, vy: velocity, px/s.
-        fastest: speed that it goes at, at most, px/s.
+        x, y: initial position, px.
+        vx, vy: initial velocity, px/s.
+        fastest: largest speed, px/s.
 
     Attributes:
-        goal: where it is to come to, px.
+        goal: the position to approach, px.
     """
 
     def __init__(self, x: float, y: float, vx: float, vy: float, fastest: float) -> None:
@@ -95,7 +98,7 @@ class Hand:
 
     @property
     def distance(self) -> float:
-        """How far it still has to go, px."""
+        """Distance to the goal, px."""
         return float(np.hypot(*(self._state[0] - self.goal)))
 
     @property
@@ -104,13 +107,13 @@ class Hand:
         return self.distance < _THERE and float(np.abs(self._state[1]).max()) < _EAGERNESS * _THERE
 
     def next_motion(self, duration: float) -> HandMotion:
-        """How it moves in the next seconds, `LONGEST_PART` of them at most."""
-        index, speed, acceleration = self._state
-        way, w = self.goal - index, _EAGERNESS
-        # Of a goal that keeps this distance, it would come after with its greatest speed.
+        """Its motion during the next `duration` seconds, at most `LONGEST_PART`."""
+        position, speed, acceleration = self._state
+        way, w = self.goal - position, _EAGERNESS
+        # It would follow a goal that keeps this distance with its largest speed.
         most = 3.0 * self._fastest / w
         way *= min(1.0, most / max(float(np.hypot(*way)), most))
-        # The filter's way to there is (c0 + c1 t + c2 t²) exp(-w t), from the present state on.
+        # The filter approaches the goal by (c0 + c1 t + c2 t²) exp(-w t), from the present state on.
         c0 = -way
         c1 = speed + w * c0
         c2 = 0.5 * (acceleration + 2.0 * w * c1 - w * w * c0)
@@ -121,19 +124,19 @@ class Hand:
         return HandMotion(*map(float, (*speed, *acceleration, *jerk)))
 
     def go_on(self, motion: HandMotion, elapsed: float) -> None:
-        """Move for some seconds."""
+        """Move for `elapsed` seconds."""
         speed, acceleration, jerk = np.reshape(motion, (3, 2))
-        index = self._state[0]
-        self._state[0] = index + elapsed * (speed + elapsed * (0.5 * acceleration + elapsed * jerk / 6.0))
+        position = self._state[0]
+        self._state[0] = position + elapsed * (speed + elapsed * (0.5 * acceleration + elapsed * jerk / 6.0))
         self._state[1] = speed + elapsed * (acceleration + 0.5 * elapsed * jerk)
         self._state[2] = acceleration + elapsed * jerk
 
 
 def within_bounds(to: tuple[float, float]) -> tuple[float, float]:
-    """A place, px, where a mass may be put.
+    """The position, px, if it is within the range of a scene.
 
     Raises:
-        InputError: it is not within what a scene may have.
+        InputError: it is not.
     """
     x, y = (float(c) for c in to)
     if not (abs(x) <= MAX_COORDINATE and abs(y) <= MAX_COORDINATE):
@@ -142,18 +145,18 @@ def within_bounds(to: tuple[float, float]) -> tuple[float, float]:
 
 
 class Hands:
-    """All that is in somebody's hand.
+    """All hands of a simulation.
 
     Args:
         system, state: of the simulation.
         adaptive: whether its method chooses its steps.
 
     Attributes:
-        rate_limited: whether the body has so many masses, on springs so stiff, that hands go at a limited
-            speed. A method with fixed steps takes as long for anything.
-        grabbed: masses of the scene that are held by a hand alone.
-        targets: where masses are to be led in the next call, straight, px, by index.
-        limited: the hands that lead masses no faster than these can follow, by index.
+        rate_limited: whether the body has so many masses, on springs so stiff, that hands move at a limited
+            speed. Never with a fixed step, where every motion takes the same computing time.
+        grabbed: masses of the scene that are held by a hand.
+        targets: positions, px, to which masses are led in straight lines in the next call, by slot.
+        limited: the rate-limited hands, by slot.
     """
 
     def __init__(self, system: System, state: State, adaptive: bool) -> None:
@@ -165,24 +168,24 @@ class Hands:
 
     @property
     def behind(self) -> dict[int, float]:
-        """How far each rate-limited hand still has to go, px, by mass of the scene."""
+        """Distance of each rate-limited hand to its goal, px, by mass of the scene."""
         order = self._system.mass_order
         return {int(order[index - 1]): hand.distance for index, hand in self.limited.items()}
 
     def lead(self, index: int, to: tuple[float, float]) -> None:
-        """Lead a mass in the next call."""
+        """Lead the mass in a slot to a position in the next call, in a straight line."""
         self.limited.pop(index, None)
         self.targets[index] = to
 
     def lead_limited(self, index: int, to: tuple[float, float]) -> None:
-        """Lead a mass as fast as it can follow."""
+        """Lead the mass in a slot to a position at a limited speed."""
         self.targets.pop(index, None)
         if index not in self.limited:
             self._take(index, 0.0, 0.0)
         self.limited[index].goal = to
 
     def leave(self, index: int) -> None:
-        """Lead a mass no more; it stands still."""
+        """Stop leading the mass in a slot, which comes to rest."""
         self.targets.pop(index, None)
         if self.limited.pop(index, None):
             self._state.vx[index] = self._state.vy[index] = 0.0
@@ -192,17 +195,18 @@ class Hands:
         return bool(self._system.held[self._system.mass_index[mass] - 1]) or mass in self.grabbed
 
     def grab(self, mass: int) -> None:
-        """Take a mass of the scene, which may be moving."""
+        """Hold a mass of the scene, which may be moving."""
         index, free = int(self._system.mass_index[mass]), not self.hold(mass)
         self.grabbed.add(mass)
         if self.rate_limited and free:
             self._take(index, float(self._state.vx[index]), float(self._state.vy[index]))
 
     def release(self, mass: int) -> None:
-        """Let go of a mass of the scene: it is at rest, or still led where the scene holds it."""
+        """Let go of a mass of the scene. It is then at rest; if the scene holds it, it may still be led."""
         index = int(self._system.mass_index[mass])
         if mass in self.grabbed:
-            # However fast it was led: a throw would go by the last few milliseconds of a shaky hand.
+            # Whatever its velocity was: that of a throw would depend on the last few milliseconds of a shaky
+            # hand.
             self._state.vx[index] = self._state.vy[index] = 0.0
             self.grabbed.remove(mass)
         self.targets.pop(index, None)
@@ -210,7 +214,11 @@ class Hands:
             self.leave(index)
 
     def weigh(self, scene: Scene) -> bool:
-        """Say in the tables what forces do to each mass, nothing where it is held; whether all are."""
+        """Set inverse masses, air friction and gravity in the state, zero for held masses.
+
+        Returns:
+            Whether all masses are held.
+        """
         system, state, masses = self._system, self._state, slice(1, self._system.body.masses + 1)
         held = system.held.copy()
         held[system.mass_index[list(self.grabbed)] - 1] = True
@@ -224,25 +232,25 @@ class Hands:
         return bool(held.all())
 
     def settle(self) -> None:
-        """Forget what is where it was to come to, after a call."""
+        """After a call, forget the targets and the hands that have arrived."""
         if self.targets:
             self.targets = {}
         if self.limited:
             self.limited = {index: hand for index, hand in self.limited.items() if not hand.is_there}
 
     def clear(self) -> None:
-        """Let go of everything."""
+        """Let go of all masses."""
         self.grabbed.clear()
         self.targets.clear()
         self.limited.clear()
 
     def take_over(self, old: Hands) -> None:
-        """Hold what other hands hold of a body with the same masses."""
+        """Take over what the hands of a simulation with the same masses hold."""
         self.grabbed = set(old.grabbed)
         if self.rate_limited:
             self.limited = copy.deepcopy(old.limited)
 
     def _take(self, index: int, vx: float, vy: float) -> None:
-        """Take a mass with a velocity, px/s, into a rate-limited hand."""
+        """Give the mass in a slot, which has a velocity (px/s), to a new rate-limited hand."""
         x, y = float(self._state.x[index]), float(self._state.y[index])
         self.limited[index] = Hand(x, y, vx, vy, speed_to_follow(self._system, self._state, index))

@@ -1,4 +1,4 @@
-"""What drives a body from outside: masses that are led or go round, and held keys."""
+"""What drives a body from outside: masses that are led or move on circles, and held keys."""
 
 from __future__ import annotations
 
@@ -13,16 +13,17 @@ from ..scene.types import MAX_SPEED, Circle, Scene
 from .drag import NO_MOTION, NO_MOTIONS, HandMotions
 
 _SHY = 1.0 - 1e-15
-"""A hand that goes to the very edge of what a scene may have must not pass it by a rounding error."""
+"""Factor that keeps a hand which moves to the edge of the allowed range from passing it by a rounding
+error."""
 
 
 class Driver:
-    """Says how the held masses of a scene move, and what held keys do, from now until later.
+    """Makes the table of how the held masses of a scene move and what held keys do.
 
     Args:
         scene: a valid scene.
         system: its tables.
-        state: positions, and what keys have done until now.
+        state: the positions, and the present scale of rest lengths and shift of rest angles.
     """
 
     def __init__(self, scene: Scene, system: System, state: State) -> None:
@@ -45,18 +46,18 @@ class Driver:
         """How masses move and keys act from one time to another.
 
         Args:
-            t, until: now, and the time when targets are to be reached, s.
-            targets: where masses that are led straight are to be then, px, by index.
+            t, until: the present time, and the time at which targets are to be reached, s.
+            targets: positions, px, to which masses are led in straight lines, by slot.
             growth, turn: what keys do to rest lengths and angles per second, see `Drive`.
-            motions: how rate-limited hands move, by index.
+            motions: motions of rate-limited hands, by slot.
         """
         state, duration = self._state, max(until - t, 1e-300)
-        slots = sorted({*targets, *motions, *self._circles})
+        indices = sorted({*targets, *motions, *self._circles})
         pressed = growth != 0.0 or turn != 0.0
-        if not slots and not pressed and self._still is not None:
-            return self._still  # the same whenever it is
+        if not indices and not pressed and self._still is not None:
+            return self._still  # the same at all times
         rows = []
-        for m in slots:
+        for m in indices:
             circle = self._circles.get(m)
             x, y = state.x[m], state.y[m]
             ox, oy = offset(circle, t)
@@ -69,17 +70,17 @@ class Driver:
             radius, omega, ramp = (
                 (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
             )
-            # The tutorial's hand, which is always as fast as the pointer, counts as standing still.
+            # Under the tutorial's law, the damping treats a directly led mass as being at rest.
             seen = 1.0 if m in motions else self._hand
             rows.append((x - ox, y - oy, vx, vy, *motion[2:], seen, radius, omega, ramp))
         columns = np.array(rows, float).reshape(-1, 12).T.copy()
         names = ("x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "hand", "radius", "omega", "ramp")
         drive = Drive(
-            moving=bool(slots) or pressed,
+            moving=bool(indices) or pressed,
             pressed=pressed,
             start=t,
             duration=duration if targets else math.inf,
-            mass=np.array(slots, np.int64),
+            mass=np.array(indices, np.int64),
             scale=float(state.controls[CONTROL_SCALE]),
             shift=float(state.controls[CONTROL_SHIFT]),
             growth=float(growth),
@@ -92,12 +93,12 @@ class Driver:
 
 
 def bounded(speed: float) -> float:
-    """A speed with which a mass may be led, px/s; what is led faster gets there by a jump."""
+    """A velocity component, px/s, limited to the allowed range; a mass that is led faster jumps."""
     return min(max(speed, -MAX_SPEED), MAX_SPEED)
 
 
 def offset(circle: Circle | None, time: float) -> tuple[float, float]:
-    """How far an anchor is off its place at a time, px: on its circle, if it has one."""
+    """Displacement, px, of an anchor on a circle at a time (s); zero if it has none."""
     if circle is None:
         return 0.0, 0.0
     phase = math.tau * circle.frequency * (time - circle.ramp * (1.0 - math.exp(-time / circle.ramp)))

@@ -1,4 +1,4 @@
-"""The energy of a body, and the books of what has changed it."""
+"""The energy of a body, and the balance of what has changed it."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ from .solver import Solver
 
 @dataclass(frozen=True)
 class EnergyBook:
-    """Energies and what has changed their sum since the book was opened, in kg px²/s².
+    """The energies, and what has changed their sum since the balance was opened, in kg px²/s².
 
     Attributes:
-        kinetic, linear, angular, gravity: of the free masses, the linear springs and the angular springs,
-            and that of height, from height 0. Under the force law "tutorial" the angular energy is that of
-            the conservative law.
-        anchors: work done on the body by held masses that are moved. A hand that takes hold of a mass takes
-            its kinetic energy and that of its height, and gives that of its height then in letting go.
-        damping, air: what the springs' damping and the air have added, so negative.
-        law: work done by a force law that is the gradient of no energy.
-        keys: work done by keys that change rest lengths and angles.
-        changes: what changes of settings have added at once.
-        fallbacks: what fallback steps have added; negative or zero.
-        residual: the sum of the energies, less what it was at first and all of the above. It is what the
-            method gets wrong, and shrinks with the step at the method's order.
+        kinetic, linear, angular, gravity: energies of the free masses' motion, the linear springs, the
+            angular springs, and the free masses' height above 0. Under the force law "tutorial" the angular
+            energy is that of the conservative law.
+        anchors: work done on the body by moved anchors. Grabbing a mass removes its kinetic energy and that
+            of its height; releasing it adds that of its height at that moment.
+        damping, air: work of the damping of springs and of air friction, which is negative.
+        law: work of a force law that is not the gradient of an energy.
+        keys: work of keys that change rest lengths and rest angles.
+        changes: energy added by changes of settings.
+        fallbacks: energy added by fallback steps, which is negative or zero.
+        residual: the sum of the energies minus its initial value and all of the above. This is the error of
+            the integration method, which decreases with the step at the method's order.
     """
 
     kinetic: float
@@ -60,10 +60,11 @@ class EnergyBook:
 
 
 ENERGY_FIELDS = tuple(field.name for field in fields(EnergyBook))
+"""Names of the entries of the balance."""
 
 
 class Books:
-    """Keeps the books of a simulation; made only where someone wants to read them.
+    """Keeps the energy balance of a simulation; made only when it is asked for.
 
     Args:
         scene, system, state, solver: of the simulation.
@@ -78,7 +79,7 @@ class Books:
         self._start = self.total()
 
     def read(self) -> EnergyBook:
-        """The books as they are now."""
+        """The present balance."""
         total = self.total()
         kinetic, linear, angular, gravity = (float(e) for e in self._four)
         work = self._solver.balance.work
@@ -98,23 +99,23 @@ class Books:
         )
 
     def total(self) -> float:
-        """The sum of the energies of the state in `state`."""
+        """The sum of the energies of the present state, kg px²/s²."""
         state, gravity = self._state, self._scene.gravity
         mass = self._solver.balance.mass
         energies(self._system.body, state, mass, *gravity, state.q, state.v, self._four)
         return float(self._four.sum())
 
     def moved(self, before: float) -> None:
-        """Held masses were put elsewhere at once, taken hold of or let go: the total was `before`."""
+        """Enter that held masses were moved at once, grabbed or released; the total was `before`."""
         self._solver.balance.work[WORK_ANCHORS] += self.total() - before
 
     def take_over(self, old: Books) -> None:
-        """Go on from the books of a simulation with other settings."""
+        """Continue the balance of a simulation with other settings."""
         self._solver.balance.work[:] = old._solver.balance.work
         book = old._last
         self._changes = book.changes + self.total() - book.total
         self._start = old._start
 
     def close(self) -> None:
-        """Remember what is read now, for the books that take over."""
+        """Remember the present balance, for the one that continues it."""
         self._last = self.read()

@@ -1,4 +1,4 @@
-"""Moves any body without a compiler, by `sim.physics` alone: until the kernels of its method are compiled."""
+"""Moves any body by `sim.physics` alone, until the kernels of its method are compiled."""
 
 from __future__ import annotations
 
@@ -17,11 +17,12 @@ from .solver import UNLIMITED, SolverStats
 from .stability import damped_limit
 
 _CAREFULLY = 0.2
-"""Length of a Verlet step beside the estimated stability limit, that of a body near its rest lengths."""
+"""Step of Verlet relative to the estimated stability limit, which is for a body near its rest lengths."""
 
 
 class PlainSolver:
-    """Has the face of a `Solver`. Symplectic Euler where that is the method, otherwise velocity Verlet.
+    """Has the interface of a `Solver`. Uses symplectic Euler for methods of order 1, otherwise velocity
+    Verlet.
 
     Args:
         scene: a valid scene.
@@ -30,9 +31,9 @@ class PlainSolver:
 
     Attributes:
         time: simulated time, s.
-        place: the place of the mass that shows what is wrong.
-        fastest: speed that a good state has at most, px/s.
-        tries: steps tried since `effort` was last asked.
+        index: slot of the mass at which something is wrong.
+        fastest: largest velocity component of a good state, px/s.
+        tries: steps tried since the last call of `stats`.
     """
 
     def __init__(self, scene: Scene, system: System, state: State) -> None:
@@ -41,36 +42,37 @@ class PlainSolver:
         self._body, self._state = system.body, state
         self._physics = Physics(system.body, state)
         method, dt = METHODS[scene.integrator.method], scene.integrator.dt
-        # The tutorial's step is the scene's. Verlet stands in for methods that bear any: it takes its own.
+        # Euler takes the scene's step. Verlet stands in for methods that may handle longer steps than it
+        # does.
         self._euler = method.order == 1
         self._longest = dt if self._euler else min(dt, _CAREFULLY * damped_limit(system))
         self._a: Vectors | None = None  # of the present state
 
     def load(self, time: float) -> None:
-        """The state has come from elsewhere, at a time, s."""
+        """Start from the state in `state`, at a time (s)."""
         self.time, self._a = time, None
 
     @property
     def keeps_books(self) -> bool:
-        """It is never followed what changes the energy."""
+        """Whether it keeps an energy balance: never."""
         return False
 
     def touch(self) -> None:
-        """Say that the state or what acts on it has changed from outside."""
+        """Note that the state, or what acts on it, was changed from outside."""
         self._a = None
 
     def stats(self) -> SolverStats:
-        """What was done since the last call of this."""
+        """Counts of steps since the last call."""
         stats, self.tries = SolverStats(steps=self.tries, forces=self.tries), 0
         return stats
 
     def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
-        """Go on to a time, as far as the attempts lead.
+        """Advance to a time (s), or by at most `attempts` steps.
 
-        A body that runs away from Verlet's steps is left where it was: its own method may bear more.
+        If a body runs away under Verlet, it stops without an error, since its own method may be stable.
 
         Returns:
-            guard.GOOD, or what is wrong with the state that the next step would lead to.
+            guard.GOOD, or what is wrong with the state after the next step.
         """
         state, span = self._state, until - self.time
         steps = max(1, math.ceil(span / self._longest - 1e-6))
@@ -85,13 +87,13 @@ class PlainSolver:
             t = self.time + h
             lead = partial(self._drive_to, drive, t)
             if self._euler:
-                # Masses that are led and keys come first, as in the tutorial.
+                # Led masses and keys come first, as in the tutorial.
                 x, v = x.copy(), v.copy()
                 lead(x, v)
                 x, v = euler_step(self._physics, x, v, h)
             else:
                 x, v, a = verlet_step(self._physics, x, v, a, h, lead)
-            lead(x, v)  # their velocity has moved them
+            lead(x, v)  # the step has moved them
             self.tries += 1
             what = self._verdict(x, v)
             if what != guard.GOOD:
@@ -110,7 +112,7 @@ class PlainSolver:
         state.x[:], state.y[:], state.vx[:], state.vy[:] = x.real, x.imag, v.real, v.imag
 
     def _drive_to(self, drive: Drive, t: float, x: Vectors, v: Vectors) -> None:
-        """Put the held masses where they are at time t, and set rest lengths and angles."""
+        """Set the held masses in x and v to their state at time t, and rest lengths and angles likewise."""
         if not drive.moving:
             return
         since = t - drive.start
@@ -122,7 +124,7 @@ class PlainSolver:
         )
         fade = np.exp(-t / drive.ramp)
         turn = np.exp(1j * drive.omega * (t - drive.ramp * (1.0 - fade)))
-        # A circle's centre is a quarter turn from where it starts: i r - i r exp(ip) = r (sin p, 1 - cos p).
+        # i r - i r exp(ip) = r (sin p, 1 - cos p), see `Circle`.
         circle = 1j * drive.radius * (1.0 - turn)
         x[drive.mass] = (
             drive.x + 1j * drive.y + circle

@@ -1,4 +1,4 @@
-"""Runs any method over a stretch of time: the tables of a body, and the kernels that work on them."""
+"""Runs any method over a span of time: the tables of a body, and the kernels that work on them."""
 
 from __future__ import annotations
 
@@ -60,48 +60,51 @@ from ..scene.types import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Scene
 from .stability import quick_limit
 
 _ROWS, _HISTORY = 24, 4
+"""Numbers of rows of `IntegratorState.rows` and `IntegratorState.history`."""
 _NEW = np.array(AUTO_NEW)
+"""Initial contents of `IntegratorState.selector`."""
 
 LOW_TOLERANCE = 3e-3
-"""Tolerance, px, below which `auto` chooses from methods of high order, too."""
+"""Tolerance, px, below which `auto` uses RODAS 5P instead of RODAS 4, and no generalized-alpha."""
 
 LONG = 200
-"""Masses from which on `auto` tries generalized-alpha, too: what it is good at is long rods."""
+"""Number of masses from which `auto` also tries generalized-alpha, which is good at long rods."""
 
 _NEAR_LIMIT = 0.6
-"""The part of the stability limit from which on a step counts as near it."""
+"""Step, as a fraction of the stability limit, from which it counts as near the limit."""
 
 _COARSEST = 1e-3
-"""The part of a body's size that Rosenbrock methods are held to under `auto`: error estimates are too
-optimistic for long steps on stiff bodies."""
+"""Largest tolerance of Rosenbrock methods under `auto`, as a fraction of the body's size: their error
+estimates are too optimistic for long steps on stiff bodies."""
 _FINER = 0.03
-"""The least part of the tolerance that is asked of them for that reason."""
+"""Smallest factor of the tolerance that results from this."""
 
 _LARGEST = 0.01
-"""The largest tolerance that `auto` works with, as a part of the body's size: beyond that, velocities of the
-lightest masses could be anything."""
+"""Largest tolerance of all methods under `auto`, as a fraction of the body's size: with a larger one,
+velocities of light masses would be arbitrary."""
 _SENSIBLE = 0.1
-"""A tolerance, px, that it always works with."""
+"""Tolerance, px, that is always allowed."""
 
 _ADAMS_LOW = 0.5
-"""Factor of the tolerance of Adams' methods under `auto`, down to `LOW_TOLERANCE`."""
+"""Factor of the tolerance of Adams methods under `auto`, for tolerances from `LOW_TOLERANCE` up."""
 _ADAMS_HIGH = 1.6
-"""The same below that. Found by trying: about the same share of random bodies ends within large and small
-tolerances."""
+"""The same for smaller tolerances. Found by experiment, so that about the same share of random bodies ends
+within large and within small tolerances."""
 
 FALLBACK_STEP = 1e-3
 """Length of a fallback step, s."""
 
 UNLIMITED = 2**62
+"""A number of steps that is never reached."""
 
 
 @dataclass
 class SolverStats:
-    """What a method did since its counters were last taken.
+    """Counts of what a method did since they were last read.
 
     Attributes:
-        steps, rejected: steps kept and steps tried in vain.
-        forces, matrices: evaluations of the accelerations, and matrices factorised.
+        steps, rejected: accepted and rejected steps.
+        forces, matrices: evaluations of the accelerations, and factorised matrices.
         fallbacks: fallback steps.
     """
 
@@ -113,14 +116,14 @@ class SolverStats:
 
 
 class Solver:
-    """A body's tables, and the methods that move it on.
+    """The tables of a body, and the methods that move it.
 
     Args:
         scene: a valid scene.
         system: its tables.
         state: positions, velocities and parameters that change.
-        work: scratch.
-        wait: whether it may wait for kernels to be compiled.
+        scratch: scratch arrays.
+        wait: whether it may wait until kernels are compiled.
     """
 
     def __init__(
@@ -155,11 +158,11 @@ class Solver:
         self._matrix: Matrix | None = None
         self._problem: Problem | None = None
         self._costs: Floats | None = None  # of a step of each method, see `Problem`
-        self._missing: set[int] = set()  # methods that `auto` cannot choose from yet
+        self._missing: set[int] = set()  # indices of methods that `auto` cannot choose yet
 
     @property
     def matrix(self) -> Matrix:
-        """What implicit steps need; made when it is first asked for."""
+        """The matrix of implicit steps; made when it is first used."""
         if self._matrix is None:
             self._matrix = new_matrix(self.system.body, self.system.held)
         return self._matrix
@@ -170,7 +173,7 @@ class Solver:
         return float(self.integrator.controller[CONTROLLER_TIME])
 
     def load(self, time: float) -> None:
-        """The state has come from elsewhere, at a time; what was carried from step to step is forgotten."""
+        """Start from the state in `state`, at a time (s), and forget what was kept from earlier steps."""
         integrator = self.integrator
         integrator.controller[:] = 0.0
         integrator.selector[:] = _NEW
@@ -178,10 +181,10 @@ class Solver:
         integrator.counts[:] = 0
 
     def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
-        """Go on to a time by the scene's method, as far as the attempts lead.
+        """Advance to a time (s) by the scene's method, trying at most `attempts` steps.
 
         Returns:
-            guard.GOOD, or what is wrong with the state that the next step would lead to.
+            guard.GOOD, or what is wrong with the state after the next step.
         """
         left = attempts - self._run(until, drive, attempts)
         counts = self.integrator.counts
@@ -192,11 +195,11 @@ class Solver:
             left -= self._run(until, drive, left)
             what = int(counts[COUNT_WHAT])
         if what == guard.STUCK and self._info.implicit:
-            what = guard.GOOD  # no more than late: the next call begins with a fallback step
+            what = guard.GOOD  # it is only late: the next call begins with a fallback step
         return what
 
     def _run(self, until: float, drive: Drive, attempts: int) -> int:
-        """As `run`, without fallback steps; returns the steps tried."""
+        """Like `run`, without fallback steps; returns the number of steps tried."""
         info, integrator = self._info, self.scene.integrator
         if self._missing:
             self._take_in()
@@ -219,7 +222,7 @@ class Solver:
             method.kernel(problem, drive, until, tolerance, limit)
 
     def _bind(self, implicit: bool) -> Problem:
-        """All tables in one; `implicit`: with what linear systems need."""
+        """Make the table of all tables; `implicit`: with what linear systems need."""
         info, integrator = self._info, self.scene.integrator
         auto = info.kernel is None
         low = auto and integrator.tolerance >= LOW_TOLERANCE
@@ -257,7 +260,7 @@ class Solver:
         return self._problem
 
     def _take_in(self) -> None:
-        """Let `auto` choose from the methods that have become ready, too; from all where it may wait."""
+        """Let `auto` also choose from methods that have become ready, or from all if it may wait."""
         ready = {
             arm
             for arm in self._missing
@@ -280,7 +283,7 @@ class Solver:
         return tolerance_factor * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
 
     def _costs_of_steps(self, low: bool) -> Floats:
-        """See `Problem.costs`; measured in ns on chains, elsewhere in proportion to operations."""
+        """See `Problem.costs`. Measured in ns on chains; for other bodies proportional to operations."""
         body, matrix = self.system.body, self.matrix
         n = body.masses
         force, factors = 3.3 * n, 400.0 + 16.0 * n
@@ -302,7 +305,7 @@ class Solver:
         return costs / costs[ARM_VERLET]
 
     def fall_back(self, until: float, drive: Drive) -> None:
-        """Leave a state that no method can leave, by a fallback step; as `run`."""
+        """Take a fallback step; arguments as of `run`."""
         body, integrator = self.system.body, self.integrator
         lengths = body.rest_length[: body.springs] * self.state.controls[CONTROL_SCALE]
         typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
@@ -317,7 +320,7 @@ class Solver:
         ] = 0.0
 
     def open_balance(self) -> None:
-        """Keep books from now on of what changes the energy."""
+        """Start the energy balance."""
         body = self.system.body
         rows, dampers = np.zeros((3, 2 * self.slots)), np.zeros((DAMPER_ROWS, body.springs + body.joints))
         self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers)
@@ -325,13 +328,13 @@ class Solver:
         self._problem = None
 
     def close_balance(self) -> None:
-        """Keep books no more."""
+        """Stop the energy balance."""
         self.balance = self.balance.replaced(active=False)
         self._problem = None
 
     @property
     def fastest(self) -> float:
-        """Speed that a good state has at most, px/s."""
+        """Largest velocity component of a good state, px/s."""
         return float(self.integrator.limits[1])
 
     @fastest.setter
@@ -340,28 +343,28 @@ class Solver:
 
     @property
     def keeps_books(self) -> bool:
-        """Whether it is followed what changes the energy."""
+        """Whether it keeps an energy balance."""
         return bool(self.balance.active)
 
     def touch(self) -> None:
-        """Say that the state or what acts on it has changed from outside."""
+        """Note that the state, or what acts on it, was changed from outside."""
         self.integrator.counts[COUNT_FRESH] = 0
 
     @property
     def tries(self) -> int:
-        """Steps tried since the counters were last taken."""
+        """Number of steps tried since the counts were last read."""
         counts = self.integrator.counts
         return int(counts[COUNT_STEPS] + counts[COUNT_REJECTED])
 
     @property
     def index(self) -> int:
-        """The place of the mass that shows what is wrong."""
+        """Slot of the mass at which something is wrong."""
         return int(self.integrator.counts[COUNT_MASS])
 
     def stats(self) -> SolverStats:
-        """What was done since the last call of this."""
+        """Counts of what was done since the last call."""
         counts = self.integrator.counts
-        slots = (COUNT_STEPS, COUNT_REJECTED, COUNT_FORCES, COUNT_MATRICES, COUNT_FALLBACKS)
-        stats = SolverStats(*(int(counts[i]) for i in slots))
-        counts[list(slots)] = 0
+        read = (COUNT_STEPS, COUNT_REJECTED, COUNT_FORCES, COUNT_MATRICES, COUNT_FALLBACKS)
+        stats = SolverStats(*(int(counts[i]) for i in read))
+        counts[list(read)] = 0
         return stats

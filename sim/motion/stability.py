@@ -1,24 +1,25 @@
-"""How large a time step a method bears, estimated from the forces alone.
+"""The largest stable time step of a method, estimated from the forces alone.
 
-Linearised about the present state, M a = -K x - C v. What a step makes of that differs by method:
+Linearised about the present state, the motion is M a = -K x - C v. The stability limit depends on the method:
 
 - A step of symplectic Euler has an eigenvalue -1, the border of stability, exactly when some w has
   (dt² K + 2 dt C) w = 4 M w. So the largest stable step is the one at which the largest eigenvalue of
   M^-1 (dt² K + 2 dt C) is 4; for one damped mode that is the textbook omega dt < 2 (sqrt(1 + zeta²) - zeta).
-- Velocity Verlet as it is done here takes v + dt a for the velocities in the new forces. At an eigenvalue -1,
+- Velocity Verlet as implemented here uses v + dt a for the velocities in the new forces. At an eigenvalue -1,
   v is zero and a is -4 x / dt², which gives (dt² K + 4 dt C) w = 4 M w: Euler's limit without damping, and a
   lower one with it, omega dt < 2 (sqrt(1 + 4 zeta²) - 2 zeta). No other eigenvalue leaves the circle before.
 - Runge-Kutta 4 multiplies a motion exp(lambda t) by its stability polynomial R(dt lambda): a step is stable
   while |R| <= 1 for all lambda of lambda² + lambda M^-1 C + M^-1 K; without damping, omega dt < sqrt(8).
-- Generalized-alpha bears any step in linear theory (Chung & Hulbert 1993): it has no limit. How far it can be
-  trusted is a question of nonlinearity, of how far springs turn in a step.
-- The stable spring is symplectic Euler on the tables that `weaken` makes for its step, and has that limit, of
-  that body. The springs' part of dt² K is then M at most, and that of dt C, too; the joints' likewise while
-  springs that are joined have the proportions of their rest lengths. So hardly any body has a limit.
+- Generalized-alpha is stable with any step in linear theory (Chung & Hulbert 1993): it has no limit. How far
+  its steps can be trusted is a question of nonlinearity, of how far springs turn in a step.
+- The stable spring is symplectic Euler with the tables that `clamp_stiffness` makes for the step, and has the
+  limit of symplectic Euler for that body. The springs' contributions to dt² K and to dt C are then at most M,
+  and likewise the joints', as long as springs that share a joint keep the proportions of their rest lengths.
+  So hardly any body has a limit.
 
-K w and C w are differences of two evaluations of the kernels' forces, so any topology and law will do, and no
-matrix is built: K and C are projected on a Krylov space (Arnoldi), and the small problem that is left is
-solved as a quadratic eigenvalue problem in 1/dt, or in lambda.
+K w and C w are differences of two evaluations of the forces of `sim.physics`. So any topology and law will
+do, and no matrix is built: K and C are projected on a Krylov space (Arnoldi), and the small problem that is
+left is solved as a quadratic eigenvalue problem in 1/dt, or in lambda.
 """
 
 from __future__ import annotations
@@ -40,11 +41,12 @@ from ..physics import Physics, Vectors
 from ..scene.types import Scene
 
 Cause = Literal["linear stiffness", "angular stiffness", "linear damping", "angular damping", "air friction"]
+"""What limits the time step."""
 
 _FIRST_SIZE = 40
-"""Dimension of the Krylov space at first."""
+"""Dimension of the Krylov space in the first update."""
 _SIZE = 12
-"""Its dimension later, when it starts from the stiffest motion found before."""
+"""Its dimension in later updates, which start from the stiffest motion found before."""
 
 
 @dataclass(frozen=True)
@@ -52,8 +54,8 @@ class StabilityEstimate:
     """What `StabilityMeter.update` found.
 
     Attributes:
-        limit: largest stable time step, s; infinite where nothing pulls.
-        cause: what sets it, or None where nothing does.
+        limit: largest stable time step, s; infinite where there is none.
+        cause: what determines it, or None where there is no limit.
     """
 
     limit: float
@@ -61,15 +63,15 @@ class StabilityEstimate:
 
 
 class StabilityMeter:
-    """Follows the stability limit of a moving body under a method.
+    """Estimates the stability limit of a moving body under a method.
 
     The estimate concerns small motions about the present state. It approaches the true limit from above
     and is within a per cent of it. It is infinite where nothing pulls, and for methods that have no limit:
     those that choose their steps, and generalized-alpha.
 
     Args:
-        system: the tables; under the stable spring, the clamped ones.
-        method: as scenes have it.
+        system: the tables; those of `clamp_stiffness` for the stable spring.
+        method: name of the method.
     """
 
     def __init__(self, system: System, method: str) -> None:
@@ -77,7 +79,7 @@ class StabilityMeter:
         self._rule: StabilityLimit | None = METHODS[method].limit
         self._probe = new_state(system)
         n = system.body.masses
-        self._here = slice(1, n + 1)  # the places of the masses
+        self._here = slice(1, n + 1)  # the slots of the masses
         # Alternating signs are close to the stiffest mode of a chain, and no mode is orthogonal to noise.
         noise = np.random.default_rng(1).normal(size=(2, n))
         self._start = noise + 3.0 * (-1.0) ** np.arange(n)
@@ -102,14 +104,14 @@ class StabilityMeter:
         refresh(body, probe)
         physics = Physics(body, probe)
         air = 2.0 * air_friction * np.abs(np.array([state.vx[here], state.vy[here]]))
-        # In coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
+        # Coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
         root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
         size = min(_SIZE if self._limit else _FIRST_SIZE, 2 * int(free.sum()))
         basis, k_basis, c_basis = [], [], []
         q = self._start * free
         scale = self._limit or 1e-3
         for _ in range(size):
-            for _ in range(2):  # twice is enough to be orthogonal to rounding
+            for _ in range(2):  # twice makes it orthogonal up to rounding
                 for other in basis:
                     q = q - (other * q).sum() * other
             norm = float(np.sqrt((q * q).sum()))
@@ -136,12 +138,12 @@ class StabilityMeter:
         return StabilityEstimate(limit, self._cause(physics, self._start * root, limit, air))
 
     def _by_positions(self, physics: Physics, w: Floats) -> Floats:
-        """K w, as a difference of forces."""
+        """K w, as a difference quotient of forces."""
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
         return self._difference(lambda step: physics.forces(x + step, v), w)
 
     def _by_velocities(self, physics: Physics, w: Floats) -> Floats:
-        """C w without the air, likewise: damping forces are linear in the velocities."""
+        """C w without air friction, likewise; damping forces are linear in the velocities."""
         if not (self._system.body.damped or self._system.body.joint_damped):
             return np.zeros_like(w)
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
@@ -149,7 +151,7 @@ class StabilityMeter:
 
     def _difference(self, forces: Callable[[Vectors], Vectors], w: Floats) -> Floats:
         """Minus the derivative of forces along w; (2, n), as w is."""
-        # Small beside the springs, large beside the rounding of coordinates.
+        # Small compared with the springs, large compared with the rounding of coordinates.
         size = 1e-6 * (1.0 + float(np.abs(self._probe.q).max()))
         step = size / max(float(np.abs(w).max()), 1e-300)
         along = np.zeros(self._probe.slots, complex)
@@ -158,11 +160,11 @@ class StabilityMeter:
         return np.array([change.real, change.imag])
 
     def _flat(self, flat: Floats) -> Vectors:
-        """A flat vector as complex numbers, one for each place."""
+        """A flat vector as complex numbers, one for each slot."""
         return flat[: self._probe.slots] + 1j * flat[self._probe.slots :]
 
     def _cause(self, physics: Physics, w: Floats, limit: float, air: Floats) -> Cause:
-        """Which law contributes most to the stiffest motion."""
+        """Which property contributes most to the stiffest motion."""
         assert self._rule is not None
         rate = self._rule.damping * limit
         linear = copy.copy(physics)
@@ -184,17 +186,17 @@ class StabilityMeter:
 
 
 def quick_limit(system: System) -> float:
-    """A step (s) that symplectic Euler and Verlet nearly bear, at the cost of one look at each spring.
+    """A quick lower bound of the stability limit of symplectic Euler and Verlet, s.
 
-    It is 2 / omega with a bound of omega² by the rows of M^-1 K (Gershgorin), of a body without damping that
-    is as long as its springs at rest and straight. Infinite where nothing pulls.
+    It is 2 / omega, where omega² is bounded by the row sums of M^-1 K (Gershgorin). It is for a straight body
+    without damping whose springs have their rest lengths. Infinite where nothing pulls.
     """
     fastest = float(_row_sums(system, system.body.stiffness, system.body.joint_stiffness).max())
     return 2.0 / np.sqrt(fastest) if fastest > 0.0 else np.inf
 
 
 def damped_limit(system: System) -> float:
-    """As `quick_limit`, of velocity Verlet and with damping: the least root of dt² k + 4 dt c = 4, s."""
+    """Like `quick_limit`, for velocity Verlet with damping: the smallest root of dt² k + 4 dt c = 4, s."""
     body = system.body
     k = _row_sums(system, body.stiffness, body.joint_stiffness)
     c = _row_sums(system, body.damping, body.torque_damping[1 : body.joints + 1])
@@ -203,7 +205,7 @@ def damped_limit(system: System) -> float:
 
 
 def _row_sums(system: System, of_spring: Floats, of_joint: Floats) -> Floats:
-    """(n,) the most that a row of M^-1 K can sum up to, 1/s², or of M^-1 C, 1/s."""
+    """(n,) upper bounds of the row sums of M^-1 K, 1/s², or of M^-1 C, 1/s."""
     body = system.body
     sums = np.zeros(body.masses + 1)
     for ends in (body.spring_a, body.spring_b):
@@ -215,25 +217,26 @@ def _row_sums(system: System, of_spring: Floats, of_joint: Floats) -> Floats:
 
 
 def largest_step(scene: Scene, method: str) -> float:
-    """The largest stable step of a method with a fixed step about a scene's start, s; infinite where none is.
+    """The largest stable step at a scene's start of a method with a fixed step, s; infinite if there is no
+    limit.
 
-    The stable spring's body depends on the step: dt² K and dt C grow with it, until every spring is as stiff
-    as the step bears. So there is one step up to which it is stable; at most a second is asked for.
+    The stable spring's body depends on the step: dt² K and dt C grow with it until every spring is limited.
+    So there is one step up to which it is stable. Steps of more than a second count as no limit.
     """
     system = build_system(scene)
     if method != "stable_spring":
         return _limit_of(scene, system, method)
 
-    def bears(dt: float) -> bool:
+    def is_stable(dt: float) -> bool:
         body = clamp_stiffness(system.body, system.inverse_mass, system.held, dt)
         return _limit_of(scene, dataclasses.replace(system, body=body), method) > dt
 
     low, high = 1e-6, 1.0
-    if bears(high):
+    if is_stable(high):
         return np.inf
     while high > 1.001 * low:
         middle = (low * high) ** 0.5
-        low, high = (middle, high) if bears(middle) else (low, middle)
+        low, high = (middle, high) if is_stable(middle) else (low, middle)
     return low
 
 
@@ -245,7 +248,7 @@ def _limit_of(scene: Scene, system: System, method: str) -> float:
 
 
 def start_of(scene: Scene, system: System) -> State:
-    """The state at a scene's start, with what springs and masses are there."""
+    """The state at a scene's start, with rest lengths, rest angles and inverse masses."""
     state = new_state(system)
     state.controls[0] = scene.rest_length_scale
     refresh(system.body, state)

@@ -1,4 +1,4 @@
-"""How a body is moved on by whole time steps, whatever leads its masses and whichever keys are held."""
+"""Moves a body by whole time steps, with whatever drives its masses and whichever keys are held."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from .plain import PlainSolver
 from .solver import UNLIMITED, Solver, SolverStats
 
 Targets = dict[int, tuple[float, float]]
-"""Where masses that are led are to be at the end of a call, by index, px."""
+"""Positions, px, of led masses at the end of a call, by slot."""
 
 
 class Presses(NamedTuple):
-    """What held keys do to all rest lengths and rest angles.
+    """The effect of held keys on all rest lengths and rest angles.
 
     Attributes:
-        factor: of the rest lengths, per time step.
+        factor: factor of the rest lengths, per time step.
         angle: degrees added to the rest angles, per time step.
     """
 
@@ -33,15 +33,16 @@ class Presses(NamedTuple):
 
 
 NO_PRESSES = Presses()
+"""No key is held."""
 
 
 def presses_of(scene: Scene, keys: frozenset[str]) -> Presses:
-    """What the keys held do in one time step of a scene."""
+    """The effect of held keys in one time step of a scene."""
     if not keys or scene.arrow_keys is None:
         return NO_PRESSES
     rates, dt = scene.arrow_keys, scene.integrator.dt
     intervals = dt / rates.interval
-    # However fast the keys: more than the whole range of scales, or than a full turn, is no more.
+    # Limited to the whole range of scales and to one full turn, beyond which nothing changes.
     most = math.log(SCALE_MAX / SCALE_MIN)
     if intervals * math.log(rates.rest_length_factor) < most:
         growth = rates.rest_length_factor**intervals
@@ -53,12 +54,12 @@ def presses_of(scene: Scene, keys: frozenset[str]) -> Presses:
 
 
 class Outcome(NamedTuple):
-    """How a call went.
+    """The result of a call.
 
     Attributes:
-        steps: whole time steps done.
-        what: guard.GOOD, or what is wrong with the state that would come next.
-        place: the mass that shows it.
+        steps: number of whole time steps done.
+        what: guard.GOOD, or what is wrong with the state after the next step.
+        mass_index: slot of the mass at which it was found, or -1.
     """
 
     steps: int
@@ -67,11 +68,11 @@ class Outcome(NamedTuple):
 
 
 _HALTS = 16
-"""Steps in a time step of a body of which all masses are held, if books are kept and steps are free."""
+"""Parts of a time step in which a body whose masses are all held moves, if an energy balance is kept."""
 
 
 class Stepper:
-    """A method, from one whole time step to a later one."""
+    """Runs a solver by whole time steps."""
 
     def __init__(self, scene: Scene, system: System, state: State, solver: Solver | PlainSolver) -> None:
         self._dt, self._state = scene.integrator.dt, state
@@ -79,8 +80,8 @@ class Stepper:
         self._driver = Driver(scene, system, state)
         self.solver = solver
         self._led: Targets = {}
-        self._undisturbed: Drive | None = None  # what drives the body while nobody does
-        self._origin, self._done = 0.0, 0  # the time, s, when the state came from elsewhere; steps since then
+        self._undisturbed: Drive | None = None  # the drive without targets, hands and keys
+        self._origin, self._done = 0.0, 0  # time of the last `begin`, s; steps since then
 
     @property
     def time(self) -> float:
@@ -88,11 +89,11 @@ class Stepper:
         return self.solver.time
 
     def _after(self, steps: int) -> float:
-        """The time after some more steps, s; the same to the last digit however they are grouped."""
+        """The time after some more steps, s; the same to the last bit however they are grouped."""
         return self._origin + (self._done + steps) * self._dt
 
     def begin(self, time: float) -> None:
-        """The state in `state` is that of a time, s, and has come from elsewhere."""
+        """Start from the state in `state`, at a time (s)."""
         self.solver.load(time)
         self._origin, self._done = time, 0
         if self._undisturbed is not None and self._undisturbed.mass.size:
@@ -101,11 +102,11 @@ class Stepper:
     def step(
         self, steps: int, hands: Hands, presses: Presses, all_held: bool, attempts: int = UNLIMITED
     ) -> Outcome:
-        """Go on by some time steps; by fewer when the attempts run out or the body runs away."""
-        # A short body's frame takes less than a microsecond: what is always the same is not asked anew.
+        """Advance by some time steps; by fewer if the attempts run out or the body runs away."""
+        # A frame of a short body takes less than a microsecond, so what does not change is kept.
         solver, targets = self.solver, hands.targets
         until = self._after(steps)
-        # However fast masses are led, a body all of whose masses are held does not run away.
+        # A body whose masses are all held cannot run away, however fast they are led.
         solver.fastest = MAX_SPEED if self._adaptive or all_held else RUNAWAY_SPEED
         if targets or self._led:
             self._stop(self._led)
@@ -141,7 +142,7 @@ class Stepper:
         return self._driver.drive(self.solver.time, until, targets, growth, turn, motions)
 
     def _halt(self, until: float, drive: Drive, halts: int, attempts: int) -> int:
-        """Go on with so many halts: no error of a free mass makes steps short enough for the books."""
+        """Advance in parts: without free masses, no error would make steps short enough for the balance."""
         solver, start = self.solver, self.solver.time
         last = solver.tries + attempts
         for i in range(1, halts):
@@ -149,7 +150,7 @@ class Stepper:
         return solver.run(until, drive, last - solver.tries)
 
     def _lead_limited(self, until: float, hands: Hands, presses: Presses, attempts: int) -> int:
-        """Go on in parts that are short enough for rate-limited hands."""
+        """Advance in parts that are short enough for rate-limited hands."""
         solver, start = self.solver, self.solver.time
         last, what = solver.tries + attempts, guard.GOOD
         parts = max(1, math.ceil((until - start) / LONGEST_PART - 1e-6))
@@ -168,15 +169,15 @@ class Stepper:
         return what
 
     def _put(self, targets: Targets) -> None:
-        """Put masses where they were led, to the last digit, which the way there has rounded."""
+        """Set masses exactly to the positions to which they were led, without rounding errors."""
         for index, (x, y) in targets.items():
             self._state.x[index], self._state.y[index] = x, y
 
-    def _stop(self, slots: Iterable[int]) -> None:
-        """Some held masses are led no more."""
-        for index in slots:
+    def _stop(self, indices: Iterable[int]) -> None:
+        """Set the velocities of masses that are no longer led to zero."""
+        for index in indices:
             self._state.vx[index] = self._state.vy[index] = 0.0
 
     def stats(self) -> SolverStats:
-        """What was done since the last call of this."""
+        """Counts of what was done since the last call."""
         return self.solver.stats()

@@ -1,1 +1,1 @@
-"""Scenes: what users edit and save. Types with ranges, validation, files, the recipe of a rope."""
+"""Scenes, which users edit and save: types with ranges, validation, files, and the recipe of a rope."""

@@ -1,6 +1,6 @@
-"""Scenes as files: reading, writing, and the two folders they are kept in.
+"""Scene files: reading, writing, and the two folders that hold them.
 
-Built-in presets ship with softrod and are never written to. A user's own scenes live in the data folder
+Built-in presets ship with softrod and are never written to. The user's own scenes are kept in the data folder
 of the platform (`platformdirs`).
 """
 
@@ -24,10 +24,10 @@ from .types import BODY_FIELDS, FORMAT_VERSION, Scene
 from .validate import consistent, plain, validate
 
 MAX_FILE_BYTES = 5_000_000
-"""Largest scene file that is read or written."""
+"""Size of the largest scene file that is read or written, bytes."""
 
 _TEXT_OR_NUMBERS = re.compile(rb'"(?:[^"\\]|\\.)*"|\[\s+[-+.\deE]+(?:,\s+[-+.\deE]+)*\s+\]')
-"""A text, which is left alone, or an array of numbers, which the indented file has on one line."""
+"""Matches a string, which is left as it is, or an array of numbers, which is put on one line."""
 
 
 @dataclass(frozen=True)
@@ -49,25 +49,25 @@ class SceneInfo:
 
 
 def built_in_folder() -> Path:
-    """Where the presets are: inside the package once installed, beside it in a checkout."""
+    """The folder of the presets: inside the installed package, beside it in a checkout."""
     installed = Path(__file__).parents[1] / "presets"
     return installed if installed.is_dir() else Path(__file__).parents[2] / "presets"
 
 
 def built_in_files() -> list[Path]:
-    """The presets: those for the page first, then groups of others, each in a folder of its own."""
+    """The presets: first those for the page, then the other groups, each in its own subfolder."""
     folder = built_in_folder()
     return [*sorted(folder.glob("*.json")), *sorted(folder.glob("*/*.json"))]
 
 
 def user_folder() -> Path:
-    """Where the user's own scenes are kept; it need not exist yet."""
+    """The folder of the user's own scenes; it need not exist yet."""
     return platformdirs.user_data_path("softrod", appauthor=False) / "scenes"
 
 
 # ------------------------------------------------------------------------- bytes and scenes
 def encode_scene(scene: Scene) -> bytes:
-    """The scene as an indented JSON file; a body that comes from a recipe is left to its recipe.
+    """The scene as an indented JSON file. If it has a recipe, the body that follows from that is left out.
 
     Raises:
         SceneError: the scene is not valid.
@@ -91,7 +91,7 @@ def decode_scene(data: bytes, source: str) -> Scene:
 
     Args:
         data: the whole file.
-        source: what to call it in an error, usually the file's name.
+        source: its name in error messages, usually that of the file.
 
     Raises:
         SceneError: one sentence, `source: field: reason`.
@@ -118,18 +118,18 @@ def decode_scene(data: bytes, source: str) -> Scene:
     try:
         return consistent(msgspec.convert(raw, Scene))
     except msgspec.ValidationError as error:
-        # A field's name in the file may have line breaks in it; the sentence has none.
+        # A field name in the file may contain line breaks; the message must not.
         raise SceneError(" ".join(f"{source}: {sentence(error, raw)}".split())) from None
     except SceneError as error:
         raise SceneError(f"{source}: {error}") from None
 
 
 RETIRED = {"dopri5": "adams", "dop853": "adams"}
-"""Methods that there were once, and the one that takes their place."""
+"""Methods that have been removed, and the method that files which name them are read with."""
 
 
 def _from_format_1(raw: dict[str, Any]) -> dict[str, Any]:
-    """Format 1 knew the tutorial's law and its step only, so it did not say so."""
+    """Add the fields that format 1 lacked: it had only the tutorial's force law and symplectic Euler."""
     integrator = raw.get("integrator", {})
     if isinstance(integrator, dict):
         integrator = {"method": "symplectic_euler", **integrator}
@@ -137,7 +137,7 @@ def _from_format_1(raw: dict[str, Any]) -> dict[str, Any]:
 
 
 def _with_present_method(raw: dict[str, Any]) -> dict[str, Any]:
-    """Files may name methods that there were once."""
+    """Replace a method that has been removed."""
     integrator = raw.get("integrator")
     if isinstance(integrator, dict) and isinstance(name := integrator.get("method"), str) and name in RETIRED:
         return {**raw, "integrator": {**integrator, "method": RETIRED[name]}}
@@ -184,10 +184,10 @@ def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
 
 
 def save_scene(scene: Scene, path: str | os.PathLike[str]) -> None:
-    """Write the scene to a file; whoever reads that path meanwhile sees the old file or the new, whole.
+    """Write the scene to a file, atomically: a reader sees either the old file or the new one.
 
     Raises:
-        SceneError: the scene is not valid or the file cannot be written; what was there is untouched.
+        SceneError: the scene is not valid or the file cannot be written; an existing file is unchanged.
     """
     data = encode_scene(scene)
     if len(data) > MAX_FILE_BYTES:
@@ -220,7 +220,8 @@ def write_atomically(path: Path, data: bytes) -> None:
             Path(temporary).unlink()
         raise
     if hasattr(os, "O_DIRECTORY"):
-        # So that the rename itself survives a power cut; where that cannot be had, the file is written still.
+        # Makes the rename itself survive a power cut. Where this is impossible, the file is written all the
+        # same.
         with contextlib.suppress(OSError):
             folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
             try:
@@ -252,7 +253,7 @@ def list_scenes() -> list[SceneInfo]:
 
 # ------------------------------------------------------------------------- the user's own scenes
 def safe_name(name: str) -> str:
-    """The name as it can stand in a file's name on any system: letters, digits, spaces, - and _.
+    """The name, reduced to what a file name may contain on any system: letters, digits, spaces, - and _.
 
     Raises:
         SceneError: nothing usable is left of it, or a built-in preset has that name.
@@ -269,12 +270,12 @@ def safe_name(name: str) -> str:
 
 
 def is_built_in(name: str) -> bool:
-    """Whether a preset that ships with softrod has that name, in any mix of upper and lower case."""
+    """Whether a preset has that name; upper and lower case do not matter."""
     return any(path.stem.casefold() == name.casefold() for path in built_in_files())
 
 
 def user_path(name: str) -> Path:
-    """Where the user's own scene of that name is, or would be.
+    """The path of the user's scene of that name, whether it exists or not.
 
     Raises:
         SceneError: as `safe_name`.
@@ -283,7 +284,7 @@ def user_path(name: str) -> Path:
 
 
 def save_user_scene(scene: Scene, name: str) -> str:
-    """Save under a name in the user's folder, and return the name as it was made safe.
+    """Save a scene in the user's folder, and return the name used, see `safe_name`.
 
     Raises:
         SceneError: the name is not usable, the scene not valid, or the file cannot be written.

@@ -79,9 +79,10 @@ def rope(
 
 
 def fine_rope(masses: int, **changes: Any) -> Scene:
-    """The tutorial's rope of twelve masses in more and finer pieces, horizontal, held at its left end.
+    """The tutorial's rope of twelve masses, divided more finely; horizontal, held at its left end.
 
-    Length, weight, drag and stiffness of the whole stay the same; `changes` are arguments of `rope`.
+    Length, weight, drag and stiffness of the rope as a whole stay the same. `changes` are arguments of
+    `rope`.
     """
     finer = (masses - 1) / 11.0
     numbers = {
@@ -98,9 +99,9 @@ def fine_rope(masses: int, **changes: Any) -> Scene:
 
 
 def with_rope(scene: Scene, **changes: object) -> Scene:
-    """The scene with some numbers of its recipe changed and the body built anew (unvalidated).
+    """The scene with some numbers of its recipe changed and the body rebuilt, not yet validated.
 
-    A saved pose stays, unless it no longer has one entry per mass.
+    A saved pose is kept unless the number of masses changes.
     """
     assert scene.rope is not None, "only a scene with a recipe can be rebuilt"
     recipe = msgspec.structs.replace(scene.rope, **changes)

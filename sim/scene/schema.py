@@ -1,4 +1,4 @@
-"""The JSON Schema of scene files, made from the types: `python -m sim.scene.schema` writes `schema/`."""
+"""The JSON Schema of scene files, generated from the types. `python -m sim.scene.schema` writes it."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from .files import write_atomically
 from .types import FORMAT_VERSION, Scene
 
 SCHEMA_PATH = Path(__file__).parents[2] / "schema" / f"scene-{FORMAT_VERSION}.schema.json"
+"""The file that the schema is written to."""
 
 
 def schema() -> dict[str, Any]:
     """The schema (draft 2020-12) that every scene file of this format satisfies.
 
-    It covers types and ranges; what belongs together (does spring 17 exist?) only softrod checks.
+    It covers types and ranges. References between parts (does spring 17 exist?) are checked by softrod only.
     """
     body = msgspec.json.schema(Scene)
     for definition in body["$defs"].values():
@@ -30,7 +31,7 @@ def schema() -> dict[str, Any]:
 
 
 def schema_bytes() -> bytes:
-    """The schema as the file has it."""
+    """The contents of the schema file."""
     return msgspec.json.format(msgspec.json.encode(schema()), indent=2) + b"\n"
 
 

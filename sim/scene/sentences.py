@@ -1,4 +1,4 @@
-"""What msgspec complains about in a scene, in one sentence: the field, what it has, and what it may have."""
+"""Error messages for scenes: turns msgspec's errors into one sentence that names field, value and range."""
 
 from __future__ import annotations
 
@@ -12,10 +12,12 @@ import msgspec
 from .types import Scene
 
 _A = {float: "a number", int: "a whole number", str: "a text", bool: "true or false"}
+"""Names of Python types in messages."""
 _JSON = {NoneType: "null", list: "an array", dict: "an object"}
+"""Names of the other JSON values in messages about files."""
 
 _HUGE = 2**64
-"""A whole number from which on it is too long for a sentence."""
+"""Whole numbers from here on are not printed in a message."""
 
 
 def out_of_range(where: str, value: float, meta: msgspec.Meta) -> str:
@@ -38,14 +40,14 @@ def sentence(error: msgspec.ValidationError, found: Any) -> str:
 
     Args:
         error: what msgspec says.
-        found: the scene, made in code, or what a JSON file has.
+        found: the scene as made in code, or the decoded contents of a JSON file.
     """
     reason, _, path = str(error).rpartition(" - at `$")
     where = path.rstrip("`").lstrip(".") if reason else ""
     value, kind, meta, at = found, Scene, None, ""
     for field, index in re.findall(r"(\w+)|\[(\d+)\]", where):
         if hasattr(value, "__struct_fields__") and type(value) is not kind:
-            return _expected(at, kind, value)  # one struct in the place of another
+            return _expected(at, kind, value)  # a struct of another type
         try:
             if field:
                 at, wanted = f"{at}.{field}".lstrip("."), get_type_hints(kind, include_extras=True)[field]
@@ -64,7 +66,7 @@ def sentence(error: msgspec.ValidationError, found: Any) -> str:
 
 
 def difference(value: Any, wanted: Any, where: str = "") -> str:
-    """The sentence for the first place where something differs from what it was converted to."""
+    """The sentence for the first value that differs from what it was converted to."""
     if isinstance(wanted, msgspec.Struct) and type(value) is type(wanted):
         steps = [(f".{f}", getattr(value, f), getattr(wanted, f)) for f in wanted.__struct_fields__]
     elif isinstance(wanted, tuple) and isinstance(value, tuple):
@@ -76,7 +78,7 @@ def difference(value: Any, wanted: Any, where: str = "") -> str:
 
 
 def _about(where: str, value: Any, kind: Any, meta: msgspec.Meta | None, found: Any) -> str:
-    """The sentence for a value that is none of its kind."""
+    """The sentence for a value that its type does not allow."""
     if isinstance(value, int) and abs(value) >= _HUGE:
         return f"{where}: a whole number as large as this is not allowed"
     if get_origin(kind) is Literal:
@@ -103,7 +105,7 @@ def _expected(where: str, kind: Any, value: Any, found: Any = None) -> str:
 
 
 def _shown(value: Any, found: Any) -> str:
-    """A value for people, in the language of a scene in code or of a JSON file."""
+    """A value as text, in Python's notation or, if it comes from a file, in JSON's."""
     if isinstance(value, str):
         return repr(value if len(value) <= 60 else value[:60] + "…")
     in_file = isinstance(found, dict)
@@ -115,7 +117,7 @@ def _shown(value: Any, found: Any) -> str:
 
 
 def _split(kind: Any) -> tuple[Any, msgspec.Meta | None]:
-    """An annotation as the type, without None, and its range if any."""
+    """The type of an annotation, without None, and its range, if it has one."""
     meta = None
     while get_origin(kind) in (Annotated, Union, UnionType):
         if get_origin(kind) is Annotated:

@@ -1,8 +1,8 @@
-"""What a user edits, saves and shares: the scene.
+"""The scene: what a user edits, saves and shares.
 
 A scene is frozen. Lengths are in the scene's own unit (`View.unit`, pixels in the tutorial), masses in
-kilograms, times in seconds, angles in degrees; forces follow (kg px/s²). Every number carries its range
-in its type, so that the validation, the error messages and the JSON Schema come from one place.
+kilograms, times in seconds, angles in degrees; forces follow (kg px/s²). The type of every number states its
+range, from which validation, error messages and JSON Schema are derived.
 """
 
 from __future__ import annotations
@@ -17,9 +17,13 @@ FORMAT_VERSION = 2
 """Version of the file format that this release writes; older files are read, newer ones are refused."""
 
 MAX_MASSES = 20_000
+"""Largest number of masses in a scene."""
 MAX_SPRINGS = 100_000
+"""Largest number of linear springs in a scene, and of angular springs."""
 MAX_COORDINATE = 1e6
+"""Largest absolute value of a coordinate, px."""
 MAX_SPEED = 1e9
+"""Largest absolute value of a velocity component, px/s."""
 
 RUNAWAY_SPEED = 1e6
 """Speed (px/s) at which a body under a method without error control counts as having run away."""
@@ -29,7 +33,7 @@ def _range(low: float, high: float, unit: str, what: str) -> Meta:
     return Meta(ge=low, le=high, description=f"{what} ({unit})" if unit else what, extra={"unit": unit})
 
 
-# A range that is wide enough for any body one would draw and narrow enough that no product of two of
+# The ranges are wide enough for any body that one would draw, and narrow enough that no product of two of
 # these numbers overflows.
 Coordinate = Annotated[float, _range(-MAX_COORDINATE, MAX_COORDINATE, "px", "A coordinate")]
 Speed = Annotated[float, _range(-MAX_SPEED, MAX_SPEED, "px/s", "A component of a velocity")]
@@ -44,7 +48,7 @@ Name = Annotated[str, Meta(min_length=1, max_length=60)]
 Vector = tuple[Coordinate, Coordinate]
 
 ForceLaw = Literal["tutorial", "conservative", "angle"]
-"""How an angular spring pulls; see `AngularSpring`."""
+"""The force law of the angular springs; see `AngularSpring`."""
 
 Method = Literal[
     "auto",
@@ -57,20 +61,20 @@ Method = Literal[
     "rodas4",
     "rodas5p",
 ]
-"""How time is stepped; `sim.methods` describes each."""
+"""The integration method; `sim.methods.registry` describes each."""
 
 Template = Literal[180, 135, 90, 45, 0, -45, -90, -135]
-"""The tutorial's eight ready-made rest angles, in degrees."""
+"""The tutorial's eight rest angles, degrees."""
 
 
 class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A point mass.
 
     Attributes:
-        position: where it starts, px, each coordinate within ±1e6.
-        velocity: how it starts, px/s, each component within ±1e9; ignored while it is held.
+        position: at the start, px, each coordinate within ±1e6.
+        velocity: at the start, px/s, each component within ±1e9; ignored while the mass is held.
         mass: 1e-6..1e6 kg.
-        radius: 1e-3..1e4 px; for the drawing only.
+        radius: 1e-3..1e4 px; used for drawing only.
     """
 
     position: Vector
@@ -82,11 +86,12 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A damped spring along the line from mass `a` to mass `b`.
 
-    Force along the line: -stiffness (|L| - rest_length) - damping (u . dv), u the unit vector of L.
+    The force along the line is -stiffness (|L| - rest_length) - damping (u . dv), with the vector L from a to
+    b, its unit vector u, and the relative velocity dv.
 
     Attributes:
         a, b: indices of two different masses.
-        stiffness: 0..1e15 kg/s² (newtons per metre, were a px a metre).
+        stiffness: 0..1e15 kg/s² (newtons per metre if a px is a metre).
         damping: 0..1e6 kg/s.
         rest_length: 0..1e6 px.
     """
@@ -101,17 +106,17 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
 class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A spring that holds two linear springs, which share a mass, at an angle.
 
-    With V the angle from spring `a` to spring `b` (positive from +x towards +y), both springs feel a
-    torque with opposite signs. Its size depends on the scene's force law:
+    V is the angle from spring `a` to spring `b`, positive from +x towards +y. Opposite torques act on the two
+    springs. Their size depends on the scene's force law:
 
-    - "tutorial": stiffness |L_a| |L_b| sin(V - rest_angle), and nothing along the springs. It is the gradient
-      of no energy.
+    - "tutorial": stiffness |L_a| |L_b| sin(V - rest_angle), without forces along the springs. This is not the
+      gradient of any energy.
     - "conservative": the gradient of stiffness |L_a| |L_b| (1 - cos(V - rest_angle)), which is the same
       torque and a pull along each spring.
     - "angle": the gradient of stiffness |L_a| |L_b| (V - rest_angle)² / 2; it jumps where V is opposite to
       the rest angle.
 
-    Damping adds a torque damping |L_a| |L_b| dV/dt under every law.
+    Under every law, damping adds a torque of damping |L_a| |L_b| dV/dt.
 
     Attributes:
         a, b: indices of two linear springs that share exactly one mass.
@@ -128,15 +133,15 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
 
 
 class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """An anchor's own motion: round and round a circle that starts where the anchor is.
+    """The motion of an anchor that goes round a circle.
 
-    At time t the anchor is off its place by radius (sin p, 1 - cos p), with the phase
-    p = 2 pi frequency (t - ramp (1 - exp(-t / ramp))), which starts without a jerk.
+    At time t the anchor is displaced from its starting position by radius (sin p, 1 - cos p), with the phase
+    p = 2 pi frequency (t - ramp (1 - exp(-t / ramp))), so that it starts at rest and speeds up smoothly.
 
     Attributes:
         radius: 0..1e4 px.
-        frequency: -100..100 Hz; negative runs the other way round.
-        ramp: 1e-3..100 s, the time in which it gets going.
+        frequency: -100..100 Hz; negative values run in the opposite direction.
+        ramp: 1e-3..100 s, the time constant with which it speeds up.
     """
 
     radius: Annotated[float, _range(0.0, 1e4, "px", "Radius of an anchor's circle")]
@@ -145,15 +150,15 @@ class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
 
 class Anchor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A mass that is held: it only moves when someone moves it, or on a circle of its own.
+    """A mass that is held: it moves only when it is dragged, or on its own circle.
 
-    A mass moved by hand counts as standing still in the damping under the force law "tutorial", as it does
-    in the tutorial; everything else goes by the velocity that an anchor has.
+    Under the force law "tutorial", the damping of springs treats a dragged mass as being at rest, as the
+    tutorial does. In all other cases the velocity of the anchor counts.
 
     Attributes:
         mass: index of the mass.
         driven: whether the pointer drives it; at most one anchor of a scene is driven.
-        circle: its own motion, or None.
+        circle: the circle that it moves on, or None.
     """
 
     mass: Index
@@ -162,7 +167,7 @@ class Anchor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
 
 class Rope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The recipe of a straight rope: from it come the masses, springs and anchors of a scene.
+    """The recipe of a straight rope, from which the masses, springs and anchors of a scene are made.
 
     Mass i starts at `start` + (i + offset) * length / (masses - 1) * direction / |direction|. Linear
     spring s joins masses s and s + 1; angular spring j joins linear springs j and j + 1.
@@ -176,7 +181,7 @@ class Rope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         stiffness, damping: of every linear spring, 0..1e15 kg/s² and 0..1e6 kg/s.
         angular_stiffness, angular_damping: of every angular spring, 0..1e15 kg/s² and 0..1e6 kg/s.
         rest_angle: of every angular spring, -180..180 °.
-        joints: whether there are angular springs at all; with stiffness 0 they only measure.
+        joints: whether there are angular springs; with a stiffness of 0 they only measure angles.
         mass, radius: of every mass, kg and px.
         held: indices of masses that are held.
         driven: index of the held mass that the pointer drives, or None.
@@ -202,14 +207,14 @@ class Rope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
 
 class Integrator(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """How time is stepped.
+    """The integration method and its parameters.
 
     Attributes:
-        method: see `sim.methods`. "auto" keeps to the tolerance and chooses by itself; "symplectic_euler" is
-            the tutorial's.
-        dt: 1e-6..1 s. The step of a method with a fixed step. The others choose their own steps, and `dt` is
-            only the unit in which the clock goes.
-        tolerance: 1e-12..1e3 px; the position error that a method with error control aims at after a second.
+        method: see `sim.methods.registry`. "auto" keeps to the tolerance and chooses other methods by itself;
+            "symplectic_euler" is the tutorial's.
+        dt: 1e-6..1 s. The step of a method with a fixed step. Adaptive methods choose their own steps; for
+            them `dt` is only the unit in which the clock advances.
+        tolerance: 1e-12..1e3 px; the position error that adaptive methods aim at after one second.
     """
 
     method: Method = "auto"
@@ -232,6 +237,7 @@ class ArrowKeys(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
 
 
 Readout = Literal["sine", "cosine", "radians", "degrees", "rest_angle"]
+"""What the page can show of a joint's angle."""
 
 
 class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -239,8 +245,8 @@ class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
     Attributes:
         y_down: whether y grows downwards on the screen, as in the tutorial.
-        unit: label of the length unit.
-        frame: the region shown at first, (x min, y min, x max, y max) in px.
+        unit: label of the unit of length.
+        frame: the region shown initially, (x min, y min, x max, y max) in px.
         colors: the colour scheme: softrod's own, or the tutorial's green springs and red masses.
         readouts: what is shown of a joint's angle.
     """
@@ -253,7 +259,7 @@ class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
 
 class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Where every mass is and how it moves, saved from a running simulation.
+    """Positions and velocities of all masses, saved from a running simulation.
 
     Attributes:
         positions: one per mass, px.
@@ -267,22 +273,23 @@ class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A body, its surroundings, and how it is solved and shown.
 
-    The body is either given by its masses, springs and anchors, or by the recipe `rope`; a recipe is
-    expanded when the scene is made, so that code may always read the masses and springs.
+    The body is given either by its masses, springs and anchors, or by the recipe `rope`. A recipe is expanded
+    when the scene is made, so that code can always read the masses and springs.
 
     Attributes:
         format: version of the file format, 2.
         name: 1..60 characters.
-        description: what to see and do, at most 2000 characters.
+        description: what the scene shows, at most 2000 characters.
         rope: the recipe, or None.
         masses, linear_springs, angular_springs, anchors: the body.
         gravity: acceleration, px/s², each component within ±1e6; +y is down where `view.y_down`.
-        air_friction: 0..1000 kg/px; force per axis -air_friction v |v|.
+        air_friction: 0..1000 kg/px; the force on each axis is -air_friction v |v|.
         rest_length_scale: 0.01..100; multiplies every rest length.
         template: one of the tutorial's eight rest angles for every joint, or None. The angular springs
-            must then have that rest angle. The diagonal templates are sqrt(2) stiffer than the general law.
-        force_law: how the angular springs pull, see `AngularSpring`.
-        integrator, arrow_keys, view: see there; `arrow_keys` None means that the keys do nothing.
+            must then have that rest angle. The diagonal templates are sqrt(2) times as stiff as the general
+            law.
+        force_law: the force law of the angular springs, see `AngularSpring`.
+        integrator, arrow_keys, view: see their types; without `arrow_keys` the keys have no effect.
         pose: a saved state to start from, or None to start from the masses' own positions.
     """
 
@@ -305,7 +312,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     pose: Pose | None = None
 
     def __post_init__(self) -> None:
-        # A recipe alone is expanded here, the one door through which every scene comes (files included).
+        # Every scene is made here, those from files included, so this is where a recipe is expanded.
         if self.rope is not None and not self.masses:
             try:
                 body = expand_rope(self.rope)
@@ -316,6 +323,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 
 
 BODY_FIELDS = ("masses", "linear_springs", "angular_springs", "anchors")
+"""The fields of a scene that its recipe determines."""
 
 
 def expand_rope(
@@ -358,7 +366,7 @@ def expand_rope(
         )
         for j in range(n - 2 if rope.joints else 0)
     )
-    # A recipe keeps its anchors when it gets shorter, as far as those masses still exist.
+    # A recipe with fewer masses keeps the anchors whose masses still exist.
     held = {i for i in rope.held if i < n}
     if rope.driven is not None and rope.driven < n:
         held.add(rope.driven)

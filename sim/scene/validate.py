@@ -1,7 +1,7 @@
-"""Refuses every scene that could not be simulated, with one sentence that names the field.
+"""Validation: refuses every scene that cannot be simulated, with one sentence that names the field.
 
-Types and ranges stand in `sim.scene`, as annotations; msgspec reads them there, so that a scene made in code
-is held to the same limits as one read from a file.
+Types and ranges are annotations in `sim.scene.types`. msgspec reads them there, so a scene made in code must
+satisfy the same limits as one read from a file.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from .sentences import difference, sentence, unit_of
 from .types import BODY_FIELDS, FORMAT_VERSION, MAX_MASSES, MAX_SPRINGS, Rope, Scene, expand_rope
 
 _SHORTEST = 1e-9
-"""Distance (px) below which the ends of a spring count as one place: it would have no direction."""
+"""Distance, px, below which the ends of a spring count as coincident: the spring would have no direction."""
 
 _HALF = re.compile("[\ud800-\udfff]")
-"""Half of a surrogate pair: Python has texts with those, UTF-8 does not."""
+"""Half of a surrogate pair: a Python string can contain one, UTF-8 cannot."""
 
 
 def validate(scene: Scene) -> Scene:
@@ -43,7 +43,7 @@ def validate(scene: Scene) -> Scene:
 
 
 def consistent(scene: Scene) -> Scene:
-    """Return a scene whose types and ranges are right, or refuse it for how its parts belong together.
+    """Return a scene whose types and ranges are right, or refuse it because its parts do not fit together.
 
     Raises:
         SceneError: as `validate`.
@@ -54,17 +54,17 @@ def consistent(scene: Scene) -> Scene:
 
 
 def plain(scene: Scene) -> dict[str, Any]:
-    """The scene as dicts, tuples, numbers and texts."""
+    """The scene as dicts, tuples, numbers and strings."""
     return msgspec.to_builtins(scene, enc_hook=_plain)
 
 
 def _plain(value: Any) -> Any:
-    """Numbers of numpy are as good as Python's; of any other type the name will do, which is refused."""
+    """A NumPy number as one of Python's; of any other value the name of its type, which msgspec refuses."""
     return next((kind(value) for kind in (float, int, str) if isinstance(value, kind)), type(value).__name__)
 
 
 def number_range(kind: type, field: str) -> tuple[float, float, str]:
-    """(lowest, highest, unit) of a number of one of the scene's types, as its annotation states it."""
+    """(lowest, highest, unit) of a numeric field of one of the scene's types, from its annotation."""
     meta = next(
         m for m in get_args(get_type_hints(kind, include_extras=True)[field]) if isinstance(m, msgspec.Meta)
     )
@@ -75,9 +75,9 @@ def number_range(kind: type, field: str) -> tuple[float, float, str]:
     return float(low), float(high), unit_of(meta)
 
 
-# ------------------------------------------------------------------------- what belongs together
+# ------------------------------------------------------------------------- consistency
 def _problems(scene: Scene) -> Iterator[str]:
-    """Everything that is wrong with how the parts refer to each other; sentences, the first one first."""
+    """One sentence for each thing that is wrong with how the parts fit together."""
     if scene.format > FORMAT_VERSION:
         yield (
             f"format: this scene has format version {scene.format}, newer than {FORMAT_VERSION}, which is "

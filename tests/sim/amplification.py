@@ -63,13 +63,13 @@ def exact_limit(k: Matrix, c: Matrix) -> float:
 
 
 def verlet_step(k: Matrix, c: Matrix, dt: float) -> Matrix:
-    """What velocity Verlet makes of (x, v, a); a is of the new places and of v + dt a, and is carried on."""
+    """One step of velocity Verlet on (x, v, a), where a is evaluated at the new positions and at v + dt a."""
     eye, zero = np.eye(len(k)), np.zeros_like(k)
-    place = [eye, dt * eye, 0.5 * dt**2 * eye]
+    position = [eye, dt * eye, 0.5 * dt**2 * eye]
     guess = [zero, eye, dt * eye]
-    force = [-k @ p - c @ g for p, g in zip(place, guess, strict=True)]
+    force = [-k @ p - c @ g for p, g in zip(position, guess, strict=True)]
     speed = [0.5 * dt * force[0], eye + 0.5 * dt * force[1], 0.5 * dt * (eye + force[2])]
-    return np.block([place, speed, force])
+    return np.block([position, speed, force])
 
 
 def rk4_step(k: Matrix, c: Matrix, dt: float) -> Matrix:

@@ -27,7 +27,7 @@ class Arrays:
 
     Attributes:
         q, v: positions and velocities, flat, as the kernels have them.
-        here: the places in a flat array that belong to masses: all x, then all y.
+        here: the indices in a flat array that belong to masses: all x, then all y.
         free: of `here`, those that belong to masses that are not held.
         weight: kg, of each of `here`.
     """
@@ -59,8 +59,8 @@ class Arrays:
 
     def pairs(self, flat: Floats) -> Floats:
         """A flat array as (n, 2), in the scene's order."""
-        place = self.system.mass_index
-        return np.column_stack((flat[place], flat[self.slots + place]))
+        index = self.system.mass_index
+        return np.column_stack((flat[index], flat[self.slots + index]))
 
     def accelerations(self, q: Floats, v: Floats) -> Floats:
         """Of all of `here`."""

@@ -15,7 +15,7 @@ from tests.sim.builders import euler
 LAWS: tuple[ForceLaw, ...] = get_args(ForceLaw)
 
 Edges = list[tuple[int, int]]
-Places = list[tuple[float, float]]
+Positions = list[tuple[float, float]]
 
 
 def _sharing(edges: Edges) -> Edges:
@@ -23,39 +23,39 @@ def _sharing(edges: Edges) -> Edges:
     return [(s, t) for s, t in itertools.combinations(range(len(edges)), 2) if set(edges[s]) & set(edges[t])]
 
 
-def _chain() -> tuple[Places, Edges, Edges]:
+def _chain() -> tuple[Positions, Edges, Edges]:
     return [(40.0 * i, 0.0) for i in range(7)], [(i, i + 1) for i in range(6)], [(i, i + 1) for i in range(5)]
 
 
-def _ring() -> tuple[Places, Edges, Edges]:
+def _ring() -> tuple[Positions, Edges, Edges]:
     turns = [2.0 * math.pi * i / 8 for i in range(8)]
-    places = [(50.0 * math.cos(v), 50.0 * math.sin(v)) for v in turns]
-    return places, [(i, (i + 1) % 8) for i in range(8)], [(i, (i + 1) % 8) for i in range(8)]
+    positions = [(50.0 * math.cos(v), 50.0 * math.sin(v)) for v in turns]
+    return positions, [(i, (i + 1) % 8) for i in range(8)], [(i, (i + 1) % 8) for i in range(8)]
 
 
-def _tree() -> tuple[Places, Edges, Edges]:
+def _tree() -> tuple[Positions, Edges, Edges]:
     """Three generations with two branches each; some springs point towards the root."""
-    places = [(0.0, 0.0)] + [(60.0 * g, 40.0 * i) for g in (1, 2, 3) for i in range(2**g)]
+    positions = [(0.0, 0.0)] + [(60.0 * g, 40.0 * i) for g in (1, 2, 3) for i in range(2**g)]
     edges = [((i - 1) // 2, i) if i % 3 else (i, (i - 1) // 2) for i in range(1, 15)]
-    return places, edges, _sharing(edges)
+    return positions, edges, _sharing(edges)
 
 
-def _girder() -> tuple[Places, Edges, Edges]:
+def _girder() -> tuple[Positions, Edges, Edges]:
     """Two rails, rungs and diagonals, with joints along the rails and in the corners."""
     count = 6
-    places = [(40.0 * (i // 2), 40.0 * (i % 2)) for i in range(2 * count)]
+    positions = [(40.0 * (i // 2), 40.0 * (i % 2)) for i in range(2 * count)]
     rails = [(i, i + 2) for i in range(2 * count - 2)]
     rungs = [(2 * i, 2 * i + 1) for i in range(count)]
     diagonals = [(2 * i, 2 * i + 3) for i in range(count - 1)]
     edges = [*rails, *rungs, *diagonals]
     along = [(i, i + 2) for i in range(2 * count - 4)]
-    return places, edges, [*along, *((2 * i, len(rails) + i) for i in range(count - 1))]
+    return positions, edges, [*along, *((2 * i, len(rails) + i) for i in range(count - 1))]
 
 
-def _cloth() -> tuple[Places, Edges, Edges]:
+def _cloth() -> tuple[Positions, Edges, Edges]:
     """A grid, with a joint wherever two springs lie in line."""
     side = 4
-    places = [(30.0 * (i % side), 30.0 * (i // side)) for i in range(side * side)]
+    positions = [(30.0 * (i % side), 30.0 * (i // side)) for i in range(side * side)]
     across = [(i, i + 1) for i in range(side * side) if i % side < side - 1]
     down = [(i, i + side) for i in range(side * (side - 1))]
     edges = [*across, *down]
@@ -64,25 +64,25 @@ def _cloth() -> tuple[Places, Edges, Edges]:
         for s, t in itertools.permutations(range(len(edges)), 2)
         if edges[s][1] == edges[t][0] and edges[s][1] - edges[s][0] == edges[t][1] - edges[t][0]
     ]
-    return places, edges, in_line
+    return positions, edges, in_line
 
 
-def _hub() -> tuple[Places, Edges, Edges]:
+def _hub() -> tuple[Positions, Edges, Edges]:
     """Five springs from one mass, two of them towards it, and a joint between every two."""
-    places = [(0.0, 0.0), *((60.0 * math.cos(1.3 * i), 60.0 * math.sin(1.3 * i)) for i in range(5))]
+    positions = [(0.0, 0.0), *((60.0 * math.cos(1.3 * i), 60.0 * math.sin(1.3 * i)) for i in range(5))]
     edges = [(0, i + 1) if i % 2 else (i + 1, 0) for i in range(5)]
-    return places, edges, list(itertools.combinations(range(5), 2))
+    return positions, edges, list(itertools.combinations(range(5), 2))
 
 
-def _tangle() -> tuple[Places, Edges, Edges]:
+def _tangle() -> tuple[Positions, Edges, Edges]:
     """No order at all."""
     rng = np.random.default_rng(9)
     count = 9
-    places = [(float(x), float(y)) for x, y in rng.uniform(0.0, 200.0, (count, 2))]
+    positions = [(float(x), float(y)) for x, y in rng.uniform(0.0, 200.0, (count, 2))]
     pairs = list(itertools.combinations(range(count), 2))
     edges = [pairs[i][:: rng.choice((-1, 1))] for i in rng.choice(len(pairs), 16, replace=False)]
     sharing = _sharing(edges)
-    return places, edges, [sharing[i] for i in rng.choice(len(sharing), 20, replace=False)]
+    return positions, edges, [sharing[i] for i in rng.choice(len(sharing), 20, replace=False)]
 
 
 SHAPES = {
@@ -120,9 +120,9 @@ def body(
         joints: whether there are angular springs.
     """
     rng = np.random.default_rng(seed)
-    places, edges, pairs = SHAPES[shape]()
-    typical = float(np.median([math.dist(places[a], places[b]) for a, b in edges]))
-    moved = np.array(places) + rng.uniform(-0.25, 0.25, (len(places), 2)) * typical
+    positions, edges, pairs = SHAPES[shape]()
+    typical = float(np.median([math.dist(positions[a], positions[b]) for a, b in edges]))
+    moved = np.array(positions) + rng.uniform(-0.25, 0.25, (len(positions), 2)) * typical
     speeds = rng.normal(0.0, 100.0, moved.shape)
 
     def some(low: float, high: float) -> float:

@@ -57,7 +57,7 @@ def folded_rope() -> Scene:
 
 
 def chain(
-    places: list[tuple[float, float]],
+    positions: list[tuple[float, float]],
     *,
     stiffness: float = 0.0,
     angular_stiffness: float = 0.0,
@@ -70,12 +70,12 @@ def chain(
     mass: float = 1.0,
 ) -> Scene:
     """A row of equal masses and springs, with nothing acting on it but what is asked for."""
-    count = len(places)
+    count = len(positions)
     moving = velocities or [(0.0, 0.0)] * count
     joints = range(count - 2 if angular_stiffness else 0)
     return Scene(
         name="chain",
-        masses=tuple(Mass(position=p, velocity=v, mass=mass) for p, v in zip(places, moving, strict=True)),
+        masses=tuple(Mass(position=p, velocity=v, mass=mass) for p, v in zip(positions, moving, strict=True)),
         linear_springs=tuple(
             LinearSpring(a=i, b=i + 1, stiffness=stiffness, damping=damping, rest_length=rest_length)
             for i in range(count - 1)
@@ -89,7 +89,7 @@ def chain(
 
 
 def row(count: int, spacing: float = 10.0) -> list[tuple[float, float]]:
-    """Places along a horizontal line."""
+    """Positions along a horizontal line."""
     return [(spacing * i, 0.0) for i in range(count)]
 
 
@@ -98,7 +98,7 @@ def tangle(
 ) -> Scene:
     """A body with no order to it: springs at random, angular springs on many pairs that share a mass."""
     rng = np.random.default_rng(seed)
-    places = rng.uniform(0.0, 300.0, (masses, 2)).tolist()
+    positions = rng.uniform(0.0, 300.0, (masses, 2)).tolist()
     speeds = rng.normal(0.0, 100.0, (masses, 2)).tolist()
     pairs = list(itertools.combinations(range(masses), 2))
     picked = sorted(rng.choice(len(pairs), min(len(pairs), 2 * masses), replace=False).tolist())
@@ -114,7 +114,7 @@ def tangle(
         name="tangle",
         masses=tuple(
             Mass(position=(p[0], p[1]), velocity=(v[0], v[1]), mass=float(rng.uniform(0.5, 3.0)))
-            for p, v in zip(places, speeds, strict=True)
+            for p, v in zip(positions, speeds, strict=True)
         ),
         linear_springs=tuple(
             LinearSpring(
@@ -122,7 +122,7 @@ def tangle(
                 b=b,
                 stiffness=float(rng.uniform(100.0, 1e4)),
                 damping=damping * float(rng.uniform(0.1, 1.0)),
-                rest_length=float(math.dist(places[a], places[b]) * rng.uniform(0.5, 1.5)),
+                rest_length=float(math.dist(positions[a], positions[b]) * rng.uniform(0.5, 1.5)),
             )
             for a, b in ends
         ),
@@ -170,5 +170,7 @@ def star(arms: int) -> Scene:
 def askew() -> Scene:
     """The tutorial's third example, hung askew so that everything in it moves."""
     scene = sim.load_scene("tutorial-3.3")
-    places = tuple((m.position[0] + 3.0 * i, m.position[1]) for i, m in enumerate(scene.masses))
-    return msgspec.structs.replace(scene, pose=Pose(positions=places, velocities=((0.0, 0.0),) * len(places)))
+    positions = tuple((m.position[0] + 3.0 * i, m.position[1]) for i, m in enumerate(scene.masses))
+    return msgspec.structs.replace(
+        scene, pose=Pose(positions=positions, velocities=((0.0, 0.0),) * len(positions))
+    )

@@ -15,7 +15,7 @@ from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Scene, Si
 from sim.scene.types import ArrowKeys, ForceLaw
 from sim.settings import settings_of
 
-Places = list[tuple[float, float]]
+Positions = list[tuple[float, float]]
 Pairs = list[tuple[int, int]]
 Random = np.random.Generator
 
@@ -37,42 +37,46 @@ def _ten_to(rng: Random, low: float, high: float) -> float:
     return float(10.0 ** rng.uniform(low, high))
 
 
-def _row(rng: Random, n: int, h: float) -> tuple[Places, Pairs]:
+def _row(rng: Random, n: int, h: float) -> tuple[Positions, Pairs]:
     turn = float(rng.uniform(0.0, math.tau))
-    places = [(300.0 + h * i * math.cos(turn), 150.0 + h * i * math.sin(turn)) for i in range(n)]
-    return places, [(i, i + 1) for i in range(n - 1)]
+    positions = [(300.0 + h * i * math.cos(turn), 150.0 + h * i * math.sin(turn)) for i in range(n)]
+    return positions, [(i, i + 1) for i in range(n - 1)]
 
 
-def _ring(_: Random, n: int, h: float) -> tuple[Places, Pairs]:
+def _ring(_: Random, n: int, h: float) -> tuple[Positions, Pairs]:
     radius, turn = h * n / math.tau, math.tau / n
-    places = [(300.0 + radius * math.cos(turn * i), 300.0 + radius * math.sin(turn * i)) for i in range(n)]
-    return places, [(i, (i + 1) % n) for i in range(n)]
+    positions = [(300.0 + radius * math.cos(turn * i), 300.0 + radius * math.sin(turn * i)) for i in range(n)]
+    return positions, [(i, (i + 1) % n) for i in range(n)]
 
 
-def _tree(rng: Random, n: int, h: float) -> tuple[Places, Pairs]:
-    places, pairs = [(300.0, 300.0)], []
+def _tree(rng: Random, n: int, h: float) -> tuple[Positions, Pairs]:
+    positions, pairs = [(300.0, 300.0)], []
     for i in range(1, n):
         parent, turn = int(rng.integers(max(0, i - 4), i)), float(rng.uniform(0.0, math.tau))
-        x, y = places[parent]
-        places.append((x + h * math.cos(turn), y + h * math.sin(turn)))
+        x, y = positions[parent]
+        positions.append((x + h * math.cos(turn), y + h * math.sin(turn)))
         pairs.append((parent, i))
-    return places, pairs
+    return positions, pairs
 
 
-def _cloth(rng: Random, _: int, h: float) -> tuple[Places, Pairs]:
+def _cloth(rng: Random, _: int, h: float) -> tuple[Positions, Pairs]:
     wide, high = (int(size) for size in rng.integers(2, 6, 2))
-    places = [(250.0 + h * i, 150.0 + h * j) for j in range(high) for i in range(wide)]
+    positions = [(250.0 + h * i, 150.0 + h * j) for j in range(high) for i in range(wide)]
     along = [(j * wide + i, j * wide + i + 1) for j in range(high) for i in range(wide - 1)]
-    return places, along + [(j * wide + i, (j + 1) * wide + i) for j in range(high - 1) for i in range(wide)]
+    return positions, along + [
+        (j * wide + i, (j + 1) * wide + i) for j in range(high - 1) for i in range(wide)
+    ]
 
 
-def _tangle(rng: Random, n: int, _: float) -> tuple[Places, Pairs]:
-    places = [(float(x), float(y)) for x, y in rng.uniform(200.0, 400.0, (n, 2))]
+def _tangle(rng: Random, n: int, _: float) -> tuple[Positions, Pairs]:
+    positions = [(float(x), float(y)) for x, y in rng.uniform(200.0, 400.0, (n, 2))]
     pairs = list(itertools.combinations(range(n), 2))
-    return places, [pairs[i] for i in sorted(rng.choice(len(pairs), min(len(pairs), 2 * n), replace=False))]
+    return positions, [
+        pairs[i] for i in sorted(rng.choice(len(pairs), min(len(pairs), 2 * n), replace=False))
+    ]
 
 
-_SHAPES: dict[str, Callable[[Random, int, float], tuple[Places, Pairs]]] = {
+_SHAPES: dict[str, Callable[[Random, int, float], tuple[Positions, Pairs]]] = {
     "rope": _row, "free": _row, "ring": _ring, "tree": _tree, "cloth": _cloth, "tangle": _tangle,
 }  # fmt: skip
 
@@ -95,8 +99,8 @@ def wild_scene(rng: Random) -> Scene:
     shape = str(rng.choice(list(_SHAPES)))
     law: ForceLaw = rng.choice(["conservative", "tutorial", "angle"], p=[0.5, 0.35, 0.15])
     n = int(rng.integers(3, 26))
-    places, pairs = _SHAPES[shape](rng, n, float(rng.uniform(5.0, 40.0)))
-    at = np.array(places) + rng.normal(0.0, _ten_to(rng, -9.0, 1.5), (len(places), 2))
+    positions, pairs = _SHAPES[shape](rng, n, float(rng.uniform(5.0, 40.0)))
+    at = np.array(positions) + rng.normal(0.0, _ten_to(rng, -9.0, 1.5), (len(positions), 2))
     stiffness, bending = _ten_to(rng, 1.0, 7.0), _ten_to(rng, 0.0, 7.0)
     damping = _ten_to(rng, -1.0, 4.0) if rng.random() < 0.8 else 0.0
     twist = _ten_to(rng, -2.0, 2.0) if rng.random() < 0.3 else 0.0

@@ -54,10 +54,10 @@ def general(simulation: Simulation) -> Simulation:
 
 def put(simulation: Simulation, positions: Points, velocities: Points | None = None) -> None:
     """Set the state of all masses, the held ones too."""
-    place, state = simulation._system.mass_index, simulation._state
-    state.x[place], state.y[place] = positions.T
+    index, state = simulation._system.mass_index, simulation._state
+    state.x[index], state.y[index] = positions.T
     if velocities is not None:
-        state.vx[place], state.vy[place] = velocities.T
+        state.vx[index], state.vy[index] = velocities.T
     simulation._moved = True
 
 
@@ -66,8 +66,8 @@ def spring_forces(simulation: Simulation) -> Points:
     scratch = simulation._scratch
     state = simulation._state
     kernel_forces(simulation._body, state, scratch, state.x, state.y, state.vx, state.vy)
-    place = simulation._system.mass_index
-    return np.column_stack((scratch.fx[place], scratch.fy[place]))
+    index = simulation._system.mass_index
+    return np.column_stack((scratch.fx[index], scratch.fy[index]))
 
 
 def forces_of(scene: Scene) -> Points:
@@ -76,5 +76,5 @@ def forces_of(scene: Scene) -> Points:
 
 
 def same_state(one: Simulation, other: Simulation) -> bool:
-    """Whether all masses of both are in the same place and equally fast, bit for bit."""
+    """Whether all masses of both have the same positions and velocities, bit for bit."""
     return np.array_equal(one.positions, other.positions) and np.array_equal(one.velocities, other.velocities)

@@ -30,14 +30,14 @@ def wrapped(angle: float) -> float:
 
 
 def circle_path(center: complex, circle: Circle) -> Path:
-    """The motion of an anchor, as the docs of `sim.scene.Circle` have it."""
+    """The motion of an anchor, as the docstring of `sim.scene.Circle` has it."""
 
     def at(t: float) -> tuple[complex, complex]:
         turn = 2.0 * math.pi * circle.frequency
         fade = math.exp(-t / circle.ramp)
         phase, rate = turn * (t - circle.ramp * (1.0 - fade)), turn * (1.0 - fade)
-        place = center + circle.radius * complex(math.sin(phase), 1.0 - math.cos(phase))
-        return place, circle.radius * rate * complex(math.cos(phase), math.sin(phase))
+        position = center + circle.radius * complex(math.sin(phase), 1.0 - math.cos(phase))
+        return position, circle.radius * rate * complex(math.cos(phase), math.sin(phase))
 
     return at
 
@@ -82,16 +82,16 @@ class Laws:
             return size * off, 0.5 * size * off * off
         return size * math.sin(off), size * (1.0 - math.cos(off))
 
-    def forces(self, places: Complexes, speeds: Complexes) -> Complexes:
+    def forces(self, positions: Complexes, speeds: Complexes) -> Complexes:
         """What springs and joints do to each mass."""
         scene = self.scene
-        force = np.zeros(len(places), complex)
+        force = np.zeros(len(positions), complex)
 
         def pull(spring: int, tension: complex) -> None:
             force[scene.linear_springs[spring].b] += tension
             force[scene.linear_springs[spring].a] -= tension
 
-        vectors = [complex(places[s.b] - places[s.a]) for s in scene.linear_springs]
+        vectors = [complex(positions[s.b] - positions[s.a]) for s in scene.linear_springs]
         rates = [complex(speeds[s.b] - speeds[s.a]) for s in scene.linear_springs]
         for i, (spring, vector, rate) in enumerate(zip(scene.linear_springs, vectors, rates, strict=True)):
             unit = vector / abs(vector)
@@ -108,39 +108,39 @@ class Laws:
             pull(joint.b, (-1j * torque - draw) * b / abs(b) ** 2)
         return force
 
-    def accelerations(self, places: Complexes, speeds: Complexes) -> Complexes:
+    def accelerations(self, positions: Complexes, speeds: Complexes) -> Complexes:
         """With gravity and air; zero where a mass is held."""
         drag = speeds.real * abs(speeds.real) + 1j * (speeds.imag * abs(speeds.imag))
-        pull = (self.forces(places, speeds) - self.scene.air_friction * drag) / self.mass
+        pull = (self.forces(positions, speeds) - self.scene.air_friction * drag) / self.mass
         pull += complex(*self.scene.gravity)
         pull[self.held] = 0.0
         return pull
 
-    def potential(self, places: Complexes) -> float:
+    def potential(self, positions: Complexes) -> float:
         """Energy of springs, joints and the height of free masses; the tutorial's law has none."""
         scene = self.scene
-        vectors = [complex(places[s.b] - places[s.a]) for s in scene.linear_springs]
+        vectors = [complex(positions[s.b] - positions[s.a]) for s in scene.linear_springs]
         energy = sum(
             0.5 * s.stiffness * (abs(vector) - rest) ** 2
             for s, vector, rest in zip(scene.linear_springs, vectors, self.rest_lengths, strict=True)
         )
         for j, joint in enumerate(scene.angular_springs):
             energy += self.joint(j, vectors[joint.a], vectors[joint.b])[1]
-        free = np.delete(np.arange(len(places)), self.held)
-        weight = (complex(*scene.gravity).conjugate() * places[free]).real * self.mass[free]
+        free = np.delete(np.arange(len(positions)), self.held)
+        weight = (complex(*scene.gravity).conjugate() * positions[free]).real * self.mass[free]
         return energy - float(weight.sum())
 
-    def put_held(self, t: float, places: Complexes, speeds: Complexes) -> None:
+    def put_held(self, t: float, positions: Complexes, speeds: Complexes) -> None:
         """Put the held masses where they are at a time."""
         for mass in self.held:
             speeds[mass] = 0.0
             if mass in self.paths:
-                places[mass], speeds[mass] = self.paths[mass](t)
+                positions[mass], speeds[mass] = self.paths[mass](t)
 
     def solution(self, times: list[float], tolerance: float = 1e-12) -> list[Points]:
         """(n, 2) positions at ascending times, all but exact: DOP853 of SciPy."""
         n = len(self.scene.masses)
-        places = np.array([complex(*mass.position) for mass in self.scene.masses])
+        positions = np.array([complex(*mass.position) for mass in self.scene.masses])
         speeds = np.array([complex(*mass.velocity) for mass in self.scene.masses])
 
         def slope(t: float, state: Points) -> Points:
@@ -152,7 +152,7 @@ class Laws:
             change[self.held] = 0.0
             return change.view(float)
 
-        start = np.concatenate((places, speeds)).view(float)
+        start = np.concatenate((positions, speeds)).view(float)
         run = solve_ivp(
             slope, (0.0, times[-1]), start, "DOP853", t_eval=times, rtol=10.0 * tolerance, atol=tolerance
         )

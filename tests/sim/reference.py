@@ -137,11 +137,11 @@ class Body:
         return [(p.x, p.y) for p in self.points]
 
 
-def tutorial_rope(places: list[tuple[float, float]], held: int, rest_angle: float) -> Body:
+def tutorial_rope(positions: list[tuple[float, float]], held: int, rest_angle: float) -> Body:
     """A row of masses, of which the first few are held, with the constants of all three examples."""
-    count = len(places)
+    count = len(positions)
     return Body(
-        points=[Point(x, y, held=i < held) for i, (x, y) in enumerate(places)],
+        points=[Point(x, y, held=i < held) for i, (x, y) in enumerate(positions)],
         springs=[Spring(i, i + 1, 10_000.0, 40.0, 300.0 / (count - 1)) for i in range(count - 1)],
         joints=[Joint(i, i + 1, 10_000.0, rest_angle) for i in range(count - 2)],
     )
@@ -154,8 +154,8 @@ def example_1() -> Body:
 
 def example_2(template: int) -> Body:
     """The soft rod."""
-    places = [(300.0 + (300.0 / 7.0) * (i - 1), 300.0) for i in range(8)]
-    body = tutorial_rope(places, 2, float(template))
+    positions = [(300.0 + (300.0 / 7.0) * (i - 1), 300.0) for i in range(8)]
+    body = tutorial_rope(positions, 2, float(template))
     body.law = TEMPLATE_LAWS[template]
     return body
 

@@ -40,7 +40,7 @@ def spaced(past: Floats, head: int, method: Adams, degree: int, ratio: float, ro
 @pytest.mark.parametrize("degree", range(1, PAST))
 @pytest.mark.parametrize("ratio", [0.2, 0.5, 1.0, 1.25, 2.0, 4.0])
 def test_the_past_is_interpolated_for_another_step(degree: int, ratio: float) -> None:
-    """A polynomial of the degree, at one more place than that; what is before it is not asked."""
+    """Enough past values to determine a polynomial of the degree; earlier ones are not used."""
     head, at, size = 5, 9, 2 * 16
     wave = Polynomial(np.random.default_rng(degree).normal(size=degree + 1))
     past, rows = np.zeros((PAST, size)), np.zeros((PAST + 4, size))

@@ -20,7 +20,7 @@ DT = 0.004
 
 
 def off(circle: Circle, t: float) -> np.ndarray:
-    """How far from its place the anchor is at a time, as the docs of `sim.scene.Circle` have it."""
+    """The displacement of the anchor at a time, as the docstring of `sim.Circle` has it."""
     p = 2.0 * math.pi * circle.frequency * (t - circle.ramp * (1.0 - math.exp(-t / circle.ramp)))
     return circle.radius * np.array([math.sin(p), 1.0 - math.cos(p)])
 
@@ -133,10 +133,10 @@ def test_where_everything_is_held_it_still_goes_round(method: Method) -> None:
     scene = REPLACE(rope(method), rope=None)
     anchors = (scene.anchors[0], *(Anchor(mass=i) for i in range(1, 5)))
     simulation = Simulation(REPLACE(scene, anchors=anchors))
-    places = simulation.positions
+    before = simulation.positions
     simulation.step(50)
     assert np.abs(simulation.positions[0] - START - off(CIRCLE, 50 * DT)).max() <= 1e-10
-    assert np.array_equal(simulation.positions[1:], places[1:])
+    assert np.array_equal(simulation.positions[1:], before[1:])
 
 
 @pytest.mark.parametrize("method", METHODS)

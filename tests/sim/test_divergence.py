@@ -33,8 +33,8 @@ def too_stiff(stiffness: float = 60_000.0) -> Scene:
 def one_step_on(simulation: Simulation) -> reference.Body:
     """The step that the simulation refused, done by the reference."""
     body = reference.body_of(simulation.scene)
-    places, speeds = simulation.positions.tolist(), simulation.velocities.tolist()
-    for point, (x, y), (vx, vy) in zip(body.points, places, speeds, strict=True):
+    positions, speeds = simulation.positions.tolist(), simulation.velocities.tolist()
+    for point, (x, y), (vx, vy) in zip(body.points, positions, speeds, strict=True):
         point.x, point.y, point.vx, point.vy = x, y, vx, vy
     body.step()
     return body
@@ -169,14 +169,14 @@ def test_keys_are_undone_with_the_steps() -> None:
 def test_no_steps_until_reset() -> None:
     simulation = Simulation(too_stiff())
     simulation.step(5000)
-    place, count = simulation.positions, simulation.step_count
+    positions, count = simulation.positions, simulation.step_count
     simulation.lead(0, (0.0, 0.0))
     assert simulation.step(10) == 0
     assert simulation.advance(1.0) == 0
-    assert np.array_equal(simulation.positions, place)
+    assert np.array_equal(simulation.positions, positions)
     assert simulation.step_count == count
     # Not even where a step would go well, as it does when everything is held.
-    for mass in range(len(place)):
+    for mass in range(len(positions)):
         simulation.grab(mass)
     assert simulation.step(10) == 0
     simulation.reset()
@@ -215,8 +215,8 @@ def test_too_large_a_step_is_blamed_on_the_law_that_sets_the_limit(stiffness: fl
 
 
 def test_too_stiff_linear_springs_are_blamed_as_such() -> None:
-    places = [(10.0 * i + 0.1 * (i % 2), 0.0) for i in range(10)]
-    simulation = Simulation(chain(places, stiffness=1e6, held=(0,), dt=0.0025))
+    positions = [(10.0 * i + 0.1 * (i % 2), 0.0) for i in range(10)]
+    simulation = Simulation(chain(positions, stiffness=1e6, held=(0,), dt=0.0025))
     simulation.step(5000)
     assert simulation.divergence is not None
     assert "linear stiffness" in simulation.divergence.reason
@@ -244,7 +244,7 @@ def test_a_pointer_dropped_on_the_neighbour_stops_nothing() -> None:
 
 def test_the_meter_survives_a_spring_without_length() -> None:
     simulation = Simulation(sim.load_scene("tutorial-3.3"))
-    place = simulation.positions
-    place[4] = place[5]
-    put(simulation, place)
+    positions = simulation.positions
+    positions[4] = positions[5]
+    put(simulation, positions)
     assert simulation.stability().limit >= 0.0

@@ -28,23 +28,23 @@ def unbalanced(scene: Scene, pose: Pose) -> float:
     return float(np.abs(forces).max()) / max(spring.stiffness for spring in scene.linear_springs)
 
 
-def places(pose: Pose) -> Points:
+def positions_of(pose: Pose) -> Points:
     return np.array(pose.positions)
 
 
 def stable(scene: Scene, pose: Pose) -> bool:
     """Whether the body comes back when every free mass is pushed a little, with damping."""
     rng = np.random.default_rng(7)
-    pushed = places(pose) + rng.normal(0.0, 1e-3, (len(scene.masses), 2))
+    pushed = positions_of(pose) + rng.normal(0.0, 1e-3, (len(scene.masses), 2))
     for anchor in scene.anchors:
-        pushed[anchor.mass] = places(pose)[anchor.mass]
+        pushed[anchor.mass] = positions_of(pose)[anchor.mass]
     start = Pose(positions=tuple((x, y) for x, y in pushed.tolist()), velocities=pose.velocities)
     damped = tuple(REPLACE(spring, damping=30.0) for spring in scene.linear_springs)
     integrator = Integrator(method="rodas4", dt=0.1, tolerance=1e-4)
     moved = REPLACE(scene, rope=None, linear_springs=damped, integrator=integrator, pose=start)
     simulation = Simulation(moved)
     simulation.step(30)
-    return float(np.abs(simulation.positions - places(pose)).max()) < 0.1
+    return float(np.abs(simulation.positions - positions_of(pose)).max()) < 0.1
 
 
 # ------------------------------------------------------------------------- balances
@@ -83,14 +83,14 @@ def test_a_joint_that_is_loaded_turns_by_the_sine() -> None:
     scene = chain(
         row(3), stiffness=1e9, angular_stiffness=stiffness, held=(0, 1), gravity=(0.0, weight), mass=1.0
     )
-    x, y = places(equilibrium(scene))[2] - (length, 0.0)
+    x, y = positions_of(equilibrium(scene))[2] - (length, 0.0)
     assert y / x == pytest.approx(weight / (stiffness * length), rel=1e-6)
 
 
 def test_a_rest_length_scale_and_a_template_count() -> None:
     scene = sim.load_scene("tutorial-3.2")
     longer = equilibrium(REPLACE(scene, gravity=(0.0, 0.0), rest_length_scale=1.5))
-    lengths = np.hypot(*np.diff(places(longer), axis=0).T)
+    lengths = np.hypot(*np.diff(positions_of(longer), axis=0).T)
     assert lengths[1:] == pytest.approx(1.5 * scene.linear_springs[0].rest_length, rel=1e-6)
 
 
@@ -104,7 +104,7 @@ def test_a_chain_and_the_same_body_as_a_part_agree() -> None:
     )
     assert is_chain(Simulation(scene))
     assert not is_chain(Simulation(apart))
-    assert places(equilibrium(apart))[:-1] == pytest.approx(places(equilibrium(scene)), abs=1e-8)
+    assert positions_of(equilibrium(apart))[:-1] == pytest.approx(positions_of(equilibrium(scene)), abs=1e-8)
 
 
 def test_the_saved_pose_is_the_start_and_velocities_do_not_matter() -> None:
@@ -112,7 +112,7 @@ def test_the_saved_pose_is_the_start_and_velocities_do_not_matter() -> None:
     pose = equilibrium(scene)
     moving = Pose(positions=pose.positions, velocities=((50.0, -70.0),) * len(pose.positions))
     again = equilibrium(REPLACE(scene, pose=moving))
-    assert places(again) == pytest.approx(places(pose), abs=1e-8)
+    assert positions_of(again) == pytest.approx(positions_of(pose), abs=1e-8)
     assert not np.any(again.velocities)
 
 
@@ -122,14 +122,14 @@ def test_a_balance_on_a_point_is_left() -> None:
     scene = sim.rope(8, 200.0, direction=(0.0, -1.0), held=(0, 1), driven=None, angular_stiffness=100.0)
     pose = equilibrium(scene)
     assert unbalanced(scene, pose) < 1e-9
-    assert places(pose)[-1, 1] > 150.0  # it hangs down, on one side
+    assert positions_of(pose)[-1, 1] > 150.0  # it hangs down, on one side
 
 
 def test_a_stiff_enough_rod_stays_upright() -> None:
     scene = sim.rope(8, 200.0, direction=(0.0, -1.0), held=(0, 1), driven=None, angular_stiffness=1e5)
     pose = equilibrium(REPLACE(scene, gravity=(0.0, 20.0)))
-    assert places(pose)[:, 0] == pytest.approx(300.0, abs=1e-6)
-    assert places(pose)[-1, 1] == pytest.approx(-50.0, abs=0.1)
+    assert positions_of(pose)[:, 0] == pytest.approx(300.0, abs=1e-6)
+    assert positions_of(pose)[-1, 1] == pytest.approx(-50.0, abs=0.1)
 
 
 def test_masses_a_billion_times_lighter_do_no_harm() -> None:
@@ -158,7 +158,7 @@ def test_units_of_force_and_mass_do_not_matter(force: float, mass: float) -> Non
             mass=mass,
             gravity=(0.0, 0.0),
         )
-        return places(equilibrium(scene))
+        return positions_of(equilibrium(scene))
 
     assert posed(force, mass) == pytest.approx(posed(1.0, 1.0), abs=1e-7)
 
@@ -175,7 +175,7 @@ def test_a_long_rope_hangs() -> None:
     scene = sim.rope(1000, 300.0, direction=(1.0, 0.0), stiffness=1e9, angular_stiffness=1e7)
     pose = equilibrium(scene)
     assert unbalanced(scene, pose) < 1e-8
-    assert places(pose)[-1, 1] > 400.0
+    assert positions_of(pose)[-1, 1] > 400.0
 
 
 def test_nothing_to_do_where_all_is_held() -> None:
@@ -233,7 +233,7 @@ def test_they_are_those_of_the_forces(law: ForceLaw) -> None:
     """Of a Jacobian from differences of forces, at an equilibrium under load."""
     scene = REPLACE(tangle(3, held=(0, 1)), force_law=law, gravity=(0.0, 300.0))
     resting = REPLACE(scene, pose=equilibrium(scene))
-    start, free = places(resting.pose or Pose(positions=(), velocities=())), range(2, len(scene.masses))
+    start, free = positions_of(resting.pose or Pose(positions=(), velocities=())), range(2, len(scene.masses))
     jacobian = np.zeros((2 * len(free), 2 * len(free)))
     weights = np.repeat([mass.mass for mass in scene.masses], 2)[4:]
     for column in range(2 * len(free)):

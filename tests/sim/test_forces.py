@@ -51,8 +51,8 @@ def two_springs(v: float, rest: float, template: Template | None = None) -> Scen
 @pytest.mark.parametrize("seed", range(12))
 def test_springs_neither_push_nor_turn_a_body_as_a_whole(seed: int) -> None:
     scene = tangle(seed, masses=4 + seed)
-    force, place = forces_of(scene), np.array([m.position for m in scene.masses])
-    torques = place[:, 0] * force[:, 1] - place[:, 1] * force[:, 0]
+    force, positions = forces_of(scene), np.array([m.position for m in scene.masses])
+    torques = positions[:, 0] * force[:, 1] - positions[:, 1] * force[:, 0]
     size = np.abs(force).sum()
     assert np.abs(force.sum(axis=0)).max() <= 1e-13 * size
     assert abs(torques.sum()) <= 1e-13 * size * 300.0
@@ -72,7 +72,7 @@ def test_many_springs_and_joints_at_one_mass(arms: int) -> None:
     scene = star(arms)
     simulation = Simulation(scene)
     body = system_of(simulation).body
-    # The common case has one place for each; the others must have gone to the lists.
+    # The common case has one slot for each; the others must have gone to the lists.
     assert body.more_spring.size >= arms - 2
     assert body.more_joint.size > 0
     expected = naive_forces(scene)
@@ -85,10 +85,10 @@ def test_preset_with_a_hub_uses_the_lists() -> None:
     assert system_of(simulation).body.more_joint.size > 0
     assert system_of(simulation).body.more_spring.size > 0
     rng = np.random.default_rng(3)
-    place = simulation.positions + rng.normal(0.0, 5.0, simulation.positions.shape)
-    put(simulation, place)
+    positions = simulation.positions + rng.normal(0.0, 5.0, simulation.positions.shape)
+    put(simulation, positions)
     body = reference.body_of(scene)
-    for point, (x, y) in zip(body.points, place.tolist(), strict=True):
+    for point, (x, y) in zip(body.points, positions.tolist(), strict=True):
         point.x, point.y = x, y
     body.forces()
     expected = np.array([(p.fx, p.fy) for p in body.points])
@@ -99,7 +99,7 @@ def test_preset_with_a_hub_uses_the_lists() -> None:
 def test_linear_springs_are_minus_the_gradient_of_their_energy() -> None:
     scene = REPLACE(tangle(5, damping=0.0), angular_springs=())
     simulation = Simulation(scene)
-    place = simulation.positions
+    positions = simulation.positions
 
     def energy(at: Points) -> float:
         return sum(
@@ -108,19 +108,19 @@ def test_linear_springs_are_minus_the_gradient_of_their_energy() -> None:
         )
 
     step = 1e-4
-    gradient = np.zeros_like(place)
-    for index in np.ndindex(*place.shape):
-        shift = np.zeros_like(place)
+    gradient = np.zeros_like(positions)
+    for index in np.ndindex(*positions.shape):
+        shift = np.zeros_like(positions)
         shift[index] = step
-        gradient[index] = (energy(place + shift) - energy(place - shift)) / (2.0 * step)
+        gradient[index] = (energy(positions + shift) - energy(positions - shift)) / (2.0 * step)
     assert np.abs(spring_forces(simulation) + gradient).max() <= 1e-7 * np.abs(gradient).max()
 
 
 def test_damping_opposes_only_the_rate_of_stretching() -> None:
-    places = [(0.0, 0.0), (6.0, 8.0)]
-    turning = chain(places, damping=3.0, velocities=[(0.0, 0.0), (-8.0, 6.0)])
+    positions = [(0.0, 0.0), (6.0, 8.0)]
+    turning = chain(positions, damping=3.0, velocities=[(0.0, 0.0), (-8.0, 6.0)])
     assert np.abs(forces_of(turning)).max() <= 1e-13
-    stretching = chain(places, damping=3.0, velocities=[(0.0, 0.0), (6.0, 8.0)])
+    stretching = chain(positions, damping=3.0, velocities=[(0.0, 0.0), (6.0, 8.0)])
     assert forces_of(stretching) == pytest.approx(np.array([[18.0, 24.0], [-18.0, -24.0]]), rel=1e-13)
 
 
@@ -128,10 +128,10 @@ def test_damping_opposes_only_the_rate_of_stretching() -> None:
 @pytest.mark.parametrize("rest", [-135.0, -20.0, 0.0, 77.0, 180.0])
 def test_couple_on_each_spring(v: float, rest: float) -> None:
     scene = two_springs(v, rest)
-    force, place = forces_of(scene), np.array([m.position for m in scene.masses])
+    force, positions = forces_of(scene), np.array([m.position for m in scene.masses])
     expected = 5.0 * 30.0 * 70.0 * math.sin(math.radians(v - rest))
     for end, torque in ((0, expected), (2, -expected)):
-        arm = place[end] - place[1]
+        arm = positions[end] - positions[1]
         assert arm[0] * force[end][1] - arm[1] * force[end][0] == pytest.approx(torque, rel=1e-12, abs=1e-10)
         # All of it is turning, nothing is pulling.
         assert abs(arm @ force[end]) <= 1e-10 * (1.0 + np.abs(force).max())

@@ -22,14 +22,21 @@ REPLACE = msgspec.structs.replace
 WAVE = 300.0 / 11.0 * 100.0
 """px/s: how fast a pull goes through the tutorial's rope, in however many pieces."""
 
-places = st.floats(-1e6, 1e6)
+coordinates = st.floats(-1e6, 1e6)
 
 
 # ------------------------------------------------------------------------------------------ the hand alone
 
 
 @settings(deadline=None, max_examples=15)
-@given(x=places, y=places, gx=places, gy=places, fastest=st.floats(1e3, 1e6), frame=st.floats(1e-3, 0.5))
+@given(
+    x=coordinates,
+    y=coordinates,
+    gx=coordinates,
+    gy=coordinates,
+    fastest=st.floats(1e3, 1e6),
+    frame=st.floats(1e-3, 0.5),
+)
 def test_a_hand_comes_to_its_goal_and_never_beyond(
     x: float, y: float, gx: float, gy: float, fastest: float, frame: float
 ) -> None:
@@ -193,20 +200,20 @@ def test_a_moving_mass_is_stopped_gently() -> None:
     simulation.step(120)
     simulation.stats()
     speed = float(np.hypot(*simulation.velocities[50]))
-    place = simulation.positions[50]
+    position = simulation.positions[50]
     simulation.grab(50)
     assert speed > 300.0
     for _ in range(10):
         simulation.step(7)
-    assert 1.0 < float(np.hypot(*(simulation.positions[50] - place))) < speed / 10.0
+    assert 1.0 < float(np.hypot(*(simulation.positions[50] - position))) < speed / 10.0
     for _ in range(60):
         simulation.step(7)
-    assert simulation.positions[50] == pytest.approx(place, abs=1e-9)
+    assert simulation.positions[50] == pytest.approx(position, abs=1e-9)
     assert not simulation.behind
     simulation.release(50)
     assert not simulation.velocities[50].any()
     simulation.step(40)
-    assert simulation.positions[50] != pytest.approx(place, abs=1.0)
+    assert simulation.positions[50] != pytest.approx(position, abs=1.0)
 
 
 def test_what_lets_go_leaves_an_anchor_to_come_and_a_free_mass_where_it_is() -> None:

@@ -116,12 +116,12 @@ def test_the_definite_matrix_is_one(shape: str, general: bool, law: ForceLaw) ->
 def test_the_definite_matrix_at_rest(shape: str, joints: bool, law: ForceLaw) -> None:
     scene = body(shape, law, 7, air=0.0, joints=joints)
     angles = sim.Simulation(scene).angles
-    places = np.array([mass.position for mass in scene.masses])
+    positions = np.array([mass.position for mass in scene.masses])
     scene = REPLACE(
         scene,
         masses=tuple(REPLACE(mass, velocity=(0.0, 0.0)) for mass in scene.masses),
         linear_springs=tuple(
-            REPLACE(spring, rest_length=float(np.hypot(*(places[spring.a] - places[spring.b]))))
+            REPLACE(spring, rest_length=float(np.hypot(*(positions[spring.a] - positions[spring.b]))))
             for spring in scene.linear_springs
         ),
         angular_springs=tuple(
@@ -148,10 +148,10 @@ def test_a_chain_of_any_length_is_solved_like_any_other_body(count: int, law: Fo
     # Derivatives are taken of eight springs at once, and of sixteen before their rows are eliminated, from
     # both ends. What comes behind the last spring has no length where the last mass is at (0, 0).
     rng = np.random.default_rng(count)
-    places = np.array(row(count)) + rng.uniform(-3.0, 3.0, (count, 2))
-    places -= places[origin]
+    positions = np.array(row(count)) + rng.uniform(-3.0, 3.0, (count, 2))
+    positions -= positions[origin]
     scene = chain(
-        list(map(tuple, places.tolist())),
+        list(map(tuple, positions.tolist())),
         stiffness=2000.0,
         angular_stiffness=3000.0,
         damping=20.0,
@@ -183,10 +183,10 @@ def test_a_singular_pivot_is_told_wherever_it_is(count: int) -> None:
     # Without springs a row has but 1 + 2 air |v| on its diagonal.
     arrays = Arrays(chain(row(count), velocities=[(1.0, 1.0)] * count))
     assert arrays.factorise(1.0, 1.0)
-    for place in range(1, count + 1):
-        arrays.state.air[place] = -0.5
+    for slot in range(1, count + 1):
+        arrays.state.air[slot] = -0.5
         assert not arrays.factorise(1.0, 1.0)
-        arrays.state.air[place] = 0.0
+        arrays.state.air[slot] = 0.0
 
 
 @pytest.mark.parametrize("count", [2, 5, 8, 9, 16, 17, 30, 33, 47, 64])
@@ -220,13 +220,13 @@ def test_the_pattern_has_a_block_for_everything_that_acts_on_anything(shape: str
     n = tables.masses
     assert sorted(matrix.order) == list(range(1, n + 1))
     rows = [matrix.column[matrix.row_start[i] : matrix.row_start[i + 1]] for i in range(n)]
-    place = [(int(matrix.order[i]), int(matrix.order[c])) for i in range(n) for c in rows[i]]
+    block_masses = [(int(matrix.order[i]), int(matrix.order[c])) for i in range(n) for c in rows[i]]
     for i, columns in enumerate(rows):
         assert (np.diff(columns) > 0).all()
-        assert place[matrix.diagonal[i]] == (matrix.order[i],) * 2
+        assert block_masses[matrix.diagonal[i]] == (matrix.order[i],) * 2
     ends = list(zip(tables.spring_b.tolist(), tables.spring_a.tolist(), strict=True))
     expected = [(x, y) for s in range(tables.springs) for x in ends[s] for y in ends[s]]
-    assert [place[target] for target in matrix.spring_target] == expected
+    assert [block_masses[target] for target in matrix.spring_target] == expected
     pairs = zip(tables.joint_a.tolist(), tables.joint_b.tolist(), strict=True)
     expected = [
         (x, y)
@@ -235,9 +235,9 @@ def test_the_pattern_has_a_block_for_everything_that_acts_on_anything(shape: str
         for x in ends[s]
         for y in ends[t]
     ]
-    assert [place[target] for target in matrix.joint_target] == expected
+    assert [block_masses[target] for target in matrix.joint_target] == expected
     # Symmetric, and closed under elimination: what a row hands on to later rows has room there.
-    known = set(place)
+    known = set(block_masses)
     assert {(c, r) for r, c in known} == known
     for i, columns in enumerate(rows):
         later = [int(matrix.order[c]) for c in columns if c > i]
@@ -258,12 +258,12 @@ def test_elimination_fills_in_little() -> None:
     assert fill_in(body("hub", joints=False)) == 1.0
     assert fill_in(body("girder")) <= 1.3
     side = 20
-    places = [(30.0 * (i % side), 30.0 * (i // side)) for i in range(side * side)]
+    positions = [(30.0 * (i % side), 30.0 * (i // side)) for i in range(side * side)]
     edges = [(i, i + 1) for i in range(side * side) if i % side < side - 1]
     edges += [(i, i + side) for i in range(side * (side - 1))]
     sheet = Scene(
         name="sheet",
-        masses=tuple(Mass(position=place) for place in places),
+        masses=tuple(Mass(position=position) for position in positions),
         linear_springs=tuple(LinearSpring(a=a, b=b, stiffness=1.0, rest_length=30.0) for a, b in edges),
     )
     # In the order of rows, a band of twenty would be full: over seven times as many.
@@ -327,10 +327,10 @@ def graphs(draw: st.DrawFn) -> Scene:
 @given(graphs())
 def test_any_graph_is_solved_as_a_dense_matrix_is(scene: Scene) -> None:
     arrays = Arrays(sim.validate(scene), general=True)
-    g, places = 200.0, arrays.here
-    free = arrays.state.inverse_mass[places % arrays.slots]
-    drag = 2.0 * arrays.state.air[places % arrays.slots] * np.abs(arrays.v[places])
+    g, here = 200.0, arrays.here
+    free = arrays.state.inverse_mass[here % arrays.slots]
+    drag = 2.0 * arrays.state.air[here % arrays.slots] * np.abs(arrays.v[here])
     matrix = np.diag(g * g + g * drag) - free[:, None] * dense(arrays, g)
-    right = np.random.default_rng(0).normal(size=places.size)
+    right = np.random.default_rng(0).normal(size=here.size)
     assert arrays.factorise(g * g, g)
     assert np.abs(arrays.solve(right) - np.linalg.solve(matrix, right)).max() <= 1e-12

@@ -16,23 +16,23 @@ from sim.kernels.core.tables import PAST, SPARE
 from sim.kernels.integrators import kinks
 from sim.methods.adams import adams
 
-PLACES = 32
-MASSES = range(1, PLACES - SPARE)
+SLOTS = 32
+MASSES = range(1, SLOTS - SPARE)
 AIR, STEP = 0.3, 0.1
 TABLE = adams(PAST - 1)
 
 
 def flat(values: dict[int, float]) -> np.ndarray:
-    """A flat vector that is zero but at some places."""
-    out = np.zeros(2 * PLACES)
-    for place, value in values.items():
-        out[place] = value
+    """A flat vector that is zero but at some indices."""
+    out = np.zeros(2 * SLOTS)
+    for slot, value in values.items():
+        out[slot] = value
     return out
 
 
-def air(places: range = MASSES) -> np.ndarray:
-    out = np.zeros(PLACES)
-    out[places] = AIR
+def air(slots: range = MASSES) -> np.ndarray:
+    out = np.zeros(SLOTS)
+    out[slots] = AIR
     return out
 
 
@@ -43,10 +43,10 @@ def test_the_past_becomes_that_of_the_new_sign(known: int, sign: float) -> None:
     rng = np.random.default_rng(known)
     wavy = Polynomial([100.0, *rng.normal(0.0, 100.0, known - 1)])  # px/s², under the old sign
     speed = sign * (wavy.integ() + 4.0)  # px/s, at the latest step
-    turning, steady = 3, PLACES + 5
+    turning, steady = 3, SLOTS + 5
     v, to_v = flat({turning: -sign, steady: sign}), flat({turning: speed(0.0), steady: sign})
     head = 5
-    past, told = np.zeros((PAST, 2 * PLACES)), sign * wavy
+    past, told = np.zeros((PAST, 2 * SLOTS)), sign * wavy
     for r in range(PAST):
         past[(head + r) % PAST, [turning, steady]] = told(-r * STEP) if r < known else 1e9
     past[head, turning] -= 2.0 * AIR * speed(0.0) * abs(speed(0.0))  # there, the sign is the new one
@@ -79,7 +79,7 @@ def test_what_friction_did_since_the_turn_is_added(
     pull = Polynomial([sign * strength, sign * strength / 50.0 * change])  # px/s²
     speed = -0.3 * STEP * pull(0.0)
     kept, true = fallen(pull, speed, kept=True), fallen(pull, speed, kept=False)
-    x, y, steady = 1, PLACES + MASSES[-1], 4
+    x, y, steady = 1, SLOTS + MASSES[-1], 4
     begin, end = pull(0.0) + sign * AIR * speed**2, pull(STEP) + sign * AIR * kept[1] ** 2
     v, a = flat({x: speed, y: -speed, steady: 1.0}), flat({x: begin, y: -begin, steady: 10.0})
     to_q, to_v = (flat({x: kept[i], y: -kept[i], steady: 7.0}) for i in range(2))
@@ -93,22 +93,22 @@ def test_what_friction_did_since_the_turn_is_added(
 
 
 def test_accelerations_are_told_with_the_sign_before_the_turn() -> None:
-    v = flat({1: -1.0, 2: 1.0, PLACES + 1: 3.0, PLACES + 2: 0.0})
-    to_v = flat({1: 2.0, 2: 2.0, PLACES + 1: -4.0, PLACES + 2: 5.0})
-    a = np.zeros(2 * PLACES)
+    v = flat({1: -1.0, 2: 1.0, SLOTS + 1: 3.0, SLOTS + 2: 0.0})
+    to_v = flat({1: 2.0, 2: 2.0, SLOTS + 1: -4.0, SLOTS + 2: 5.0})
+    a = np.zeros(2 * SLOTS)
     kinks.without_kinks(air(range(1, 3)), v, to_v, a)
-    np.testing.assert_allclose(a, flat({1: 2.0 * AIR * 4.0, PLACES + 1: -2.0 * AIR * 16.0}), rtol=1e-14)
+    np.testing.assert_allclose(a, flat({1: 2.0 * AIR * 4.0, SLOTS + 1: -2.0 * AIR * 16.0}), rtol=1e-14)
     assert kinks.any_turns(v, to_v)
     assert not kinks.any_turns(v, v)
-    assert not kinks.any_turns(np.zeros(2 * PLACES), to_v)
+    assert not kinks.any_turns(np.zeros(2 * SLOTS), to_v)
 
 
 def test_kinks_are_looked_at_where_they_matter() -> None:
-    a, weight = flat({PLACES + MASSES[-1]: -1000.0}), 0.02
+    a, weight = flat({SLOTS + MASSES[-1]: -1000.0}), 0.02
     error = 2.0 * AIR * 100.0**2 * weight * STEP  # px per second
     assert kinks.kinks_matter(air(), a, STEP, weight, 10.0 * error)
     assert not kinks.kinks_matter(air(), a, STEP, weight, 100.0 * error)
-    assert not kinks.kinks_matter(np.zeros(PLACES), a, STEP, weight, 1e-9)
+    assert not kinks.kinks_matter(np.zeros(SLOTS), a, STEP, weight, 1e-9)
 
 
 def thrown(tolerance: float, friction: float) -> Simulation:
@@ -146,7 +146,7 @@ def test_what_is_thrown_up_turns_without_short_steps(tolerance: float, most: int
 
 @pytest.mark.parametrize("tolerance", [1e-7, 1e-9])
 def test_a_turn_costs_no_accuracy_wherever_in_a_step_it_is(tolerance: float) -> None:
-    """Tolerances beside each other put the turns at other places of other steps."""
+    """Tolerances beside each other put the turns at other points of other steps."""
     expected = [exact(100.0 + 40.0 * i, 0.002, 1.0) for i in range(8)]
     off = []
     for nearby in tolerance * np.geomspace(0.8, 1.25, 15):

@@ -40,11 +40,12 @@ def two_springs(
 ) -> Scene:
     """Two springs without linear forces, at an angle of v degrees."""
     turn, (a, b) = math.radians(v), lengths
-    places = ((-a, 0.0), (0.0, 0.0), (b * math.cos(turn), b * math.sin(turn)))
+    positions = ((-a, 0.0), (0.0, 0.0), (b * math.cos(turn), b * math.sin(turn)))
     return Scene(
         name="pair",
         masses=tuple(
-            Mass(position=place, velocity=speed) for place, speed in zip(places, velocities, strict=True)
+            Mass(position=position, velocity=speed)
+            for position, speed in zip(positions, velocities, strict=True)
         ),
         linear_springs=tuple(LinearSpring(a=i, b=i + 1, stiffness=0.0, rest_length=1.0) for i in (0, 1)),
         angular_springs=(AngularSpring(a=0, b=1, stiffness=5.0, damping=damping, rest_angle=rest),),
@@ -73,14 +74,16 @@ def test_accelerations_are_those_of_the_equations(shape: str, law: ForceLaw, dam
     for seed, held in ((1, ()), (2, (0, 3))):
         scene = body(shape, law, seed, held=held, **damping)
         arrays, laws = Arrays(scene), Laws(scene)
-        places, speeds = (complexes(arrays.pairs(flat)) for flat in (arrays.q, arrays.v))
-        expected = points(laws.accelerations(places, speeds))
+        positions, speeds = (complexes(arrays.pairs(flat)) for flat in (arrays.q, arrays.v))
+        expected = points(laws.accelerations(positions, speeds))
         found = np.zeros_like(arrays.q)
         found[arrays.here] = arrays.accelerations(arrays.q, arrays.v)
         assert np.abs(arrays.pairs(found) - expected).max() <= 1e-13 * np.abs(expected).max()
         assert not arrays.pairs(found)[list(held)].any()
         assert arrays.potential(arrays.q) == pytest.approx(
-            Laws(REPLACE(scene, force_law="conservative") if law == "tutorial" else scene).potential(places),
+            Laws(REPLACE(scene, force_law="conservative") if law == "tutorial" else scene).potential(
+                positions
+            ),
             rel=1e-12,
         )
 
@@ -109,12 +112,12 @@ def test_symplectic_euler_goes_by_the_same_laws(
 ) -> None:
     scene = body(shape, law, 5, held=(2,))
     simulation, laws, dt = path(Simulation(scene)), Laws(scene), scene.integrator.dt
-    places, speeds = complexes(simulation.positions), complexes(simulation.velocities)
+    positions, speeds = complexes(simulation.positions), complexes(simulation.velocities)
     for _ in range(70):
-        speeds += dt * laws.accelerations(places, speeds)
-        places += dt * speeds
+        speeds += dt * laws.accelerations(positions, speeds)
+        positions += dt * speeds
     simulation.step(70)
-    assert np.abs(simulation.positions - points(places)).max() <= 1e-9
+    assert np.abs(simulation.positions - points(positions)).max() <= 1e-9
     assert np.abs(simulation.velocities - points(speeds)).max() <= 1e-7
 
 
@@ -123,7 +126,7 @@ def test_symplectic_euler_goes_by_the_same_laws(
 @pytest.mark.parametrize("off", [-179.0, -90.0, -10.0, 0.0, 33.0, 179.0])
 def test_couple_and_pull_of_a_joint(law: ForceLaw, rest: float, off: float) -> None:
     scene = two_springs(rest + off, law, rest)
-    force, place = forces_of(scene), np.array([mass.position for mass in scene.masses])
+    force, positions = forces_of(scene), np.array([mass.position for mass in scene.masses])
     size, angle = 5.0 * 30.0 * 70.0, math.radians(off)
     torque = size * (angle if law == "angle" else math.sin(angle))
     energy = {
@@ -132,7 +135,7 @@ def test_couple_and_pull_of_a_joint(law: ForceLaw, rest: float, off: float) -> N
         "angle": 0.5 * size * angle * angle,
     }[law]
     for end, sign in ((0, 1.0), (2, -1.0)):
-        arm = place[end] - place[1]
+        arm = positions[end] - positions[1]
         turning = arm[0] * force[end][1] - arm[1] * force[end][0]
         assert turning == pytest.approx(sign * torque, rel=1e-11, abs=1e-9)
         # The energy is proportional to both lengths, so its derivative by each is the energy over it.
@@ -161,10 +164,10 @@ def test_only_the_angle_law_jumps_opposite_to_the_rest_angle() -> None:
 def test_springs_and_joints_neither_push_nor_turn_a_body_as_a_whole(shape: str, law: ForceLaw) -> None:
     for seed in range(4):
         scene = body(shape, law, seed)
-        force, place = forces_of(scene), np.array([mass.position for mass in scene.masses])
-        torque = place[:, 0] * force[:, 1] - place[:, 1] * force[:, 0]
+        force, positions = forces_of(scene), np.array([mass.position for mass in scene.masses])
+        torque = positions[:, 0] * force[:, 1] - positions[:, 1] * force[:, 0]
         assert np.abs(force.sum(axis=0)).max() <= 1e-13 * np.abs(force).sum()
-        assert abs(torque.sum()) <= 1e-13 * np.abs(place).max() * np.abs(force).sum()
+        assert abs(torque.sum()) <= 1e-13 * np.abs(positions).max() * np.abs(force).sum()
         assert np.abs(force).max() > 1e4
 
 
@@ -198,16 +201,20 @@ def test_angular_damping_goes_by_the_rate_of_the_angle(law: ForceLaw) -> None:
 def test_damping_only_takes_energy_away(shape: str, law: ForceLaw) -> None:
     rng = np.random.default_rng(3)
     simulation = Simulation(body(shape, law, 4))
-    place = simulation.positions
-    put(simulation, place, np.zeros_like(place))
+    positions = simulation.positions
+    put(simulation, positions, np.zeros_like(positions))
     still = spring_forces(simulation)
     for _ in range(5):
-        speeds = rng.normal(0.0, 100.0, place.shape)
-        put(simulation, place, speeds)
+        speeds = rng.normal(0.0, 100.0, positions.shape)
+        put(simulation, positions, speeds)
         assert ((spring_forces(simulation) - still) * speeds).sum() < -1e4
     # A body that moves or turns as a whole is not damped.
-    center = place.mean(axis=0)
-    put(simulation, place, np.column_stack((center[1] - place[:, 1], place[:, 0] - center[0])) + 50.0)
+    center = positions.mean(axis=0)
+    put(
+        simulation,
+        positions,
+        np.column_stack((center[1] - positions[:, 1], positions[:, 0] - center[0])) + 50.0,
+    )
     assert np.abs(spring_forces(simulation) - still).max() <= 1e-10 * np.abs(still).max()
 
 
@@ -261,11 +268,11 @@ def test_only_the_tutorials_law_does_work_on_a_closed_path(shape: str) -> None:
         ),
     )
     rng = np.random.default_rng(2)
-    place = np.array([mass.position for mass in scene.masses])
-    one, other = rng.uniform(-4.0, 4.0, (2, *place.shape))
+    positions = np.array([mass.position for mass in scene.masses])
+    one, other = rng.uniform(-4.0, 4.0, (2, *positions.shape))
 
     def loop(s: float) -> Points:
-        return place + math.sin(s) * one + (1.0 - math.cos(s)) * other
+        return positions + math.sin(s) * one + (1.0 - math.cos(s)) * other
 
     work = {law: work_on_a_loop(REPLACE(scene, force_law=law), loop, 200) for law in LAWS}
     assert abs(work["tutorial"]) > 300.0

@@ -30,7 +30,7 @@ def by(scene: Scene, method: Method, dt: float = 0.001) -> Scene:
 
 
 def grows(scene: Scene, method: Method, dt: float, steps: int = 2000) -> bool:
-    """Whether the second mass of a row gets away from its place."""
+    """Whether the second mass of a row leaves its position."""
     simulation = Simulation(by(scene, method, dt))
     for _ in range(steps // 20):
         simulation.step(20)
@@ -41,12 +41,12 @@ def grows(scene: Scene, method: Method, dt: float, steps: int = 2000) -> bool:
 
 
 def oscillator(zeta: float) -> tuple[Scene, float]:
-    """A mass on a spring, a little off its place, and its angular frequency."""
+    """A slightly displaced mass on a spring, and its angular frequency."""
     stiffness, mass = 4000.0, 1.5
     omega = math.sqrt(stiffness / mass)
-    places = [(0.0, 0.0), (10.0 + SMALL, 0.0)]
+    positions = [(0.0, 0.0), (10.0 + SMALL, 0.0)]
     damping = 2.0 * zeta * omega * mass
-    return chain(places, stiffness=stiffness, mass=mass, damping=damping, held=(0,)), omega
+    return chain(positions, stiffness=stiffness, mass=mass, damping=damping, held=(0,)), omega
 
 
 FORMULAS = {
@@ -120,9 +120,9 @@ def test_meter_of_a_rope(method: Method, law: ForceLaw) -> None:
 @pytest.mark.parametrize("method", ["generalized_alpha", "stable_spring"])
 def test_no_step_is_too_long(method: Method, damping: float) -> None:
     scene = REPLACE(chain(row(6), stiffness=1e5, angular_stiffness=1e5, damping=damping, held=(0,)))
-    places = np.array(row(6)) + SMALL * np.random.default_rng(3).normal(size=(6, 2))
+    positions = np.array(row(6)) + SMALL * np.random.default_rng(3).normal(size=(6, 2))
     off = REPLACE(
-        scene, pose=sim.Pose(positions=tuple(map(tuple, places.tolist())), velocities=((0.0, 0.0),) * 6)
+        scene, pose=sim.Pose(positions=tuple(map(tuple, positions.tolist())), velocities=((0.0, 0.0),) * 6)
     )
     assert largest_step(scene, method) == math.inf
     for factor in (1.5, 10.0, 100.0):
@@ -138,8 +138,8 @@ def test_only_explicit_methods_with_a_fixed_step_have_a_limit(method: Method) ->
 
 def test_the_stable_spring_has_a_limit_where_proportions_are_lost() -> None:
     # A torque is levered by the ratio of the lengths, and clamped by that of the rest lengths.
-    places = [(0.0, 0.0), (10.0, 0.0), (11.0, 0.0), (21.0, 0.0)]
-    scene = chain(places, angular_stiffness=1e4, held=(0,))
+    positions = [(0.0, 0.0), (10.0, 0.0), (11.0, 0.0), (21.0, 0.0)]
+    scene = chain(positions, angular_stiffness=1e4, held=(0,))
     limit = largest_step(scene, "stable_spring")
     assert limit < 1.0
     for dt, beyond in ((0.98 * limit, False), (1.02 * limit, True)):

@@ -156,9 +156,9 @@ def test_the_fastest_keys_allowed_leave_a_valid_scene(
 
 # ------------------------------------------------------------------------- accuracy
 def test_symplectic_euler_is_of_first_order() -> None:
-    places = [(0.0, 0.0), (10.0, 1.0), (20.0, 0.0), (30.0, -2.0), (40.0, 0.0)]
+    positions = [(0.0, 0.0), (10.0, 1.0), (20.0, 0.0), (30.0, -2.0), (40.0, 0.0)]
     scene = chain(
-        places, stiffness=200.0, angular_stiffness=20.0, rest_length=10.0, held=(0,), gravity=(0.0, 50.0)
+        positions, stiffness=200.0, angular_stiffness=20.0, rest_length=10.0, held=(0,), gravity=(0.0, 50.0)
     )
 
     def at(dt: float) -> np.ndarray:

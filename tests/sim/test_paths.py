@@ -20,13 +20,13 @@ REPLACE = msgspec.structs.replace
 
 
 def shuffled(scene: Scene, seed: int) -> tuple[Scene, list[int]]:
-    """The scene with masses, springs and joints listed in another order, and each old mass's new place."""
+    """The scene with masses, springs and joints listed in another order, and the new index of each mass."""
     rng = np.random.default_rng(seed)
     masses, linear, angular = (
         rng.permutation(len(part)).tolist()
         for part in (scene.masses, scene.linear_springs, scene.angular_springs)
     )
-    place = [masses.index(i) for i in range(len(masses))]
+    new_index = [masses.index(i) for i in range(len(masses))]
     springs = [scene.linear_springs[i] for i in linear]
     joints = [scene.angular_springs[i] for i in angular]
     changed = REPLACE(
@@ -34,11 +34,11 @@ def shuffled(scene: Scene, seed: int) -> tuple[Scene, list[int]]:
         rope=None,
         pose=None,
         masses=tuple(scene.masses[i] for i in masses),
-        linear_springs=tuple(REPLACE(s, a=place[s.a], b=place[s.b]) for s in springs),
+        linear_springs=tuple(REPLACE(s, a=new_index[s.a], b=new_index[s.b]) for s in springs),
         angular_springs=tuple(REPLACE(j, a=linear.index(j.a), b=linear.index(j.b)) for j in joints),
-        anchors=tuple(REPLACE(a, mass=place[a.mass]) for a in scene.anchors),
+        anchors=tuple(REPLACE(a, mass=new_index[a.mass]) for a in scene.anchors),
     )
-    return changed, place
+    return changed, new_index
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -47,13 +47,13 @@ def test_a_chain_is_a_chain_in_whatever_order_it_is_listed(seed: int) -> None:
     # Each angular spring gets a stiffness of its own, so that a mix-up shows.
     joints = tuple(REPLACE(j, stiffness=5000.0 + 900.0 * i) for i, j in enumerate(scene.angular_springs))
     scene = REPLACE(scene, rope=None, angular_springs=joints)
-    changed, place = shuffled(scene, seed)
+    changed, new_index = shuffled(scene, seed)
     one, other = Simulation(scene), Simulation(changed)
     assert is_chain(one)
     assert is_chain(other)
     one.step(300)
     other.step(300)
-    assert np.array_equal(one.positions, other.positions[place])
+    assert np.array_equal(one.positions, other.positions[new_index])
     assert sorted(one.angles) == sorted(other.angles)
 
 
@@ -127,13 +127,13 @@ def ring(n: int, **settings: Any) -> Scene:
     """A ring of n masses and as many joints, no two alike, in the middle of a motion."""
     rng = np.random.default_rng(n)
     turns = 2.0 * np.pi * np.arange(n) / n
-    places = np.column_stack((np.cos(turns), np.sin(turns))) * 8.0 * n + rng.uniform(-4.0, 4.0, (n, 2))
+    positions = np.column_stack((np.cos(turns), np.sin(turns))) * 8.0 * n + rng.uniform(-4.0, 4.0, (n, 2))
     speeds = rng.normal(0.0, 50.0, (n, 2))
     return Scene(
         name="ring",
         masses=tuple(
             Mass(position=(x, y), velocity=(u, v), mass=float(rng.uniform(0.5, 2.0)))
-            for (x, y), (u, v) in zip(places.tolist(), speeds.tolist(), strict=True)
+            for (x, y), (u, v) in zip(positions.tolist(), speeds.tolist(), strict=True)
         ),
         linear_springs=tuple(
             LinearSpring(
@@ -164,13 +164,13 @@ def test_a_ring_is_accelerated_like_any_other_body(law: ForceLaw | None, count: 
     one, other = Arrays(scene), Arrays(scene, general=True)
     assert one.body.ring
     q, v = one.q.copy(), one.v.copy()
-    places = np.setdiff1d(np.arange(q.size), one.here)
+    padding = np.setdiff1d(np.arange(q.size), one.here)
     a = np.zeros_like(q)
     accelerations(one.body, one.state, one.scratch, q, v, a)
     expected = other.accelerations(other.q, other.v)
     assert a[one.here] == pytest.approx(expected, rel=1e-12, abs=1e-12 * float(np.abs(expected).max()))
     # Padding must not pass for masses.
-    assert not np.array((q, v, a))[:, places].any()
+    assert not np.array((q, v, a))[:, padding].any()
     assert np.array_equal(q, other.q)
     assert np.array_equal(v, other.v)
 
@@ -197,15 +197,15 @@ def test_a_ring_moves_like_any_other_body(method: Method, count: int) -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_a_ring_is_a_ring_in_whatever_order_it_is_listed(seed: int) -> None:
     scene = ring(11, integrator=Integrator(method="adams", tolerance=1e-7))
-    changed, place = shuffled(scene, seed)
+    changed, new_index = shuffled(scene, seed)
     one, other = Simulation(scene), Simulation(changed)
     assert is_ring(other)
     one.step(20)
     other.step(20)
     # Where it begins decides in which order numbers are added.
-    assert one.positions == pytest.approx(other.positions[place], abs=1e-6)
+    assert one.positions == pytest.approx(other.positions[new_index], abs=1e-6)
     found = dict(zip(joint_masses(changed), other.angles, strict=True))
-    expected = dict(zip((place[m] for m in joint_masses(scene)), one.angles, strict=True))
+    expected = dict(zip((new_index[m] for m in joint_masses(scene)), one.angles, strict=True))
     assert found == pytest.approx(expected, abs=1e-6)
     rest_angles = [joint.rest_angle for joint in changed.angular_springs]
     assert other.rest_angles == pytest.approx(rest_angles, abs=1e-12)

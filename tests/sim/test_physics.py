@@ -79,12 +79,12 @@ def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) ->
     x, still = state.x + 1j * state.y, np.zeros(state.slots, complex)
     forces = physics.forces(x, still)
     h = 1e-5
-    for place in range(1, len(simulation.scene.masses) + 1):
-        for direction, force in ((1.0, forces[place].real), (1j, forces[place].imag)):
+    for slot in range(1, len(simulation.scene.masses) + 1):
+        for direction, force in ((1.0, forces[slot].real), (1j, forces[slot].imag)):
             ends = []
             for step in (h, -h):
                 moved = x.copy()
-                moved[place] += step * direction
+                moved[slot] += step * direction
                 ends.append(sum(physics.energies(moved)))
             slope = (ends[0] - ends[1]) / (2.0 * h)
             assert force == pytest.approx(-slope, rel=1e-6, abs=1e-4 * float(np.abs(forces).max()))

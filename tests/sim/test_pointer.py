@@ -103,10 +103,10 @@ def test_a_hand_does_not_let_a_long_rope_slip(masses: int) -> None:
     simulation = Simulation(sim.rope(masses=masses, direction=(1.0, 0.1)))
     simulation.step(20)
     simulation.grab(masses // 2)
-    place = simulation.positions[masses // 2]
+    position = simulation.positions[masses // 2]
     for _ in range(4):
         simulation.step(40)
-        assert np.array_equal(simulation.positions[masses // 2], place)
+        assert np.array_equal(simulation.positions[masses // 2], position)
         assert tuple(simulation.positions[0]) == (300.0, 150.0)
 
 
@@ -166,9 +166,9 @@ def test_a_grabbed_mass_is_held_until_released(rope: Simulation) -> None:
     assert np.abs(rope.velocities[5]).max() > 10.0
     rope.grab(5)
     assert not rope.velocities[5].any()
-    place = rope.positions[5]
+    position = rope.positions[5]
     rope.step(20)
-    assert np.array_equal(rope.positions[5], place)
+    assert np.array_equal(rope.positions[5], position)
     rope.lead(5, (320.0, 260.0))
     rope.step(20)
     assert tuple(rope.positions[5]) == (320.0, 260.0)

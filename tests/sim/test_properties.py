@@ -320,10 +320,10 @@ junk = st.recursive(
 FILES = [encode_scene(sim.load_scene(preset)) for preset in ("tutorial-3.1", "tutorial-3.2", "box", "ring")]
 
 
-def places(value: Any, route: tuple[str | int, ...] = ()) -> list[tuple[str | int, ...]]:
+def routes(value: Any, route: tuple[str | int, ...] = ()) -> list[tuple[str | int, ...]]:
     """The way to every value in decoded JSON."""
     inner = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
-    return [route] + [place for key, item in inner for place in places(item, (*route, key))]
+    return [route] + [deeper for key, item in inner for deeper in routes(item, (*route, key))]
 
 
 @often
@@ -331,7 +331,7 @@ def places(value: Any, route: tuple[str | int, ...] = ()) -> list[tuple[str | in
 def test_valid_files_with_some_values_replaced(data: st.DataObject) -> None:
     raw = json.loads(data.draw(st.sampled_from(FILES)))
     for _ in range(data.draw(st.integers(1, 2))):
-        *route, last = data.draw(st.sampled_from(places(raw)[1:]))
+        *route, last = data.draw(st.sampled_from(routes(raw)[1:]))
         target = raw
         for step in route:
             target = target[step]
@@ -352,8 +352,8 @@ def test_valid_files_with_some_bytes_changed(
     file: bytes, changes: list[tuple[int, int]], data: st.DataObject
 ) -> None:
     changed = bytearray(file)
-    for place, byte in changes:
-        changed[place % len(changed)] = byte
+    for offset, byte in changes:
+        changed[offset % len(changed)] = byte
     start = data.draw(st.integers(0, len(changed)))
     del changed[start : start + data.draw(st.integers(0, 12))]
     opens_or_refuses(bytes(changed))

@@ -129,10 +129,10 @@ def test_positions_and_velocities_are_copies(rope: Simulation) -> None:
     other = Simulation(askew())
     other.step(10)
     assert same_state(rope, other)
-    place = rope.positions
-    kept = place.copy()
+    before = rope.positions
+    kept = before.copy()
     rope.step()
-    assert np.array_equal(place, kept)
+    assert np.array_equal(before, kept)
 
 
 def test_a_pose_carries_the_state_to_another_simulation(rope: Simulation) -> None:
@@ -169,15 +169,15 @@ def test_replace_goes_on_where_the_topology_is_the_same(rope: Simulation) -> Non
     rope.grab(4)
     rope.step(100)
     rope.advance(0.001)
-    place, speed = rope.positions, rope.velocities
+    before, speed = rope.positions, rope.velocities
     rope.replace(sim.set_value(sim.set_value(rope.scene, "gravity", 500.0), "dt", 0.001))
-    assert np.array_equal(rope.positions, place)
+    assert np.array_equal(rope.positions, before)
     assert np.array_equal(rope.velocities, speed)
     assert (rope.time, rope.step_count, rope.dt) == (pytest.approx(0.25), 100, 0.001)
     # The grab and the owed millisecond are still there.
     assert rope.advance(0.0) == 1
     assert rope.time == pytest.approx(0.251)
-    assert np.array_equal(rope.positions[4], place[4])
+    assert np.array_equal(rope.positions[4], before[4])
     assert rope.scene.gravity == (0.0, 500.0)
 
 
@@ -186,10 +186,10 @@ def test_replace_takes_hold_of_new_anchors(rope: Simulation) -> None:
     scene = REPLACE(rope.scene, rope=None, anchors=(Anchor(mass=11),))
     rope.replace(scene)
     assert not rope.velocities[11].any()
-    place = rope.positions
+    before = rope.positions
     rope.step(20)
-    assert np.array_equal(rope.positions[11], place[11])
-    assert not np.array_equal(rope.positions[0], place[0])
+    assert np.array_equal(rope.positions[11], before[11])
+    assert not np.array_equal(rope.positions[0], before[0])
 
 
 @pytest.mark.parametrize("part", ["linear_springs", "angular_springs"])

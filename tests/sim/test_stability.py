@@ -82,8 +82,8 @@ def test_bending_limit(count: int) -> None:
 def test_damped_limit(zeta: float) -> None:
     stiffness, mass = 4000.0, 1.5
     omega = math.sqrt(stiffness / mass)
-    places = [(0.0, 0.0), (10.0 + SMALL, 0.0)]
-    scene = chain(places, stiffness=stiffness, mass=mass, damping=2.0 * zeta * omega * mass, held=(0,))
+    positions = [(0.0, 0.0), (10.0 + SMALL, 0.0)]
+    scene = chain(positions, stiffness=stiffness, mass=mass, damping=2.0 * zeta * omega * mass, held=(0,))
     limit = 2.0 * (math.sqrt(1.0 + zeta * zeta) - zeta) / omega
     assert growth(scene, 0.98 * limit, 0) < 100.0
     assert growth(scene, 1.02 * limit, 0) == 1e6
@@ -201,8 +201,8 @@ def test_meter_sees_angular_damping(shape: str, law: ForceLaw, damping: float) -
 def test_meter_at_random_positions(preset: str, seed: int) -> None:
     simulation = Simulation(tutorial_preset(preset))
     rng = np.random.default_rng(seed)
-    place = simulation.positions
-    put(simulation, place + rng.normal(0.0, 6.0, place.shape))
+    positions = simulation.positions
+    put(simulation, positions + rng.normal(0.0, 6.0, positions.shape))
     estimate, limit, _ = estimate_and_limit(simulation)
     assert estimate == pytest.approx(limit, rel=0.01)
 

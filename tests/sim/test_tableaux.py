@@ -138,11 +138,11 @@ def test_adams_methods_are_exact_for_polynomials(k: int) -> None:
         off = 1.0 - float(table.ahead[k] @ past)
         # The prediction is exact up to the degree of the polynomial, the correction one beyond it.
         assert off == pytest.approx(0.0 if power <= k else float(math.factorial(k + 1)), abs=1e-8)
-        place = float(table.position[k] @ past) + off * table.to_position[k]
+        position = float(table.position[k] @ past) + off * table.to_position[k]
         speed = float(table.velocity[k] @ past) + off * table.to_velocity[k]
-        assert place == pytest.approx(1.0 / ((power + 1) * (power + 2)), abs=1e-9)
+        assert position == pytest.approx(1.0 / ((power + 1) * (power + 2)), abs=1e-9)
         assert speed == pytest.approx(1.0 / (power + 1), abs=1e-9)
-    # Between the places that are known, by the barycentric formula.
+    # Between the known nodes, by the barycentric formula.
     distance = 0.3 + np.arange(k + 1)
     weights = table.barycentric[k, : k + 1] / distance * np.prod(distance) * (-1.0) ** k
     for power in range(k + 1):

@@ -1,4 +1,4 @@
-"""Every place in a scene that holds a number, found by the types, so that a new field is tested too."""
+"""Every number in a scene, found through the types, so that a new field is tested too."""
 
 from __future__ import annotations
 

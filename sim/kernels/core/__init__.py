@@ -1,1 +1,1 @@
-"""What kernels are made of: how they are compiled, and the tables that they read."""
+"""What all kernels use: how they are compiled, and the tables that they read."""

@@ -1,7 +1,8 @@
-"""The largest size of many numbers, as fast as memory goes.
+"""Bit patterns of floats, for finding the largest absolute value of an array quickly.
 
-A maximum of floats that does not lose NaN is found one by one, in four cycles each. The bits of positive
-floats, read as integers, are in the same order, with NaN above all; their maximum is found eight at a time.
+A maximum of floats that does not lose NaN takes four cycles for each number and is not vectorised. The bit
+patterns of floats that are not negative, read as integers, have the same order, with NaN above all; their
+maximum is found eight at a time.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from numba.core import types
 from numba.extending import intrinsic
 
 _SIGN = 1 << 63
+"""The sign bit of a float."""
 
 
 def _size_bits(_context: Any, number: Any) -> Any:
@@ -41,10 +43,10 @@ def _from_bits(_context: Any, bits: Any) -> Any:
 
 
 size_bits: Any = intrinsic(_size_bits)
-"""size_bits(number): the bits of |number|, as an integer."""
+"""size_bits(number): the bit pattern of |number|, as an integer."""
 
 bits: Any = intrinsic(_bits)
-"""bits(number): the bits of a number that is not negative, as an integer."""
+"""bits(number): the bit pattern of a number that is not negative, as an integer."""
 
 from_bits: Any = intrinsic(_from_bits)
-"""from_bits(bits): the float that has these bits."""
+"""from_bits(bits): the float with this bit pattern."""

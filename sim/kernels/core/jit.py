@@ -1,10 +1,10 @@
-"""How softrod's kernels are compiled, and where the machine code is kept.
+"""How softrod's kernels are compiled, and where the machine code is cached.
 
-numba keeps machine code on disk, but it looks only at the file of the function itself: an edited callee in
-another file would go unnoticed. So the kernels of a module have a folder that is named by a hash of the
-sources of that module, of all modules that it imports kernels from, and of the versions of numba and LLVM. An
-edit gives new folders to the modules that it can change, and to no others. Within its folder, numba looks at
-the path of the file and at the processor, too.
+numba caches machine code on disk, but checks only the file of the function itself: an edit of a callee in
+another file would go unnoticed. So each kernel module has a cache folder whose name contains a hash of the
+sources of that module, the sources of all modules that it imports kernels from, and the versions of numba and
+LLVM. An edit changes the folders of the modules that it can affect, and no others. Within the folder, numba
+also checks the path of the file and the processor.
 """
 
 from __future__ import annotations
@@ -24,24 +24,27 @@ import platformdirs
 from numba.core.compiler import Compiler
 
 _SOURCES = Path(__file__).parents[1]
+"""The folder of the kernel modules."""
 _IMPORT = re.compile(r"^from (\.{1,2})(\w[\w.]*) import ", re.MULTILINE)
+"""Matches an import of one kernel module by another."""
 _KEPT_DAYS = 30
-"""Days after which machine code that nobody used is removed."""
+"""Days after which unused machine code is removed."""
 
 _OPTIONS = {
     "nogil": True,
-    "no_cfunc_wrapper": True,  # nobody calls one from C: less to compile
-    # A division by zero gives an infinity, which the guard catches, instead of a test at every division.
+    "no_cfunc_wrapper": True,  # no kernel is called from C, so there is less to compile
+    # A division by zero gives an infinity, which the guard catches; there is no test at every division.
     "error_model": "numpy",
     # No reference counting: a kernel allocates nothing, and its caller holds all its arrays.
     "_nrt": False,
 }
+"""Options of numba for all kernels."""
 
 
 def _modules_behind(name: str) -> set[str]:
-    """A kernel module, as in `forces.chain`, and all kernel modules that it imports, directly or not."""
+    """A kernel module, such as `forces.chain`, and all kernel modules that it imports, directly or not."""
     found: set[str] = set()
-    # Where a table keeps what is in no kernel's imports, but in its machine code.
+    # The layout of the tables is part of every kernel's machine code, even where it is not imported.
     waiting = [name, "core.jit", "core.table", "core.tables"]
     while waiting:
         module = waiting.pop()
@@ -56,13 +59,13 @@ def _modules_behind(name: str) -> set[str]:
 
 
 def module_of(function: Callable[..., Any]) -> str:
-    """The kernel module of a function, as in `forces.chain`."""
+    """The kernel module of a function, such as `forces.chain`."""
     return ".".join(function.__module__.split(".")[-2:])
 
 
 @cache
 def source_hash(module: str) -> str:
-    """A hash that changes whenever the machine code of a module's kernels could."""
+    """A hash that changes whenever the machine code of a module's kernels may change."""
     digest = hashlib.sha256(f"{numba.__version__} {llvmlite.binding.llvm_version_info}".encode())
     for name in sorted(_modules_behind(module)):
         digest.update(name.encode())
@@ -72,7 +75,7 @@ def source_hash(module: str) -> str:
 
 @cache
 def cache_root() -> Path | None:
-    """The folder that all machine code is kept in, or None where nothing can be written."""
+    """The folder of all cached machine code, or None where nothing can be written."""
     root = platformdirs.user_cache_path("softrod", appauthor=False) / "kernels"
     try:
         root.mkdir(parents=True, exist_ok=True)
@@ -100,18 +103,18 @@ def cache_folder(module: str) -> Path | None:
     return folder
 
 
-# Vectorised loops do one vector at a time. LLVM otherwise does up to four, in loops that a short body's are
-# too short for: a rope of a dozen masses is 5 to 10 % faster so, a long one no slower, and a tenth less is
-# compiled. LLVM has this for a whole process only.
+# Vectorised loops process one vector per iteration. By default LLVM interleaves up to four, for which the
+# loops of a short body are too short. With this option a rope of a dozen masses is 5 to 10 % faster, a long
+# one no slower, and there is a tenth less to compile. LLVM has the option only for the whole process.
 llvmlite.binding.set_option("softrod", "-force-vector-interleave=1")
 
 FUSED = {"contract"}
-"""For the tutorial's step: a product and the sum that it is part of may be one instruction, which rounds once
-instead of twice."""
+"""Fast-math flags of the tutorial's step: a multiplication and an addition may be fused into one instruction,
+which rounds once instead of twice."""
 
 FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
-"""For kernels that need not do the arithmetic as it is written: sums may be fused and reordered, too.
-NaN and infinities keep their meaning, since guards and error estimates go by them."""
+"""Fast-math flags of kernels whose operations may also be reordered. NaN and infinities keep their meaning,
+because guards and error estimates depend on them."""
 
 
 class _Noalias(Compiler):
@@ -125,19 +128,21 @@ class _Noalias(Compiler):
 def kernel(
     *, internal: bool = False, noalias: bool = False, **options: Any
 ) -> Callable[[Callable[..., Any]], Any]:
-    """Compile a kernel: no Python objects, GIL released, machine code kept on disk.
+    """A decorator that compiles a kernel: no Python objects, GIL released, machine code cached on disk.
 
-    IEEE double arithmetic, in the order written, unless `fastmath` is `FUSED` or `FAST`: a run is the same
-    bit for bit every time on one machine. Only other kernels can call one that is `internal`, or whose name
-    starts with an underscore.
+    Arithmetic is IEEE double precision in the order written, unless `fastmath` is `FUSED` or `FAST`. On one
+    machine every run gives the same bits.
 
-    Of one that is `noalias`, nothing that is written through one array argument may be read or written
-    through another. Its loops then need not look whether they may be vectorised, which for a dozen short
-    arrays takes longer than the loops.
+    Args:
+        internal: whether only other kernels call it; so it is for every name that starts with an underscore.
+        noalias: promises that nothing that is written through one array argument is read or written through
+            another. Loops then need no run-time checks before their vectorised versions, which for a dozen
+            short arrays take longer than the loops.
+        options: further options of `numba.njit`.
     """
 
     def decorate(function: Callable[..., Any]) -> Any:
-        # What only other kernels call needs no way in from Python.
+        # A kernel that only other kernels call needs no wrapper for Python.
         options["no_cpython_wrapper"] = internal or function.__name__.startswith("_")
         if noalias:
             options["pipeline_class"] = _Noalias

@@ -1,6 +1,6 @@
-"""What LLVM is told of vectors of numbers, where that makes a tenth of a run or more.
+"""Hints to LLVM about vectorisation that change run times by a tenth or more.
 
-Each of these was measured with and without, on Zen 4 and with the tuning for Intel's processors with AVX-512.
+Each was measured with and without, on Zen 4 and with LLVM's tuning for Intel processors with AVX-512.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ def _eight_at_a_time(_context: Any) -> Any:
 
 
 eight_at_a_time: Any = intrinsic(_eight_at_a_time)
-"""Let loops of the function that calls this do eight numbers at a time, or as many as the processor can.
+"""Call this in a function to vectorise its loops with eight numbers, or as many as the processor supports.
 
-With the tuning for Intel's processors LLVM otherwise chooses four, since wide vectors slow down some programs
-there. A run of the tutorial's rope takes a fifth to a quarter less time so; on Zen 4 it makes no difference.
-All that hand over vectors to such a loop are better off with eight, too: what is stored in fours cannot be
-loaded in eights without waiting.
+With the tuning for Intel processors LLVM otherwise chooses four, since wide vectors slow down some programs
+there. With eight, a run of the tutorial's rope takes a fifth to a quarter less time; on Zen 4 there is no
+difference. Loops that exchange arrays should use the same width: loading eight numbers that were stored in
+two vectors of four stalls.
 """
 
 
@@ -46,10 +46,10 @@ def _scalar_gathers_on_amd(_context: Any) -> Any:
 
 
 scalar_gathers_on_amd: Any = intrinsic(_scalar_gathers_on_amd)
-"""Let loops of the function that calls this load numbers through indices one by one on AMD's processors.
+"""Call this in a function to load numbers through indices one by one on AMD processors.
 
-Their instruction that gathers eight numbers takes longer than eight loads, which LLVM does not know. On
-Zen 4, a run of a cloth or a tree takes a fifth to a quarter less time so.
+Their instruction that gathers eight numbers takes longer than eight loads, which LLVM does not take into
+account. On Zen 4, a run of a cloth or a tree takes a fifth to a quarter less time with this.
 """
 
 

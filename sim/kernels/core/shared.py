@@ -1,7 +1,7 @@
 """Calling a kernel through its address.
 
-numba compiles a copy of a kernel into every kernel that calls it. What is large and wanted by many is
-compiled once instead, and called through an address that the `Problem` brings along: that costs some
+numba compiles a copy of a kernel into every kernel that calls it. Large kernels with many callers are
+compiled once instead, and called through an address that is kept in the `Problem`, which costs some
 nanoseconds.
 """
 
@@ -17,6 +17,7 @@ from .jit import kernel
 from .tables import Body, Drive, Matrix, Problem, Scratch, State
 
 FLOATS = types.Array(types.float64, 1, "C")
+"""numba's type of a one-dimensional array of floats."""
 _F8 = types.float64
 _BODY: tuple[types.Type, ...] = tuple(t.numba_type for t in (Body, State, Scratch))
 
@@ -26,23 +27,23 @@ FACTORISE = types.boolean(
     Body.numba_type, State.numba_type, Matrix.numba_type, FLOATS, FLOATS, _F8, _F8, types.boolean
 )
 SOLVE = types.void(Body.numba_type, Matrix.numba_type, FLOATS)
-"""The signatures of the kernels that are called in this way."""
+"""This and the three above: signatures of the kernels that are called through their addresses."""
 
 
 def address_of(kernel: Any, signature: Any) -> int:
-    """Where a kernel's machine code is; it is compiled where it is not."""
+    """The address of a kernel's machine code, which is compiled if need be."""
     result = kernel.get_compile_result(signature)
     return result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
 
 
 def _caller(signature: Any) -> Callable[..., Any]:
-    """What compiled code does to call a kernel of a signature."""
+    """Generates the call of a kernel with a signature; its first argument is the address."""
 
     def generate(context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
         convention = context.call_conv
         function = convention.get_function_type(signature.return_type, signature.args).as_pointer()
         pointer = builder.inttoptr(arguments[0], function)
-        # Kernels raise nothing, so there is no status to look at.
+        # Kernels raise nothing, so the status need not be checked.
         _, result = convention.call_function(
             builder, pointer, signature.return_type, signature.args, arguments[1:]
         )
@@ -82,19 +83,19 @@ def _call_solve(_context, address, body, matrix, b):
 
 @kernel(inline="always")
 def accelerate(problem, q, v, a):
-    """`forces.accelerations` of the problem's body."""
+    """`forces.forces.accelerations` of the problem's body."""
     _call_accelerations(problem.accelerations, problem.body, problem.state, problem.scratch, q, v, a)
 
 
 @kernel(inline="always")
 def accumulate(problem, drive, t, q, v, a, h):
-    """`balance.accumulate_work`."""
+    """`energy.work.accumulate_work`."""
     _call_accumulate(problem.accumulate, problem, drive, t, q, v, a, h)
 
 
 @kernel(inline="always")
 def factorise(problem, q, v, a, g, definite):
-    """`implicit.factorise_matrix` of the problem's body."""
+    """`linear.implicit.factorise_matrix` of the problem's body."""
     return _call_factorise(
         problem.factorise, problem.body, problem.state, problem.matrix, q, v, a, g, definite
     )
@@ -102,5 +103,5 @@ def factorise(problem, q, v, a, g, definite):
 
 @kernel(inline="always")
 def solve(problem, b):
-    """`implicit.solve_matrix` of the problem's body."""
+    """`linear.implicit.solve_matrix` of the problem's body."""
     _call_solve(problem.solve, problem.body, problem.matrix, b)

@@ -1,10 +1,10 @@
-"""Tables: what a kernel reads of a body, passed as one pointer.
+"""Tables: groups of arrays and numbers that are passed to a kernel as one pointer.
 
-A kernel needs some hundred arrays. As arguments they would be handed over one by one at every call: seven
-machine words each, which takes longer than a short rope's step, and compiling it takes longer than compiling
-the arithmetic. So they are kept in tables. A table is an object with typed, read-only attributes: numbers,
-arrays and other tables. Its values are kept in a block of memory, and compiled code loads what it uses from
-there. In Python and in a kernel alike, `body.stiffness` is the array.
+A kernel needs some hundred arrays. As separate arguments they would take seven machine words each at every
+call, which takes longer than the step of a short rope, and compiling that takes longer than compiling the
+arithmetic. A table is an object with typed, read-only attributes: numbers, arrays and other tables. Its
+values are kept in a block of memory, from which compiled code loads what it uses. `body.stiffness` is the
+array both in Python and in a kernel.
 """
 
 from __future__ import annotations
@@ -36,18 +36,19 @@ Rows = NDArray[np.float64]
 Indices = NDArray[np.int64]
 """A one-dimensional array of integers."""
 
+# By the name of a field's annotation: numba's type of a number, and item type and dimensions of an array.
 _NUMBERS = {"int": types.int64, "bool": types.boolean, "float": types.float64}
 _ARRAYS = {"Floats": (types.float64, 1), "Rows": (types.float64, 2), "Indices": (types.int64, 1)}
-_WORD, _DOUBLE = ir.IntType(64), ir.DoubleType()
+_WORD, _DOUBLE = ir.IntType(64), ir.DoubleType()  # LLVM's types
 _ITEM = 8  # bytes of a float, an integer and a pointer
-_FLOAT, _BITS = struct.Struct("d"), struct.Struct("q")
+_FLOAT, _BITS = struct.Struct("d"), struct.Struct("q")  # for reading the bits of a float as an integer
 
 
 class _Field(NamedTuple):
     """One field of a table."""
 
     start: int  # where its value is kept, in words from the start of the block
-    type: types.Type  # what it is to numba
+    type: types.Type  # numba's type
     dtype: np.dtype[Any] | None = None  # of an array
     dimensions: int = 0  # of an array
     is_float: bool = False
@@ -67,6 +68,7 @@ class TableType(types.Type):
 
 
 _CLASSES: dict[str, type[Table]] = {}
+"""All subclasses of `Table`, by name."""
 
 
 @dataclass_transform(kw_only_default=True, frozen_default=True)
@@ -94,7 +96,7 @@ class Table:
                 cls.fields[name] = _Field(start, type_, is_float=kind == "float")
                 start += 1
         cls.numba_type = TableType(cls.__name__)
-        cls._numba_type_ = cls.numba_type  # which numba looks for before it asks `typeof_impl`
+        cls._numba_type_ = cls.numba_type  # numba checks this attribute before it calls `typeof_impl`
         _CLASSES[cls.__name__] = cls
 
     def __init__(self, **values: Any) -> None:
@@ -120,18 +122,18 @@ class Table:
         self.__dict__["_address"] = self.__dict__["_block"].ctypes.data
 
     def address(self) -> int:
-        """Where the block is."""
+        """The address of the block."""
         return self.__dict__["_address"]
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"{type(self).__name__}.{name}: a table is read-only; see `replaced`")
 
     def replaced(self, **changes: Any) -> Self:
-        """The table with other values in some fields."""
+        """A copy of the table with other values in some fields; arrays are not copied."""
         return type(self)(**{name: changes.get(name, getattr(self, name)) for name in self.fields})
 
     def copied(self) -> Self:
-        """The table with copies of all its arrays."""
+        """A copy of the table with copies of all its arrays."""
         return self.replaced(**{name: array.copy() for name, array in self.arrays()})
 
     def arrays(self) -> Iterator[tuple[str, NDArray[Any]]]:
@@ -141,7 +143,7 @@ class Table:
                 yield name, value
 
 
-# ------------------------------------------------------------------------- what numba is told
+# ------------------------------------------------------------------------- registration with numba
 @register_model(TableType)
 class _TableModel(models.OpaqueModel):
     """In compiled code, a table is a pointer to its block."""
@@ -177,7 +179,7 @@ def _load_field(context: Any, builder: Any, kind: TableType, table: Any, name: s
         words = builder.bitcast(table, _WORD.as_pointer())
         index = builder.gep(words, [ir.Constant(ir.IntType(32), start + offset)])
         loaded = builder.load(builder.bitcast(index, as_type.as_pointer()))
-        # A table never changes, whatever a kernel writes elsewhere: so loads may leave a loop.
+        # A table never changes, whatever a kernel writes elsewhere, so loads may be moved out of loops.
         loaded.set_metadata("invariant.load", builder.module.add_metadata([]))
         return loaded
 

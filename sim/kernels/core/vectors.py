@@ -1,4 +1,4 @@
-"""Vectors between masses: their lengths, and the angles between them."""
+"""Vectors between masses, their lengths, and the angles between them."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from .jit import FAST, kernel
 
 @kernel(forceinline=True, fastmath=FAST)
 def from_to(flat, a, b):
-    """The difference of flat values between two places: of positions, the vector from one to the other."""
-    # Unsigned indices need no test for counting from the end.
+    """The difference of a flat vector between slots a and b: for positions, the vector from a to b."""
+    # With unsigned indices numba omits its test for negative ones, which count from the end.
     y, a, b = np.uint64(flat.size // 2), np.uint64(a), np.uint64(b)
     return flat[b] - flat[a], flat[y + b] - flat[y + a]
 
@@ -31,7 +31,7 @@ def inverse_of(x, y, softening):
 
 @kernel(forceinline=True, fastmath=FAST)
 def deflection(cross, dot, rest):
-    """How far an angle is from its rest angle, wrapped into [-pi, pi]; cross and dot are of its springs."""
+    """Angle minus rest angle, wrapped into [-pi, pi]; cross and dot are the products of the springs."""
     off = math.atan2(cross, dot) - rest
     if off > math.pi:
         return off - 2.0 * math.pi

@@ -1,9 +1,10 @@
-"""What dampers take away in a step: the power of each, its strength times the square of a rate, over time.
+"""The energy that dampers dissipate in a step: the integral of strength times rate squared.
 
-The rate is that of a spring's length or of a joint's angle. Quadrature of its square is as exact as the
-method. But where a damper calms its masses in a fraction of a step, the velocities at both ends are off by
-what the tolerance allows, and the strength makes much of their squares: it would seem to take away many times
-the energy that there is. The mean rate, which positions tell, is known all the same.
+The rate is that of a spring's length or of a joint's angle. Quadrature of its square is as accurate as the
+method, with one exception. Where a damper brings its masses to rest within a fraction of a step, the
+velocities have errors that the tolerance allows, but their squares are multiplied by a large strength, and
+the damper would seem to dissipate many times the energy that there is. The mean rate, which follows from
+positions, is accurate even then.
 """
 
 from __future__ import annotations
@@ -18,18 +19,19 @@ STRENGTH = 1
 POWER = 2
 """Row of its mean power, kg px²/s³."""
 DAMPER_ROWS = 3
+"""Number of these rows."""
 
 _SWINGING = 2.0
-"""The power of a damper whose rate is anything but its mean one, beside that at its mean rate."""
+"""Mean power, as a multiple of the power at the mean rate, above which the rate counts as swinging."""
 
 _QUICKLY = 4.0
-"""How many times faster than in a step a damper has to calm its masses so that no swing of its rate can be
-one of theirs."""
+"""Step length in time constants of a damper from which a swinging rate must be an error, since its masses
+could not swing so fast."""
 
 
 @kernel(fastmath=FAST)
 def gather_dampers(body, q, v, part, dampers):
-    """Add what dampers do at positions q and velocities v to their rows, times a part of the step."""
+    """Add the rates, strengths and powers of dampers at positions q and velocities v, weighted by `part`."""
     springs = body.springs
     if body.damped:
         for s in range(springs):
@@ -47,10 +49,10 @@ def gather_dampers(body, q, v, part, dampers):
 
 @kernel(fastmath=FAST)
 def taken_away(body, inverse_mass, q, v, h, dampers):
-    """Energy that all dampers take away in a step of length h that starts at q and v.
+    """Energy that all dampers dissipate in a step of length h that starts at q and v, kg px²/s².
 
-    A damper that is quick, and whose rate swings all the same, is taken to let its masses come to its mean
-    rate from that at the start, and then to go on with that.
+    If a damper is quick and its rate seems to swing, the rate is assumed to decay from its value at the start
+    to its mean, and to stay there.
     """
     power, springs = 0.0, body.springs
     if body.damped:
@@ -79,7 +81,7 @@ def _calmed(mean, strength, most, first, quickness):
     Args:
         mean, strength, most: its mean rate, strength and power.
         first: its rate at the start of the step.
-        quickness: length of the step over the time in which it calms its masses.
+        quickness: length of the step divided by its time constant.
     """
     if quickness < _QUICKLY:
         return most
@@ -114,7 +116,7 @@ def _turning(body, q, v, s):
 
 @kernel(inline="always")
 def _lightness(body, inverse_mass, q, j):
-    """What a torque at a joint does to its angle, 1/(kg px²), but for the mass that both springs share."""
+    """Inverse moment of inertia of a joint's angle, 1/(kg px²), ignoring that its springs share a mass."""
     light = 0.0
     for s in (body.joint_a[j], body.joint_b[j]):
         a, b = body.spring_a[s], body.spring_b[s]

@@ -1,4 +1,4 @@
-"""Energies, and the power of everything that changes their sum."""
+"""Kinetic, elastic and potential energy of a body."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from ..core.vectors import deflection, from_to, length_of
 from ..forces.laws import is_sine, terms
 
 KINETIC, LINEAR, ANGULAR, GRAVITY = 0, 1, 2, 3
-ANCHORS, DAMPING, AIR, LAW = 0, 1, 2, 3
+"""Indices of the energies in what `energies` writes."""
 
 
 @kernel(fastmath=FAST)
 def energies(body, state, mass, gravity_x, gravity_y, q, v, out):
-    """Kinetic, linear, angular and gravity's energy (kg px²/s²), the last from height 0, into `out`.
+    """Write the energies of motion, linear springs, angular springs and gravity, kg px²/s², into `out`.
 
-    The masses that are held count neither for the first nor for the last. Under the tutorial's law, the
-    angular energy is that of the conservative law.
+    The energy of gravity is counted from height 0. Held masses have neither kinetic energy nor that of
+    gravity. Under the tutorial's law, the angular energy is that of the conservative law.
     """
     slots, soft = q.size // 2, body.softening
     kinetic, linear, angular, height = 0.0, 0.0, 0.0, 0.0
@@ -53,6 +53,6 @@ def angular_energy(law, ax, ay, bx, by, rest, softening):
         return (square_a / len_a) * (square_b / len_b) * terms(law, off)[1]
     true = math.sqrt(square_a * square_b)
     sine = math.sin(0.5 * off)
-    # |A||B| with softening, less that without it, without the difference of two large numbers.
+    # |A||B| with softening minus |A||B| without it, avoiding the difference of two large numbers.
     more = softening * (square_a + square_b + softening) / (len_a * len_b + true)
     return 2.0 * true * sine * sine + more

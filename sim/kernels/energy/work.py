@@ -1,4 +1,4 @@
-"""What has changed a body's energy: the books of a step."""
+"""The energy balance of a step: the work of everything that changes a body's energy."""
 
 from __future__ import annotations
 
@@ -12,16 +12,18 @@ from ..forces.forces import spring_forces
 from ..forces.laws import TUTORIAL, is_sine, terms
 from .dissipation import gather_dampers, taken_away
 
-# Gauss-Legendre nodes and weights on (0, 1), of order six.
 _NODES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
+"""Gauss-Legendre nodes on (0, 1), of order six."""
 _WEIGHTS = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
+"""Their weights."""
 
 
 @kernel(fastmath=FAST)
 def between(h, u, q0, v0, a0, q1, v1, a1, q, v):
-    """Positions and velocities at the part u of a step h, into q and v: the quintic through both its ends.
+    """Interpolate positions and velocities at the fraction u of a step of length h, into q and v.
 
-    It meets positions, velocities and accelerations there (Hermite), so that positions are exact to h⁶.
+    The quintic Hermite polynomial through positions, velocities and accelerations at both ends; the error of
+    positions is of the order h⁶.
     """
     for j in range(q.size):
         # Of the polynomial q0 + h v0 u + h² a0 u²/2 + u³ (c3 + c4 u + c5 u²).
@@ -37,10 +39,10 @@ def between(h, u, q0, v0, a0, q1, v1, a1, q, v):
 
 @kernel(fastmath=FAST)
 def _is_smooth(h, q0, v0, a0, q1, v1, a1):
-    """Whether the accelerations at the ends of a step fit what it did.
+    """Whether the accelerations at both ends of a step are consistent with its positions and velocities.
 
-    Those of an implicit step over something stiff do not: they are small differences of large forces, and
-    their quintic would swing far beyond both ends.
+    In an implicit step of a stiff body they are not: they are small differences of large forces, and the
+    quintic would swing far beyond both ends.
     """
     off, way = 0.0, 0.0
     for j in range(q0.size):
@@ -53,7 +55,7 @@ def _is_smooth(h, q0, v0, a0, q1, v1, a1):
 
 @kernel(fastmath=FAST)
 def _roughly_between(h, u, q0, v0, q1, v1, q, v):
-    """As `between`, by the cubic through positions and velocities at both ends."""
+    """Like `between`, by the cubic through positions and velocities at both ends."""
     for j in range(q0.size):
         d = q1[j] - q0[j] - h * v0[j]
         e = h * (v1[j] - v0[j])
@@ -64,7 +66,7 @@ def _roughly_between(h, u, q0, v0, q1, v1, q, v):
 
 @kernel(fastmath=FAST)
 def accumulate_work(problem, drive, t, q1, v1, a1, h):
-    """Add the work of a step of length h from the state in `integrator`, at time t, to q1, v1, a1."""
+    """Add the work of a step of length h from the present state, at time t, to q1, v1, a1."""
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     q, v, still = balance.rows[0], balance.rows[1], balance.rows[2]
     smooth = _is_smooth(h, state.q, state.v, integrator.a, q1, v1, a1)
@@ -86,7 +88,7 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
 
 @kernel(fastmath=FAST)
 def _add_powers(problem, drive, t, h, q, v, still):
-    """Add h times the powers at a state at time t. `still` is all zeros."""
+    """Add h times the powers in the state q, v at time t. `still` is all zeros."""
     body, state, scratch, balance = problem.body, problem.state, problem.scratch, problem.balance
     slots = q.size // 2
     x, y, vx, vy = q[:slots], q[slots:], v[:slots], v[slots:]
@@ -96,7 +98,7 @@ def _add_powers(problem, drive, t, h, q, v, still):
     spring_forces(body, state, scratch, x, y, still[:slots], still[slots:])
     for i in range(drive.mass.size):
         m = drive.mass[i]
-        # Its true velocity; `v` may have it standing still.
+        # Its true velocity; in `v` it may be zero.
         ux, uy = hand_speed(drive, i, t)
         tx, ty = vx[m] + (1.0 - drive.hand[i]) * ux, vy[m] + (1.0 - drive.hand[i]) * uy
         sums[WORK_ANCHORS] -= h * (fx[m] * tx + fy[m] * ty)
@@ -120,7 +122,7 @@ def _add_powers(problem, drive, t, h, q, v, still):
 
 @kernel(fastmath=FAST)
 def _power_of_law(body, state, x, y, vx, vy, drive, t):
-    """The power of what the tutorial's law lacks to be a gradient: U (|A|'/|A| + |B|'/|B|) of each joint."""
+    """Power of the tutorial's law that no energy accounts for: U (|A|'/|A| + |B|'/|B|) of each joint."""
     power = 0.0
     for j in range(body.joints):
         s, r = body.joint_a[j], body.joint_b[j]
@@ -141,7 +143,7 @@ def _power_of_law(body, state, x, y, vx, vy, drive, t):
 
 @kernel(fastmath=FAST)
 def _true(drive, t, a, b, vx, vy):
-    """The rate of a spring's vector from mass a to b at time t, also where a hand seems to stand still."""
+    """The rate of a spring's vector from mass a to b at time t, with the true velocities of hands."""
     ux, uy = vx[b] - vx[a], vy[b] - vy[a]
     for i in range(drive.mass.size):
         sign = (1.0 - drive.hand[i]) * ((drive.mass[i] == b) - (drive.mass[i] == a))
@@ -153,7 +155,7 @@ def _true(drive, t, a, b, vx, vy):
 
 @kernel(fastmath=FAST)
 def _power_of_keys(body, state, drive, x, y):
-    """The power of rest lengths and rest angles that change."""
+    """The power of changing rest lengths and rest angles."""
     power = 0.0
     for s in range(body.springs):
         if body.stiffness[s] > 0.0:

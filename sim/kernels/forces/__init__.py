@@ -1,1 +1,1 @@
-"""What springs and joints do, and what leads masses."""
+"""Forces of springs and joints, and the motion of held masses."""

@@ -1,13 +1,14 @@
 """The accelerations of a chain or a ring in one loop over its masses.
 
-What a spring does to the mass at its b end, its tension, takes the vectors of both its neighbours. So the
-loop is two places ahead of the mass whose acceleration it finds, and carries from round to round what is not
-yet done with. Nothing is stored but accelerations: what one loop stores and the next one loads at a place
-beside, a short chain waits for longer than its arithmetic takes. LLVM does eight rounds at a time all the
-same, and shuffles what is carried into place. No round asks whether its spring is padding: that has no
-stiffness, and a length beside which all others are short.
+The tension of a spring, its force on the mass at its b end, depends on the vectors of both neighbouring
+springs. So the loop runs two slots ahead of the mass whose acceleration it computes, and carries intermediate
+results from one iteration to the next. It stores only accelerations: if one loop stored intermediate results
+and the next one loaded them one slot further on, a short chain would wait for that longer than its arithmetic
+takes. LLVM still vectorises the loop, eight iterations at a time, by shuffling what is carried. No iteration
+tests whether its spring is padding: a padding spring has no stiffness, and is longer than any other.
 
-The forces are those of `forces`, under the tutorial's law, the conservative one, or without joints.
+The forces are those of `forces.forces`, under the tutorial's law, under the conservative law, or without
+joints.
 """
 
 from __future__ import annotations
@@ -23,32 +24,32 @@ from .laws import CONSERVATIVE, NO_JOINTS, TUTORIAL, is_sine
 
 @kernel(forceinline=True)
 def is_chain_like(body):
-    """Whether `chain_accelerations` can do a body."""
+    """Whether `chain_accelerations` handles a body."""
     return (body.chain or body.ring) and is_sine(body.law) and not body.joint_damped
 
 
 @kernel(inline="always")
 def _nothing():
-    """What is carried from a mass that no spring ends at."""
+    """What is carried on from a mass at which no spring ends."""
     return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
 @kernel(inline="always")
 def _along(law, alone, carried, bx, by, bu, bv, cos, sin, size, pull, stiffness, damping, soft):
-    """Go on along a spring to the mass at its b end.
+    """Advance along a spring to the mass at its b end.
 
     Args:
         law: TUTORIAL, CONSERVATIVE or NO_JOINTS.
-        alone: whether this is no round of a loop, in which eight are done at a time.
-        carried: from the mass at its a end.
-        bx, by, bu, bv: the spring's vector, px, and how fast that changes, px/s.
+        alone: whether the call is outside the vectorised loop.
+        carried: the intermediate results from the mass at its a end.
+        bx, by, bu, bv: the spring's vector, px, and its rate of change, px/s.
         cos, sin, size: stiffness of the joint with the spring before, kg/s², times the cosine and the sine of
             its rest angle; and itself.
         pull, stiffness, damping: of the spring, as in `State` and `Body`.
         soft: of the spring, px², see `Body.softenings`.
 
     Returns:
-        1 / length, the tension of the spring before, and what is carried on.
+        1 / length, the tension of the spring before, and the intermediate results to carry on.
     """
     ax, ay, along, part, known, in_x, in_y = carried
     square = bx * bx + by * by + soft
@@ -81,7 +82,8 @@ def _along(law, alone, carried, bx, by, bu, bv, cos, sin, size, pull, stiffness,
 def chain_accelerations(body, state, scratch, x, y, vx, vy, ax, ay):
     """Accelerations of the masses of a chain or a ring, zero where one is held.
 
-    Of a ring, the last mass stands at place 0, too, and the first two behind the last one.
+    In a ring, slot 0 has a copy of the last mass, and the two slots after the last mass have copies of the
+    first two.
     `scratch.inverse[0]` becomes 1 / length of the shortest spring.
     """
     eight_at_a_time()

@@ -1,4 +1,4 @@
-"""Where held masses are at any time, and what held keys have done until then."""
+"""The motion of held masses, and the effect of held keys, at any time."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def refresh(body, state):
 
 @kernel(internal=True)
 def circle_at(t, radius, omega, ramp):
-    """How far an anchor on a circle is off its place at time t, and how fast it is: x, y, vx, vy."""
+    """Displacement and velocity at time t of an anchor on a circle: x, y (px), vx, vy (px/s)."""
     fade = math.exp(-t / ramp)
     phase, rate = omega * (t - ramp * (1.0 - fade)), omega * (1.0 - fade)
     sine, cosine = math.sin(phase), math.cos(phase)
@@ -46,7 +46,7 @@ def circle_at(t, radius, omega, ramp):
 
 @kernel(forceinline=True)
 def hand_speed(drive, i, t):
-    """The velocity at time t with which the mass of a number is led by hand, px/s."""
+    """The velocity at time t with which the i-th mass of the drive is led by hand, px/s."""
     since = t - drive.start
     return (
         drive.vx[i] + since * (drive.ax[i] + 0.5 * since * drive.jx[i]),
@@ -56,7 +56,7 @@ def hand_speed(drive, i, t):
 
 @kernel(forceinline=True)
 def drive_to(body, state, drive, t, q, v):
-    """Put the held masses where they are at time t, in q and v, and set rest lengths and angles."""
+    """Set the held masses in q and v to their state at time t, and rest lengths and angles likewise."""
     lead_to(drive, t, q, v)
     if drive.pressed:
         since = t - drive.start
@@ -66,7 +66,7 @@ def drive_to(body, state, drive, t, q, v):
 
 @kernel(forceinline=True)
 def press(body, state, drive, h):
-    """Let held keys act for h seconds more; unlike by `drive_to`, the same however many steps a call has."""
+    """Let held keys act for h more seconds; unlike `drive_to`, the same for any grouping of steps."""
     if drive.pressed:
         scale = state.controls[CONTROL_SCALE] * math.exp(drive.growth * h)
         set_controls(body, state, scale, state.controls[CONTROL_SHIFT] + drive.turn * h)
@@ -74,7 +74,7 @@ def press(body, state, drive, h):
 
 @kernel(internal=True)
 def set_controls(body, state, scale, shift):
-    """Set the scale of rest lengths, within its range, and the shift of rest angles, wrapped, in degrees."""
+    """Set the scale of rest lengths, clamped to its range, and the shift of rest angles, degrees, wrapped."""
     state.controls[CONTROL_SCALE] = min(max(scale, SCALE_MIN), SCALE_MAX)
     state.controls[CONTROL_SHIFT] = 180.0 - (180.0 - shift) % 360.0
     refresh(body, state)
@@ -82,9 +82,9 @@ def set_controls(body, state, scale, shift):
 
 @kernel(forceinline=True)
 def lead_to(drive, t, q, v):
-    """Put the held masses where they are at time t, in q and v."""
+    """Set the held masses in q and v to their state at time t."""
     slots = q.size // 2
-    # A hand goes no further than to where it is to be, whatever rounding makes of the time.
+    # A hand must not go beyond its target because of rounding in the time.
     since = min(t - drive.start, drive.duration)
     for i in range(drive.mass.size):
         m = drive.mass[i]

@@ -1,7 +1,7 @@
-"""What the springs do to the masses: forces on any topology, and accelerations.
+"""Forces of springs and joints on any topology, and accelerations.
 
-With L the vector of a spring and perp(L) = (L.y, -L.x), a joint that holds springs A and B has a torque G
-and, under a law with an energy, that energy U. Its force on the b end of its first spring is -dU/dA, which is
+Let L be the vector of a spring and perp(L) = (L.y, -L.x). A joint that holds springs A and B has a torque G
+and, under a law with an energy, the energy U. Its force on the b end of its first spring is -dU/dA, which is
 -G perp(A) / |A|² and a part along A; that on the b end of its second spring +G perp(B) / |B|² and a part
 along B. With V the angle from A to B and r the rest angle, the laws are
 
@@ -9,17 +9,17 @@ along B. With V the angle from A to B and r the rest angle, the laws are
 - conservative: the same G, U = K |A||B| (1 - cos(V - r)) = K (|A||B| - A . R(-r) B);
 - angle: G = K |A||B| (V - r), U = K |A||B| (V - r)² / 2;
 
-and none but the last needs more trigonometry than cos r and sin r, which are in the tables. Angular
+and only the last needs trigonometric functions beyond cos r and sin r, which are in the tables. Angular
 damping adds C |A||B| dV/dt to G.
 
-A spring that shrinks to a point would have a force that jumps there, and a body may want to stay just there.
-So a length is sqrt(L² + softening), in the energies, too, with a softening far too small to be seen; none for
-methods with a fixed step. A . R(-r) B is without it, and in the angle's law |L| becomes
-L² / sqrt(L² + softening), since V means nothing at a point.
+The force of a spring that shrinks to a point would jump there, and a body may tend to exactly that point. So
+the length of a spring is computed as sqrt(L² + softening), also in energies, with a softening far too small
+to be seen and practically none for methods with a fixed step. A . R(-r) B is not softened, and in the angle
+law |L| becomes L² / sqrt(L² + softening), since V is undefined at a point.
 
-Loops that gather through indices are kept apart from loops over the springs in order, so that the latter,
-which hold the square root, the division and most of the arithmetic, are vectorised. Each is a function of its
-own whose arrays share no memory, or LLVM would have to look for that at the start of every loop.
+Loops that gather through indices are separate from loops over the springs in order, so that the latter, which
+have the square root, the division and most of the arithmetic, are vectorised. Each loop is a function of its
+own whose arrays share no memory, because LLVM would otherwise check for overlaps before every loop.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def spring_forces(body, state, scratch, x, y, vx, vy):
         _joint_friction(body, lx, ly, dvx, dvy, inverse, scratch.turning, scratch.friction)
         _at_springs(body, scratch.friction, scratch.brake, -1.0)
         _add_across(whole_eights(hinged), lx, ly, inverse, scratch.brake, tx, ty)
-    none = body.stiffness.size  # stands for no spring; the chain's loops have other numbers there
+    none = body.stiffness.size  # stands for no spring; the chain's loops leave other values there
     tx[none], ty[none] = 0.0, 0.0
     _at_masses(body, tx, ty, scratch.fx, scratch.fy)
 
@@ -75,7 +75,7 @@ def spring_forces(body, state, scratch, x, y, vx, vy):
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _differences(springs, spring_a, spring_b, x, y, lx, ly):
     scalar_gathers_on_amd()
-    # Unsigned indices: numba otherwise tests each one for being negative.
+    # With unsigned indices numba omits its test for negative ones.
     for s in range(springs):
         a, b = np.uint64(spring_a[s]), np.uint64(spring_b[s])
         lx[s] = x[b] - x[a]
@@ -135,7 +135,7 @@ def _joint_friction(body, lx, ly, dvx, dvy, inverse, turning, friction):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _at_springs(body, of_joint, of_spring, sign):
-    """Add up at every spring what its joints do: `sign` times where it is the first spring of a joint."""
+    """Sum a quantity of the joints at every spring, times `sign` where it is the first spring of a joint."""
     scalar_gathers_on_amd()
     joint_in, joint_out = body.joint_in, body.joint_out
     for s in range(body.hinged):
@@ -195,7 +195,7 @@ def _add_across(springs, lx, ly, inverse, turn, tx, ty):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _at_masses(body, tx, ty, fx, fy):
-    """Add up at every mass the tensions of its springs."""
+    """Sum the tensions of the springs at every mass."""
     scalar_gathers_on_amd()
     spring_in, spring_out = body.spring_in, body.spring_out
     for i in range(1, body.masses + 1):
@@ -239,7 +239,7 @@ def accelerations(body, state, scratch, q, v, a):
 
 @kernel(forceinline=True)
 def _close_ring(masses, flat):
-    """Let the last mass of a ring stand before the first, and the first two behind the last."""
+    """Copy the last mass of a ring to the slot before the first, and the first two to after the last."""
     for x in (0, flat.size // 2):
         behind = x + masses + 1
         flat[x], flat[behind], flat[behind + 1] = flat[behind - 1], flat[x + 1], flat[x + 2]
@@ -247,7 +247,7 @@ def _close_ring(masses, flat):
 
 @kernel(forceinline=True)
 def _open_ring(masses, flat):
-    """Make those padding again: what is solved for, and how far off it is, is asked of all places alike."""
+    """Clear these copies again: error estimates and linear solvers look at all slots alike."""
     for x in (0, flat.size // 2):
         behind = x + masses + 1
         flat[x] = flat[behind] = flat[behind + 1] = 0.0

@@ -1,12 +1,12 @@
-"""The force laws of joints: how torque and energy follow from the deflection.
+"""The force laws of joints: torque and energy as functions of the deflection.
 
-With V the angle from spring A to spring B, r the rest angle and f a function of the deflection V - r, a joint
-has the torque K |A||B| f(V - r). Where the law has an energy, that is K |A||B| F(V - r), with f the slope
-of F; since it grows with the lengths, it also pulls along the springs.
+Let V be the angle from spring A to spring B, r the rest angle and V - r the deflection. A joint has the
+torque K |A||B| f(V - r). If the law has an energy, that is K |A||B| F(V - r), where f is the derivative of F.
+Since the energy grows with the lengths of the springs, there is then also a pull along them.
 
-A law is a row in `LAWS` and a case in `terms`; all kernels read it from there. The two laws of the sine need
-no trigonometry, since |A||B| sin(V - r) and |A||B| cos(V - r) are products of the vectors: for these, kernels
-have that algebra as well, and the tests hold it against `terms`.
+A law is a row in `LAWS` and a case in `terms`; all kernels read it from there. The two sine laws need no
+trigonometric functions, since |A||B| sin(V - r) and |A||B| cos(V - r) are products of the vectors. Kernels
+have this algebra for them as well, and the tests compare it with `terms`.
 """
 
 from __future__ import annotations
@@ -19,30 +19,30 @@ import numpy as np
 from ..core.jit import FAST, kernel
 
 NO_JOINTS, TUTORIAL, CONSERVATIVE, ANGLE = 0, 1, 2, 3
-"""Values of `Body.law`."""
+"""Values of `Body.law`: a body without joints, and the three force laws."""
 
 
 class Law(NamedTuple):
-    """What is known of a law beside its terms."""
+    """Properties of a law, apart from its terms."""
 
     code: int  # in `Body.law`
     label: str  # for people
-    has_energy: bool  # whether it is the gradient of its energy
 
 
 LAWS = {
-    "tutorial": Law(TUTORIAL, "Tutorial", False),
-    "conservative": Law(CONSERVATIVE, "Conservative", True),
-    "angle": Law(ANGLE, "Angle itself", True),
+    "tutorial": Law(TUTORIAL, "Tutorial"),
+    "conservative": Law(CONSERVATIVE, "Conservative"),
+    "angle": Law(ANGLE, "Angle itself"),
 }
-"""By the names that scenes have."""
+"""The laws, by their names in scenes."""
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def terms(law, deflection):
     """f, F and f' at a deflection (radians): torque, energy and stiffness for K |A||B| = 1.
 
-    The tutorial's law has the sine's energy, of which it is not the gradient. Not numbers for an unknown law.
+    The tutorial's law has the energy of the conservative one, of which it is not the gradient. NaN for an
+    unknown law.
     """
     if law == ANGLE:
         return deflection, 0.5 * deflection * deflection, 1.0

@@ -1,1 +1,1 @@
-"""A kernel for each method, and what they share."""
+"""A kernel for each integration method, and what they share."""

@@ -1,11 +1,11 @@
-"""Adams' methods: a polynomial through the last accelerations, and two evaluations of the forces a step.
+"""Adams methods: a polynomial through past accelerations, and two evaluations of the forces per step.
 
-Positions and velocities are integrals of the polynomial; it is continued to predict them, and corrected with
-the accelerations there (predict, evaluate, correct, evaluate: Shampine & Gordon, 1975). Past accelerations
-are kept as they are, at equal distances in time, and interpolated anew where the step changes. High degrees
-are the best for what is smooth, and worse than low ones for what is rough, as where joints fold: so where a
-step fails, and now and then, the degrees beside the present one are weighed. Kinks of air friction are kept
-out of the past where they matter, see `kinks`.
+Positions and velocities are integrals of the polynomial. It is extrapolated to predict them, and corrected
+with the accelerations found there (predict, evaluate, correct, evaluate: Shampine & Gordon, 1975). Past
+accelerations are stored at equal distances in time, and interpolated when the step changes. High degrees are
+best for smooth motion and worse than low ones for rough motion, for instance where joints fold. So after a
+failed step, and at regular intervals, the current degree is compared with its neighbours. Kinks of air
+friction are kept out of the past accelerations where they matter, see `kinks`.
 """
 
 from __future__ import annotations
@@ -48,46 +48,46 @@ from .steps import (
 )
 
 _EVENLY = 4
-"""Steps before the end of a call that are made equally long."""
+"""Number of steps before the end of a call that are made equally long."""
 
 _SPAN = 1e-3
-"""Seconds whose share of the tolerance a step may use up after one that failed. What no short step makes
-smooth, as a jump of the forces, is an error once, and not one per second."""
+"""After a failed step, a step may use the tolerance of this many seconds: a jump of the forces, which no
+short step makes smooth, causes its error once and not once per second."""
 
 _SHORT = 8.0
-"""How many times a step that span is at most. With more, velocities could be off by anything."""
+"""That span as a multiple of the step, at most. With a larger one, velocity errors would be unbounded."""
 
 _LONGER = 1.25
-"""The least growth of a step that is worth interpolating the past for."""
+"""Smallest growth of a step that is worth interpolating the past for."""
 _MUCH_LONGER = 2.0
-"""The largest growth of a step."""
+"""Largest growth of a step."""
 _FIRST_LONGER = 4.0
-"""The largest growth of the first steps."""
+"""Largest growth of a step while the degree is rising."""
 
 _PATIENCE = 4
-"""Steps after a change before the next one to a longer step."""
+"""Number of steps after a change of the step before it may grow again."""
 
 _LITTLE = 0.06
-"""Error, in tolerances, below which the step is too short."""
+"""Error, in tolerances, below which a step is too short."""
 _MUCH = 0.6
-"""Error, in tolerances, above which the step is too long."""
+"""Error, in tolerances, above which a step is too long."""
 
 _LEAST = 3
-"""The least degree that the method goes on with."""
+"""Lowest degree that the choice of degrees leads to."""
 _WEIGHED = 16
-"""Steps since a change after which the degrees beside the present one are weighed."""
+"""Number of steps after which the current degree is compared with its neighbours."""
 
 _UNSTEADY = 0.61
-"""The part of `near_limit` from which on the highest degree is left out."""
+"""Step, as a fraction of `near_limit`, above which the degree is limited to `_STEADY`."""
 _STEADY = 6
-"""The highest degree then. Vibrations that nothing damps grow under degree 7 in steps of .25 to .47 of
-Verlet's limit, by 5e-4 a step at most, and error control keeps them small by keeping steps there. Under
-degree 6 they fade in steps of .34 to .62."""
+"""Highest degree for such steps. With degree 7, undamped vibrations grow in steps of 0.25 to 0.47 of Verlet's
+limit, by at most 5e-4 per step, and error control then holds the steps in that range. With degree 6 they
+decay in steps of 0.34 to 0.62 of the limit."""
 
 
 @kernel(fastmath=FAST)
 def run_adams(problem, drive, end, tolerance, attempts):
-    """Go on to `end` under a tolerance; arguments as those of `run_verlet`."""
+    """Advance to `end` with error control; arguments as of `run_verlet`."""
     ensure_acceleration(problem, drive)
     body, state, scratch, integrator, balance = (
         problem.body,
@@ -156,7 +156,7 @@ def run_adams(problem, drive, end, tolerance, attempts):
         if good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest):
             if degree == most and since % _WEIGHED == _WEIGHED - 1:
                 most, error = _best_degree(past, head, known, method, degree, top, scale, error, to_a)
-            # The oldest of the past is not asked again.
+            # Overwrites the oldest acceleration, which is no longer needed.
             head = (head - 1) & (PAST - 1)
             known = min(known + 1, PAST)
             accelerate(problem, to_q, to_v, past[head])
@@ -168,7 +168,7 @@ def run_adams(problem, drive, end, tolerance, attempts):
                 accumulate(problem, drive, t, to_q, to_v, past[head], step)
                 replace_state(state.q, state.v, integrator.a, to_q, to_v, past[head])
             else:
-                # Change places instead of copying.
+                # Swap the arrays instead of copying them.
                 q, to_q, v, to_v = to_q, q, to_v, v
                 swaps += 1
             t = end if step == rest else t + step
@@ -176,7 +176,7 @@ def run_adams(problem, drive, end, tolerance, attempts):
             degree = min(degree, most)
             rising = degree < most
             factor = 1.0
-            if rising or error > _MUCH or (error < _LITTLE and since > _PATIENCE):  # powers take time
+            if rising or error > _MUCH or (error < _LITTLE and since > _PATIENCE):  # powers are slow
                 factor = min(
                     0.9 * max(error, 1e-12) ** (-1.0 / (degree + 2.0)),
                     _FIRST_LONGER if rising else _MUCH_LONGER,
@@ -195,7 +195,7 @@ def run_adams(problem, drive, end, tolerance, attempts):
                 degree = most
             h = step * min(0.5, max(0.2, 0.9 * max(error, 2.0) ** (-1.0 / (degree + 2.0))))
             if failures > 2:
-                degree, known = 0, 1  # the past tells nothing of what is to come
+                degree, known = 0, 1  # the past no longer predicts anything
             if h < SHORTEST_STEP:
                 count[COUNT_WHAT] = STUCK
     if swaps % 2:
@@ -218,10 +218,10 @@ def run_adams(problem, drive, end, tolerance, attempts):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
-    """Positions, velocities and accelerations a step ahead, by the polynomial."""
+    """Extrapolate positions, velocities and accelerations by a step of length h."""
     eight_at_a_time()
     hh = h * h
-    # All at once: in one pass, everything stays in registers. One row less is a tenth of the arithmetic.
+    # In one pass everything stays in registers. Leaving out one row saves a tenth of the arithmetic.
     x, u, w = method.position[degree], method.velocity[degree], method.ahead[degree]
     x0, x1, x2, x3 = hh * x[0], hh * x[1], hh * x[2], hh * x[3]
     x4, x5, x6, x7 = hh * x[4], hh * x[5], hh * x[6], hh * x[7]
@@ -248,31 +248,34 @@ def _predict(q, v, past, head, method, degree, h, to_q, to_v, ahead):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _correct(q, by_q, by_v, to_a, ahead, to_q, to_v):
-    """Correct a prediction; (by how much the acceleration was off, coordinate, speed and move, the largest,
-    as bits)."""
+    """Correct a prediction.
+
+    Returns:
+        As bits, the largest error of the predicted acceleration, coordinate, speed and change of position.
+    """
     eight_at_a_time()
     change, far, fast, moved = 0, 0, 0, 0
     for j in range(1, q.size - SPARE):
         off = to_a[j] - ahead[j]
-        index, speed = to_q[j] + by_q * off, to_v[j] + by_v * off
-        to_q[j], to_v[j] = index, speed
+        position, speed = to_q[j] + by_q * off, to_v[j] + by_v * off
+        to_q[j], to_v[j] = position, speed
         change = max(change, size_bits(off))
-        far = max(far, size_bits(index))
+        far = max(far, size_bits(position))
         fast = max(fast, size_bits(speed))
-        moved = max(moved, size_bits(index - q[j]))
+        moved = max(moved, size_bits(position - q[j]))
     return change, far, fast, moved
 
 
 @kernel(fastmath=FAST)
 def _best_degree(past, head, known, method, degree, top, scale, error, to_a):
-    """(degree, error): of the present one and those beside it, the one whose steps could be the longest.
+    """(degree, error): the current degree or one of its neighbours, whichever allows the longest steps.
 
     Args:
-        known: rows of the past that a higher degree could go by.
+        known: number of rows of the past that a higher degree could use.
         top: the highest degree that may be chosen.
-        scale: what turns a difference of accelerations into an error.
-        error: of this step, with the present degree.
-        to_a: the accelerations that were expected.
+        scale: factor that turns a difference of accelerations into an error.
+        error: error of this step with the current degree, in tolerances.
+        to_a: the accelerations found at the predicted state.
     """
     best, least, stride = degree, error, _stride(error, degree)
     if degree > _LEAST:
@@ -288,13 +291,13 @@ def _best_degree(past, head, known, method, degree, top, scale, error, to_a):
 
 @kernel(forceinline=True)
 def _stride(error, degree):
-    """How many times its length a step would have the error of the tolerance."""
+    """The factor by which a step could be longer until its error equals the tolerance."""
     return max(error, 1e-12) ** (-1.0 / (degree + 2.0))
 
 
 @kernel(noalias=True, fastmath=FAST)
 def _off(past, head, method, degree, to_a):
-    """By how much an acceleration is off at most that a degree expects."""
+    """Largest error of the accelerations that the polynomial of a degree predicts, px/s²."""
     eight_at_a_time()
     w, largest = method.ahead[degree], 0
     w0, w1, w2, w3, w4, w5, w6, w7 = w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]
@@ -309,10 +312,10 @@ def _off(past, head, method, degree, to_a):
 
 @kernel(noalias=True, fastmath=FAST)
 def _space(past, head, method, degree, ratio, rows):
-    """Interpolate the past accelerations, for another step: `ratio` is that of the new one to the old one.
+    """Interpolate the past accelerations for a new step, `ratio` times as long as the old one.
 
-    By Lagrange's formula. Its products of all distances but one are those of the distances before that one,
-    times those behind it: so nothing is divided by.
+    This is Lagrange's formula. The product of all distances but one is computed as the product of those
+    before it times the product of those behind it, which needs no division.
     """
     eight_at_a_time()
     parts, size = method.barycentric[degree], past.shape[1]

@@ -1,8 +1,8 @@
-"""Running a method by its kind; and choosing between explicit and implicit ones while they run.
+"""The choice of `auto` between explicit and implicit methods.
 
-Which one is the fastest cannot be read off the body: it depends on the tolerance, on what moves, and on how.
-So now and then one that is not in use is given a few steps, and whoever gets furthest for its computing goes
-on. Every step counts, none is a trial: all hold the same tolerance.
+Which method is fastest cannot be derived from the body: it depends on the tolerance and on the present
+motion. So at intervals a method that is not in use takes a few steps, and the method that advances furthest
+for its computing time goes on. No step is wasted, since all methods keep to the same tolerance.
 """
 
 from __future__ import annotations
@@ -40,67 +40,68 @@ from ..core.vectors import from_to
 from .guard import GOOD, STUCK
 
 _SHARE = 0.05
-"""The share of the computing that goes into asking another method."""
+"""Share of the computing time that is spent on trying another method."""
 _SHARE_OF_HOPELESS = 0.01
-"""That share for a method that was far from the best, and for all while generalized-alpha is the best."""
+"""That share for a method that was far from the best, and for all while generalized-alpha is best."""
 _CLOSE = 0.3
-"""The part of the best pace above which a method was not far from the best."""
+"""Fraction of the best pace above which a method counts as close to the best."""
 
 _TAKING_OVER = 0.3
-"""How long the first step of generalized-alpha is beside its last one, since it is of first order."""
+"""First step of generalized-alpha in a turn, relative to its last one: it is only of first order."""
 
 _RESTART = 8.0
-"""Steps that it takes a method that goes by the past to be as fast again after another one had a turn."""
+"""Number of steps that a method with a history loses when another method has a turn."""
 
 _CALMING = 4.0
-"""How many times as late Adams' methods are asked while Rosenbrock methods are the best: these calm
-vibrations that damping takes long for, and that hold up the steps of those as long as they last."""
+"""Factor by which trying Adams methods is postponed while Rosenbrock methods are best: Rosenbrock methods
+damp vibrations, which would limit the steps of Adams methods for as long as they last."""
 
 _NEWS = 0.3
-"""How much a turn of generalized-alpha that went badly counts against the ones before it."""
+"""Weight of a bad turn of generalized-alpha relative to the turns before it."""
 
 _LONG_STEP = 0.03
-"""Seconds that hardly any implicit step is longer than while a body moves, under a tolerance of 1 px; they go
-with its fifth root. Where the best method does as much for the same computing, the others are asked late."""
+"""Length, s, that implicit steps of a moving body hardly exceed at a tolerance of 1 px; it is proportional to
+the fifth root of the tolerance. Where the best method already gets as far in the computing time of such a
+step, the other methods are tried later."""
 
 _WITH_CARE = 0.1
-"""What all tolerances are multiplied by while small errors become large ones soon: where a joint is bent by
-more than 90 degrees from rest, beyond which its torque falls off, or a spring is short."""
+"""Factor of all tolerances while small errors grow quickly: where a joint is bent by more than 90 degrees
+from rest, beyond which its torque decreases, or where a spring is short."""
 _SHORT = 0.25
-"""The part of its rest length below which a spring is short: it turns round in no time."""
+"""Fraction of its rest length below which a spring is short, so that it may turn round very quickly."""
 
 _BEGINNING = 16
-"""Verlet's first steps, in which they become as long as they can; and, where stability limited any, the next
-ones, which tell whether it limits most."""
+"""Number of Verlet's first steps, in which they grow to their full length; and, if stability limited any of
+them, of the next ones, which show whether it limits most."""
 _BEGINNING_OF_LONG = 4
-"""Verlet's first steps on long bodies: stability soon cuts these, and others go on from what they leave."""
+"""The same for long bodies, whose steps stability soon limits, so that other methods take over."""
 
 _TURN = 64
-"""Steps of a turn of an explicit method."""
+"""Number of steps in a turn of an explicit method."""
 _IMPLICIT_TURN = 12
-"""Steps of a turn of an implicit method."""
+"""Number of steps in a turn of an implicit method."""
 _LONG_TURN = 256
-"""Steps of a turn of Verlet's where stability limits its steps, which hardly change then."""
+"""Number of steps in a turn of Verlet where stability limits them, so that they hardly change."""
 
 _HELD = 0.2
-"""The share of Verlet's steps at a limit above which that limit is one of stability."""
+"""Share of Verlet's steps that are limited by stability above which stability counts as the limit."""
 _SOME = 48.0
-"""Computing, in Verlet steps, after which that is known."""
+"""Computing time, in Verlet steps, after which that share is known."""
 
 
 @kernel(fastmath=FAST)
 def next_turn(problem, end, whole_tolerance, left):
-    """Enter how the last turn went, and choose who has the next one.
+    """Evaluate the last turn, and choose the method of the next one.
 
     Args:
-        problem: with the costs of the methods that may be chosen.
-        end: time to go to, s.
-        whole_tolerance: the scene's, px.
-        left: steps that may still be tried.
+        problem: the tables, with the costs of the methods that may be chosen.
+        end: the time to advance to, s.
+        whole_tolerance: the scene's tolerance, px.
+        left: number of steps that may still be tried.
 
     Returns:
-        The method, or -1 where there is no more to do; how many steps it may try; its tolerance; and how many
-        steps were tried in the last turn.
+        The method, or -1 if the end or the number of steps is reached; how many steps it may try; its
+        tolerance; and how many steps were tried in the last turn.
     """
     integrator, costs = problem.integrator, problem.costs
     controller, count, selector = integrator.controller, integrator.counts, integrator.selector
@@ -130,12 +131,12 @@ def next_turn(problem, end, whole_tolerance, left):
 
 @kernel(fastmath=FAST)
 def _enter_turn(integrator, costs, arm, tries, end):
-    """Learn from a turn of a method, in which it tried so many steps."""
+    """Update what is known of a method after a turn in which it tried `tries` steps."""
     controller, count, selector = integrator.controller, integrator.counts, integrator.selector
     went = controller[CONTROLLER_TIME] - selector[AUTO_BEGAN]
     fresh = selector[AUTO_PACE + arm] < 0.0
     begins = arm == ARM_ADAMS and arm != int(selector[AUTO_LAST])
-    if arm in (ARM_VERLET, ARM_ADAMS):  # they keep no history
+    if arm in (ARM_VERLET, ARM_ADAMS):  # they do not update the history
         if controller[CONTROLLER_LAST] > 0.0 and went < 0.5 * selector[AUTO_STEP + ARM_ALPHA]:
             controller[CONTROLLER_LAST] += went
         else:
@@ -144,23 +145,23 @@ def _enter_turn(integrator, costs, arm, tries, end):
     selector[AUTO_LAST] = arm
     pace = went / (max(tries, 1) * costs[arm])
     if count[COUNT_WHAT] == STUCK and arm != ARM_ROSENBROCK and costs[ARM_ROSENBROCK] > 0.0:
-        count[COUNT_WHAT] = GOOD  # another method may still go on
+        count[COUNT_WHAT] = GOOD  # another method may still find a step
         selector[AUTO_STEP + arm] = 0.0
         selector[AUTO_PACE + arm] = 0.0
         if selector[AUTO_PACE + ARM_ROSENBROCK] == 0.0:
             selector[AUTO_PACE + ARM_ROSENBROCK] = -1.0
     elif arm == ARM_ALPHA or fresh or begins:
-        # It has hardly begun to lengthen its steps; and one bad turn is no reason to change at once.
+        # Its steps have only begun to grow; and one bad turn is no reason to change the method.
         pace = max(pace, controller[CONTROLLER_STEP] / costs[arm])
         before = selector[AUTO_PACE + arm]
         selector[AUTO_PACE + arm] = max(pace, (1.0 - _NEWS) * before + _NEWS * pace)
         if arm == ARM_ALPHA and selector[AUTO_PACE + arm] < before:
-            # What is too much for its steps is no less for those of the other implicit method.
+            # What slows it down also slows down the other implicit method.
             selector[AUTO_PACE + ARM_ROSENBROCK] *= selector[AUTO_PACE + arm] / before
     elif controller[CONTROLLER_TIME] < end:
         selector[AUTO_PACE + arm] = pace
     else:
-        # The last step of a call is cut short: at best, it would have been for nothing.
+        # The last step of a call is cut short; at best, it would have cost nothing.
         most = pace * tries / (tries - 1) if tries > 1 else math.inf
         selector[AUTO_PACE + arm] = max(pace, min(selector[AUTO_PACE + arm], most))
     selector[AUTO_WORK] += tries * costs[arm]
@@ -168,7 +169,7 @@ def _enter_turn(integrator, costs, arm, tries, end):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _whose_turn(selector, costs, long_step, held):
-    """(the method, how many steps it may try); `held`: the share of Verlet's steps that stability limited."""
+    """(method, number of steps that it may try); `held`: share of Verlet's steps limited by stability."""
     if selector[AUTO_PACE + ARM_VERLET] < 0.0:
         return ARM_VERLET, _BEGINNING if costs[ARM_ALPHA] == 0.0 else _BEGINNING_OF_LONG
     best = ARM_VERLET
@@ -176,13 +177,13 @@ def _whose_turn(selector, costs, long_step, held):
         if selector[AUTO_PACE + arm] > selector[AUTO_PACE + best]:
             best = arm
     pace = selector[AUTO_PACE + best]
-    # Where stability limits Verlet's steps, or long bodies ask for an implicit method, it limits those of
-    # Adams' methods all the more.
+    # Where stability limits Verlet's steps, or a long body calls for an implicit method, it limits those of
+    # Adams methods even more.
     worth = best != ARM_ALPHA and held <= _HELD
     unknown = costs[ARM_ADAMS] > 0.0 and selector[AUTO_PACE + ARM_ADAMS] < 0.0
     adams_unknown = unknown and pace * costs[ARM_ADAMS] < long_step
     if worth and adams_unknown and costs[ARM_ALPHA] == 0.0:
-        # Where these are good, implicit methods hardly ever are: they are asked only if there is need.
+        # Where Adams methods are good, implicit methods hardly ever are, so Adams is tried first.
         if held > 0.0 and selector[AUTO_WORK] < 2.0 * _BEGINNING:
             return best, _BEGINNING
         selector[AUTO_WORK] = 0.0
@@ -207,7 +208,7 @@ def _whose_turn(selector, costs, long_step, held):
     else:
         selector[AUTO_ASKED] += 1.0
     if best != ARM_ALPHA and int(selector[AUTO_LAST]) == ARM_ALPHA:
-        return best, _few(best)  # what is known of it is old
+        return best, _few(best)  # what is known of it is out of date
     if best == ARM_VERLET and held > _HELD:
         return best, _LONG_TURN
     return best, _TURN if best in (ARM_VERLET, ARM_ADAMS) else _IMPLICIT_TURN
@@ -215,7 +216,7 @@ def _whose_turn(selector, costs, long_step, held):
 
 @kernel(fastmath=FAST)
 def _is_delicate(body, state, q):
-    """Whether any spring has nearly vanished, or any joint is folded: where A . R(-r) B < 0."""
+    """Whether any spring is short, or any joint is bent by over 90 degrees from rest: A . R(-r) B < 0."""
     short = _SHORT * state.controls[CONTROL_SCALE]
     if body.chain:
         return _chain_is_delicate(body, state, q, short)
@@ -236,7 +237,7 @@ def _is_delicate(body, state, q):
 
 @kernel(noalias=True, fastmath=FAST)
 def _chain_is_delicate(body, state, q, short):
-    """All springs and joints at once: padding ones have no length and no torque."""
+    """`_is_delicate` of a chain, vectorised; padding springs and joints never count."""
     slots = q.size // 2
     x, y, cosine, sine = q[:slots], q[slots:], state.torque_cos, state.torque_sin
     delicate = 0
@@ -250,5 +251,5 @@ def _chain_is_delicate(body, state, q, short):
 
 @kernel(forceinline=True)
 def _few(arm):
-    """Steps in which a method shows what it can do; those that go by the past begin with short ones."""
+    """Number of steps of a trial; methods with a history need more, as they begin with short steps."""
     return 8 if arm == ARM_VERLET else 12 if arm == ARM_ALPHA else 24 if arm == ARM_ADAMS else 4

@@ -1,4 +1,4 @@
-"""Symplectic Euler: v += h a(x, v), then x += h v, as the tutorial has it; also for the stable spring."""
+"""Symplectic Euler, the tutorial's method: v += h a(x, v), then x += h v. Also runs the stable spring."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from ..forces.drive import lead_to, press, set_controls
 from .guard import GOOD, sound
 
 CHECK_EVERY = 64
-"""Steps between two looks at the state. Bad ones are undone and done again one at a time, so that a body that
-runs away stops at its very last good state."""
+"""Number of steps between two checks of the state. If a check fails, the steps since the last one are undone
+and repeated one at a time, so that a body that runs away stops at its last good state."""
 
 
 @kernel(fastmath=FUSED)
 def run_euler(problem, drive, end, tolerance, attempts):
-    """Go on to `end` by steps of `problem.fixed` seconds; arguments as those of `run_verlet`.
+    """Advance to `end` by steps of `problem.fixed` seconds; arguments as of `run_verlet`.
 
-    Within a step, led masses and held keys come first, then the forces: so forces see them where they are at
-    its end, as in the tutorial.
+    In each step, led masses and held keys are updated before the forces. So forces see them as they are at
+    the end of the step, as in the tutorial.
     """
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     controller, count, h = integrator.controller, integrator.counts, problem.fixed
@@ -52,7 +52,7 @@ def run_euler(problem, drive, end, tolerance, attempts):
                 if free:
                     accelerate(problem, q, v, a)
                     _kick_and_drift(q, v, a, h)
-                    lead_to(drive, start + step * h, q, v)  # their velocity has moved them
+                    lead_to(drive, start + step * h, q, v)  # the drift has moved them
         if sound(body, integrator, q, v, batch == 1):
             done += batch
         else:
@@ -67,7 +67,7 @@ def run_euler(problem, drive, end, tolerance, attempts):
 
 @kernel(fastmath=FUSED)
 def _step_with_balance(problem, drive, t):
-    """One step, with its work entered: the accelerations at both its ends are needed for that."""
+    """One step, adding its work to the energy balance, which needs the accelerations at both ends."""
     body, state, integrator, h = problem.body, problem.state, problem.integrator, problem.fixed
     q, v = state.q, state.v
     to_q, to_v, to_a = integrator.rows[2], integrator.rows[3], integrator.rows[4]

@@ -1,8 +1,8 @@
-"""The fallback step, for states that no method can leave, such as a spring of no length at all.
+"""The fallback step, for states from which no method finds a step, such as a spring of zero length.
 
-One linearly implicit Euler step (Baraff & Witkin 1998), with a matrix that is positive definite whatever the
-state, springs of some length, and no mass moved further than a spring is long. What energy it would add, it
-leaves out: the step is shortened until there is no more than before, or the body stops.
+It is one linearly implicit Euler step (Baraff & Witkin 1998) with a matrix that is positive definite in every
+state. Springs are given some length first, and no mass moves further than a spring is long. It never adds
+energy: the step is shortened until the energy is no larger than before, or else the body is brought to rest.
 """
 
 from __future__ import annotations
@@ -33,12 +33,14 @@ from .steps import max_abs
 
 @kernel(fastmath=FAST)
 def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
-    """One step of h seconds from a state that the integrators are stuck in.
+    """One step of h seconds from a state in which the integrators are stuck.
 
     Args:
+        problem, drive: as of `run_verlet`.
         gravity_x, gravity_y: px/s².
-        shortest: length that a spring is given if it is shorter, px.
-        reach: how far a mass moves at most, px.
+        h: length of the step, s.
+        shortest: length to which shorter springs are set, px.
+        reach: largest distance that a mass moves, px.
     """
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     matrix = problem.matrix
@@ -61,7 +63,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
         if state.inverse_mass[k] > 0.0:
             x, y = from_to(q, i, k)
             if math.sqrt(x * x + y * y) < shortest:
-                # Some direction of its own for each spring, so that no two fall on one another.
+                # A different direction for each spring, so that no two coincide.
                 far = integrator.limits[0]
                 q[k] = min(max(q[i] + shortest * math.cos(1.0 + s), -far), far)
                 q[slots + k] = min(max(q[slots + i] + shortest * math.sin(1.0 + s), -far), far)
@@ -103,12 +105,12 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
             break
         part *= 0.5
     if not sound(body, integrator, to_q, to_v, True):
-        for j in range(q.size):  # what is driven has left all bounds
+        for j in range(q.size):  # a driven mass is out of bounds
             q[j], v[j] = kept_q[j], kept_v[j]
         return
     for j in range(q.size):
         q[j], v[j] = to_q[j], to_v[j]
-    # Springs that were given a length, and anchors that were moved, did work of their own.
+    # Giving springs a length and moving anchors also changed the energy.
     balance.work[WORK_ANCHORS] += before - first
     balance.work[WORK_FALLBACK] += after - before
     controller[CONTROLLER_TIME] = t + h

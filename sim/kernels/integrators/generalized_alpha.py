@@ -1,9 +1,9 @@
-"""Generalized-alpha, for long and stiff bodies: one implicit force a step, solved for by Newton's method.
+"""Generalized-alpha, for long and stiff bodies: one implicit force per step, found by Newton's method.
 
-The method is that of Chung & Hulbert (1993), written for the end of the step: the force there is unknown, the
-one at its start is carried along. A long rod turns by much in a step while it hardly stretches, which is
-anything but linear in positions. So predictor and Newton's updates turn and stretch each spring of a
-spanning forest, and positions follow from those.
+The method is that of Chung & Hulbert (1993), formulated at the end of the step: the force there is the
+unknown, and the force at the start is kept from the step before. A long rod turns a lot in one step while it
+hardly stretches. Positions are strongly nonlinear in that motion, so the predictor and the Newton updates
+turn and stretch each spring of a spanning forest, and positions follow from the springs.
 """
 
 from __future__ import annotations
@@ -44,51 +44,52 @@ from .steps import (
 from .turning import predict, remember, turn_and_stretch
 
 _RHO = 0.8
-"""What is left of the fastest motions after each step (the spectral radius at infinity)."""
+"""Factor by which each step multiplies the fastest motions (the spectral radius at infinity)."""
 
 _AM, _AF = (2.0 * _RHO - 1.0) / (_RHO + 1.0), _RHO / (_RHO + 1.0)
 _BETA = 0.25 * (1.0 - _AM + _AF) ** 2
 _ALPHA = _AM, _AF, 0.5 - _AM + _AF, _BETA, 0.5 - _BETA
+"""alpha_m, alpha_f, gamma, beta, and the weight in positions of the acceleration at the start of the step."""
 _EULER = 0.0, 0.0, 1.0, 1.0, 0.0
-"""Of a step: alpha_m, alpha_f, gamma, beta, and the weight of the acceleration at its start in positions; and
-those of the implicit Euler method, which does not look at that acceleration."""
+"""The same parameters for the implicit Euler method, which does not use that acceleration."""
 
 _CALMING = 2
-"""Steps of the implicit Euler method that the method begins with."""
+"""Number of steps of the implicit Euler method with which the method begins."""
 
 _ITERATIONS = 8
-_SURVEY = 8
+"""Largest number of Newton iterations in a step."""
 _SLIGHT = 0.4
-"""With exact derivatives, Newton's method converges quadratically: how large a second move would be follows
-from the first, and from what it was in the steps before (Hairer & Wanner, "Solving Ordinary Differential
-Equations II", IV.8). So it is left out where it would be slight: a position that is off by d makes an
-acceleration that is off by some d / h², and that goes on for many steps. One step in so many is solved with
-it, to know."""
+"""Size of a second Newton update, in tolerances times the step squared (s²), below which it is left out: an
+error d of a position makes an error of about d / h² of the acceleration, which persists for many steps. With
+exact derivatives Newton's method converges quadratically, so the size follows from that of the first update
+and the ratio found in earlier steps (Hairer & Wanner, "Solving Ordinary Differential Equations II", IV.8)."""
+_SURVEY = 8
+"""One step in this many always takes the second update, to measure that ratio."""
 
 _SPAN = 2.5e-3
-"""A step's error is held to the tolerance of so many seconds, however long it is: an error per second of it
-would have this method, of second order, take steps that are too short to pay."""
+"""The error of a step is held to the tolerance of this many seconds, whatever its length: with an error per
+unit step, the steps of this method of second order would be too short to pay."""
 
 _LEFT = 0.75
-"""What is left at most of a step whose error was too large; the error grows smoothly, so a half is too
-little."""
+"""Largest length, relative to a step whose error was too large, of the step that follows; the error grows
+smoothly, so that halving the step would be too much."""
 _WORTH = 1.25
-"""How many times longer the next step has to be for the change to be worth it."""
+"""Growth of the step above which changing it pays."""
 
 _SOLVED = 0.7
-"""Length of the next step beside one for which Newton's method failed."""
+"""Length of the next step relative to one in which Newton's method failed."""
 _RAISE = 1.06
-"""How fast steps may grow after that, per step: a failed Newton solve costs more than a converged one."""
+"""Growth of the step limit, per step, after that: a failed Newton solve costs more than a converged one."""
 _RAISE_FIXED = 1.3
-"""The same where the step is to be a fixed one."""
+"""The same for a fixed step."""
 
 _ERROR = 0.1
-"""The error of a step as a part of the distance between prediction and solution, found by trying."""
+"""Error of a step as a fraction of the distance between prediction and solution, found by experiment."""
 
 
 @kernel(fastmath=FAST)
 def run_alpha(problem, drive, end, tolerance, attempts):
-    """Go on to `end`; arguments as those of `run_verlet`."""
+    """Advance to `end`; arguments as of `run_verlet`."""
     ensure_acceleration(problem, drive)
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     matrix, fixed = problem.matrix, problem.fixed
@@ -119,17 +120,18 @@ def run_alpha(problem, drive, end, tolerance, attempts):
     for _ in range(attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
             break
-        # Equal steps up to the end: what is carried along is of first order only where steps change.
+        # Equal steps up to the end: where steps change, what is kept from the last one is only of first
+        # order.
         step = (end - t) / max(math.ceil((end - t) / h - 1e-6), 1)
-        # What is too fast for the steps to come shows in the accelerations first: forget those.
+        # Motions that are too fast for the coming steps show up in the accelerations: discard those.
         calming = fixed == 0.0 and controller[CONTROLLER_BEGUN] < _CALMING
         am, af, gamma, beta, kept = _EULER if calming else _ALPHA
         weight = 1.0 / (1.0 - af)
         inverse = 1.0 / (beta * step * step)
-        # At positions q the velocity is speed + g1 (q - start), and the force to be g2 (q - start) - pull.
+        # At positions q the velocity is speed + g1 (q - start), and the force must be g2 (q - start) - pull.
         g2 = weight * (1.0 - am) * inverse
         g1 = gamma / (beta * step)
-        # It is that of a moment a part of the step off, which goes with the step (Jay & Negrut, 2007).
+        # `late` belongs to a time that is off by a fraction of the step (Jay & Negrut, 2007): rescale it.
         ratio = min(step / controller[CONTROLLER_LAST], 2.0) if controller[CONTROLLER_LAST] > 0.0 else 1.0
         for j in range(1, q.size - SPARE):
             own = integrator.a[j] + ratio * (late[j] - integrator.a[j])
@@ -140,7 +142,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         if drive.moving:
             drive_to(body, state, drive, t + step, to_q, to_v)
         predict(problem, step, to_q, rows[7])
-        # What the last prediction, a polynomial of time, was wrong by, this one will be wrong by, too.
+        # The prediction is a polynomial of time, so its error is expected to resemble that of the last one.
         h1, h0 = controller[CONTROLLER_LAST], controller[CONTROLLER_LAST_BUT_ONE]
         cube = step * (step + h1) * (step + h1 + h0) if h0 > 0.0 else 0.0
         again = cube / controller[CONTROLLER_CUBE] if controller[CONTROLLER_CUBE] > 0.0 else 0.0
@@ -165,7 +167,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
             for j in range(1, q.size - SPARE):
                 move[j] = force[j] - (g2 * (to_q[j] - start[j]) - pull[j])
             _rest(drive, move)
-            # The second iteration is close enough to the first to do with its matrix.
+            # The second iteration is close enough to the first to use its matrix.
             if iteration != 1 or last > 10.0 * _SPAN * tolerance:
                 factorise(problem, to_q, to_v, g2, g1, False)
                 count[COUNT_MATRICES] += 1
@@ -235,7 +237,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         if fixed > 0.0:
             h = min(h, fixed)
         elif not good and h < 1e-6 and h > SHORTEST_STEP:
-            # Perhaps it is what was carried along that is no good.
+            # What was kept from earlier steps may be the cause: discard it.
             controller[CONTROLLER_LAST] = controller[CONTROLLER_LAST_BUT_ONE] = controller[
                 CONTROLLER_BEGUN
             ] = controller[CONTROLLER_CUBE] = 0.0
@@ -248,7 +250,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
 
 @kernel(forceinline=True)
 def _rest(drive, a):
-    """Nothing accelerates a mass that is in a hand."""
+    """Clear the accelerations of driven masses."""
     for k in range(drive.mass.size):
         m = drive.mass[k]
         a[m], a[a.size // 2 + m] = 0.0, 0.0

@@ -1,4 +1,4 @@
-"""A state that has run away never gets out of a kernel."""
+"""The check that keeps states that have run away from leaving a kernel."""
 
 from __future__ import annotations
 
@@ -9,14 +9,15 @@ from ..core.jit import FAST, kernel
 from ..core.tables import COUNT_MASS, COUNT_WHAT
 
 GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED, STUCK = 0, 1, 2, 3, 4
-"""What is wrong with a state; STUCK: no step from it is short enough."""
+"""What is wrong with a state; STUCK: no step from it is accepted, however short."""
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def sound(body, integrator, q, v, shortened):
-    """Whether a state is one to keep; what is wrong with it goes into `integrator.counts`.
+def sound(body, integrator, q, v, final):
+    """Whether all numbers of a state are within the limits.
 
-    Unless `shortened`: then a shorter step is worth a try first, and it is only not kept.
+    If not, and `final`, what is wrong is written into `integrator.counts`, which ends the run. Otherwise a
+    shorter step may still be tried.
     """
     farthest, fastest = integrator.limits[0], integrator.limits[1]
     far, fast = 0, 0
@@ -25,14 +26,14 @@ def sound(body, integrator, q, v, shortened):
         fast = max(fast, size_bits(v[j]))
     if from_bits(far) <= farthest and from_bits(fast) <= fastest:
         return True
-    if shortened:
+    if final:
         _blame(body, integrator, q, v)
     return False
 
 
 @kernel(fastmath=FAST)
 def _blame(body, integrator, q, v):
-    """Enter in `integrator.counts` which mass shows what is wrong."""
+    """Write into `integrator.counts` what is wrong, and at which mass."""
     farthest, fastest = integrator.limits[0], integrator.limits[1]
     slots = q.size // 2
     for i in range(1, body.masses + 1):

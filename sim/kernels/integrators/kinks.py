@@ -1,10 +1,11 @@
-"""Friction of air where a velocity changes its sign: kinks that Adams' methods need not see.
+"""Kinks of air friction where a velocity component changes its sign, kept away from Adams methods.
 
 Along each axis, friction slows a mass by air v |v|, which is air v² with a sign that jumps where v passes
-through zero. Between two such moments everything is smooth. So the polynomial through past accelerations is
-kept to one sign, that of v at present: a step in which v turns is done with the old sign, what friction did
-from the turn on is added by itself, and then the past is told anew, as if friction had always had the new
-sign. Without that, polynomials of high degree see a kink of each mass for as many steps as they look back.
+through zero. Between such moments everything is smooth. So the polynomial through past accelerations uses one
+sign only, that of the present v. A step in which v changes its sign is done with the old sign; the effect of
+friction after the change is added separately; and the past accelerations are rewritten as if friction had
+always had the new sign. Otherwise polynomials of high degree would see each kink for as many steps as they
+look back.
 """
 
 from __future__ import annotations
@@ -19,11 +20,11 @@ from ..core.tables import PAST, SPARE
 from .steps import max_abs
 
 _MATTER = 0.03
-"""Error of a step, in tolerances, that a kink may make without being looked at."""
+"""Error of a step, in tolerances, up to which kinks are ignored."""
 
 _BEND = 0.5
-"""The most by which a velocity's slope at its turn is taken to be off its mean slope from there on, as a part
-of that."""
+"""Largest assumed deviation of a velocity's slope at its change of sign from the mean slope after it,
+relative to the mean slope."""
 
 
 @kernel(forceinline=True)
@@ -34,13 +35,13 @@ def ago(head, i):
 
 @kernel(fastmath=FAST)
 def kinks_matter(air, a, step, weight, tolerance):
-    """Whether kinks make errors that are not far below the tolerance.
+    """Whether the errors of kinks are not far below the tolerance.
 
     Args:
-        air: (slots) friction / mass, 1/px.
-        a: flat accelerations, px/s²: what a velocity may become in a step after it was zero.
+        air: (slots,) friction / mass, 1/px.
+        a: flat accelerations, px/s², which bound the velocity that is reached in a step from zero.
         step: length of a step, s.
-        weight: of an acceleration's error, in that of a position after a step, over its square.
+        weight: error of a position after a step, per error of an acceleration and per step squared.
         tolerance: px per second.
     """
     most = 0.0
@@ -64,7 +65,7 @@ def any_turns(v, to_v):
 
 @kernel(fastmath=FAST)
 def without_kinks(air, v, to_v, to_a):
-    """Make accelerations at the end of a step those of friction that has kept its sign."""
+    """Change accelerations at the end of a step to those with the old sign of friction."""
     slots = air.size
     _keep_sign(air, v[:slots], to_v[:slots], to_a[:slots])
     _keep_sign(air, v[slots:], to_v[slots:], to_a[slots:])
@@ -81,13 +82,13 @@ def _keep_sign(air, v, to_v, to_a):
 
 @kernel(fastmath=FAST)
 def with_kinks(air, v, a, to_a, step, to_q, to_v):
-    """Add what the change of sign did since then.
+    """Add the effect of the new sign of friction after a change of sign within the step.
 
-    But for friction, accelerations are taken to change evenly, and not by much.
+    Without friction, accelerations are assumed to change linearly and little.
 
     Args:
-        air, v, a: (slots) friction / mass, 1/px; flat velocities and accelerations at the start of the step.
-        to_a: flat accelerations at its end, with the old sign.
+        air, v, a: (slots,) friction / mass, 1/px; flat velocities and accelerations at the start of the step.
+        to_a: flat accelerations at its end, with the old sign of friction.
         step: its length, s.
         to_q, to_v: flat positions and velocities at its end, which are corrected.
     """
@@ -103,18 +104,18 @@ def _add(air, v, a, to_a, step, to_q, to_v):
     for i in range(1, air.size - SPARE):
         was, to = v[i], to_v[i]
         side, speed = math.copysign(1.0, to), abs(to)
-        # Without friction, which is what makes an acceleration bend most: along `to`, at both ends.
+        # Accelerations at both ends in the direction of `to`, without friction, which varies most.
         begin, rise = side * a[i] - air[i] * (was * was), side * to_a[i] - air[i] * (to * to)
-        # The velocity but for that is speed (r x + (1 - r) x²) at the part x of the time since the turn; the
-        # root is its slope there.
+        # Without friction the velocity is speed (r x + (1 - r) x²) at the fraction x of the time since the
+        # change of sign, where its slope is the root.
         root = math.sqrt(max(rise * rise - 2.0 * per_step * (rise - begin) * speed, 0.0))
         inverse = 2.0 / max(rise + root, speed * per_step + 1e-300)
         since = min(step, speed * inverse)
         r = max(1.0 - _BEND, min(1.0 + _BEND, root * inverse))
         rest = 1.0 - r
         square = r * r / 3.0 + r * rest / 2.0 + rest * rest / 5.0
-        # With the old sign, friction adds as much to the velocity as it takes with the new one, to second
-        # order. So the sum of both squares, which is what is lost, is twice that of the velocity without.
+        # To second order, friction with the old sign adds as much to the velocity as it takes with the new
+        # sign. So the sum of both squares, which determines the loss, is twice the square without friction.
         added = min(air[i] * speed * since * square, 0.5)
         mean, since = speed * (1.0 - added), since * (1.0 - added * (1.0 + rest))
         lost = 2.0 * air[i] * side * (mean * mean) * since if was * to < 0.0 else 0.0
@@ -124,14 +125,14 @@ def _add(air, v, a, to_a, step, to_q, to_v):
 
 @kernel(fastmath=FAST)
 def turn_past(air, v, to_v, past, head, known, back, step):
-    """Give friction in past accelerations the new sign, where a velocity has turned.
+    """Give friction in past accelerations the new sign where a velocity has changed its sign.
 
     Args:
-        air, v, to_v: (slots) friction / mass, 1/px; flat velocities before and after the latest step.
+        air, v, to_v: (slots,) friction / mass, 1/px; flat velocities before and after the latest step.
         past: rows of flat accelerations, px/s², the latest one with the new sign.
-        head, known: the row of the latest; how many rows are at equal distances in time.
+        head, known: row of the latest; number of rows at equal distances in time.
         back: see `Adams`.
-        step: that distance, s.
+        step: this distance, s.
     """
     slots, first = air.size, (known - 1) * PAST
     for j in range(1, v.size - SPARE):

@@ -1,6 +1,6 @@
-"""Any Rosenbrock method: implicit, but each stage is one linear solve with the same matrix.
+"""Rosenbrock methods: implicit methods with one linear solve per stage, all with the same matrix.
 
-Velocity is eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solves
+Velocities are eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solves
 (g² I - g Jv - Jx) x = r_v + g r_q - Jv r_q, and w = g x - r_q.
 """
 
@@ -38,15 +38,16 @@ from .steps import (
 from .turning import remember
 
 _MOST_STAGES = 8
+"""Largest number of stages of a method."""
 
 _SPAN = 5e-3
-"""Seconds whose share of the tolerance any step may use up. What is stiff has died away after such a time,
-and to follow it exactly until then is what an implicit method is there to avoid."""
+"""Any step may use at least the tolerance of this many seconds. Stiff motions decay within such a time, and
+an implicit method is meant to avoid following them."""
 
 
 @kernel(fastmath=FAST)
 def run_rosenbrock(problem, drive, end, tolerance, attempts):
-    """Go on to `end` with a Rosenbrock method; arguments as those of `run_verlet`."""
+    """Advance to `end` with the method `problem.implicit`; arguments as of `run_verlet`."""
     eight_at_a_time()
     ensure_acceleration(problem, drive)
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
@@ -117,14 +118,14 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
             if balance.active:
                 accumulate(problem, drive, t, to_q, to_v, to_a, step)
             t = end if step == end - t else t + step
-            if integrator.history.shape[0] > 0:  # for generalized-alpha, should it go on from here
+            if integrator.history.shape[0] > 0:  # in case generalized-alpha goes on from here
                 remember(problem, step, 0.5 * integrator.selector[AUTO_STEP + ARM_ALPHA])
             replace_state(q, v, integrator.a, to_q, to_v, to_a)
             count[COUNT_STEPS] += 1
         else:
             error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
-            for i in range(2 * _MOST_STAGES):  # sums run over stages with weight zero, too
+            for i in range(2 * _MOST_STAGES):  # sums include stages with weight zero, which may be NaN
                 for j in range(1, q.size - SPARE):
                     rows[i, j] = 0.0
             if drive.pressed:
@@ -138,7 +139,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _combine(q, v, a, c, per_step, xs, ws, count, to_q, to_v, rest, right):
-    """Positions and velocities of a stage, and what those before it add to its right-hand sides.
+    """Positions and velocities of a stage, and what earlier stages add to its right-hand side.
 
     to_q = q + sum a x, to_v = v + sum a w, rest = to_v + sum c x / h, right = sum c w / h.
     """
@@ -165,9 +166,9 @@ def _combine(q, v, a, c, per_step, xs, ws, count, to_q, to_v, rest, right):
 
 @kernel(fastmath=FAST)
 def _by_time(problem, drive, t, h, q, v, a, out):
-    """The derivative of the accelerations by time, with the free masses where they are.
+    """The derivative of the accelerations with respect to time, at fixed positions of the free masses.
 
-    A difference over a small part of the step: what is driven is smooth within a call.
+    It is a difference quotient over a small part of the step: driven motion is smooth within a call.
     """
     body, state = problem.body, problem.state
     part = 1e-4 * h

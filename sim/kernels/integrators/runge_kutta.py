@@ -13,7 +13,10 @@ from .steps import ensure_acceleration, fitting_step, replace_state
 
 @kernel(fastmath=FAST)
 def run_runge_kutta(problem, drive, end, tolerance, attempts):
-    """Go on to `end` by steps of `problem.fixed` seconds of `problem.explicit`; as `run_verlet`."""
+    """Advance to `end` with the method `problem.explicit` and steps of `problem.fixed` seconds.
+
+    Arguments as of `run_verlet`.
+    """
     ensure_acceleration(problem, drive)
     body, state, integrator = problem.body, problem.state, problem.integrator
     tableau, controller, count = problem.explicit, integrator.controller, integrator.counts
@@ -27,7 +30,7 @@ def run_runge_kutta(problem, drive, end, tolerance, attempts):
         step = fitting_step(t, end, problem.fixed)
         for j in range(1, q.size - SPARE):
             rates[0, j] = integrator.a[j]
-        # The last is the end of the step, whose accelerations the next one begins with.
+        # The last one is the end of the step, whose accelerations are those of the next step's start.
         for i in range(1, stages + 1):
             _stage(q, v, step, tableau.c[i], tableau.a[i], tableau.abar[i], rates, i, to_q, to_v)
             if drive.moving:

@@ -1,4 +1,4 @@
-"""What all integrators but the tutorial's share: where a step ends, and how long the next one is."""
+"""Step size control, and other functions that the integrators share."""
 
 from __future__ import annotations
 
@@ -17,31 +17,31 @@ from ..forces.drive import drive_to
 from .guard import STUCK
 
 SHORTEST_STEP = 1e-12
-"""A step (s) that is not worth shortening any more."""
+"""Length of a step, s, below which it is not shortened further."""
 
 WORTH_SHORTENING = 1e-9
-"""A step (s) so short that one that is still bad tells of the body, and not of the step."""
+"""Length of a step, s, below which a bad state is blamed on the body and not on the step."""
 
 SHORTEST_SPAN = 1e-7
-"""Seconds whose share of the tolerance any step may use up. Where a spring shrinks to a point and is turned
-round in no time, the error of a step, per second of it, is small only in steps too short for anything."""
+"""Any step may use at least the tolerance of this many seconds. Where a spring shrinks to a point and turns
+round very quickly, error per unit step would require impractically short steps."""
 
 _SHORTEST_TURN = 1e-7
-"""A step (s) that is kept however far springs turn in it."""
+"""Length of a step, s, below which springs may turn by any angle."""
 
 _SURE = 0.6
-"""How far a spring's ends may move, both together, as a part of its length, so that it surely has not turned
-far."""
+"""Movement of both ends of a spring together, as a fraction of its length, below which it cannot have turned
+by 60 degrees."""
 _BOTH_ENDS = 2.83
-"""How far both ends move together, at most, where no coordinate changes by more than one."""
+"""Largest movement of both ends together if no coordinate changes by more than 1: 2 sqrt(2), rounded up."""
 
 HOPELESS = 1e30
-"""An error estimate (in tolerances) that stands for infinities and NaN."""
+"""Error estimate, in tolerances, that stands for infinities and NaN."""
 
 
 @kernel(fastmath=FAST)
 def ensure_acceleration(problem, drive):
-    """Make sure that held masses are where they are to be, and that the acceleration is that of the state."""
+    """Move held masses to where they should be and update the accelerations, unless both are up to date."""
     body, state, integrator = problem.body, problem.state, problem.integrator
     if integrator.counts[COUNT_FRESH] == 0:
         if drive.moving:
@@ -56,8 +56,8 @@ def ensure_acceleration(problem, drive):
 def is_gentle(body, state, q, to_q, step):
     """Whether no spring has turned by more than 60 degrees in a step.
 
-    Where one has, as when its ends pass each other, the forces in between were not seen; positions may still
-    be right to the tolerance, while the wrong impulse of each such step adds to the energy.
+    If one has, for instance because its ends passed each other, the forces in between were never evaluated.
+    Positions may still be within the tolerance, but the wrong impulse of each such step adds energy.
     """
     if step < _SHORTEST_TURN:
         return True
@@ -90,7 +90,8 @@ def _any_is_gentle(body, inverse_mass, q, to_q):
         x, y = from_to(q, a, b)
         to_x, to_y = from_to(to_q, a, b)
         free = inverse_mass[a] + inverse_mass[b] > 0.0
-        # No sum as for chains: gathering the ends of eight springs at a time is slower than one by one.
+        # Not vectorised as for chains: gathering the ends of eight springs at a time is slower than one by
+        # one.
         if free and _has_turned(x, y, to_x, to_y, body.softening):
             return False
     return True
@@ -98,7 +99,7 @@ def _any_is_gentle(body, inverse_mass, q, to_q):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _has_turned(x, y, to_x, to_y, softening):
-    """Whether a spring's vector has turned by more than 60 degrees, if it had any direction."""
+    """Whether a spring's vector has turned by more than 60 degrees, if it has a direction."""
     size = (x * x + y * y) * (to_x * to_x + to_y * to_y)
     along = x * to_x + y * to_y
     return size > softening * softening and along * abs(along) < 0.25 * size
@@ -106,18 +107,19 @@ def _has_turned(x, y, to_x, to_y, softening):
 
 @kernel(forceinline=True)
 def stays_gentle(body, state, q, to_q, step, moved, shortest):
-    """`is_gentle`, which is looked into only where it may be in doubt.
+    """`is_gentle`, but quicker where no mass has moved far.
 
     Args:
-        moved: the largest change of a coordinate in the step, px.
-        shortest: the length of every spring at the start, px, at most.
+        body, state, q, to_q, step: as of `is_gentle`.
+        moved: largest change of a coordinate in the step, px.
+        shortest: length of the shortest spring at the start, px, or less.
     """
     return _BOTH_ENDS * moved < _SURE * shortest or is_gentle(body, state, q, to_q, step)
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def shortest_of(body, scratch):
-    """The length of the shortest spring at the positions that forces were last asked for, px."""
+    """The length of the shortest spring, px, at the positions of the last evaluation of forces."""
     eight_at_a_time()
     if is_chain_like(body):
         return 1.0 / max(scratch.inverse[0], 1e-300)
@@ -129,7 +131,7 @@ def shortest_of(body, scratch):
 
 @kernel(forceinline=True)
 def fitting_step(t, end, h):
-    """The step to try: not beyond the end, and without leaving a sliver."""
+    """The step to try, s: at most h, not beyond the end, and without leaving a tiny rest."""
     rest = end - t
     if h >= 0.999999 * rest:
         return rest
@@ -140,7 +142,7 @@ def fitting_step(t, end, h):
 
 @kernel(fastmath=FAST)
 def first_step(integrator, drive, tolerance):
-    """A first step, s: the time in which the accelerations move a mass by the tolerance."""
+    """A first step, s: the time in which the accelerations move a mass by about the tolerance."""
     h = math.sqrt(tolerance / max(max_abs(integrator.a), 1e-9))
     for i in range(drive.mass.size):
         if drive.radius[i] > 0.0:
@@ -153,13 +155,14 @@ def step_after(integrator, h, step, error, order, good, after_failure, left=0.5)
     """The step to try next, s.
 
     Args:
-        h: the step that the error control had planned.
-        step: the step that was tried, which the end of a call may have cut short.
+        integrator: gets `STUCK` if the step is too short.
+        h: the step that error control had planned.
+        step: the step that was tried, which may have been cut short by the end of a call.
         error: its error estimate, in tolerances.
-        order: power of the step that the estimate goes with.
-        good: whether it was kept.
-        after_failure: whether the one before it was not.
-        left: what part of a step that was not kept is left, at most.
+        order: power of the step to which the estimate is proportional.
+        good: whether the step was accepted.
+        after_failure: whether the step before it was rejected.
+        left: length of the next step relative to a rejected one, at most.
     """
     factor = 5.0
     if error > 1e-12:
@@ -174,7 +177,7 @@ def step_after(integrator, h, step, error, order, good, after_failure, left=0.5)
 
 @kernel(forceinline=True)
 def step_after_good(h, step, factor, after_failure):
-    """The step to try after one that was kept, s; `factor`: the ratio of both, by errors alone."""
+    """The step to try after an accepted one, s; `factor` is the growth that the error alone would allow."""
     if after_failure:
         factor = min(factor, 1.0)
     # A step that was cut short says little about longer ones.
@@ -183,7 +186,7 @@ def step_after_good(h, step, factor, after_failure):
 
 @kernel(forceinline=True)
 def _root(number, order):
-    """A root of a number; the usual ones in a tenth of the time that a power takes."""
+    """A root of a number; square roots and fourth roots take a tenth of the time of a power."""
     if order == 2:
         return math.sqrt(number)
     if order == 4:
@@ -193,7 +196,7 @@ def _root(number, order):
 
 @kernel(noalias=True, forceinline=True)
 def replace_state(q, v, a, to_q, to_v, to_a):
-    """Take over the state at the end of a step."""
+    """Copy the state at the end of a step into the present state."""
     eight_at_a_time()
     for j in range(1, q.size - SPARE):
         q[j], v[j], a[j] = to_q[j], to_v[j], to_a[j]
@@ -201,7 +204,7 @@ def replace_state(q, v, a, to_q, to_v, to_a):
 
 @kernel(fastmath=FAST)
 def max_abs(values):
-    """The largest size of the values; NaN if one is."""
+    """The largest absolute value of a flat vector; NaN if any value is."""
     eight_at_a_time()
     most = 0
     for j in range(1, values.size - SPARE):
@@ -211,7 +214,7 @@ def max_abs(values):
 
 @kernel(fastmath=FAST)
 def max_abs_difference(one, other):
-    """The largest size of the differences of two; NaN if one is."""
+    """The largest absolute difference of two flat vectors; NaN if any is."""
     eight_at_a_time()
     most = 0
     for j in range(1, one.size - SPARE):
@@ -221,7 +224,7 @@ def max_abs_difference(one, other):
 
 @kernel(noalias=True, fastmath=FAST)
 def largest_sum(weights, rows, count, scratch):
-    """The largest size in a weighted sum of the first `count` rows; NaN if one is."""
+    """The largest absolute value of a weighted sum of the first `count` rows; NaN if any is."""
     eight_at_a_time()
     for j in range(1, scratch.size - SPARE):
         scratch[j] = 0.0

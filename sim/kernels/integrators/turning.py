@@ -1,11 +1,11 @@
-"""Positions by the turning and stretching of springs, along a spanning forest: see `Matrix.walk`.
+"""Positions from the turning and stretching of springs along a spanning forest, see `Matrix.walk`.
 
-A long rod turns by much in a step while it hardly stretches, which is anything but linear in positions. In
-complex numbers, a vector becomes vector * (1 + z), whatever the turn.
+A long rod turns a lot in one step while it hardly stretches, and positions are strongly nonlinear in that
+motion. As a complex number, the vector of a spring becomes vector * (1 + z), for any rotation.
 
-Along a chain each mass hangs on the one before it. There all vectors are found in loops that are vectorised,
-and only their sum goes from mass to mass: that takes half of the time. Indices there are unsigned: numba
-otherwise tests each one for being negative.
+Along a chain, the parent of each mass is the one before it. All vectors are then computed in vectorised
+loops, and only their sum proceeds from mass to mass, which takes half of the time. Indices there are
+unsigned, because numba otherwise tests each one for being negative.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from ..core.jit import FAST, kernel
 from ..core.tables import CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, SPARE
 
 _LEAST = 1e-100
-"""The square of a length that is divided by, px², at least."""
+"""Lower bound, px², of a squared length that is divided by."""
 
 
 @kernel(internal=True, fastmath=FAST)
 def remember(problem, step, least):
-    """Shift the history of the springs' vectors by a step; called before the state is replaced.
+    """Add a step to the history of the springs' vectors; called before the state is replaced.
 
-    Steps that together are shorter than `least`, s, count as one, since the next step is much longer.
+    Steps that together are shorter than `least` (s) count as one, since the next step is much longer.
     """
     matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
     controller, slots = integrator.controller, q.size // 2
@@ -47,10 +47,10 @@ def remember(problem, step, least):
 
 @kernel(internal=True, fastmath=FAST)
 def predict(problem, step, to_q, vector):
-    """Extrapolate how each spring of the forest turned and stretched in the last two steps.
+    """Predict positions by extrapolating how each spring of the forest turned and stretched in two steps.
 
-    z, less its square's half, is extrapolated as a polynomial of time. The masses without a parent, or in a
-    hand, are where they are in `to_q` already; `vector` is scratch.
+    z - z²/2, the logarithm of 1 + z to second order, is extrapolated as a polynomial of time. Held masses and
+    those without a parent keep their positions in `to_q`; `vector` is scratch.
     """
     matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
     controller, slots = integrator.controller, q.size // 2
@@ -84,7 +84,7 @@ def predict(problem, step, to_q, vector):
 
 @kernel(internal=True, fastmath=FAST)
 def turn_and_stretch(matrix, inverse_mass, q, move, vector):
-    """Apply an update to the positions q, turning and stretching each spring; `vector` is scratch."""
+    """Apply an update to the positions q by turning and stretching each spring; `vector` is scratch."""
     slots, n = q.size // 2, matrix.walk.size
     if matrix.straight:
         x, y, to_x, to_y = q[:slots], q[slots:], vector[:slots], vector[slots:]
@@ -98,7 +98,7 @@ def turn_and_stretch(matrix, inverse_mass, q, move, vector):
             )
             to_x[s + 2] = dx
             to_y[s + 2] = dy
-        for index in range(1, n + 1):  # not with a branch: that would not be vectorised
+        for index in range(1, n + 1):  # without a branch, so that it is vectorised
             m = np.uint64(index)
             apart = (matrix.parent[m] == 0) | (inverse_mass[m] == 0.0)
             x[m] += by_x[m] if apart else 0.0
@@ -120,7 +120,7 @@ def turn_and_stretch(matrix, inverse_mass, q, move, vector):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _add_up(matrix, inverse_mass, vector, q):
-    """Place all masses by the vectors to them, but those without a parent or in a hand."""
+    """Compute positions from the vectors, except of held masses and of those without a parent."""
     slots = q.size // 2
     if matrix.straight:
         x, y = q[1], q[slots + 1]
@@ -141,7 +141,7 @@ def _add_up(matrix, inverse_mass, vector, q):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _extrapolated(x, y, x1, y1, x0, y0, c1, c0):
-    """A vector that was (x1, y1) a step ago and (x0, y0) two ago; itself where that would be wild."""
+    """Extrapolate (x, y) from (x1, y1) a step ago and (x0, y0) two ago; unchanged if it varies too much."""
     square1, square0 = max(x1 * x1 + y1 * y1, _LEAST), max(x0 * x0 + y0 * y0, _LEAST)
     both = 1.0 / (square1 * square0)  # one division instead of two
     re1, im1 = _logarithm(x, y, x1, y1, square0 * both)
@@ -154,7 +154,7 @@ def _extrapolated(x, y, x1, y1, x0, y0, c1, c0):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _updated(x, y, dx, dy):
-    """A vector to which (dx, dy) is to be added, turned and stretched as that asks for at first order."""
+    """A vector turned and stretched so that it changes by (dx, dy) to first order."""
     inverse = 1.0 / max(x * x + y * y, _LEAST)
     stretch, turn = 1.0 + (x * dx + y * dy) * inverse, (x * dy - y * dx) * inverse
     turned_x, turned_y = _turned(x, y, stretch, turn)
@@ -164,7 +164,7 @@ def _updated(x, y, dx, dy):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _logarithm(x, y, x0, y0, inverse):
-    """Of (x + iy) / (x0 + iy0), to second order in the turn; `inverse` is 1 / (x0² + y0²)."""
+    """The logarithm of (x + iy) / (x0 + iy0), to second order in the angle; `inverse` is 1 / (x0² + y0²)."""
     re, im = (x * x0 + y * y0) * inverse - 1.0, (y * x0 - x * y0) * inverse
     return re + 0.5 * im * im, im
 

@@ -1,4 +1,4 @@
-"""Velocity Verlet: one evaluation of the forces a step."""
+"""Velocity Verlet: one evaluation of the forces per step."""
 
 from __future__ import annotations
 
@@ -33,34 +33,42 @@ from .steps import (
 )
 
 _ROOMY = 0.8
-"""An error, in tolerances, that leaves the step as long as it is."""
+"""Error, in tolerances, at which the step keeps its length."""
 
 _STRICTLY = 0.27
-"""The part of the tolerance that steps hold which are not near the stability limit. Near it, only the hardest
-moments make errors as large as they may be; elsewhere all steps are as long as errors let them be, so that
-they add up."""
+"""Fraction of the tolerance for steps that are not near the stability limit. Near it, errors reach the
+tolerance only in the hardest moments; elsewhere all steps are as long as the tolerance allows, so that errors
+add up."""
 
 _PAST = 0.25
-"""The part of the acceleration before in what predicts velocities near the stability limit."""
+"""Weight of the previous acceleration in the prediction of velocities near the stability limit."""
 
 _SINK = 0.93
-"""What a step that failed leaves of the limit."""
+"""The remembered limit after a failed step, relative to that step."""
 _RAISE = 1.002
-"""How fast the limit rises again, per step."""
+"""Factor by which that limit rises again in every step."""
 
 
 @kernel(fastmath=FAST)
 def run_verlet(problem, drive, end, tolerance, attempts):
-    """Go on to `end` by x += h v + h²/2 a, v += h/2 (a + a'); arguments as those of `run_explicit`.
+    """Advance to `end` by x += h v + h²/2 a, v += h/2 (a + a').
 
-    Forces that depend on velocities take v + h a for the new ones, which keeps the second order, but under
-    damping has a lower limit than symplectic Euler, see `sim.stability`. Under error control, steps that
-    `near_limit` says are near it take v + h (3 a + b) / 4, with b the acceleration before a: also of second
-    order, with larger errors and Euler's limit. Steps shorter than that hold a part of the tolerance.
+    Forces that depend on velocities use v + h a for those at the end of the step. This is of second order,
+    but under damping its stability limit is lower than that of symplectic Euler, see `sim.motion.stability`.
+    Under error control, steps of at least `near_limit` use v + h (3 a + b) / 4, where b is the acceleration
+    before a. This is also of second order, with larger errors and Euler's limit. Shorter steps are held to a
+    part of the tolerance.
 
-    The error of a step is taken to be h² |a' - a| / 12. Near the limit that says nothing for a while and then
-    everything at once, so a step that failed is remembered as a limit, which is raised slowly. That the next
-    one fails as well, half as long, tells of the vibration that is left, and not of the limit.
+    The error of a step is estimated as h² |a' - a| / 12. Near the stability limit this estimate stays small
+    and then rises suddenly, so a failed step is remembered as a limit, which then rises slowly. If the next
+    step fails as well, at half the length, that is due to the vibration that is left, and not to the limit.
+
+    Args:
+        problem: the tables.
+        drive: how held masses move, and what held keys do.
+        end: the time to advance to, s.
+        tolerance: position error, px, that the steps of a second may add up to; unused with a fixed step.
+        attempts: number of steps that may be tried.
     """
     ensure_acceleration(problem, drive)
     body, state, scratch, integrator, balance = (
@@ -85,7 +93,7 @@ def run_verlet(problem, drive, end, tolerance, attempts):
     cap = controller[CONTROLLER_CAP]
     for j in range(a.size):
         slope[j] = a[j]
-    failures = 0  # one after another
+    failures = 0  # consecutive ones
     steps, tries, held, swaps, shortest = 0, 0, 0, 0, 0.0
     while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
         tries += 1
@@ -125,12 +133,12 @@ def run_verlet(problem, drive, end, tolerance, attempts):
                 h = min(step_after(integrator, h, step, max(error, 2.0), 2, False, failures > 0), cap)
                 failures += 1
             continue
-        shortest = shortest_of(body, scratch)  # before the books, which ask for forces elsewhere
+        shortest = shortest_of(body, scratch)  # before the energy balance, which evaluates forces elsewhere
         if balance.active:
             accumulate(problem, drive, t, to_q, to_v, to_a, step)
             replace_state(state.q, state.v, integrator.a, to_q, to_v, to_a)
         else:
-            # Change places instead of copying.
+            # Swap the arrays instead of copying them.
             q, to_q, v, to_v, a, to_a = to_q, q, to_v, v, to_a, a
             swaps += 1
         slope, to_slope = to_slope, slope
@@ -139,7 +147,7 @@ def run_verlet(problem, drive, end, tolerance, attempts):
         if fixed == 0.0:
             cap *= _RAISE
             if failures == 0 and error * cap * cap < _ROOMY * step * step and cap < 2.0 * step:
-                # The limit decides, whatever the error exactly is: so the next step need not wait for it.
+                # The limit determines the next step, which therefore need not wait for the error.
                 h = cap
                 held += 1
             else:
@@ -169,10 +177,10 @@ def _predict(q, v, a, slope, step, to_q, to_v):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _correct(q, v, a, to_a, half, past, to_q, to_v, to_slope):
-    """Correct velocities, and find what predicts the next ones, with the part `past` of `a` in it.
+    """Correct velocities, and compute the slope that predicts the next ones, with the weight `past` of `a`.
 
     Returns:
-        The largest change of an acceleration, coordinate, speed and move, as bits.
+        As bits, the largest change of an acceleration, coordinate, speed and change of position.
     """
     eight_at_a_time()
     change, far, fast, moved = 0, 0, 0, 0

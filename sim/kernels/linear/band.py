@@ -1,11 +1,11 @@
-"""The matrix of an implicit step on a chain, by rows.
+"""The rows of the matrix of an implicit step on a chain.
 
-The matrix is a I - g Jv - Jx, with Jx and Jv the derivatives of the accelerations by positions and by
-velocities: velocity is eliminated, so there are two unknowns a mass. On a chain it has five diagonals of two
-by two blocks; `joint_damped` factorises it.
+The matrix is a I - g Jv - Jx, where Jx and Jv are the derivatives of the accelerations with respect to
+positions and velocities. Velocities are eliminated, so there are two unknowns per mass. On a chain the matrix
+has five diagonals of 2×2 blocks; `two_sided_lu` factorises it.
 
-Rows have to be eliminated one after the other. All that comes before, the derivatives of the forces and the
-rows that follow from them, is done here for a chunk of springs at a time, in loops that are vectorised.
+Rows are eliminated one after another. Everything before that, the derivatives of the forces and the rows that
+follow from them, is computed here for a chunk of springs at a time, in vectorised loops.
 """
 
 from __future__ import annotations
@@ -19,43 +19,47 @@ from ..forces.laws import CONSERVATIVE, TUTORIAL, is_sine
 from .blocks import joint_blocks, minus, plus, scaled, spring_block
 
 CHUNK = 16
-"""Springs whose derivatives are taken before their rows are eliminated."""
+"""Number of springs whose derivatives are computed before their rows are eliminated."""
 _VECTOR = 8
-"""Springs that are done at a time."""
+"""Number of springs that a vectorised loop processes at a time."""
 _STRIDE = _VECTOR + CHUNK + _VECTOR
-"""Of each kind of number there is room for a chunk, and on both sides of it for the end of the last one."""
+"""Length of the array of each kind of number: a chunk, and on both sides room for the end of the last one."""
 
 _OWN, _AA, _AB, _BA, _BB, _KINDS = 0, 4, 8, 12, 16, 20
-"""The derivatives of the tension of a spring by its own vector; those that the joint between it and the next
-spring adds, as `joint_blocks` names them; and how many numbers these are."""
+"""Kinds of numbers, four for each block: the derivative of a spring's tension by its own vector; the blocks
+that the joint between it and the next spring adds, named as in `joint_blocks`; and the number of these
+kinds."""
 L2, L1, D, U1, U2, _ALL = 36, 40, 44, 48, 52, 56
-"""The five blocks of the row of the mass that each spring begins at. They are 4 kB from what they are built
-from: LLVM does not vectorise a loop that might load, a little later, parts of what it stored."""
+"""The same for the five blocks of the row of the mass at which a spring begins; and the number of all kinds.
+The rows are 4 kB away from the derivatives that they are built from: LLVM does not vectorise a loop that
+might load soon after what it has stored."""
 
 PARTS = _ALL * _STRIDE
-"""Numbers in one half of `Matrix.parts`: of each kind in turn, those of a chunk side by side."""
+"""Length of one half of `Matrix.parts`: for each kind in turn, the numbers of a chunk side by side."""
 
 _ZERO = (0.0, 0.0, 0.0, 0.0)
+"""The zero block."""
 _ONE = (1.0, 0.0, 0.0, 1.0)
+"""The unit block."""
 
 
 @kernel(forceinline=True)
 def begin(parts, k):
-    """Before the first chunk: there are no springs k and k + 1, on one side of it."""
+    """Initialise before the first chunk: there are no springs k and k + 1 on one side of it."""
     for kind in range(_KINDS):
         parts[at(kind, k)], parts[at(kind, k + 1)] = 0.0, 0.0
 
 
 @kernel(forceinline=True)
 def hand_on(parts, k, to):
-    """Make springs k and k + 1 of this chunk springs `to` and `to` + 1 of the next."""
+    """Copy springs k and k + 1 of this chunk to springs `to` and `to` + 1 of the next."""
     for kind in range(_KINDS):
         parts[at(kind, to)], parts[at(kind, to + 1)] = parts[at(kind, k)], parts[at(kind, k + 1)]
 
 
 @kernel(forceinline=True)
 def put_empty_row(parts, k):
-    """Make the chunk's row k one of the unit matrix."""
+    """Set the chunk's row k to that of the unit matrix."""
     for kind in (L2, L1, U1, U2):
         put(parts, at(kind, k), _ZERO)
     put(parts, at(D, k), _ONE)
@@ -63,14 +67,14 @@ def put_empty_row(parts, k):
 
 @kernel(internal=True, fastmath=FAST)
 def put_rows(body, state, q, v, a, g, definite, first, start, stop, offset, parts):
-    """Put into `parts` the rows of a chunk, which begins at row `first` of all.
+    """Compute the rows of a chunk and write them into `parts`.
 
     Args:
-        body, state: as for `factorise_chain`, as are q, v, a, g and definite.
-        first: row of all that is the chunk's row 0.
-        start, stop: springs of the chunk that are to be derived; the two beyond its end are at hand.
-        offset: which of them the first row to be built is: 0 if those before it, 2 if those behind it are
-            from the chunk before.
+        body, state, q, v, a, g, definite: as of `factorise_chain`.
+        first: number of the chunk's row 0 in the matrix.
+        start, stop: springs of the chunk whose derivatives are computed; the two on one side are known.
+        offset: distance of the rows from these springs: 0 if the known springs come before them, 2 if they
+            come after.
         parts: half of `Matrix.parts`.
     """
     _derive_springs(body, state, q, v, g, definite, first, start, stop, parts)
@@ -93,9 +97,10 @@ def put_rows(body, state, q, v, a, g, definite, first, start, stop, offset, part
 
 @kernel(inline="always")
 def at(kind, k):
-    """Where `Matrix.parts` has a number of the chunk's spring k; two beyond its ends are of the last.
+    """Index in `Matrix.parts` of a number of the chunk's spring k; k may exceed the chunk by two on either
+    side.
 
-    Inlined by numba, or every constant `kind` would make another copy of whatever is called with it.
+    It is inlined by numba, since numba otherwise compiles a copy of the caller for every constant `kind`.
     """
     return np.uint64(_STRIDE * kind + _VECTOR + k)
 
@@ -115,7 +120,7 @@ def _derive_springs(body, state, q, v, g, definite, first, start, stop, parts):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _derive_joints(body, state, q, v, g, law, joint_damped, definite, first, start, stop, parts):
-    """The law, whether joints have damping, and `definite`, are constants where it is called: a loop each."""
+    """`law`, `joint_damped` and `definite` are constants in every call, so that each gets its own loop."""
     soft = body.softening
     for k in range(start, stop):
         index, other, third = np.uint64(first + k + 1), first + k + 2, first + k + 3
@@ -151,13 +156,13 @@ def _derive_joints(body, state, q, v, g, law, joint_damped, definite, first, sta
 
 @kernel(forceinline=True, fastmath=FAST)
 def _inverse_of(vector, softening):
-    """1 / the length of a spring's vector; of many at a time."""
+    """1 / the length of a spring's vector, in vectorised loops."""
     return inverse_root(vector[0] * vector[0] + vector[1] * vector[1] + softening)
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def put(parts, i, block):
-    """Make a block what the four numbers from place i on are, each a stride after the other."""
+    """Store a block: its first number at index i, and each other number one stride after the last."""
     stride = np.uint64(_STRIDE)
     parts[i] = block[0]
     parts[i + stride] = block[1]
@@ -167,14 +172,14 @@ def put(parts, i, block):
 
 @kernel(forceinline=True, fastmath=FAST)
 def part(parts, i):
-    """The block that `put` puts."""
+    """Load a block that `put` has stored."""
     stride = np.uint64(_STRIDE)
     return parts[i], parts[i + stride], parts[i + stride + stride], parts[i + stride + stride + stride]
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def _build_rows(state, v, a, g, first, start, stop, parts):
-    """From how each spring answers to its own vector and to those of the two beside it."""
+    """Build rows from the derivatives of each spring's tension by its own vector and its neighbours'."""
     slots = v.size // 2
     for k in range(start, stop):
         m = np.uint64(first + k + 1)
@@ -198,5 +203,5 @@ def _build_rows(state, v, a, g, first, start, stop, parts):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _whole(parts, k):
-    """How a spring answers to its own vector, with what the joints at both its ends add."""
+    """The derivative of a spring's tension by its own vector, with the joints at both its ends."""
     return plus(part(parts, at(_OWN, k)), plus(part(parts, at(_AA, k)), part(parts, at(_BB, k - 1))))

@@ -1,8 +1,8 @@
-"""Two by two blocks: how the forces of a spring and of a joint answer to its vectors.
+"""2×2 blocks: derivatives of the forces of springs and joints.
 
-A block is a tuple (xx, xy, yx, yy). Derivatives are of the force on the b end of a spring (its tension), by a
-spring's vector; with the factor g of an implicit step, the derivative by the rate of that vector, times
-g, is added, since velocity is eliminated from the systems that implicit steps solve.
+A block is a tuple (xx, xy, yx, yy). It is the derivative of the force on the b end of a spring, its tension,
+with respect to a spring's vector. The derivative with respect to the rate of that vector, times the factor g
+of an implicit step, is added to it, since velocities are eliminated from the linear systems.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def scaled(factor, block):
 
 @kernel(forceinline=True, fastmath=FAST)
 def spring_block(stiffness, damping, pull, inv, vector, rate, g, definite):
-    """Of the tension of a linear spring, by its own vector; `inv` is 1 / its length.
+    """The derivative of a linear spring's tension by its own vector; `inv` is 1 / its length.
 
     `definite` leaves out what could make the matrix of an implicit step indefinite: the sideways push of a
     compressed spring, and the turning of the damping force.
@@ -83,19 +83,19 @@ def spring_block(stiffness, damping, pull, inv, vector, rate, g, definite):
 def joint_blocks(
     law, size, cos, sin, rest, damping, a, b, inv_a, inv_b, softening, rate_a, rate_b, g, definite
 ):  # fmt: skip
-    """Of the tensions that a joint adds to its springs a and b, by their vectors: aa, ab, ba, bb.
+    """The derivatives of the tensions that a joint adds to its springs a and b: aa, ab, ba, bb.
 
     Args:
         law: as in `Body.law`.
-        size, cos, sin: the stiffness, and that times cosine and sine of the rest angle.
+        size, cos, sin: the stiffness, and its products with the cosine and sine of the rest angle.
         rest: rest angle, radians.
         damping: of the joint.
         a, b: vectors of the springs.
         inv_a, inv_b: 1 / their lengths.
-        softening: that is in these, px².
+        softening: see `Body.softening`, px².
         rate_a, rate_b: the rates of the vectors.
         g: factor of the derivative by the rates.
-        definite: whether the matrix -[[aa, ab], [ba, bb]] has to be positive semidefinite. It is then
+        definite: whether the matrix -[[aa, ab], [ba, bb]] must be positive semidefinite. It is then
             that of the conservative law, which is the square of sqrt(|B|/|A|) A - sqrt(|A|/|B|) R(-r) B,
             with the square roots taken as constants (Gauss-Newton).
     """
@@ -131,7 +131,7 @@ def joint_blocks(
         aa, ab, ba, bb = blocks_of_law(law, size, rest, a, b, inv_a, inv_b, softening)
     if damping > 0.0:
         strength = damping * product
-        # dV/dt is the turning rate of b less that of a; a spring turns at -normal . rate.
+        # dV/dt is the turning rate of b minus that of a; the turning rate of a spring is -normal . rate.
         turning = (
             normal_a[0] * rate_a[0]
             + normal_a[1] * rate_a[1]
@@ -169,10 +169,10 @@ def joint_blocks(
 
 @kernel(fastmath=FAST)
 def blocks_of_law(law, size, rest, a, b, inv_a, inv_b, softening):
-    """As `joint_blocks`, for any law with an energy, by its terms.
+    """Like `joint_blocks`, for any law with an energy, from its terms.
 
-    That is K w(A) w(B) F(V - r) with the weight w(L) = L² / sqrt(L² + softening), since V has no value where
-    a spring has no length.
+    The energy is K w(A) w(B) F(V - r) with the weight w(L) = L² / sqrt(L² + softening), since V is undefined
+    where a spring has no length.
     """
     off = deflection(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1], rest)
     torque, energy, stiffness = terms(law, off)
@@ -193,8 +193,8 @@ def blocks_of_law(law, size, rest, a, b, inv_a, inv_b, softening):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _weight(vector, inv, softening):
-    """The weight of a spring, its gradient and its second derivatives; the gradient of
-    the spring's angle, with the sign of perp, and the derivatives of that."""
+    """The weight of a spring, its gradient and its second derivatives; perp(L) / |L|², which is minus the
+    gradient of the spring's angle, and the derivatives of that."""
     square = vector[0] * vector[0] + vector[1] * vector[1]
     true = 1.0 / max(square, SHORTEST_SQUARED)
     slope = (square + 2.0 * softening) * inv * inv * inv
@@ -207,7 +207,7 @@ def _weight(vector, inv, softening):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _normal_by_vector(vector, normal, inv):
-    """Derivative of perp(L) / |L|² by L."""
+    """The derivative of perp(L) / |L|² by L."""
     x, y = 2.0 * inv * inv * vector[0], 2.0 * inv * inv * vector[1]
     return (
         -normal[0] * x,

@@ -1,4 +1,4 @@
-"""The product of Jv, the derivative of the accelerations by the velocities, with a vector."""
+"""The product of Jv, the derivative of the accelerations with respect to velocities, with a vector."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..core.vectors import from_to, inverse_of
 
 @kernel(forceinline=True, fastmath=FAST)
 def remember_directions(body, matrix, q):
-    """Keep the springs' directions at positions q, for `add_damping_product`."""
+    """Store the directions of the springs at positions q, for `add_damping_product`."""
     slots = q.size // 2
     ux, uy, inverse = matrix.ux, matrix.uy, matrix.inverse
     if body.chain:
@@ -35,7 +35,7 @@ def _chain_directions(springs, soft, x_of, y_of, ux, uy, inverse):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def add_damping_product(body, state, matrix, v, z, factor, out):
-    """out += factor Jv z, with Jv at velocities v and the positions last given to `remember_directions`."""
+    """out += factor Jv z, with Jv at velocities v and the positions of the last `remember_directions`."""
     eight_at_a_time()
     slots = z.size // 2
     if not body.chain or body.joint_damped:
@@ -44,7 +44,7 @@ def add_damping_product(body, state, matrix, v, z, factor, out):
     zx, zy, vx, vy = z[:slots], z[slots:], v[:slots], v[slots:]
     ox, oy = out[:slots], out[slots:]
     w, air, ux, uy, damping = state.inverse_mass, state.air, matrix.ux, matrix.uy, matrix.damping
-    # Each mass asks both of its springs anew: to wait for what another loop stores takes longer.
+    # Both springs are recomputed at each mass: waiting for results that another loop stores takes longer.
     for i in range(1, whole_eights(body.masses) + 1):
         before = damping[i - 1] * (ux[i - 1] * (zx[i] - zx[i - 1]) + uy[i - 1] * (zy[i] - zy[i - 1]))
         behind = damping[i] * (ux[i] * (zx[i + 1] - zx[i]) + uy[i] * (zy[i + 1] - zy[i]))

@@ -1,7 +1,8 @@
-"""The matrix of an implicit step on any topology: block-sparse LU with a pattern that is found once.
+"""The matrix of an implicit step on any topology: block-sparse LU with a precomputed pattern.
 
-`sim.pattern` finds an order of the masses that fills in little, and where blocks will be. Rows are stored one
-after the other, columns ascending, in that order; here they are filled, and eliminated row by row.
+`sim.body.sparsity` finds an elimination order with little fill-in, and the pattern of the blocks. Rows are
+stored in that order, one after another, with ascending columns. Here they are filled and eliminated row by
+row.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ def _add(blocks, target, sign, block):
 
 @kernel(fastmath=FAST)
 def assemble(body, state, matrix, q, v, g, definite):
-    """Sum the derivatives of the forces (not the accelerations), Jx + g Jv without air, into the pattern."""
+    """Fill the pattern with the derivatives of the forces of springs and joints, by positions and g times by
+    velocities; masses and air friction are left out."""
     blocks, soft = matrix.blocks, body.softening
     for i in range(blocks.size):
         blocks[i] = 0.0
@@ -36,7 +38,7 @@ def assemble(body, state, matrix, q, v, g, definite):
             body.stiffness[s], body.damping[s], state.pull[s], inv, vector, rate, g, definite
         )
         t = matrix.spring_target
-        # The force acts on b, and its opposite on a; the vector is b less a.
+        # The force acts on b and its opposite on a; the vector is b minus a.
         _add(blocks, t[4 * s], 1.0, block)
         _add(blocks, t[4 * s + 1], -1.0, block)
         _add(blocks, t[4 * s + 2], -1.0, block)
@@ -75,7 +77,7 @@ def assemble(body, state, matrix, q, v, g, definite):
 
 @kernel(internal=True, fastmath=FAST)
 def factorise_sparse(body, state, matrix, q, v, a, g, definite):
-    """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
+    """`implicit.factorise_matrix` of any body but a chain."""
     slots = q.size // 2
     assemble(body, state, matrix, q, v, g, definite)
     blocks, start, column, diagonal = matrix.blocks, matrix.row_start, matrix.column, matrix.diagonal
@@ -117,7 +119,7 @@ def factorise_sparse(body, state, matrix, q, v, a, g, definite):
 
 @kernel(internal=True, fastmath=FAST)
 def solve_sparse(body, matrix, b):
-    """Solve in place; b is flat, x of every place, then y."""
+    """`implicit.solve_matrix` of any body but a chain."""
     slots = b.size // 2
     r, start, column, diagonal, order = (
         matrix.blocks,

@@ -1,12 +1,13 @@
-"""The factors of a chain's matrix: its rows are eliminated from both ends at once.
+"""LU factors of a chain's matrix, whose rows are eliminated from both ends at once.
 
-Each row waits for the one before it, so that elimination from one end would be idle most of the time. Of the
-rows of two ends, one is done beside the other (van der Vorst, "Large tridiagonal and block tridiagonal linear
-systems on vector and parallel computers", Parallel Computing 5, 1987), as the two numbers of a vector.
+Each row waits for the one before it, so that elimination from one end would leave the processor idle most of
+the time. Two rows, one from each end, are eliminated together (van der Vorst, "Large tridiagonal and block
+tridiagonal linear systems on vector and parallel computers", Parallel Computing 5, 1987), as the two numbers
+of a vector.
 
-`Matrix.blocks` has the factors by pairs of rows: row p, and the one p - 1 rows before the last, which is none
-for the first two pairs. In the middle, where a few rows are left over, the second of a pair is an empty one.
-The last two rows of all have rows that were eliminated on either side of them.
+`Matrix.blocks` holds the factors in pairs of rows: row p, and row n + 1 - p of n, which does not exist for
+the first two pairs. In the middle, where rows are left over, the second row of a pair is an empty one. The
+two rows that are eliminated last have eliminated rows on both sides.
 """
 
 from __future__ import annotations
@@ -20,34 +21,37 @@ from .band import CHUNK, L1, L2, PARTS, U1, U2, D, at, begin, hand_on, part, put
 from .blocks import minus, times
 
 _LOWER2, _LOWER1, _INVERSE, _TO1, _TO2 = 0, 8, 16, 24, 32
-"""Of each row: D^-1 L2, D^-1 L1 and D^-1, with D its pivot, which is what solving forwards reads; and D^-1 U1
-and D^-1 U2, for solving backwards. Each is a block of four numbers, and each of them is that of both rows of
-a pair."""
+"""Offsets in a pair of the blocks of its rows. With the pivot D of a row, they are D^-1 L2, D^-1 L1 and D^-1
+for forward substitution, and D^-1 U1 and D^-1 U2 for back substitution. A block is four numbers for each of
+the two rows, which alternate."""
 
 _PAIR = 40
-"""Numbers of each pair."""
+"""Number of floats in a pair."""
 _BEFORE = 2
-"""Pairs of zeros before the first."""
+"""Number of pairs of zeros before the first."""
 
 _REST = 12
-"""Numbers behind the last pair: what joined the last two rows to those behind them."""
+"""Number of floats after the last pair: the three blocks that couple the last two rows to those behind
+them."""
 
 _SHORT = 8
-"""Masses below which all rows are eliminated from one end."""
+"""Number of masses below which all rows are eliminated from one end."""
 
 _ORDERED = {"contract", "nsz"}
-"""For sums that wait for what their last terms hold: those are added last, as written."""
+"""Fast-math flags for sums whose last terms are available last: they keep the order in which they are
+written."""
 
 _ZERO = (0.0, 0.0, 0.0, 0.0)
+"""The zero block."""
 
 
 def room_for(masses: int) -> tuple[int, int]:
-    """Numbers in `Matrix.blocks` and in `Matrix.parts` of a chain of so many masses."""
+    """Lengths of `Matrix.blocks` and `Matrix.parts` for a chain."""
     return _PAIR * (_BEFORE + _meeting.py_func(masses)[1] + 2) + _REST, 2 * PARTS
 
 
 def inverse_pivots(blocks: NDArray[np.float64], masses: int) -> NDArray[np.float64]:
-    """(masses, 4): the inverse of the pivot of each row, in order."""
+    """(masses, 4) the inverse of the pivot of each row, in order."""
     paired, meet = _meeting.py_func(masses)
     pairs = blocks[_BEFORE * _PAIR : -_REST].reshape(-1, _PAIR)[:, _INVERSE:_TO1].reshape(-1, 4, 2)
     return np.concatenate((pairs[: meet + 2, :, 0], pairs[2:paired, :, 1][::-1]))
@@ -55,14 +59,14 @@ def inverse_pivots(blocks: NDArray[np.float64], masses: int) -> NDArray[np.float
 
 @kernel(forceinline=True)
 def _meeting(n):
-    """How many pairs there are, and the first of the two rows that are eliminated last."""
+    """(number of pairs with two rows, first of the two rows that are eliminated last)."""
     paired = n // 2 if n >= _SHORT else 0
     return paired, n - max(paired, 2)
 
 
 @kernel(internal=True, fastmath=_ORDERED)
 def factorise_chain(body, state, matrix, q, v, a, g, definite):
-    """Build and factorise a I - g Jv - Jx at positions q and velocities v; false if a pivot is singular."""
+    """`implicit.factorise_matrix` of a chain."""
     n, blocks = body.masses, matrix.blocks
     near, far = matrix.parts[:PARTS], matrix.parts[PARTS:]
     begin(near, -2)
@@ -71,12 +75,12 @@ def factorise_chain(body, state, matrix, q, v, a, g, definite):
     check = 0.0, 0.0
     for first in range(0, meet + 2, CHUNK):
         count, pairs = min(CHUNK, meet + 2 - first), min(CHUNK, max(paired - first, 0))
-        # Not constants, or numba would make another copy of all that derives a row.
+        # `np.int64` instead of constants, for which numba would compile separate copies of `put_rows`.
         put_rows(
             body, state, q, v, a, g, definite, first, np.int64(0), whole_eights(count), np.int64(0), near
         )
         if pairs > 0:
-            # From this end, rows are two behind the springs that they are derived with.
+            # From this end, the rows are two behind the springs whose derivatives are computed with them.
             start = CHUNK - whole_eights(pairs)
             put_rows(
                 body, state, q, v, a, g, definite, n - first - CHUNK, start, np.int64(CHUNK), np.int64(2), far
@@ -98,14 +102,14 @@ def factorise_chain(body, state, matrix, q, v, a, g, definite):
 
 @kernel(forceinline=True, fastmath=_ORDERED)
 def _eliminate(blocks, p, near, far, k, check):
-    """Eliminate from pair p those before it; its rows are k from the ends of the chunks.
+    """Eliminate pair p, whose rows are k rows from the ends of the chunks.
 
     Returns:
-        `check`, and as much added to it: finite unless a pivot is singular.
+        `check` plus the entries of the inverse pivots, which is finite unless a pivot is singular.
     """
     i, o = _index(p), CHUNK + 1 - k
     last, older = i - np.uint64(_PAIR), i - np.uint64(2 * _PAIR)
-    # What is above a pivot is towards the middle; that is below the diagonal in rows of the far end.
+    # Upper blocks are those towards the middle; in rows of the far end these are below the diagonal.
     lower2 = _beside(part(near, at(L2, k)), part(far, at(U2, o)))
     lower1 = _minus(
         _beside(part(near, at(L1, k)), part(far, at(U1, o))), lower2, _pair(blocks, _of(older, _TO1))
@@ -120,7 +124,7 @@ def _eliminate(blocks, p, near, far, k, check):
     upper2 = _beside(part(near, at(U2, k)), part(far, at(L2, o)))
     xx, xy, yx, yy = diagonal
     factor = _quotient((1.0, 1.0), _less_product(_product(xx, yy), xy, yx))
-    # The next pair waits for this one, which waits for the division: after that, as little as can be.
+    # The next pair waits for this one, which waits for the division. So little is left to do after that.
     _put_pair(blocks, _of(i, _TO1), _divided(diagonal, factor, upper1))
     _put_pair(blocks, _of(i, _TO2), _divided(diagonal, factor, upper2))
     opposite = _product((-1.0, -1.0), factor)
@@ -133,7 +137,7 @@ def _eliminate(blocks, p, near, far, k, check):
 
 @kernel(forceinline=True, fastmath=_ORDERED)
 def _join(blocks, paired, near, k, second):
-    """Eliminate from the first or the second of the last two rows those behind it."""
+    """Eliminate, from the first or second of the last two rows, the rows behind it."""
     i, o = _index(paired - 1), _index(paired - 2)
     rest = np.uint64(blocks.size - _REST)
     upper1, upper2, diagonal = part(near, at(U1, k)), part(near, at(U2, k)), part(near, at(D, k))
@@ -157,7 +161,7 @@ def _join(blocks, paired, near, k, second):
     put(near, at(U2, k), _ZERO)
 
 
-# Arithmetic of two numbers at a time, as tuples, which LLVM does in one vector.
+# Arithmetic on pairs of numbers, as tuples, which LLVM turns into vector instructions.
 
 
 @kernel(forceinline=True, fastmath=_ORDERED)
@@ -192,13 +196,13 @@ def _less_product(a, b, c):
 
 @kernel(forceinline=True)
 def _index(p):
-    """Where `Matrix.blocks` has pair p."""
+    """The index of pair p in `Matrix.blocks`."""
     return np.uint64(_PAIR * (p + _BEFORE))
 
 
 @kernel(inline="always")
 def _of(i, kind):
-    """Where the numbers of a kind of row i are; inlined as `at` is."""
+    """The index of a kind of blocks of the pair at index i; inlined for the same reason as `at`."""
     return i + np.uint64(kind)
 
 
@@ -226,7 +230,7 @@ def _put_pair(blocks, j, pair):
 
 @kernel(forceinline=True)
 def _one(blocks, j):
-    """The block of one row of a pair, from place j on."""
+    """The block of one row of a pair, whose first number is at index j."""
     return blocks[j], blocks[j + np.uint64(2)], blocks[j + np.uint64(4)], blocks[j + np.uint64(6)]
 
 
@@ -244,13 +248,13 @@ def _rest(blocks, k):
 
 @kernel(forceinline=True)
 def _beside(a, b):
-    """Two blocks as one of pairs."""
+    """Two blocks as one block of pairs."""
     return (a[0], b[0]), (a[1], b[1]), (a[2], b[2]), (a[3], b[3])
 
 
 @kernel(forceinline=True)
 def _minus(a, b, c):
-    """a - b c, of blocks of pairs."""
+    """a - b c for blocks of pairs."""
     return (
         _less_product(_less_product(a[0], b[0], c[0]), b[1], c[2]),
         _less_product(_less_product(a[1], b[0], c[1]), b[1], c[3]),
@@ -261,13 +265,13 @@ def _minus(a, b, c):
 
 @kernel(forceinline=True, fastmath=_ORDERED)
 def _less(a, b, c):
-    """a - b c, of blocks."""
+    """a - b c for blocks."""
     return minus(a, times(b, c))
 
 
 @kernel(forceinline=True)
 def _divided(diagonal, factor, b):
-    """The inverse of a block of pairs, times another; `factor` is that of its determinant."""
+    """The inverse of a block of pairs times another one; `factor` is 1 / its determinant."""
     xx, xy, yx, yy = diagonal
     return (
         _product(factor, _less_product(_product(yy, b[0]), xy, b[2])),
@@ -279,7 +283,7 @@ def _divided(diagonal, factor, b):
 
 @kernel(forceinline=True)
 def _times(a, b):
-    """a b, of blocks of pairs."""
+    """a b for blocks of pairs."""
     return (
         _plus_product(_product(a[0], b[0]), a[1], b[2]),
         _plus_product(_product(a[0], b[1]), a[1], b[3]),
@@ -290,12 +294,12 @@ def _times(a, b):
 
 @kernel(noalias=True, forceinline=True, fastmath=_ORDERED)
 def solve_chain(body, matrix, b):
-    """Solve in place; b is flat, x of every place, then y."""
+    """`implicit.solve_matrix` of a chain."""
     n, r = body.masses, matrix.blocks
     x, y = b[: b.size // 2], b[b.size // 2 :]
     paired, meet = _meeting(n)
     alone = min(2, paired)
-    near, far = _ZERO, _ZERO  # the last two of what is found, from both ends
+    near, far = _ZERO, _ZERO  # the last two results, from both ends
     for p in range(alone):
         near = _forwards(r, p, 0, x, y, p + 1, near)
     for p in range(alone, paired):
@@ -341,5 +345,5 @@ def _backwards(r, p, lane, x, y, m, last):
 
 @kernel(forceinline=True, fastmath=_ORDERED)
 def _taken(x, y, block, x1, y1):
-    """(x, y) less a block times (x1, y1)."""
+    """(x, y) minus a block times (x1, y1)."""
     return x - block[0] * x1 - block[1] * y1, y - block[2] * x1 - block[3] * y1
