@@ -1,6 +1,7 @@
 // @ts-check
 /** The camera: seen from the front, moved and zoomed but never turned. */
 import { told } from "./channel.js";
+import { placeTransport } from "./transport.js";
 import { viser } from "./viser.js";
 
 /** Room around the scene's frame. */
@@ -34,6 +35,7 @@ function covered(canvas, box) {
   let top = box.bottom;
   for (const element of document.elementsFromPoint(box.left + box.width / 2, box.bottom - 4)) {
     if (element === canvas || element.contains(canvas)) break;
+    if (element.closest(".softrod-dock")) continue;
     const { top: edge, width } = element.getBoundingClientRect();
     if (width > 0.9 * box.width && edge > box.top + 0.2 * box.height) top = Math.min(top, edge);
   }
@@ -48,7 +50,8 @@ export function fit() {
   if (!canvas || !camera || !controls || !root || !(width > 0)) return false;
   const box = canvas.getBoundingClientRect();
   if (!(box.width > 0 && box.height > 0)) return false;
-  const hidden = covered(canvas, box);
+  const sheet = covered(canvas, box);
+  const hidden = sheet + placeTransport(box, sheet);
   const free = box.height - hidden;
   const perPixel = MARGIN * Math.max(width / box.width, height / free);
   const distance = (perPixel * box.height) / (2 * Math.tan((camera.fov * Math.PI) / 360));

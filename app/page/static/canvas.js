@@ -10,10 +10,12 @@
  */
 import * as draw from "./draw.js";
 import { Glide } from "./glide.js";
+import { keep } from "./keep.js";
 import { readFrame, readPlan } from "./plan.js";
 
 const PLAN = "/softrod/plan";
 const FRAME = "/softrod/frame";
+const KEEPSAKE = "/softrod/keepsake";
 const BODY = "/body/";
 
 const state = {
@@ -109,6 +111,10 @@ export function drawBody(viser) {
       const data = message.props?.points ?? message.updates?.points;
       if (name === PLAN || name === FRAME) {
         if (data) take(name, /** @type {Float32Array} */ (data));
+        continue;
+      }
+      if (name === KEEPSAKE) {
+        if (message.updates?.colors) keep(/** @type {Uint8Array} */ (message.updates.colors));
         continue;
       }
       if (name.startsWith(BODY) && message.props) {

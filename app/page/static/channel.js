@@ -10,6 +10,25 @@ let sequence = 0;
 /** What the server told. @returns {DOMStringMap} */
 export const told = () => document.getElementById("softrod-state")?.dataset ?? {};
 
+/** @type {(() => void)[]} */
+const listeners = [];
+let heard = "";
+
+/** Calls back whenever the server told something new. @param {() => void} listener */
+export function onTold(listener) {
+  listeners.push(listener);
+  if (listeners.length > 1) return;
+  const look = () => {
+    const now = JSON.stringify(told());
+    if (now === heard) return;
+    heard = now;
+    for (const call of listeners) call();
+  };
+  // The element is viser's, which replaces it as a whole.
+  const root = document.getElementById("root") ?? document.body;
+  new MutationObserver(look).observe(root, { childList: true, subtree: true });
+}
+
 /**
  * Sends a message, if there is a connection.
  *

@@ -6,7 +6,10 @@ import { send } from "./channel.js";
 /** @type {Record<string, string>} */
 const ARROWS = { ArrowUp: "U", ArrowDown: "D", ArrowLeft: "L", ArrowRight: "R" };
 /** @type {Record<string, string>} */
-const ONCE = { Space: "play", KeyN: "step", KeyR: "reset", KeyF: "follow", Escape: "pause", Digit0: "fit" };
+const ONCE = { Space: "play", KeyN: "step", KeyR: "reset", KeyF: "follow", Escape: "pause", Digit0: "fit",
+  Comma: "back", Period: "forward", KeyJ: "second" };
+/** What a key that is held down does again and again. */
+const REPEATED = new Set(["step", "back", "forward"]);
 /** With these viser would move the camera. */
 const CAMERA_KEYS = new Set(["KeyW", "KeyA", "KeyS", "KeyD", "KeyQ", "KeyE"]);
 /** Milliseconds between two reports of keys that are held; the server forgets those of which it hears nothing. */
@@ -22,6 +25,9 @@ const isTyping = (target) =>
     target.tagName === "TEXTAREA" ||
     target.tagName === "SELECT" ||
     (target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button"].includes(target.type)));
+/** A slider that was reached with the Tab key takes the arrows for itself. @param {EventTarget | null} target */
+const isSlider = (target) =>
+  target instanceof HTMLElement && target.matches('[role="slider"]:focus-visible, input[type="range"]:focus-visible');
 const dialogIsOpen = () => document.querySelector('[role="dialog"]') !== null;
 /** @param {Event} event */
 const keep = (event) => {
@@ -52,6 +58,7 @@ const releaseAll = () => {
 function press(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target) || dialogIsOpen()) return;
   const arrow = ARROWS[event.key];
+  if (isSlider(event.target)) return;
   if (arrow) {
     keep(event);
     hold(arrow);
@@ -66,7 +73,7 @@ function press(event) {
   // A button reached with the Tab key is pressed with Space, as everywhere.
   if (once === "play" && document.activeElement?.matches("button:focus-visible")) return;
   keep(event);
-  if (event.repeat && once !== "step") return;
+  if (event.repeat && !REPEATED.has(once)) return;
   if (once === "fit") fit();
   else send("do", once);
 }

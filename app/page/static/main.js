@@ -2,8 +2,11 @@
 /** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
 import { drawBody, shown } from "./canvas.js";
 import { fitted, keepFlat } from "./camera.js";
+import { showConnection, watchConnection } from "./connection.js";
+import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { followPointer } from "./pointer.js";
+import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
 
 /** Seconds after which viser's page has made its hook, or never will. */
@@ -20,6 +23,7 @@ function complain(text) {
 
 const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
 const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
+watchConnection(showConnection());
 whenViser((viser) => {
   clearTimeout(late);
   if (!isKnown(viser)) {
@@ -30,6 +34,8 @@ whenViser((viser) => {
   keepFlat();
   listenToKeys();
   followPointer();
+  resume();
+  addTransport();
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted } });
 });

@@ -1,0 +1,47 @@
+// @ts-check
+/**
+ * What survives a reload, a lost connection and a restart of the server: the tab's own storage keeps what the
+ * server says of the session now and then, and every new connection gets it back.
+ */
+import { onTold, send, told } from "./channel.js";
+
+const NAME = "softrod";
+/** Characters of a message; the gate takes 64 KiB. */
+const PART = 48_000;
+
+/** Keeps what the server said. @param {Uint8Array} data JSON */
+export function keep(data) {
+  try {
+    sessionStorage.setItem(NAME, new TextDecoder().decode(data));
+  } catch {
+    sessionStorage.removeItem(NAME); // it is full, or forbidden: better nothing than something old
+  }
+}
+
+/**
+ * Compressed, as letters that a message can carry.
+ *
+ * @param {string} text
+ */
+async function packed(text) {
+  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate"));
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  let letters = "";
+  for (let at = 0; at < bytes.length; at += 32768) letters += String.fromCharCode(...bytes.subarray(at, at + 32768));
+  return btoa(letters);
+}
+
+/** Gives it back to every connection, once. */
+export function resume() {
+  /** @type {string | undefined} */
+  let channel;
+  onTold(async () => {
+    if (told().channel === channel) return;
+    channel = told().channel;
+    const text = sessionStorage.getItem(NAME);
+    if (!channel || !text) return;
+    const letters = await packed(text);
+    const parts = Math.ceil(letters.length / PART);
+    for (let i = 0; i < parts; i++) send("resume", `${i + 1}/${parts}|${letters.slice(PART * i, PART * (i + 1))}`);
+  });
+}
