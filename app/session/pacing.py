@@ -99,6 +99,10 @@ class Pacer:
         """How many steps a method that chooses them itself may try in a budget of seconds."""
         return max(_FEWEST_ATTEMPTS, int(budget / self._attempt_cost)) if self._attempt_cost else 1000
 
+    def affordable(self, budget: float) -> int:
+        """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""
+        return int(budget / self._step_cost) if self._step_cost else 20_000
+
     def record(
         self, now: float, dt: float, steps: int, seconds: float, stats: SolverStats, missed: int
     ) -> None:
