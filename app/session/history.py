@@ -28,6 +28,13 @@ _SMOOTH = 5
 """Frames over which the largest kinetic energy is taken: springs that flip to and fro have pauses."""
 
 
+_WIDEST = 120
+"""Frames between two moments, at most, that both are long past."""
+
+_CALM = 2.0
+"""Speed of a body that is sound, at most, in sizes of the body per second, on average over its masses."""
+
+
 class History:
     """A ring of moments, one for each frame in which time passed, and which of them is shown.
 
@@ -130,7 +137,8 @@ class History:
         """Index of the last moment at which a body that ran away was still sound; there must be one.
 
         A body that swings is slower again after every fast moment. One that runs away is not: the end of the
-        ring at which the kinetic energy only grows is the runaway.
+        ring at which the kinetic energy only grows is the runaway. Some time before that is a sound moment,
+        unless the body was too fast for its size even then.
         """
         mass = np.array([m.mass for m in self._moments[-1].scene.masses])
         squares = [float(mass @ (m.rows[2] ** 2 + m.rows[3] ** 2)) for m in self._moments]
@@ -138,7 +146,11 @@ class History:
         onset = self.last
         while onset > 0 and smooth[onset - 1] < smooth[onset]:
             onset -= 1
-        return self.nearest(self._moments[onset].time - BEFORE_RUNAWAY)
+        index = self.nearest(self._moments[onset].time - BEFORE_RUNAWAY)
+        # Some have been torn to and fro for long before they run away.
+        sizes = [float(np.ptp(m.rows[:2], axis=1).max()) for m in self._moments[: index + 1]]
+        calm = float(mass.sum()) * (_CALM * float(np.median(sizes))) ** 2
+        return next((i for i in range(index, -1, -1) if squares[i] <= calm), index)
 
     def _drop_last(self) -> None:
         moment = self._moments.pop()
@@ -153,9 +165,15 @@ class History:
         self._bytes -= _size(moment, None) - (_size(after, None) - _size(after, moment.scene))
 
     def _thin(self) -> None:
-        half = max(len(self._moments) // 2, 2)
-        del self._moments[1:half:2]
-        del self._frames[1:half:2]
+        half, frames = max(len(self._moments) // 2, 2), self._frames
+        keep: list[int] = [0]
+        for i in range(1, half):
+            if keep[-1] != i - 1 or frames[i + 1] - frames[keep[-1]] > _WIDEST:
+                keep.append(i)
+        if len(keep) == half:
+            keep = keep[half // 2 :]  # it is as sparse as it may be
+        self._moments[:half] = [self._moments[i] for i in keep]
+        self._frames[:half] = [frames[i] for i in keep]
         scenes = [None, *(moment.scene for moment in self._moments[:-1])]
         self._bytes = sum(map(_size, self._moments, scenes))
 
