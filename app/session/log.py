@@ -262,12 +262,19 @@ def encode_header(scene: sim.Scene, note: str = "") -> bytes:
     header = Header(
         format=FORMAT,
         version=VERSION,
-        softrod=metadata.version("softrod"),
+        softrod=_version(),
         machine=this_machine(),
         scene=raw_scene(scene),
         note=note,
     )
     return msgspec.json.encode(header)
+
+
+def _version() -> str:
+    try:
+        return metadata.version("softrod")
+    except metadata.PackageNotFoundError:
+        return ""  # run from a folder, without having been installed
 
 
 def raw_scene(scene: sim.Scene) -> msgspec.Raw:

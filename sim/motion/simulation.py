@@ -80,7 +80,7 @@ class Simulation(Reading):
 
     @property
     def complete(self) -> bool:
-        """Whether all kernels that it may use are there; until then, how it goes on depends on the compiler."""
+        """Whether all kernels that it may use are there; if not, how it goes on depends on the compiler."""
         solver = self._stepper.solver
         return isinstance(solver, Solver) and solver.complete
 

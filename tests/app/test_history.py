@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -291,6 +292,32 @@ def test_an_old_future_is_a_copy() -> None:
 
 
 # ------------------------------------------------------------------------- after a divergence
+def torn(speed: Callable[[float], float], seconds: float) -> History:
+    """A body of 300 px whose masses go at a speed, px/s, that depends on the time, s."""
+    ring = History()
+    for i in range(int(seconds * 60)):
+        rows = np.array([[0.0, 150.0, 300.0], [0.0] * 3, [speed(i * FRAME)] * 3, [0.0] * 3])
+        ring.add(sim.Moment(SCENE, 1.0, 0.0, rows, i * FRAME, i))
+    return ring
+
+
+def swing(time: float) -> float:
+    return 100.0 * math.sin(3.0 * time)
+
+
+def test_a_slow_runaway_is_left_half_a_second_before_it_began() -> None:
+    # It swings slower and slower until 5 s; then it takes 3 s until its speed is beyond all measure.
+    ring = torn(
+        lambda t: 30.0 - 5.0 * t + swing(t) / 20.0 if t < 5.0 else 5.0 * math.exp(4.0 * (t - 5.0)), 8.0
+    )
+    assert ring[ring.before_runaway()].time == pytest.approx(5.0 - history.BEFORE_RUNAWAY, abs=0.15)
+
+
+def test_a_body_that_was_torn_for_long_is_taken_to_where_it_was_calm() -> None:
+    ring = torn(lambda t: swing(t) if t < 3.0 else 4000.0 + 10.0 * swing(t) if t < 6.0 else 10.0**t, 7.0)
+    assert ring[ring.before_runaway()].time == pytest.approx(3.0, abs=0.02)
+
+
 @pytest.mark.parametrize("preset", ["tutorial-3.2", "tutorial-3.3", "ring", "box", "hair-tuft", "flag-pole"])
 @pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet", "rk4"])
 @pytest.mark.parametrize("over", [1.02, 1.3, 3.0])

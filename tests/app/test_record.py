@@ -8,6 +8,8 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 import sim
 from app.session import commands, log, record
@@ -61,6 +63,52 @@ def test_a_log_of_a_follower_of_choices_and_of_books() -> None:
     page.frames(20, commands.SetChoice("method", "adams"), commands.Point(340.0, 190.0))
     page.frames(20, commands.Follow(False), commands.SetChoice("force_law", "conservative"))
     page.frames(20, commands.SetValue("template", 90.0))
+    assert [entry.on for entry in agrees(page).record.entries if isinstance(entry, log.Books)] == [True]
+
+
+def test_a_log_of_a_machine_that_is_too_slow() -> None:
+    """Where the attempts of a frame run out, the body stops between two steps of the clock."""
+    page = SessionPage(sim.set_value(sim.load_scene("ring"), "tolerance", 1e-6))
+    page.session.pacer.attempts = lambda budget: 9  # type: ignore[method-assign]
+    page.frames(90)
+    assert page.session.pacer.behind > 0.1
+    agrees(page)
+
+
+PLACES = st.floats(0.0, 600.0)
+ACTS: st.SearchStrategy[commands.Command] = st.one_of(
+    st.builds(commands.DragStart, st.integers(-1, 12), PLACES, PLACES, st.booleans()),
+    st.builds(commands.Point, PLACES, PLACES),
+    st.builds(commands.DragTo, PLACES, PLACES),
+    st.just(commands.DragEnd()),
+    st.builds(commands.Follow, st.booleans()),
+    st.builds(commands.HoldKeys, st.frozensets(st.sampled_from(["up", "down", "left", "right"]))),
+    st.builds(
+        commands.SetValue, st.sampled_from(["gravity", "dt", "rest_angle", "masses"]), st.floats(0.0, 90.0)
+    ),
+    st.builds(
+        commands.SetChoice, st.just("method"), st.sampled_from(["rk4", "symplectic_euler", "adams", "rodas4"])
+    ),
+    st.builds(commands.KeepBooks, st.booleans()),
+    st.builds(commands.Play, st.sampled_from([None, True, False])),
+    st.builds(commands.DoSteps, st.integers(0, 20)),
+    st.just(commands.Reset()),
+    st.builds(commands.GoTo, st.floats(0.0, 2.0)),
+    st.builds(commands.GoBack, st.floats(0.0, 0.5)),
+    st.sampled_from([commands.GoForward(), commands.GoOn(), commands.BackBeforeDivergence()]),
+)
+
+
+@given(st.lists(st.tuples(ACTS, st.integers(0, 12)), max_size=25))
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+def test_whatever_is_done_a_log_leads_to_the_same_bits(acts: list[tuple[commands.Command, int]]) -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    for command, frames in acts:
+        page.session.post(command)
+        page.session.drain()
+        page.frames(frames)
+    agrees(page)
+    page.frames(10, commands.Play(True))
     agrees(page)
 
 
