@@ -6,6 +6,7 @@ import numpy as np
 
 import sim
 from sim.errors import InputError, SceneError, SettingError
+from sim.motion.solver import UNLIMITED
 
 from . import log
 from .log import Entry, Log
@@ -16,8 +17,7 @@ _MOST_ENTRIES = 2000
 _MOST_OWED = 0.5
 """Simulated seconds, at most, that a replay catches up on."""
 
-MOST_ATTEMPTS = 200_000
-"""Steps that a method may try in a frame of a page."""
+_TOO_HEAVY = "this frame is too heavy to be played in a page; `softrod run --inputs` can do it"
 
 
 class Player:
@@ -51,33 +51,36 @@ class Player:
         """What comes next."""
         return self.record.entries[self._index]
 
-    def do(self) -> int:
+    def do(self, attempts: int = UNLIMITED) -> int:
         """Do what comes next, once, and return the steps that were done.
+
+        Args:
+            attempts: as for `advance`.
 
         Raises:
             InputError: it cannot be done; the sentence names the line.
         """
         entry = self.upcoming
         try:
-            done = self._do(entry)
+            done = self._do(entry, attempts)
         except (InputError, SceneError, SettingError) as error:
-            line = self.record.lines[self._index]
-            raise InputError(f"{self.record.source}: line {line}: {error}") from None
+            raise self._named(str(error)) from None
         self.steps += done
         self._times += 1
         if self._times >= entry.times:
             self._index, self._times = self._index + 1, 0
         return done
 
-    def advance(self, seconds: float, most: int) -> int:
+    def advance(self, seconds: float, most: int, attempts: int) -> int:
         """Do what comes next, as far as so many more simulated seconds lead, and return the steps done.
 
         Args:
             seconds: simulated time, s; what a call of `step` goes beyond it is made up for later.
             most: steps that one call may have.
+            attempts: steps that a method may really try in one call, whatever it might when it was recorded.
 
         Raises:
-            InputError: as `do`, or a call has more steps than that.
+            InputError: as `do`, or a call takes more than that.
         """
         self._owed = min(self._owed + seconds, _MOST_OWED)
         done = 0
@@ -88,14 +91,10 @@ class Player:
             if isinstance(entry, log.Step):
                 if self._owed <= 0.0:
                     break
-                if entry.n > most or (entry.attempts or 0) > MOST_ATTEMPTS:
-                    line = self.record.lines[self._index]
-                    raise InputError(
-                        f"{self.record.source}: line {line}: so many steps in one frame cannot be played "
-                        "in a page; `softrod run --inputs` can do them"
-                    )
+                if entry.n > most:
+                    raise self._named(_TOO_HEAVY)
                 self._owed -= entry.n * self.simulation.dt
-            done += self.do()
+            done += self.do(attempts)
         return done
 
     @property
@@ -111,11 +110,18 @@ class Player:
         checks = "its check agrees" if self._checks == 1 else f"all {self._checks} checks agree"
         return f"replayed {self.steps} steps; {checks}" + (f", digest {self._digest}" if self._digest else "")
 
-    def _do(self, entry: Entry) -> int:
+    def _named(self, reason: str) -> InputError:
+        return InputError(f"{self.record.source}: line {self.record.lines[self._index]}: {reason}")
+
+    def _do(self, entry: Entry, most: int) -> int:
         simulation = self.simulation
         match entry:
             case log.Step(n=n, attempts=attempts):
-                return simulation.step(n, attempts)
+                allowed = UNLIMITED if attempts is None else attempts
+                done = simulation.step(n, min(allowed, most))
+                if done < n and most < allowed and simulation.divergence is None:
+                    raise InputError(_TOO_HEAVY)
+                return done
             case log.Move(mass=mass, to=to):
                 simulation.move(mass, to)
             case log.Lead(mass=mass, to=to):

@@ -117,6 +117,7 @@ class Running:
         scene = self.simulation.scene
         rebuilt = len(scene.masses) != masses
         if rebuilt:
+            # Another body, whose time begins anew: what is past belongs to the other one.
             self.hand.drop()
             self._begin_history()
             self.generation += 1

@@ -25,6 +25,7 @@ from .ghost import Ghost
 from .hand import FRAME
 from .history import OldFuture
 from .notices import Notice, runaway
+from .pacing import Pacer
 from .record import Recorder
 from .replay import Player
 from .running import Running
@@ -243,6 +244,8 @@ class Session(Running):
             case commands.Replay(record):
                 self._open(record.scene)
                 self.replay = Player(record, self.simulation)
+                speed, self.pacer = self.pacer.speed, Pacer()  # what the last body cost says nothing
+                self.pacer.speed = speed
                 self.play(True)
             case commands.Resume(keepsake):
                 self._resume(keepsake)
@@ -304,15 +307,21 @@ class Session(Running):
         self.hand.forget_pointer()
         history.shown = index
         self.offer_back = False
-        scene = history[index].scene
-        if (scene.force_law, scene.integrator.method) != (before.force_law, before.integrator.method):
-            self.generation += 1  # other controls
+        self._changed_from(before)
         if self.ghost is not None:
-            if scene is not before:
+            if history[index].scene is not before:
                 self.ghost.simulation.replace(self.ghost.variant(self.simulation.scene))
             self.ghost.start_from(self.simulation)
         self.revision += 1
         self._stability_due = 0.0
+
+    def _changed_from(self, before: sim.Scene) -> None:
+        """Have the page look at the settings again, if they are no longer those of a scene."""
+        scene = self.simulation.capture().scene
+        if scene is not before:
+            self.revision += 1
+            if (scene.force_law, scene.integrator.method) != (before.force_law, before.integrator.method):
+                self.generation += 1  # other controls
 
     # --------------------------------------------------------------------- logs and keepsakes
     def _save_log(self, result: Future[bytes]) -> None:
@@ -332,7 +341,9 @@ class Session(Running):
         steps = self.pacer.grant(now, simulation.dt, math.inf)
         scene, began = simulation.capture().scene, time.perf_counter()
         try:
-            done = player.advance(steps * simulation.dt, self.pacer.affordable(MOST_SECONDS))
+            pacer = self.pacer
+            most, attempts = pacer.affordable(MOST_SECONDS), pacer.attempts(MOST_SECONDS)
+            done = player.advance(steps * simulation.dt, most, attempts)
         except InputError as error:
             self._end_replay(f"It cannot go on: {error}.")
             return
@@ -340,9 +351,7 @@ class Session(Running):
         self.fallbacks += stats.fallbacks
         self.pacer.record(now, simulation.dt, done, time.perf_counter() - began, stats, missed=0)
         self._remember()
-        if simulation.capture().scene is not scene:
-            self.generation += 1
-            self.revision += 1
+        self._changed_from(scene)
         if player.ended:
             self.play(False)
             begins = "It agrees with the log: " if player.agrees else "It does not agree with the log: it "

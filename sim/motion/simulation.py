@@ -298,8 +298,8 @@ class Simulation(Reading):
         self._adopt(rows)
         self._hands.take_over(hands)
         self._restart()
-        if books is not None:
-            self._books = self._new_books()
+        # Where the kernels of the new method are still being compiled, there are no books for now.
+        if books is not None and self.keep_books(True) and self._books is not None:
             self._books.take_over(books)
 
     # --------------------------------------------------------------------- inside

@@ -394,11 +394,14 @@ def test_whoever_acts_takes_over(data: bytes, command: commands.Command, scrubbe
 
 
 def test_a_page_refuses_frames_that_would_stop_it() -> None:
-    header = log.encode_header(sim.load_scene("tutorial-3.3"))
-    page = played(header + b'\n{"do":"step","n":400000}\n', 5)
-    assert page.session.replay is None
-    (notice,) = page.session.notices
-    assert "line 2" in notice.text
+    for preset, entry in (
+        ("tutorial-3.3", b'{"do":"step","n":400000}'),
+        ("ring", b'{"do":"step","n":20000,"attempts":1000000}'),
+    ):
+        page = played(log.encode_header(sim.load_scene(preset)) + b"\n" + entry, 5)
+        assert page.session.replay is None
+        (notice,) = page.session.notices
+        assert "line 2: this frame is too heavy" in notice.text
 
 
 def test_while_a_log_is_played_there_is_none_to_save(data: bytes) -> None:
