@@ -19,6 +19,7 @@ from sim.scene.files import read_scene
 from sim.settings import apply_assignments
 
 from . import headless
+from .session.log import Log
 
 DEFAULT_SCENE = "tutorial-3.3"
 
@@ -63,18 +64,18 @@ class Serve:
 
 @dataclass
 class Run:
-    """Simulate without a page, and write a table of positions."""
+    """Simulate without a page, and write a table of positions; or replay a log that a page saved."""
 
-    scene: Annotated[Positional[str], arg(metavar="SCENE")]
-    """A preset's name or a file's path."""
-    out: Path
-    """The table, FILE.csv or FILE.npz."""
+    scene: Annotated[Positional[str], arg(metavar="SCENE")] = ""
+    """A preset's name or a file's path; a recorded log has its own."""
+    out: Path | None = None
+    """The table, FILE.csv or FILE.npz; a replay needs none."""
     steps: int | None = None
     """Steps to do."""
     duration: float | None = None
     """Seconds to simulate, instead of a number of steps."""
     inputs: Path | None = None
-    """A log of moves and keys, one JSON object a line, ordered by step."""
+    """A log of moves and keys, one JSON object a line, ordered by step; or one that a page recorded."""
     every: int = 1
     """Write one row after each so many steps."""
     energy: bool = False
@@ -83,11 +84,18 @@ class Run:
 
     def run(self) -> int:
         """Simulate and write."""
-        scene = _scene(self.scene, self.settings)
-        headless.check_output(self.out)
+        scene = _scene(self.scene, self.settings) if self.scene else None
+        if self.out is not None:
+            headless.check_output(self.out)
         entries = headless.read_log(self.inputs) if self.inputs is not None else []
         if self.every < 1:
             return _fail("--every: it must be at least 1")
+        if isinstance(entries, Log):
+            return self._replay(entries, scene)
+        if scene is None:
+            return _fail("run: name a scene, or a recorded log with --inputs")
+        if self.out is None:
+            return _fail("--out: name the table to write, FILE.csv or FILE.npz")
         steps = self._steps(scene.integrator.dt)
         if isinstance(steps, str):
             return _fail(steps)
@@ -97,6 +105,24 @@ class Run:
         recording.write(self.out)
         if problem is not None:
             return _fail(f"{problem}; {self.out} has the {len(recording.steps)} rows before it")
+        return 0
+
+    def _replay(self, record: Log, scene: sim.Scene | None) -> int:
+        if scene is None and self.settings:
+            return _fail("--set: a recorded log is replayed as it was; name the SCENE to change one")
+        if scene is not None and not headless.same_body(scene, record.scene):
+            return _fail(f"{self.inputs}: the log was recorded with another scene than {self.scene}")
+        steps = None
+        if self.steps is not None or self.duration is not None:
+            steps = self._steps(record.scene.integrator.dt)
+            if isinstance(steps, str):
+                return _fail(steps)
+        recording, player = headless.replay(record, steps, self.every, Console(stderr=True), self.energy)
+        if self.out is not None:
+            recording.write(self.out)
+        if not player.agrees:
+            return _fail(f"{self.inputs}: {player.verdict}")
+        print(player.verdict)
         return 0
 
     def _steps(self, dt: float) -> int | str:

@@ -18,6 +18,9 @@ from sim.errors import InputError
 from sim.motion.energy import ENERGY_FIELDS, EnergyBook
 from sim.scene.files import write_atomically
 
+from .session.log import Log, Step, decode_log, is_recorded
+from .session.replay import Player
+
 LONG_RUN = 200_000
 """Steps from which on a run shows its progress."""
 
@@ -43,16 +46,19 @@ class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     keys: tuple[str, ...] | None = None
 
 
-def read_log(path: Path) -> list[Entry]:
-    """The entries of an input log, one JSON object a line, in order of their steps.
+def read_log(path: Path) -> list[Entry] | Log:
+    """The entries of an input log, one JSON object a line, in order of their steps; or a recorded log.
 
     Raises:
         InputError: the file cannot be read, or a line is not an entry; the sentence names the line.
     """
     try:
-        lines = path.read_bytes().splitlines()
+        data = path.read_bytes()
     except OSError as error:
         raise InputError(f"{path}: the file cannot be read ({error.strerror or error})") from None
+    if is_recorded(data):
+        return decode_log(data, str(path))
+    lines = data.splitlines()
     entries: list[Entry] = []
     decoder = msgspec.json.Decoder(Entry)
     for number, line in enumerate(lines, start=1):
@@ -169,6 +175,43 @@ def run(
                 recording.add(simulation)
             progress.update(task, completed=target)
     return recording, None
+
+
+def replay(
+    record: Log, steps: int | None, every: int, console: Console, energy: bool = False
+) -> tuple[Recording, Player]:
+    """Do again what a recorded log says, and return the rows, and how it compares.
+
+    Args:
+        record: the log.
+        steps: steps after which it ends; None for all of the log.
+        every: a row is taken after each recorded frame in which a multiple of this many steps was passed.
+        console, energy: as for `run`.
+
+    Raises:
+        InputError: the log asks for what cannot be done; the sentence names its line.
+    """
+    simulation = sim.Simulation(record.scene)
+    recording = Recording(len(record.scene.masses), energies=[] if energy else None)
+    simulation.keep_books(energy)
+    player = Player(record, simulation)
+    total = sum(entry.n * entry.times for entry in record.entries if isinstance(entry, Step))
+    due = every
+    with Progress(console=console, transient=True, disable=total < LONG_RUN) as progress:
+        task = progress.add_task("replaying", total=total)
+        while not player.ended and (steps is None or player.steps < steps):
+            player.do()
+            if player.steps >= due:
+                recording.add(simulation)
+                due = player.steps - player.steps % every + every
+                progress.update(task, completed=player.steps)
+    return recording, player
+
+
+def same_body(one: sim.Scene, other: sim.Scene) -> bool:
+    """Whether two scenes differ in no more than their names, descriptions and views."""
+    plain = {"name": "scene", "description": "", "view": sim.View()}
+    return msgspec.structs.replace(one, **plain) == msgspec.structs.replace(other, **plain)
 
 
 def _stops(steps: int, entries: list[Entry], every: int) -> Iterator[int]:

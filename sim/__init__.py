@@ -13,6 +13,7 @@ It does not depend on the page; `import sim` is enough to use it in a script:
 from .analysis.equilibrium import Vibrations, equilibrium, vibrations
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import EnergyBook
+from .motion.moment import Moment
 from .motion.simulation import Divergence, Simulation
 from .scene.files import list_scenes, load_scene, save_scene
 from .scene.rope import rope
@@ -43,6 +44,7 @@ __all__ = [
     "Integrator",
     "LinearSpring",
     "Mass",
+    "Moment",
     "Pose",
     "Rope",
     "Scene",

@@ -171,9 +171,7 @@ def bench_tabs(console: Console, repeats: int) -> None:
 
 def bench_neighbour(console: Console) -> None:
     """What a page with a rope notices of another page's heavy cloth, and how soon that one answers."""
-    table = Table(
-        "beside a cloth of", "frames/s", "longest gap, ms", "its page pauses in, ms", box=None
-    )
+    table = Table("beside a cloth of", "frames/s", "longest gap, ms", "its page pauses in, ms", box=None)
     with tempfile.TemporaryDirectory() as cache:
         warm(cache)
         for side in CLOTHS:

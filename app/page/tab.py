@@ -18,7 +18,8 @@ from sim.compiling.compiler import Compiler, needed_by
 from sim.methods.registry import METHODS
 
 from ..session import commands
-from ..session.session import Notice, Session, is_large
+from ..session.pacing import is_large
+from ..session.session import Notice, Session
 from . import readouts, script
 from .drawing import Mapping
 from .files_panel import FilesPanel

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 from sim import Scene
 
+from .log import Log
+
 
 @dataclass(frozen=True)
 class HoldKeys:
@@ -141,7 +143,63 @@ class Snapshot:
     result: Future[Scene]
 
 
+@dataclass(frozen=True)
+class GoTo:
+    """Pause, and show the moment nearest to a simulated time, s."""
+
+    time: float
+
+
+@dataclass(frozen=True)
+class GoBack:
+    """Pause, and show the moment so many simulated seconds before the one shown; 0 is one frame."""
+
+    seconds: float = 0.0
+
+
+@dataclass(frozen=True)
+class GoForward:
+    """Pause, and show the moment one frame after the one shown."""
+
+
+@dataclass(frozen=True)
+class GoOn:
+    """Play from the moment shown; what came after it becomes the old future."""
+
+
+@dataclass(frozen=True)
+class ForgetFuture:
+    """The old future is no longer wanted."""
+
+
+@dataclass(frozen=True)
+class BackBeforeDivergence:
+    """Pause, and show the body as it was before it ran away."""
+
+
+@dataclass(frozen=True)
+class SaveLog:
+    """The log until now is wanted, as a file's bytes; the result is set between two frames."""
+
+    result: Future[bytes]
+
+
+@dataclass(frozen=True)
+class Replay:
+    """A log is to be played, at the pace at which time passed in it."""
+
+    log: Log
+
+
+@dataclass(frozen=True)
+class Resume:
+    """A page is to go on where a keepsake was made, see `Session.keepsake`."""
+
+    keepsake: bytes
+
+
 Command = (
     HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | Compare | KeepBooks
     | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot
+    | GoTo | GoBack | GoForward | GoOn | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
 )  # fmt: skip

@@ -10,11 +10,18 @@ import math
 from collections import deque
 from dataclasses import dataclass
 
+from sim import Scene
 from sim.motion.solver import SolverStats
 
 LONGEST_FRAME = 0.1
 """Seconds of wall time that one frame can owe; after a longer silence (a stalled machine, a suspended
 laptop) the body goes on from where it was instead of leaping."""
+
+HEAVY_UNIT = 0.004
+"""Seconds of one step, or one attempt at a step, from which on a body is heavy."""
+
+LARGE = 2000
+"""Masses and springs from which on a scene counts as heavy before anything is known of its steps."""
 
 _FEWEST_ATTEMPTS = 8
 """Steps that a method may try in any frame: a body too heavy for the budget still moves."""
@@ -104,6 +111,10 @@ class Pacer:
         """How many steps a method that chooses them itself may try in a budget of seconds."""
         return max(_FEWEST_ATTEMPTS, int(budget / self._attempt_cost)) if self._attempt_cost else 1000
 
+    def affordable(self, budget: float) -> int:
+        """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""
+        return int(budget / self._step_cost) if self._step_cost else 20_000
+
     def record(
         self, now: float, dt: float, steps: int, seconds: float, stats: SolverStats, missed: int
     ) -> None:
@@ -140,6 +151,11 @@ class Pacer:
         return Rates(
             simulated / span, steps / span, rejected / span, busy * 1e3, behind=self.behind, losing=losing
         )
+
+
+def is_large(scene: Scene) -> bool:
+    """Whether a scene is heavy by its size alone."""
+    return len(scene.masses) + len(scene.linear_springs) + len(scene.angular_springs) > LARGE
 
 
 def _smoothed(before: float, now: float) -> float:

@@ -9,8 +9,10 @@ from typing import Literal
 from ..body.system import System
 from ..kernels.core.tables import State
 from ..kernels.integrators import guard
-from ..scene.types import MAX_COORDINATE, RUNAWAY_SPEED
+from ..methods.registry import METHODS
+from ..scene.types import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Scene
 from .stability import StabilityEstimate, StabilityMeter
+from .stepping import Outcome
 
 FARTHEST = MAX_COORDINATE
 """Coordinate, px, beyond which a body has run away: the range of a scene file, so that every state can be
@@ -78,6 +80,17 @@ class Divergence:
             return "the tutorial's force law has no energy and can drive a body ever faster; others cannot"
         violently = "the body was moved or set up too violently"
         return violently if self.adaptive else f"{violently} for this time step"
+
+
+def explain(scene: Scene, system: System, state: State, steps: int, outcome: Outcome) -> Divergence:
+    """Why a simulation stopped after so many steps, by how its last call went."""
+    quantity, limit = LIMITS[outcome.what]
+    method, dt = METHODS[scene.integrator.method], scene.integrator.dt
+    limit = MAX_SPEED if quantity == "speed" and method.adaptive else limit
+    driven = method.adaptive and scene.force_law == "tutorial" and system.body.joints > 0
+    mass = int(system.mass_order[outcome.mass_index - 1]) if outcome.mass_index > 0 else 0
+    blame = limit_to_blame(system, state, method.name, dt, scene.air_friction)
+    return Divergence(mass, steps, quantity, limit, dt, blame, method.adaptive, driven)
 
 
 def limit_to_blame(

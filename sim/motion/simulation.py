@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Literal
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
-from ..body.stable_spring import clamp_stiffness
-from ..body.system import build_system, new_scratch, new_state, refresh, same_topology
+from ..body.system import new_scratch, refresh, same_topology
 from ..compiling.compiler import FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
-from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
-from ..scene.types import MAX_SPEED, Anchor, Pose, Scene
+from ..scene.types import Scene
 from ..scene.validate import validate
-from ..settings import shift_rest_angles
-from .divergence import LIMITS, Divergence, limit_to_blame
+from .divergence import Divergence, explain
 from .drag import Hands, within_bounds
 from .energy import Books, EnergyBook
+from .moment import Moment
 from .plain import PlainSolver
+from .reading import Reading
 from .solver import UNLIMITED, Solver, SolverStats
 from .stability import StabilityEstimate, StabilityMeter
 from .stepping import Outcome, Stepper, presses_of
@@ -33,7 +30,7 @@ Key = Literal["up", "down", "left", "right"]
 KEYS: frozenset[str] = frozenset(("up", "down", "left", "right"))
 
 
-class Simulation:
+class Simulation(Reading):
     """Steps a scene.
 
     Args:
@@ -67,20 +64,6 @@ class Simulation:
 
     # --------------------------------------------------------------------- reading
     @property
-    def scene(self) -> Scene:
-        """The scene as it is now: what the arrow keys changed is in it, the motion is not."""
-        scale, shift = map(float, self._state.controls)
-        if (scale, shift) != self._folded[0]:
-            scene = msgspec.structs.replace(self._scene, rest_length_scale=scale)
-            self._folded = (scale, shift), shift_rest_angles(scene, shift) if shift else scene
-        return self._folded[1]
-
-    @property
-    def anchors(self) -> tuple[Anchor, ...]:
-        """The scene's anchors."""
-        return self._scene.anchors
-
-    @property
     def step_count(self) -> int:
         """Steps done since the start or the last reset."""
         return self._steps
@@ -91,60 +74,15 @@ class Simulation:
         return self._time
 
     @property
-    def method(self) -> str:
-        """Name of the method of integration."""
-        return self._scene.integrator.method
-
-    @property
-    def dt(self) -> float:
-        """Time step, s."""
-        return self._scene.integrator.dt
-
-    @property
-    def positions(self) -> NDArray[np.float64]:
-        """(n, 2) positions in px; a copy."""
-        return self._read(self._state.x, self._state.y)
-
-    @property
-    def velocities(self) -> NDArray[np.float64]:
-        """(n, 2) velocities in px/s, zero where a mass is held; a copy."""
-        return self._read(self._state.vx, self._state.vy)
-
-    @property
-    def angles(self) -> NDArray[np.float64]:
-        """(J,) the present angle of each angular spring, in degrees in (-180, 180]."""
-        positions = self.positions
-        a, b = (positions[ends[:, 1]] - positions[ends[:, 0]] for ends in self._joint_ends)
-        cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-        return np.degrees(np.arctan2(cross, (a * b).sum(1)))
-
-    @property
-    def rest_angles(self) -> NDArray[np.float64]:
-        """(J,) the present rest angle of each angular spring, in degrees in (-180, 180]."""
-        angles = self._body.joint_rest[self._system.joint_order] + self._state.controls[CONTROL_SHIFT]
-        return 180.0 - (180.0 - angles) % 360.0
-
-    @property
-    def rest_length_scale(self) -> float:
-        """The present factor of all rest lengths."""
-        return float(self._state.controls[CONTROL_SCALE])
-
-    @property
-    def rest_angle_shift(self) -> float:
-        """What the arrow keys have added to all rest angles since the scene was put in place, degrees."""
-        return float(self._state.controls[CONTROL_SHIFT])
-
-    def pose(self) -> Pose:
-        """The present positions and velocities, as a scene can carry them."""
-        return Pose(
-            positions=tuple((x, y) for x, y in self.positions.tolist()),
-            velocities=tuple((x, y) for x, y in self.velocities.tolist()),
-        )
-
-    @property
     def plain(self) -> bool:
         """Whether it moves by NumPy, because the kernels of its method are not compiled yet."""
         return isinstance(self._stepper.solver, PlainSolver)
+
+    @property
+    def complete(self) -> bool:
+        """Whether all kernels that it may use are there; if not, how it goes on depends on the compiler."""
+        solver = self._stepper.solver
+        return isinstance(solver, Solver) and solver.complete
 
     @property
     def rate_limited(self) -> bool:
@@ -283,7 +221,7 @@ class Simulation:
         self._steps += outcome.steps
         self._hands.settle()
         if outcome.what != guard.GOOD:
-            self.divergence = self._explain(outcome)
+            self.divergence = explain(self._scene, self._system, self._state, self._steps, outcome)
         return outcome.steps
 
     def advance(self, seconds: float) -> int:
@@ -302,17 +240,40 @@ class Simulation:
 
     def reset(self) -> None:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
-        state = self._state
-        for field, row in zip((state.x, state.y, state.vx, state.vy), self._system.start, strict=True):
-            field[self._masses] = row
+        self._adopt(self._system.start[:, self._system.mass_index - 1])
         self._steps = 0
         self._time = self._owed = 0.0
         self._hands.clear()
         self._restart()
 
+    def capture(self) -> Moment:
+        """The present moment, to come back to; a mass in a hand is at rest in it, as if let go."""
+        scale, shift = map(float, self._state.controls)
+        rows = self._rows()
+        if self._hands.grabbed:
+            rows[2:, list(self._hands.grabbed)] = 0.0
+        return Moment(self._scene, scale, shift, rows, self._time, self._steps)
+
+    def restore(self, moment: Moment) -> None:
+        """Back to a moment of this scene, or of another: settings, rest lengths and angles, motion and time.
+
+        Hands let go, a divergence is forgotten, and the method begins anew: going on twice from one moment
+        gives the same bits. Keys stay held. The energy's books, if kept, begin anew, and so does what
+        `advance` keeps.
+        """
+        kept = self._books is not None
+        if moment.scene is not self._scene:
+            self._install(moment.scene)
+        self._adopt(moment.rows)
+        self._time, self._steps, self._owed = moment.time, moment.step_count, 0.0
+        self._hands.clear()
+        self._restart((moment.rest_length_scale, moment.rest_angle_shift))
+        if kept:
+            self.keep_books(True)
+
     def take_state(self, other: Simulation) -> None:
         """Take over positions, velocities, time and held masses of a simulation of the same topology."""
-        self._adopt(other.positions, other.velocities)
+        self._adopt(other._rows())
         self._time, self._steps, self._owed = other._time, other._steps, other._owed
         self._hands.take_over(other._hands)
         self._keys = other._keys
@@ -330,16 +291,15 @@ class Simulation:
             self._install(scene)
             self.reset()
             return
-        positions, velocities = self.positions, self.velocities
-        hands, books = self._hands, self._books
+        rows, hands, books = self._rows(), self._hands, self._books
         if books is not None:
             books.close()
         self._install(scene)
-        self._adopt(positions, velocities)
+        self._adopt(rows)
         self._hands.take_over(hands)
         self._restart()
-        if books is not None:
-            self._books = self._new_books()
+        # Where the kernels of the new method are still being compiled, there are no books for now.
+        if books is not None and self.keep_books(True) and self._books is not None:
             self._books.take_over(books)
 
     # --------------------------------------------------------------------- inside
@@ -363,23 +323,12 @@ class Simulation:
 
     def _install(self, scene: Scene) -> None:
         """Build tables and room for a valid scene; the state is still to be filled in."""
-        self._scene = scene
-        system = build_system(scene)
-        if scene.integrator.method == "stable_spring":
-            body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
-            system = dataclasses.replace(system, body=body)
-        self._system = system
-        self._body = system.body
-        self._masses = slice(1, system.body.masses + 1)
-        self._state: State = new_state(system)
-        self._scratch = new_scratch(system)
+        self._build(scene)
+        self._scratch = new_scratch(self._system)
         self._stepper = self._new_stepper()
-        springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
-        joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
-        self._joint_ends = springs[joints[:, 0]], springs[joints[:, 1]]
         self._meter: StabilityMeter | None = None
         self._books: Books | None = None
-        self._hands = Hands(system, self._state, METHODS[scene.integrator.method].adaptive)
+        self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
 
     def _new_stepper(self) -> Stepper:
         scene, system, state = self._scene, self._system, self._state
@@ -389,15 +338,11 @@ class Simulation:
             solver = PlainSolver(scene, system, state)
         return Stepper(scene, system, state, solver)
 
-    def _adopt(self, positions: NDArray[np.float64], velocities: NDArray[np.float64]) -> None:
-        order = self._system.mass_order
-        self._state.x[self._masses], self._state.y[self._masses] = positions[order].T
-        self._state.vx[self._masses], self._state.vy[self._masses] = velocities[order].T
-
-    def _restart(self) -> None:
+    def _restart(self, controls: tuple[float, float] | None = None) -> None:
+        """Begin from the state in the tables; `controls`: what keys did, rest length scale and degrees."""
         self.divergence = None
-        self._state.controls[:] = self._scene.rest_length_scale, 0.0
         self._folded = (self._scene.rest_length_scale, 0.0), self._scene
+        self._state.controls[:] = controls or self._folded[0]
         refresh(self._body, self._state)
         self._weigh()
         if self._books is not None:
@@ -413,15 +358,6 @@ class Simulation:
         presses = presses_of(self._scene, self._keys)
         return self._stepper.step(n, self._hands, presses, self._all_held, limit)
 
-    def _explain(self, outcome: Outcome) -> Divergence:
-        quantity, limit = LIMITS[outcome.what]
-        adaptive = METHODS[self.method].adaptive
-        limit = MAX_SPEED if quantity == "speed" and adaptive else limit
-        driven = adaptive and self._scene.force_law == "tutorial" and self._body.joints > 0
-        mass = int(self._system.mass_order[outcome.mass_index - 1]) if outcome.mass_index > 0 else 0
-        blame = limit_to_blame(self._system, self._state, self.method, self.dt, self._scene.air_friction)
-        return Divergence(mass, self._steps, quantity, limit, self.dt, blame, adaptive, driven)
-
     def _existing_mass(self, mass: int) -> int:
         whole = isinstance(mass, (int, np.integer)) and not isinstance(mass, bool)
         if not (whole and 0 <= mass < self._body.masses):
@@ -433,7 +369,3 @@ class Simulation:
         if not self._hands.hold(mass):
             raise InputError(f"mass {mass} is not held, so it cannot be moved")
         return index
-
-    def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-        index = self._system.mass_index
-        return np.column_stack((x[index], y[index]))

@@ -168,6 +168,15 @@ class Solver:
         return self._matrix
 
     @property
+    def complete(self) -> bool:
+        """Whether it waits for no kernel that is still being compiled."""
+        if self._wait:
+            return True
+        arms = ARM_METHODS if self._info.kernel is None else ()
+        own = [name for arm in arms for name in needed_by(arm.name)]
+        return is_ready((*own, *(FOR_FALLBACK if self._info.implicit else ())))
+
+    @property
     def time(self) -> float:
         """Simulated time, s."""
         return float(self.integrator.controller[CONTROLLER_TIME])

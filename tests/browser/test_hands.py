@@ -79,7 +79,7 @@ def test_the_gizmo_moves_its_mass_freely_by_the_square_and_along_one_axis_by_an_
         end = (start[0] + way[0], start[1] + way[1])
         desk.lead(start, end)
         desk.until(lambda: desk.session.dragged == 0, f"the gizmo's grip {grip} is in hand")
-        assert desk.session._by_gizmo
+        assert desk.session.hand.by_gizmo
         wanted = before + moved
         desk.until(
             lambda wanted=wanted: np.abs(np.array(desk.place(0)) - wanted).max() < 2.0,

@@ -1,0 +1,97 @@
+"""What a browser keeps of a page, to go on there after the server was started anew."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+from msgspec import Meta
+
+import sim
+from sim.errors import SceneError
+from sim.methods.registry import METHODS
+from sim.scene.files import MAX_FILE_BYTES, decode_scene
+from sim.scene.types import MAX_SPRINGS
+from sim.settings import CHOICES
+
+from . import log
+from .ghost import FINER, REFERENCE
+
+FORMAT, VERSION = "softrod-keepsake", 1
+
+MOST_BYTES = 1_000_000
+"""A keepsake that would be larger leaves the motion out: the scene begins anew."""
+
+
+class Second(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The second body, see `Ghost`."""
+
+    method: Annotated[str, Meta(max_length=60)]
+    law: Annotated[str, Meta(max_length=60)] = ""
+    finer: int = 1
+
+
+class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What the user of a page had chosen beside the scene.
+
+    Attributes:
+        playing: whether the clock ran.
+        speed: simulated seconds per second.
+        follow: whether the driven mass followed the pointer.
+        joint: the angular spring that was read out.
+        ghost: the second body, if there was one.
+    """
+
+    playing: bool = True
+    speed: Annotated[float, Meta(ge=0.125, le=4.0)] = 1.0
+    follow: bool = False
+    joint: Annotated[int, Meta(ge=0, lt=MAX_SPRINGS)] = 0
+    ghost: Second | None = None
+
+
+class _Keepsake(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    format: Literal["softrod-keepsake"]
+    version: Annotated[int, Meta(ge=1)]
+    scene: msgspec.Raw
+    moment: log.Restore | None
+    wishes: Wishes
+
+
+def encode(moment: sim.Moment, wishes: Wishes) -> bytes:
+    """A keepsake.
+
+    Raises:
+        SceneError: the scene cannot be written.
+    """
+    scene = log.raw_scene(moment.scene)
+    there = log.restore_entry(moment, with_scene=False)
+    keepsake = _Keepsake(format=FORMAT, version=VERSION, scene=scene, moment=there, wishes=wishes)
+    data = msgspec.json.encode(keepsake)
+    if len(data) > MOST_BYTES:
+        data = msgspec.json.encode(msgspec.structs.replace(keepsake, moment=None))
+    return data
+
+
+def decode(data: bytes) -> tuple[sim.Moment, Wishes]:
+    """The moment and the wishes in a keepsake; nothing in it is trusted.
+
+    Raises:
+        SceneError: one sentence that says what is wrong.
+    """
+    if len(data) > MOST_BYTES + MAX_FILE_BYTES:
+        raise SceneError(f"{len(data)} bytes are more than a keepsake may have")
+    try:
+        keepsake = msgspec.json.decode(data, type=_Keepsake)
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
+        raise SceneError(" ".join(str(error).split())) from None
+    if keepsake.version > VERSION:
+        raise SceneError(f"version {keepsake.version} is newer than {VERSION}; a newer softrod can read it")
+    scene = decode_scene(bytes(keepsake.scene), "scene")
+    wishes, ghost = keepsake.wishes, keepsake.wishes.ghost
+    if ghost is not None:
+        laws = {"", *CHOICES["force_law"].options}
+        if ghost.method not in {REFERENCE, *METHODS} or ghost.law not in laws or ghost.finer not in FINER:
+            raise SceneError(f"ghost: there is no {ghost.method!r} with law {ghost.law!r} / {ghost.finer}")
+    if keepsake.moment is None:
+        return sim.Simulation(scene, wait=False).capture(), wishes
+    return log.moment_of(keepsake.moment, scene), wishes

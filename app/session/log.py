@@ -1,0 +1,362 @@
+"""The file that a run is recorded in: one JSON object a line, a header and then what was done, in order.
+
+A log is about what was done to a `Simulation`, in its own steps. It knows no wall clock and no pointer, so a
+replay does not depend on how fast the machine is.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import platform
+from dataclasses import dataclass, field
+from importlib import metadata
+from typing import Annotated, Any, Literal, get_args
+
+import llvmlite.binding
+import msgspec
+import numba
+import numpy as np
+from msgspec import Meta
+
+import sim
+from sim.body.system import same_topology
+from sim.errors import InputError, SceneError
+from sim.kernels.core.tables import SCALE_MAX, SCALE_MIN
+from sim.motion.simulation import Key
+from sim.scene.files import MAX_FILE_BYTES, decode_scene, encode_scene
+from sim.scene.types import Angle, Vector
+
+FORMAT, VERSION = "softrod-log", 1
+
+MAX_LOG_BYTES = 8_000_000
+"""What a log may take beside its first line; beyond that it starts anew."""
+
+_MOST_BYTES = 2 * MAX_LOG_BYTES + MAX_FILE_BYTES
+"""Largest log that is read: the body may be as large as a scene file."""
+
+NOTED = 32
+"""Masses, at most, whose positions are noted in a check."""
+
+_Mass = Annotated[int, Meta(ge=0, lt=100_000)]
+_Seconds = Annotated[float, Meta(ge=0.0, le=1e12)]
+_Count = Annotated[int, Meta(ge=0, le=10**15)]
+_Times = Annotated[int, Meta(ge=1, le=10**7)]
+
+
+class _Entry(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, omit_defaults=True):
+    """One line after the first.
+
+    Attributes:
+        times: how often it was done, one after another.
+    """
+
+    times: _Times = 1
+
+
+class Step(_Entry, frozen=True, tag_field="do", tag="step"):
+    """A call of `Simulation.step`: so many steps, for which a method may try so many of its own (or any)."""
+
+    n: Annotated[int, Meta(ge=0, le=500_000)]
+    attempts: Annotated[int, Meta(ge=1, le=10**7)] | None = None
+
+
+class Move(_Entry, frozen=True, tag_field="do", tag="move"):
+    """A held mass was put somewhere, px."""
+
+    mass: _Mass
+    to: Vector
+
+
+class Lead(_Entry, frozen=True, tag_field="do", tag="lead"):
+    """A held mass was led somewhere, px, over the next call of `step`."""
+
+    mass: _Mass
+    to: Vector
+
+
+class Follow(_Entry, frozen=True, tag_field="do", tag="follow"):
+    """A held mass was led somewhere, px, as fast as the body can follow."""
+
+    mass: _Mass
+    to: Vector
+
+
+class Grab(_Entry, frozen=True, tag_field="do", tag="grab"):
+    """A mass was taken in a hand."""
+
+    mass: _Mass
+
+
+class Release(_Entry, frozen=True, tag_field="do", tag="release"):
+    """A mass was let go."""
+
+    mass: _Mass
+
+
+class Keys(_Entry, frozen=True, tag_field="do", tag="keys"):
+    """The arrow keys that are held from here on."""
+
+    held: tuple[Key, ...]
+
+
+class Set(_Entry, frozen=True, tag_field="do", tag="set"):
+    """A number of the scene was set, see `sim.set_value`."""
+
+    key: Annotated[str, Meta(max_length=60)]
+    value: float
+
+
+class Choose(_Entry, frozen=True, tag_field="do", tag="choose"):
+    """Something of a list was chosen, see `sim.set_choice`."""
+
+    key: Annotated[str, Meta(max_length=60)]
+    value: Annotated[str, Meta(max_length=60)]
+
+
+class Books(_Entry, frozen=True, tag_field="do", tag="books"):
+    """Whether the energy is followed from here on."""
+
+    on: bool
+
+
+class Restore(_Entry, frozen=True, tag_field="do", tag="restore"):
+    """The body was taken to a moment; hands let go.
+
+    Attributes:
+        pose: where every mass is, px, and how it moves, px/s.
+        time, step: simulated time, s, and time steps since the start.
+        scale, shift: the factor of all rest lengths, and degrees added to all rest angles.
+        scene: the body and its settings, or None if they are as before.
+    """
+
+    pose: sim.Pose
+    time: _Seconds
+    step: _Count
+    scale: Annotated[float, Meta(ge=SCALE_MIN, le=SCALE_MAX)] = 1.0
+    shift: Angle = 0.0
+    scene: dict[str, Any] | None = None
+
+
+class Check(_Entry, frozen=True, tag_field="do", tag="check"):
+    """How the body is here.
+
+    Attributes:
+        time, step: simulated time, s, and time steps since the start.
+        digest: of the bytes of all positions and velocities, see `digest_of`.
+        at: positions of some masses, evenly chosen, px.
+    """
+
+    time: _Seconds
+    step: _Count
+    digest: Annotated[str, Meta(max_length=64)]
+    at: tuple[Vector, ...] = ()
+
+
+Entry = Step | Move | Lead | Follow | Grab | Release | Keys | Set | Choose | Books | Restore | Check
+
+
+class Machine(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What the last digits may depend on.
+
+    Attributes:
+        kind: of the machine, as in x86_64.
+        cpu: the processor that numba compiles for.
+        numba: its version.
+    """
+
+    kind: Annotated[str, Meta(max_length=60)] = ""
+    cpu: Annotated[str, Meta(max_length=60)] = ""
+    numba: Annotated[str, Meta(max_length=60)] = ""
+
+    def __str__(self) -> str:
+        return f"{self.kind} {self.cpu} with numba {self.numba}"
+
+
+class Header(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The first line.
+
+    Attributes:
+        format, version: of the file.
+        softrod: version of the program that wrote it.
+        machine: where it was written.
+        scene: what it begins with, from its start.
+        note: why it begins where it does, if that is not the scene's start.
+    """
+
+    format: Literal["softrod-log"]
+    version: Annotated[int, Meta(ge=1)]
+    softrod: Annotated[str, Meta(max_length=60)] = ""
+    machine: Machine = Machine()
+    scene: msgspec.Raw
+    note: Annotated[str, Meta(max_length=200)] = ""
+
+
+@dataclass
+class Log:
+    """A log that was read.
+
+    Attributes:
+        source: what it is called in an error.
+        scene: what it begins with.
+        machine: where it was recorded.
+        entries: what was done.
+        lines: the number of each entry's line.
+        moments: what the entries `Restore` go back to, by the entry's index.
+    """
+
+    source: str
+    scene: sim.Scene
+    machine: Machine
+    entries: list[Entry] = field(default_factory=list)
+    lines: list[int] = field(default_factory=list)
+    moments: dict[int, sim.Moment] = field(default_factory=dict)
+
+    @property
+    def checks(self) -> int:
+        """How many checks it has."""
+        return sum(isinstance(entry, Check) for entry in self.entries)
+
+
+def this_machine() -> Machine:
+    """The machine that this runs on."""
+    cpu = os.environ.get("NUMBA_CPU_NAME") or llvmlite.binding.get_host_cpu_name()
+    return Machine(platform.machine(), cpu, numba.__version__)
+
+
+def digest_of(simulation: sim.Simulation) -> str:
+    """A digest of the bytes of all positions and velocities: equal only where every bit is."""
+    data = simulation.positions.tobytes() + simulation.velocities.tobytes()
+    return hashlib.blake2b(data, digest_size=16).hexdigest()
+
+
+def check_of(simulation: sim.Simulation) -> Check:
+    """How a body is now."""
+    some = noted(simulation)
+    at = tuple((x, y) for x, y in some.tolist())
+    return Check(time=simulation.time, step=simulation.step_count, digest=digest_of(simulation), at=at)
+
+
+def noted(simulation: sim.Simulation) -> np.ndarray:
+    """(k, 2) positions of the masses that a check notes, px."""
+    positions = simulation.positions
+    return positions[:: -(-len(positions) // NOTED)]
+
+
+def keys_entry(keys: frozenset[str]) -> Keys:
+    """The entry that says which keys are held."""
+    return Keys(held=tuple(key for key in get_args(Key) if key in keys))
+
+
+def encode_entry(entry: Entry) -> bytes:
+    """One line, without its end."""
+    return msgspec.json.encode(entry)
+
+
+def encode_header(scene: sim.Scene, note: str = "") -> bytes:
+    """The first line, without its end.
+
+    Raises:
+        SceneError: the scene is not valid.
+    """
+    header = Header(
+        format=FORMAT,
+        version=VERSION,
+        softrod=_version(),
+        machine=this_machine(),
+        scene=raw_scene(scene),
+        note=note,
+    )
+    return msgspec.json.encode(header)
+
+
+def _version() -> str:
+    try:
+        return metadata.version("softrod")
+    except metadata.PackageNotFoundError:
+        return ""  # run from a folder, without having been installed
+
+
+def raw_scene(scene: sim.Scene) -> msgspec.Raw:
+    """A scene on one line.
+
+    Raises:
+        SceneError: the scene is not valid.
+    """
+    return msgspec.Raw(msgspec.json.format(encode_scene(scene), indent=-1))
+
+
+def restore_entry(moment: sim.Moment, with_scene: bool) -> Restore:
+    """The entry that leads to a moment."""
+    x, y, vx, vy = moment.rows.tolist()
+    return Restore(
+        pose=sim.Pose(positions=tuple(zip(x, y, strict=True)), velocities=tuple(zip(vx, vy, strict=True))),
+        time=moment.time,
+        step=moment.step_count,
+        scale=moment.rest_length_scale,
+        shift=moment.rest_angle_shift,
+        scene=msgspec.json.decode(encode_scene(moment.scene)) if with_scene else None,
+    )
+
+
+def moment_of(entry: Restore, scene: sim.Scene) -> sim.Moment:
+    """The moment that an entry leads to, of a scene.
+
+    Raises:
+        SceneError: the entry has another number of masses.
+    """
+    for name in ("positions", "velocities"):
+        count = len(getattr(entry.pose, name))
+        if count != len(scene.masses):
+            raise SceneError(f"pose.{name}: {count} entries do not match the {len(scene.masses)} masses")
+    rows = np.array([*np.array(entry.pose.positions).T, *np.array(entry.pose.velocities).T])
+    return sim.Moment(scene, entry.scale, entry.shift, np.ascontiguousarray(rows), entry.time, entry.step)
+
+
+def is_recorded(data: bytes) -> bool:
+    """Whether the bytes are a log in this format, and not a list of inputs."""
+    try:
+        first = msgspec.json.decode(data.lstrip().split(b"\n", 1)[0])
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError):
+        return False
+    return isinstance(first, dict) and first.get("format") == FORMAT
+
+
+def decode_log(data: bytes, source: str) -> Log:
+    """The log in a file's bytes; nothing in it is trusted.
+
+    Args:
+        data: the whole file.
+        source: what to call it in an error, usually the file's name.
+
+    Raises:
+        InputError: one sentence that names the line.
+    """
+    if len(data) > _MOST_BYTES:
+        raise InputError(f"{source}: {len(data)} bytes are more than the {_MOST_BYTES} that a log may have")
+    lines = [(i, line) for i, line in enumerate(data.splitlines(), start=1) if line.strip()]
+    number = lines[0][0] if lines else 1
+    try:
+        header = msgspec.json.decode(lines[0][1] if lines else b"", type=Header)
+        if header.version > VERSION:
+            raise InputError(f"version {header.version} is newer than {VERSION}; a newer softrod can read it")
+        scene = decode_scene(bytes(header.scene), "scene")
+        log, present = Log(source, scene, header.machine), scene
+        decoder: Any = msgspec.json.Decoder(Entry)
+        for number, line in lines[1:]:
+            entry = decoder.decode(line)
+            if isinstance(entry, Restore):
+                if entry.scene is not None:
+                    present = decode_scene(msgspec.json.encode(entry.scene), "scene")
+                    if not same_topology(scene, present):
+                        raise InputError("scene: it joins other masses than the scene of the first line")
+                    log.moments[len(log.entries)] = moment_of(entry, present)
+                else:
+                    moment_of(entry, scene)  # it is the scene of then, which only a replay knows
+            if isinstance(entry, Set) and entry.key == "masses" and entry.value != len(scene.masses):
+                raise InputError("set: the number of masses cannot change within a log")
+            log.entries.append(entry)
+            log.lines.append(number)
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError, SceneError, InputError) as error:
+        raise InputError(" ".join(f"{source}: line {number}: {error}".split())) from None
+    return log

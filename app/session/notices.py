@@ -1,0 +1,36 @@
+"""What a page tells its user once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import sim
+from sim.settings import SETTINGS
+
+
+@dataclass(frozen=True)
+class Notice:
+    """Something to tell the user once."""
+
+    kind: Literal["error", "warning", "info"]
+    title: str
+    text: str
+
+
+def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
+    """What to tell when the simulation of a scene has stopped."""
+    limit, cause = divergence.stability.limit, divergence.stability.cause
+    if cause is not None and divergence.dt > limit:
+        value = SETTINGS[cause.replace(" ", "_")].read(scene)
+        text = (
+            f"Time step {divergence.dt:.3g} s is above the stability limit {limit:.2g} s at {cause} "
+            f"{value:g}. The last good state is shown. Go back to just before it, lower either of them, and "
+            "go on; or press Reset."
+        )
+    else:
+        text = (
+            f"{str(divergence)[:1].upper()}{str(divergence)[1:]}. The last good state is shown. Go back to "
+            "just before it, move it more gently or lower the time step, and go on; or press Reset."
+        )
+    return Notice("error", "The simulation ran away", text)

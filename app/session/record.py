@@ -1,0 +1,242 @@
+"""Acts on a simulation, and keeps a log of it that can be replayed bit for bit."""
+
+from __future__ import annotations
+
+import sim
+from sim.methods.registry import METHODS
+
+from . import log
+from .log import Entry
+
+CHECK_EVERY = 1.0
+"""Simulated seconds between two checks."""
+
+TOO_LONG = "the log before this had grown too long; it starts anew here"
+
+
+class Recorder:
+    """All that a session does to its body goes through this.
+
+    What a replay could not do in the same way is not noted step by step: while kernels are still being
+    compiled, how a body goes on depends on when that is done. Then the log goes on from where that led.
+
+    Args:
+        simulation: the body, at its scene's start.
+
+    Attributes:
+        simulation: the body.
+    """
+
+    def __init__(self, simulation: sim.Simulation, note: str = "") -> None:
+        self.simulation = simulation
+        self._books = False
+        self._begin(note)
+        if note:
+            self._go_on_from_here()
+
+    def begin(self) -> None:
+        """Start the log anew at the scene's start, where the simulation is."""
+        self._begin("")
+        self._note_holding()
+
+    def _begin(self, note: str) -> None:
+        self._scene = self.simulation.capture().scene  # what the header has
+        self._text = note
+        self._lines: list[bytes] = []
+        self._size = 0
+        self._last: Entry | None = None  # not in the lines yet: it may come again
+        self._times = 0
+        self._moment: tuple[sim.Moment, bool] | None = None  # gone back to, and not noted yet
+        self._checked = self.simulation.time
+        self._grabbed: set[int] = set()
+        self._keys: frozenset[str] = self.simulation.keys
+        self._complete = self.simulation.complete
+
+    # --------------------------------------------------------------------- what can be done to a body
+    @property
+    def rate_limited(self) -> bool:
+        """See `Simulation.rate_limited`."""
+        return self.simulation.rate_limited
+
+    @property
+    def keys(self) -> frozenset[str]:
+        """The arrow keys held."""
+        return self._keys
+
+    @keys.setter
+    def keys(self, keys: frozenset[str]) -> None:
+        if keys != self._keys:
+            self.simulation.keys = keys
+            self._keys = keys
+            self._note(log.keys_entry(keys))
+
+    def move(self, mass: int, to: tuple[float, float]) -> None:
+        """See `Simulation.move`."""
+        self.simulation.move(mass, to)
+        self._note(log.Move(mass=mass, to=_place(to)))
+
+    def lead(self, mass: int, to: tuple[float, float]) -> None:
+        """See `Simulation.lead`."""
+        self.simulation.lead(mass, to)
+        self._note(log.Lead(mass=mass, to=_place(to)))
+
+    def follow(self, mass: int, to: tuple[float, float]) -> None:
+        """See `Simulation.follow`."""
+        self.simulation.follow(mass, to)
+        self._note(log.Follow(mass=mass, to=_place(to)))
+
+    def grab(self, mass: int) -> None:
+        """See `Simulation.grab`."""
+        self.simulation.grab(mass)
+        self._grabbed.add(mass)
+        self._note(log.Grab(mass=mass))
+
+    def release(self, mass: int) -> None:
+        """See `Simulation.release`."""
+        self.simulation.release(mass)
+        self._grabbed.discard(mass)
+        self._note(log.Release(mass=mass))
+
+    def keep_books(self, on: bool) -> None:
+        """See `Simulation.keep_books`."""
+        self.simulation.keep_books(on)
+        self._books = on
+        self._note(log.Books(on=on))
+
+    def set_value(self, key: str, value: float) -> None:
+        """Go on with another number of the scene.
+
+        Raises:
+            SettingError: see `sim.set_value`.
+        """
+        self._replace(sim.set_value(self.simulation.scene, key, value), log.Set(key=key, value=value))
+
+    def set_choice(self, key: str, value: str) -> None:
+        """Go on with another choice.
+
+        Raises:
+            SettingError: see `sim.set_choice`.
+        """
+        self._replace(sim.set_choice(self.simulation.scene, key, value), log.Choose(key=key, value=value))
+
+    def restore(self, moment: sim.Moment) -> None:
+        """See `Simulation.restore`. Of many in a row, the last is noted."""
+        present = self.simulation.capture().scene
+        self.simulation.restore(moment)
+        self._grabbed.clear()
+        self._complete = self.simulation.complete
+        self._put_off(moment, moment.scene is not present)
+
+    def reset(self) -> None:
+        """See `Simulation.reset`; the log starts anew."""
+        self.simulation.reset()
+        self._grabbed.clear()
+        self.begin()
+
+    def step(self, n: int, attempts: int | None = None) -> int:
+        """See `Simulation.step`."""
+        done = self.simulation.step(n, attempts)
+        if not self._complete:
+            if self.simulation.complete:
+                self._go_on_from_here()
+            return done
+        if n > 0:
+            # A method with fixed steps that came to the end could have tried more.
+            free = done == n and not METHODS[self.simulation.method].adaptive
+            self._note(log.Step(n=n, attempts=None if free else attempts))
+            if abs(self.simulation.time - self._checked) >= CHECK_EVERY:
+                self._check()
+            if self._size > log.MAX_LOG_BYTES:
+                self._start_anew()
+        return done
+
+    # --------------------------------------------------------------------- the log
+    def file(self) -> bytes:
+        """The log until now, as a file; a check ends it.
+
+        Raises:
+            SceneError: the scene cannot be written.
+        """
+        if not self._complete:
+            self._go_on_from_here()
+        self._settle()
+        end = log.encode_entry(log.check_of(self.simulation))
+        return b"\n".join([log.encode_header(self._scene, self._text), *self._lines, end, b""])
+
+    def _note(self, entry: Entry) -> None:
+        if not self._complete:
+            return
+        if self._moment is not None:
+            self._settle()
+        if entry == self._last:
+            self._times += 1
+            return
+        self._write_last()
+        self._last, self._times = entry, 1
+
+    def _put_off(self, moment: sim.Moment, with_scene: bool) -> None:
+        """The body is at a moment now; it is noted when it is known that it stays there."""
+        with_scene = with_scene or (self._moment is not None and self._moment[1])
+        self._moment = moment, with_scene
+
+    def _settle(self) -> None:
+        """Write all that waits to be."""
+        self._write_last()
+        if self._moment is not None:
+            moment, with_scene = self._moment
+            self._moment = None
+            self._write(log.restore_entry(moment, with_scene))
+
+    def _write_last(self) -> None:
+        if self._last is not None:
+            entry = self._last
+            self._last = None
+            self._write(entry, self._times)
+
+    def _write(self, entry: Entry, times: int = 1) -> None:
+        line = log.encode_entry(entry)
+        if times > 1:
+            line = line[:-1] + b',"times":%d}' % times
+        self._lines.append(line)
+        self._size += len(line) + 1
+
+    def _check(self) -> None:
+        self._settle()
+        self._checked = self.simulation.time
+        self._write(log.check_of(self.simulation))
+
+    def _start_anew(self) -> None:
+        grabbed = self._grabbed
+        self._begin(TOO_LONG)
+        self._grabbed = grabbed
+        self._go_on_from_here()
+
+    def _go_on_from_here(self) -> None:
+        """Let the body go on as a replay will that begins at this moment, and note so."""
+        moment, grabbed = self.simulation.capture(), sorted(self._grabbed)
+        self._complete = True
+        self.simulation.restore(moment)
+        self._put_off(moment, with_scene=True)
+        for mass in grabbed:
+            self.grab(mass)
+        self.simulation.keep_books(self._books)
+        self._note_holding()
+        self._complete = self.simulation.complete
+
+    def _note_holding(self) -> None:
+        self._note(log.keys_entry(self._keys))
+        self._note(log.Books(on=self._books))
+
+    def _replace(self, scene: sim.Scene, entry: Entry) -> None:
+        rebuilt = len(scene.masses) != len(self.simulation.scene.masses)
+        self.simulation.replace(scene)
+        if rebuilt:
+            self._grabbed.clear()
+            self.begin()
+            return
+        self._note(entry)
+        self._complete = self.simulation.complete
+
+
+def _place(to: tuple[float, float]) -> tuple[float, float]:
+    return float(to[0]), float(to[1])

@@ -1,0 +1,168 @@
+"""Does again what a log says, and compares."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import sim
+from sim.errors import InputError, SceneError, SettingError
+from sim.motion.solver import UNLIMITED
+
+from . import log
+from .log import Entry, Log
+
+_MOST_ENTRIES = 2000
+"""Entries that are done in a frame at most, so that no log can stop the page."""
+
+_MOST_OWED = 0.5
+"""Simulated seconds, at most, that a replay catches up on."""
+
+_TOO_HEAVY = "this frame is too heavy to be played in a page; `softrod run --inputs` can do it"
+
+
+class Player:
+    """A log on its way through a simulation.
+
+    Args:
+        record: what was done.
+        simulation: the body of `record.scene`, at its start.
+
+    Attributes:
+        record, simulation: as above.
+        steps: steps done until now.
+        difference: where it first differed from what was recorded, a sentence, or None.
+    """
+
+    def __init__(self, record: Log, simulation: sim.Simulation) -> None:
+        self.record, self.simulation = record, simulation
+        self.steps = 0
+        self.difference: str | None = None
+        self._index = self._times = self._checks = 0
+        self._digest = ""
+        self._owed = 0.0
+
+    @property
+    def ended(self) -> bool:
+        """Whether there is nothing more to do."""
+        return self._index >= len(self.record.entries)
+
+    @property
+    def upcoming(self) -> Entry:
+        """What comes next."""
+        return self.record.entries[self._index]
+
+    def do(self, attempts: int = UNLIMITED) -> int:
+        """Do what comes next, once, and return the steps that were done.
+
+        Args:
+            attempts: as for `advance`.
+
+        Raises:
+            InputError: it cannot be done; the sentence names the line.
+        """
+        entry = self.upcoming
+        try:
+            done = self._do(entry, attempts)
+        except (InputError, SceneError, SettingError) as error:
+            raise self._named(str(error)) from None
+        self.steps += done
+        self._times += 1
+        if self._times >= entry.times:
+            self._index, self._times = self._index + 1, 0
+        return done
+
+    def advance(self, seconds: float, most: int, attempts: int) -> int:
+        """Do what comes next, as far as so many more simulated seconds lead, and return the steps done.
+
+        Args:
+            seconds: simulated time, s; what a call of `step` goes beyond it is made up for later.
+            most: steps that one call may have.
+            attempts: steps that a method may really try in one call, whatever it might when it was recorded.
+
+        Raises:
+            InputError: as `do`, or a call takes more than that.
+        """
+        self._owed = min(self._owed + seconds, _MOST_OWED)
+        done = 0
+        for _ in range(_MOST_ENTRIES):
+            if self.ended:
+                break
+            entry = self.upcoming
+            if isinstance(entry, log.Step):
+                if self._owed <= 0.0:
+                    break
+                if entry.n > most:
+                    raise self._named(_TOO_HEAVY)
+                self._owed -= entry.n * self.simulation.dt
+            done += self.do(attempts)
+        return done
+
+    @property
+    def agrees(self) -> bool:
+        """Whether nothing has differed until now."""
+        return self.difference is None
+
+    @property
+    def verdict(self) -> str:
+        """How the replay compares with what was recorded, in one sentence."""
+        if self.difference is not None:
+            return self.difference
+        checks = "its check agrees" if self._checks == 1 else f"all {self._checks} checks agree"
+        return f"replayed {self.steps} steps; {checks}" + (f", digest {self._digest}" if self._digest else "")
+
+    def _named(self, reason: str) -> InputError:
+        return InputError(f"{self.record.source}: line {self.record.lines[self._index]}: {reason}")
+
+    def _do(self, entry: Entry, most: int) -> int:
+        simulation = self.simulation
+        match entry:
+            case log.Step(n=n, attempts=attempts):
+                allowed = UNLIMITED if attempts is None else attempts
+                done = simulation.step(n, min(allowed, most))
+                if done < n and most < allowed and simulation.divergence is None:
+                    raise InputError(_TOO_HEAVY)
+                return done
+            case log.Move(mass=mass, to=to):
+                simulation.move(mass, to)
+            case log.Lead(mass=mass, to=to):
+                simulation.lead(mass, to)
+            case log.Follow(mass=mass, to=to):
+                simulation.follow(mass, to)
+            case log.Grab(mass=mass):
+                simulation.grab(mass)
+            case log.Release(mass=mass):
+                simulation.release(mass)
+            case log.Keys(held=held):
+                simulation.keys = held
+            case log.Books(on=on):
+                simulation.keep_books(on)
+            case log.Set(key=key, value=value):
+                simulation.replace(sim.set_value(simulation.scene, key, value))
+            case log.Choose(key=key, value=value):
+                simulation.replace(sim.set_choice(simulation.scene, key, value))
+            case log.Restore():
+                moment = self.record.moments.get(self._index)
+                simulation.restore(moment or log.moment_of(entry, simulation.capture().scene))
+            case log.Check():
+                self._check(entry)
+        return 0
+
+    def _check(self, check: log.Check) -> None:
+        self._checks += 1
+        self._digest = log.digest_of(self.simulation)
+        if (check.digest, check.step) == (self._digest, self.simulation.step_count) or self.difference:
+            return
+        some = log.noted(self.simulation)
+        if len(check.at) == len(some):
+            apart = float(np.hypot(*(some - check.at).T).max())
+            unit = self.simulation.scene.view.unit
+            largest = f"largest distance of a mass noted {apart:.3g} {unit}"
+        else:
+            largest = "largest distance unknown"
+        here = log.this_machine()
+        told = f"; it was recorded on {self.record.machine}, this is {here}"
+        self.difference = (
+            f"differs first at t = {check.time:.6g} s (check {self._checks} of {self.record.checks}), "
+            + largest
+            + (told if here != self.record.machine else "")
+        )

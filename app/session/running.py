@@ -1,0 +1,176 @@
+"""A page's body in motion, and everything that is with it in the present."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+
+import sim
+from sim.motion.stability import StabilityEstimate
+from sim.settings import SETTINGS
+
+from .ghost import Ghost
+from .hand import Body, PointerHand
+from .history import History, OldFuture
+from .notices import Notice
+from .pacing import Pacer
+from .record import Recorder
+from .replay import Player
+
+
+class Running:
+    """The body of one page in the present: its settings, its hand, its second body; see `Session`.
+
+    Attributes:
+        simulation: the body in motion; the ticker's alone.
+        playing: whether the clock runs.
+        follow: whether the driven mass follows the pointer.
+        joint: the angular spring that is read out.
+        generation: counts scenes opened; a new number means that everything has to be drawn anew.
+        revision: counts changes of settings, other than by the arrow keys.
+        notices: what the page has still to be told.
+        pacer: the clock.
+        stability: the last look at the stability limit.
+        ghost: the second body, if one is wanted.
+        books: whether the energy is followed.
+        fallbacks: fallback steps since the scene was opened or reset.
+        recorder: what acts on the body, and keeps its log; not while a log is played.
+        history: the moments that are past, and which of them is shown.
+        old_future: what would have come, where the user has gone back and on; or None.
+        offer_back: whether the body ran away and can be taken back to just before that.
+        replay: the log that is played, if one is.
+        hand: what the pointer does.
+        preparing: what is being compiled, for the page to say; empty when nothing is.
+
+    Args:
+        scene: what it shows first.
+        clock: wall time, s.
+        wait: whether a step may wait for the compiler. A page cannot: it moves by NumPy until then.
+    """
+
+    def __init__(
+        self, scene: sim.Scene, clock: Callable[[], float] = time.monotonic, wait: bool = True
+    ) -> None:
+        self._clock = clock
+        self._wait = wait
+        self.simulation = sim.Simulation(scene, wait=wait)
+        self.recorder = Recorder(self.simulation)
+        self.history = History()
+        self.history.add(self.simulation.capture())
+        self.old_future: OldFuture | None = None
+        self.offer_back = False
+        self.replay: Player | None = None
+        self._viewer: sim.Simulation | None = None  # shows what is past in a replay
+        self.pacer = Pacer()
+        self.playing = True
+        self.follow = False
+        self.joint = 0
+        self.generation = 0
+        self.revision = 0
+        self.notices: list[Notice] = []
+        self.stability = StabilityEstimate(math.inf, None)
+        self._stability_due = 0.0
+        self.hand = PointerHand(self._bodies, clock)
+        self.ghost: Ghost | None = None
+        self.books = False
+        self.fallbacks = 0
+        self.preparing = ""
+
+    def now(self) -> float:
+        """Wall time, s, by the clock that everything here goes by."""
+        return self._clock()
+
+    @property
+    def scene(self) -> sim.Scene:
+        """The scene as it is now, with what the arrow keys did."""
+        return self.simulation.scene
+
+    @property
+    def driven(self) -> int | None:
+        """The mass that the pointer drives, if the scene has one."""
+        return next((a.mass for a in self.simulation.anchors if a.driven), None)
+
+    @property
+    def dragged(self) -> int | None:
+        """The mass in hand."""
+        return self.hand.mass
+
+    @property
+    def _following(self) -> int | None:
+        """The mass that follows the pointer without a button."""
+        return self.driven if self.follow else None
+
+    def _let_go(self) -> None:
+        self.hand.let_go(self._following)
+
+    def _set(self, key: str, value: float) -> None:
+        setting = SETTINGS.get(key)
+        if setting is None or not math.isfinite(value):
+            return
+        self._change(lambda: self.recorder.set_value(key, min(max(value, setting.low), setting.high)))
+
+    def _change(self, change: Callable[[], None]) -> None:
+        """Go on with changed settings."""
+        masses = len(self.simulation.scene.masses)
+        change()
+        scene = self.simulation.scene
+        rebuilt = len(scene.masses) != masses
+        if rebuilt:
+            # Another body, whose time begins anew: what is past belongs to the other one.
+            self.hand.drop()
+            self._begin_history()
+            self.generation += 1
+            self.joint = min(self.joint, max(0, len(scene.angular_springs) - 1))
+        if self.ghost is not None:
+            self.ghost.simulation.replace(self.ghost.variant(scene))
+            if rebuilt:
+                self.ghost.start_from(self.simulation)
+        self.revision += 1
+        self._stability_due = 0.0
+
+    def _open(self, scene: sim.Scene) -> None:
+        simulation = sim.Simulation(scene, wait=self._wait)
+        self.hand.drop()
+        self.simulation, self.recorder = simulation, Recorder(simulation)
+        if self.books:
+            self.recorder.keep_books(True)
+        self._begin_history()
+        self.replay = self._viewer = None
+        self.ghost = None
+        self.fallbacks = 0
+        self.follow = False
+        self.joint = 0
+        self.generation += 1
+        self.revision += 1
+        self.pacer.restart()
+        self._stability_due = 0.0
+        self.stability = StabilityEstimate(math.inf, None)
+
+    def _begin_history(self) -> None:
+        self.history.clear()
+        self.history.add(self.simulation.capture())
+        self.old_future = None
+        self.offer_back = False
+
+    def _remember(self) -> None:
+        """Keep this frame's moment, if time has passed."""
+        if self.simulation.time != self.history.end:
+            self.history.add(self.simulation.capture())
+
+    def _bodies(self) -> list[Body]:
+        """The body, and its ghost."""
+        return [self.recorder, *([self.ghost.simulation] if self.ghost is not None else [])]
+
+    def _hold(self, keys: frozenset[str]) -> None:
+        for body in self._bodies():
+            body.keys = keys
+
+    def _follow_ghost(self, steps: int, led: list[int]) -> None:
+        """Let the ghost do as many steps, in which the same masses are led to where they are now."""
+        if self.ghost is not None and self.ghost.is_ready(self.simulation):
+            if not self.ghost.simulation.rate_limited:
+                for mass in led:
+                    self.ghost.simulation.lead(mass, tuple(self.simulation.positions[mass]))
+            self.ghost.step(steps, self.simulation.dt)
+            self.ghost.compare(self.simulation)

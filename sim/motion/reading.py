@@ -1,0 +1,120 @@
+"""What can be read of a body: its scene, where its masses are, and its angles."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from ..body.stable_spring import clamp_stiffness
+from ..body.system import build_system, new_state
+from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
+from ..scene.types import Anchor, Pose, Scene
+from ..settings import shift_rest_angles
+
+
+class Reading:
+    """The tables of a scene and its present state; `Simulation` moves them."""
+
+    _folded: tuple[tuple[float, float], Scene]
+    """The scene as keys have made it, and the scale and the shift for which it was made."""
+
+    @property
+    def scene(self) -> Scene:
+        """The scene as it is now: what the arrow keys changed is in it, the motion is not."""
+        scale, shift = map(float, self._state.controls)
+        if (scale, shift) != self._folded[0]:
+            scene = msgspec.structs.replace(self._scene, rest_length_scale=scale)
+            self._folded = (scale, shift), shift_rest_angles(scene, shift) if shift else scene
+        return self._folded[1]
+
+    @property
+    def anchors(self) -> tuple[Anchor, ...]:
+        """The scene's anchors."""
+        return self._scene.anchors
+
+    @property
+    def method(self) -> str:
+        """Name of the method of integration."""
+        return self._scene.integrator.method
+
+    @property
+    def dt(self) -> float:
+        """Time step, s."""
+        return self._scene.integrator.dt
+
+    @property
+    def positions(self) -> NDArray[np.float64]:
+        """(n, 2) positions in px; a copy."""
+        return self._read(self._state.x, self._state.y)
+
+    @property
+    def velocities(self) -> NDArray[np.float64]:
+        """(n, 2) velocities in px/s, zero where a mass is held; a copy."""
+        return self._read(self._state.vx, self._state.vy)
+
+    @property
+    def angles(self) -> NDArray[np.float64]:
+        """(J,) the present angle of each angular spring, in degrees in (-180, 180]."""
+        positions = self.positions
+        a, b = (positions[ends[:, 1]] - positions[ends[:, 0]] for ends in self._joint_ends)
+        cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+        return np.degrees(np.arctan2(cross, (a * b).sum(1)))
+
+    @property
+    def rest_angles(self) -> NDArray[np.float64]:
+        """(J,) the present rest angle of each angular spring, in degrees in (-180, 180]."""
+        angles = self._body.joint_rest[self._system.joint_order] + self._state.controls[CONTROL_SHIFT]
+        return 180.0 - (180.0 - angles) % 360.0
+
+    @property
+    def rest_length_scale(self) -> float:
+        """The present factor of all rest lengths."""
+        return float(self._state.controls[CONTROL_SCALE])
+
+    @property
+    def rest_angle_shift(self) -> float:
+        """What the arrow keys have added to all rest angles since the scene was put in place, degrees."""
+        return float(self._state.controls[CONTROL_SHIFT])
+
+    def pose(self) -> Pose:
+        """The present positions and velocities, as a scene can carry them."""
+        return Pose(
+            positions=tuple((x, y) for x, y in self.positions.tolist()),
+            velocities=tuple((x, y) for x, y in self.velocities.tolist()),
+        )
+
+    # --------------------------------------------------------------------- inside
+    def _build(self, scene: Scene) -> None:
+        """Make the tables of a valid scene; its state is still to be filled in."""
+        self._scene = scene
+        system = build_system(scene)
+        if scene.integrator.method == "stable_spring":
+            body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
+            system = dataclasses.replace(system, body=body)
+        self._system = system
+        self._body = system.body
+        self._state: State = new_state(system)
+        springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
+        joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
+        self._joint_ends = springs[joints[:, 0]], springs[joints[:, 1]]
+
+    def _rows(self) -> NDArray[np.float64]:
+        """(4, n) x, y, vx and vy of the scene's masses; a copy."""
+        state, index = self._state, self._system.mass_index
+        rows = np.empty((4, index.size))
+        # The mode is of no meaning for indices that exist; with it, numpy writes without a detour.
+        for row, field in zip(rows, (state.x, state.y, state.vx, state.vy), strict=True):
+            field.take(index, out=row, mode="clip")
+        return rows
+
+    def _adopt(self, rows: NDArray[np.float64]) -> None:
+        """Fill in the state from what `_rows` gives."""
+        state, index = self._state, self._system.mass_index
+        state.x[index], state.y[index], state.vx[index], state.vy[index] = rows
+
+    def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+        index = self._system.mass_index
+        return np.column_stack((x[index], y[index]))

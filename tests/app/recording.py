@@ -1,0 +1,43 @@
+"""Sessions that do a bit of everything, for the tests of logs and of what is past."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+
+import sim
+from app.session import commands
+from tests.app.pages import SessionPage
+
+
+def log_of(page: SessionPage) -> bytes:
+    """The log of a page until now."""
+    result: Future[bytes] = Future()
+    page.session.post(commands.SaveLog(result))
+    page.session.drain()
+    return result.result(timeout=0)
+
+
+def busy_page(scene: sim.Scene, play_on: bool = True) -> SessionPage:
+    """A page whose user drags, presses keys, moves sliders, looks back and goes on, for some seconds."""
+    page = SessionPage(scene)
+    page.frames(10)
+    x, y = page.session.simulation.positions[0]
+    page.frames(1, commands.DragStart(0, x, y))
+    for i in range(12):
+        page.frames(2, commands.Point(x + 4.0 * i, y - 2.0 * i))
+    page.frames(5, commands.DragEnd())
+    for _ in range(20):
+        page.frames(1, commands.HoldKeys(frozenset({"up", "right"})))
+    page.frames(3, commands.HoldKeys(frozenset()))
+    page.frames(20, commands.SetValue("gravity", 600.0))
+    last = len(scene.masses) - 1
+    x, y = page.session.simulation.positions[last]
+    page.frames(8, commands.DragStart(last, x, y), commands.Point(x + 20.0, y - 30.0))
+    page.frames(10, commands.DragEnd())
+    page.frames(2, commands.DoSteps(5))
+    for back in (0.2, 0.6, 0.1):
+        page.frames(1, commands.GoBack(back))
+    page.frames(1, commands.SetValue("linear_damping", 60.0))
+    if play_on:
+        page.frames(60, commands.GoOn(), commands.Speed(0.5))
+    return page

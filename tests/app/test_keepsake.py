@@ -1,0 +1,133 @@
+"""What a browser keeps of a page: it leads back to where the page was, and nothing in it is trusted."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+
+import sim
+from app.session import commands, keepsakes
+from tests.app.pages import SessionPage
+from tests.app.recording import busy_page
+from tests.app.test_record import agrees
+
+
+@pytest.fixture
+def page() -> SessionPage:
+    page = busy_page(sim.load_scene("tutorial-3.3"))
+    page.frames(
+        5,
+        commands.SelectJoint(4),
+        commands.Speed(2.0),
+        commands.Follow(True),
+        commands.Compare("rk4", "angle", 4),
+    )
+    return page
+
+
+def resumed(data: bytes) -> SessionPage:
+    page = SessionPage(sim.load_scene("ring"))
+    page.frames(5)
+    page.session.post(commands.Resume(data))
+    page.session.drain()
+    return page
+
+
+@pytest.mark.parametrize("playing", [False, True])
+def test_a_page_goes_on_where_it_was(page: SessionPage, playing: bool) -> None:
+    page.frames(1, commands.Play(playing))
+    before, session = page.session, resumed(page.session.keepsake()).session
+    assert not session.notices
+    assert np.array_equal(session.simulation.positions, before.simulation.positions)
+    assert np.array_equal(session.simulation.velocities, before.simulation.velocities)
+    assert session.simulation.time == before.simulation.time
+    assert session.simulation.step_count == before.simulation.step_count
+    assert session.scene == before.scene
+    assert (session.playing, session.pacer.speed, session.follow, session.joint) == (playing, 2.0, True, 4)
+    assert session.ghost is not None
+    assert (session.ghost.method, session.ghost.law, session.ghost.finer) == ("rk4", "angle", 4)
+    assert session.history.end == before.simulation.time
+
+
+def test_reset_still_leads_to_the_scene_s_start(page: SessionPage) -> None:
+    other = resumed(page.session.keepsake())
+    other.frames(10)
+    other.frames(1, commands.Reset())
+    page.frames(1, commands.Reset())
+    assert other.session.simulation.positions == pytest.approx(page.session.simulation.positions, abs=50.0)
+    assert other.session.simulation.positions[5:] == pytest.approx(page.session.simulation.positions[5:])
+
+
+def test_a_resumed_page_keeps_a_log_that_can_be_replayed(page: SessionPage) -> None:
+    other = resumed(page.session.keepsake())
+    other.frames(30, commands.Play(True))
+    agrees(other)
+
+
+def test_a_keepsake_is_small() -> None:
+    small = SessionPage(sim.load_scene("tutorial-3.3")).session.keepsake()
+    assert len(small) < 6000
+    scene = sim.rope(masses=20_000)
+    rows = np.random.default_rng(1).normal(0.0, 300.0, (4, 20_000))
+    data = keepsakes.encode(sim.Moment(scene, 1.0, 0.0, rows, 5.0, 2000), keepsakes.Wishes())
+    assert len(data) < keepsakes.MOST_BYTES
+    assert json.loads(data)["moment"] is None
+    moment, _ = keepsakes.decode(data)
+    assert moment.time == 0.0
+    assert len(moment.positions) == 20_000
+
+
+def changed(data: bytes, *path: str, value: Any) -> bytes:
+    whole = found = json.loads(data)
+    for key in path[:-1]:
+        found = found[key]
+    found[path[-1]] = value
+    return json.dumps(whole).encode()
+
+
+PATHS: list[tuple[tuple[str, ...], Any]] = [
+    (("format",), "softrod-log"),
+    (("version",), 2),
+    (("more",), 1),
+    (("scene", "more"), 1),
+    (("scene", "air_friction"), -1.0),
+    (("scene",), None),
+    (("moment", "time"), -1.0),
+    (("moment", "time"), 1e300),
+    (("moment", "step"), 0.5),
+    (("moment", "scale"), 1e9),
+    (("moment", "pose", "positions"), []),
+    (("moment", "pose", "positions"), [[1e300, 0.0]] * 12),
+    (("moment", "pose", "velocities"), [[float("nan"), 0.0]] * 12),
+    (("wishes", "speed"), float("inf")),
+    (("wishes", "speed"), 1e9),
+    (("wishes", "joint"), -1),
+    (("wishes", "playing"), "yes"),
+    (("wishes", "ghost"), {"method": "leapfrog"}),
+    (("wishes", "ghost"), {"method": "rk4", "law": "none"}),
+    (("wishes", "ghost"), {"method": "rk4", "finer": 10**9}),
+]
+
+
+@pytest.mark.parametrize(("path", "value"), PATHS)
+def test_a_bad_keepsake_changes_nothing(page: SessionPage, path: tuple[str, ...], value: Any) -> None:
+    other = resumed(changed(page.session.keepsake(), *path, value=value))
+    (notice,) = other.session.notices
+    assert notice.text.startswith("could not be resumed: ")
+    assert "\n" not in notice.text
+    assert other.session.scene.name == "ring"
+    other.frames(5)
+    assert other.session.simulation.time > 0.1
+
+
+@pytest.mark.parametrize("data", [b"", b"nonsense", b"[]", b"\xff", b"[" * 100_000, b" " * 10_000_000])
+def test_what_is_no_keepsake_is_refused(data: bytes) -> None:
+    (notice,) = resumed(data).session.notices
+    assert notice.text.startswith("could not be resumed: ")
+
+
+def test_a_joint_that_does_not_exist_is_the_last_one(page: SessionPage) -> None:
+    assert resumed(changed(page.session.keepsake(), "wishes", "joint", value=500)).session.joint == 9

@@ -1,0 +1,424 @@
+"""Logs: whatever was done to a body is in them, and done again it leads to the same bits."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import sim
+from app.session import commands, log, record
+from app.session.log import Check, Log, decode_log
+from app.session.replay import Player
+from sim.errors import InputError
+from sim.methods.registry import METHODS
+from tests.app.pages import SessionPage
+from tests.app.recording import busy_page, log_of
+from tests.app.test_cli import refused, rows_of, softrod
+
+
+def replayed(data: bytes) -> Player:
+    """The log done again to its end."""
+    recorded = decode_log(data, "log")
+    player = Player(recorded, sim.Simulation(recorded.scene))
+    while not player.ended:
+        player.do()
+    return player
+
+
+def agrees(page: SessionPage) -> Player:
+    """Whether a page's log leads to where the page is, to the last bit; the replay."""
+    player = replayed(log_of(page))
+    assert player.agrees, player.verdict
+    shown = page.session.simulation
+    assert np.array_equal(player.simulation.positions, shown.positions)
+    assert np.array_equal(player.simulation.velocities, shown.velocities)
+    assert player.simulation.time == shown.time
+    assert player.simulation.scene == shown.scene
+    return player
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_log_leads_to_the_same_bits(method: str) -> None:
+    page = busy_page(sim.set_choice(sim.load_scene("tutorial-3.3"), "method", method))
+    assert page.session.simulation.divergence is None
+    player = agrees(page)
+    assert player.steps > 300
+    assert player.record.checks >= 2
+
+
+@pytest.mark.parametrize("preset", ["ring", "hair-tuft", "flag-pole"])
+def test_a_log_leads_to_the_same_bits_for_any_topology(preset: str) -> None:
+    agrees(busy_page(sim.load_scene(preset)))
+
+
+def test_a_log_of_a_follower_of_choices_and_of_books() -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(20, commands.KeepBooks(True), commands.Follow(True), commands.Point(290.0, 170.0))
+    page.frames(20, commands.SetChoice("method", "adams"), commands.Point(340.0, 190.0))
+    page.frames(20, commands.Follow(False), commands.SetChoice("force_law", "conservative"))
+    page.frames(20, commands.SetValue("template", 90.0))
+    assert [entry.on for entry in agrees(page).record.entries if isinstance(entry, log.Books)] == [True]
+
+
+def test_a_log_of_a_machine_that_is_too_slow() -> None:
+    """Where the attempts of a frame run out, the body stops between two steps of the clock."""
+    page = SessionPage(sim.set_value(sim.load_scene("ring"), "tolerance", 1e-6))
+    page.session.pacer.attempts = lambda budget: 9  # type: ignore[method-assign]
+    page.frames(90)
+    assert page.session.pacer.behind > 0.1
+    agrees(page)
+
+
+PLACES = st.floats(0.0, 600.0)
+ACTS: st.SearchStrategy[commands.Command] = st.one_of(
+    st.builds(commands.DragStart, st.integers(-1, 12), PLACES, PLACES, st.booleans()),
+    st.builds(commands.Point, PLACES, PLACES),
+    st.builds(commands.DragTo, PLACES, PLACES),
+    st.just(commands.DragEnd()),
+    st.builds(commands.Follow, st.booleans()),
+    st.builds(commands.HoldKeys, st.frozensets(st.sampled_from(["up", "down", "left", "right"]))),
+    st.builds(
+        commands.SetValue, st.sampled_from(["gravity", "dt", "rest_angle", "masses"]), st.floats(0.0, 90.0)
+    ),
+    st.builds(
+        commands.SetChoice, st.just("method"), st.sampled_from(["rk4", "symplectic_euler", "adams", "rodas4"])
+    ),
+    st.builds(commands.KeepBooks, st.booleans()),
+    st.builds(commands.Play, st.sampled_from([None, True, False])),
+    st.builds(commands.DoSteps, st.integers(0, 20)),
+    st.just(commands.Reset()),
+    st.builds(commands.GoTo, st.floats(0.0, 2.0)),
+    st.builds(commands.GoBack, st.floats(0.0, 0.5)),
+    st.sampled_from([commands.GoForward(), commands.GoOn(), commands.BackBeforeDivergence()]),
+)
+
+
+@given(st.lists(st.tuples(ACTS, st.integers(0, 12)), max_size=25))
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+def test_whatever_is_done_a_log_leads_to_the_same_bits(acts: list[tuple[commands.Command, int]]) -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    for command, frames in acts:
+        page.session.post(command)
+        page.session.drain()
+        page.frames(frames)
+    agrees(page)
+    page.frames(10, commands.Play(True))
+    agrees(page)
+
+
+def test_a_log_of_a_body_that_comes_late() -> None:
+    from app.bench import frames
+
+    page = SessionPage(frames.rod(100, sim.Integrator()))
+    page.frames(10)
+    x, y = page.session.simulation.positions[0]
+    page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 300.0, y))
+    assert page.session.simulation.behind
+    page.frames(40, commands.DragEnd())
+    agrees(page)
+
+
+def test_a_log_starts_anew_with_another_body_and_at_reset() -> None:
+    page = busy_page(sim.load_scene("tutorial-3.3"))
+    long = len(log_of(page))
+    page.frames(5, commands.Reset(), commands.Play(True))
+    assert len(log_of(page)) < long / 3
+    agrees(page)
+    page.frames(30, commands.SetValue("masses", 7))
+    assert len(agrees(page).record.scene.masses) == 7
+    page.frames(30, commands.Open(sim.load_scene("ring")))
+    assert agrees(page).record.scene.name == "ring"
+
+
+def test_keys_that_are_held_while_a_log_starts_anew_are_in_it() -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(5, commands.HoldKeys(frozenset({"up"})))
+    page.frames(5, commands.Reset(), commands.Play(True))
+    assert page.session.simulation.rest_length_scale > 1.0
+    agrees(page)
+
+
+def test_equal_entries_are_folded_and_only_the_last_of_many_moments_is_noted() -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(30)
+    page.frames(1, commands.Play(False))
+    size = len(log_of(page))
+    x, y = page.session.simulation.positions[0]
+    page.frames(600, commands.DragStart(0, x, y))
+    for i in range(100):
+        page.frames(1, commands.GoTo(0.004 * i))
+    grown = log_of(page)
+    assert len(grown) - size < 3000
+    assert grown.count(b'"do":"restore"') == 1
+    agrees(page)
+
+
+def test_a_log_that_grows_too_long_starts_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(log, "MAX_LOG_BYTES", 3000)
+    page = SessionPage(sim.load_scene("ring"))
+    x, y = page.session.simulation.positions[3]
+    page.frames(1, commands.DragStart(3, x, y))
+    for i in range(400):
+        page.frames(1, commands.Point(x + 0.1 * i, y), commands.HoldKeys(frozenset({"up"})))
+    data = log_of(page)
+    header, first, *_ = data.splitlines()
+    assert json.loads(header)["note"] == record.TOO_LONG
+    assert json.loads(first)["do"] == "restore"
+    assert len(data) - len(header) < 8000
+    agrees(page)
+    page.frames(30, commands.DragEnd())
+    agrees(page)
+
+
+def test_a_log_says_where_it_was_made_and_not_whose(tmp_path: Path) -> None:
+    import platform
+
+    data = log_of(busy_page(sim.load_scene("tutorial-3.3")))
+    header = json.loads(data.splitlines()[0])
+    assert header["format"] == "softrod-log"
+    assert set(header["machine"]) == {"kind", "cpu", "numba"}
+    assert header["softrod"]
+    assert platform.node().encode() not in data
+    assert str(Path.home()).encode() not in data
+
+
+def test_steps_by_numpy_are_left_out_and_what_follows_is_exact(monkeypatch: pytest.MonkeyPatch) -> None:
+    """While a kernel is compiled, nobody could do the same again; then the log goes on from there."""
+    late = [True]
+    complete = sim.Simulation.complete.fget
+    assert complete is not None
+    monkeypatch.setattr(sim.Simulation, "complete", property(lambda self: not late[0] and complete(self)))
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    x, y = page.session.simulation.positions[5]
+    page.frames(20, commands.DragStart(5, x, y), commands.HoldKeys(frozenset({"up"})))
+    early = replayed(log_of(page))
+    assert (early.steps, early.agrees) == (0, True)
+    late[0] = False
+    page.frames(10, commands.Point(x + 20.0, y))
+    assert 0 < agrees(page).steps < page.session.simulation.step_count
+
+
+# ------------------------------------------------------------------------- differing
+def lines_of(data: bytes) -> list[dict[str, object]]:
+    return [json.loads(line) for line in data.splitlines()]
+
+
+def joined(lines: list[dict[str, object]]) -> bytes:
+    return b"\n".join(map(msgspec.json.encode, lines))
+
+
+def perturbed(data: bytes) -> bytes:
+    """The log as another machine might have written it: its second check is off by a little."""
+    lines = lines_of(data)
+    check = [line for line in lines if line.get("do") == "check"][1]
+    check["digest"] = "0" * 32
+    at = check["at"]
+    assert isinstance(at, list)
+    at[3][0] += 0.125
+    lines[0]["machine"] = {"kind": "abacus", "cpu": "beads", "numba": "1"}
+    return joined(lines)
+
+
+@pytest.fixture(scope="module")
+def data() -> bytes:
+    return log_of(busy_page(sim.load_scene("tutorial-3.3")))
+
+
+def test_a_replay_says_where_it_first_differs(data: bytes) -> None:
+    player = replayed(perturbed(data))
+    checks = player.record.checks
+    assert not player.agrees
+    (t,) = [line["time"] for line in lines_of(data) if line.get("do") == "check"][1:2]
+    assert player.verdict.startswith(f"differs first at t = {t:.6g} s (check 2 of {checks})")
+    assert "largest distance of a mass noted 0.125 px" in player.verdict
+    assert "recorded on abacus beads with numba 1" in player.verdict
+
+
+def test_a_step_less_differs(data: bytes) -> None:
+    lines = lines_of(data)
+    at = next(i for i, line in enumerate(lines) if line.get("do") == "step")
+    player = replayed(joined(lines[:at] + lines[at + 1 :]))
+    assert "differs first" in player.verdict
+    assert "(check 1 of" in player.verdict
+
+
+def test_run_replays_what_a_page_saved(data: bytes, tmp_path: Path) -> None:
+    saved, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
+    saved.write_bytes(data)
+    result = softrod("run", "--inputs", saved, "--every", "50", "--out", out)
+    assert result.returncode == 0, result.stderr
+    player = replayed(data)
+    assert result.stdout.strip() == player.verdict
+    assert f"replayed {player.steps} steps; all {player.record.checks} checks agree, digest" in result.stdout
+    rows = rows_of(out)[1:]
+    assert len(rows) > 5
+    assert softrod("run", "tutorial-3.3", "--inputs", saved).returncode == 0
+    refused(softrod("run", "ring", "--inputs", saved), "another scene than ring")
+    refused(softrod("run", "--inputs", saved, "--set", "gravity=0"), "--set")
+    saved.write_bytes(perturbed(data))
+    refused(softrod("run", "--inputs", saved), "differs first at t = ", "(check 2 of")
+
+
+def test_run_still_needs_a_scene_and_a_table(tmp_path: Path) -> None:
+    refused(softrod("run", "--steps", "3", "--out", tmp_path / "o.csv"), "name a scene")
+    refused(softrod("run", "ring", "--steps", "3"), "--out")
+
+
+# ------------------------------------------------------------------------- nothing in a log is trusted
+POSE = {"positions": [[0.0, 0.0]] * 12, "velocities": [[0.0, 0.0]] * 12}
+
+
+@pytest.mark.parametrize(
+    ("entry", "fragment"),
+    [
+        ('{"do":"step","n":-1}', "n"),
+        ('{"do":"step","n":1e9}', "n"),
+        ('{"do":"step","n":1,"times":0}', "times"),
+        ('{"do":"jump"}', "jump"),
+        ('{"do":"move","mass":0,"to":[1e300,0]}', "to"),
+        ('{"do":"move","mass":0,"to":[NaN,0]}', "line 2"),
+        ('{"do":"keys","held":["enter"]}', "enter"),
+        ('{"do":"step","n":1,"more":2}', "more"),
+        ('{"do":"set","key":"masses","value":5}', "masses"),
+        (json.dumps({"do": "restore", "pose": POSE, "time": -1.0, "step": 0}), "time"),
+        (json.dumps({"do": "restore", "pose": POSE, "time": 0.0, "step": 0, "scale": 0.0}), "scale"),
+        ('{"do":"restore","pose":{"positions":[],"velocities":[]},"time":0,"step":0}', "12 masses"),
+        ("nonsense", "line 2"),
+        ("[1, 2]", "line 2"),
+    ],
+)
+def test_a_bad_line_is_named(entry: str, fragment: str) -> None:
+    header = log.encode_header(sim.load_scene("tutorial-3.3"))
+    with pytest.raises(InputError, match=r"^my\.log: line 2: ") as error:
+        decode_log(header + b"\n" + entry.encode(), "my.log")
+    assert fragment in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"version": 2}, {"scene": {"name": "x"}}, {"scene": 3}, {"more": 1}, {"machine": {"host": "me"}}],
+)
+def test_a_bad_header_is_named(change: dict[str, object]) -> None:
+    header = json.loads(log.encode_header(sim.load_scene("tutorial-3.3")))
+    with pytest.raises(InputError, match=r"^my\.log: line 1: "):
+        decode_log(json.dumps(header | change).encode(), "my.log")
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        b'{"do":"grab","mass":99}',
+        b'{"do":"set","key":"weight","value":1}',
+        b'{"do":"choose","key":"method","value":"leap"}',
+    ],
+)
+def test_what_cannot_be_done_is_named_by_its_line(entry: bytes) -> None:
+    header = log.encode_header(sim.load_scene("tutorial-3.3"))
+    with pytest.raises(InputError, match=r"^log: line 3: "):
+        replayed(header + b'\n{"do":"step","n":3}\n' + entry)
+
+
+# ------------------------------------------------------------------------- in a page
+def played(data: bytes, frames: int) -> SessionPage:
+    page = SessionPage(sim.load_scene("ring"))
+    page.frames(3)
+    page.frames(frames, commands.Replay(decode_log(data, "log")))
+    return page
+
+
+def test_a_page_plays_a_log_in_its_own_time(data: bytes) -> None:
+    page = played(data, 30)
+    assert page.session.replay is not None
+    assert page.session.simulation.time == pytest.approx(0.5, abs=0.05)
+    page.frames(30, commands.Play(False))
+    assert page.session.simulation.time == pytest.approx(0.5, abs=0.05)
+    page.frames(400, commands.Play(True))
+    assert page.session.replay is None
+    assert not page.session.playing
+    (notice,) = page.session.notices
+    assert "agrees" in notice.text
+    end = replayed(data).simulation
+    assert np.array_equal(page.session.simulation.positions, end.positions)
+    page.frames(30, commands.Play(True))
+    agrees(page)
+
+
+def test_looking_back_in_a_replay_does_not_disturb_it(data: bytes) -> None:
+    page = played(data, 60)
+    page.frames(3, commands.GoTo(0.2))
+    assert not page.session.playing
+    assert page.session.simulation.time == pytest.approx(0.2, abs=0.02)
+    page.frames(3, commands.GoForward(), commands.GoBack(0.1))
+    page.frames(400, commands.GoOn())
+    (notice,) = page.session.notices
+    assert "agrees" in notice.text
+
+
+def test_a_page_says_that_a_replay_differs(data: bytes) -> None:
+    page = played(perturbed(data), 500)
+    (notice,) = page.session.notices
+    assert notice.kind == "warning"
+    assert "differs first at t = " in notice.text
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        commands.DragStart(0, 0.0, 0.0),
+        commands.HoldKeys(frozenset({"up"})),
+        commands.SetValue("gravity", 1.0),
+        commands.Reset(),
+    ],
+)
+@pytest.mark.parametrize("scrubbed", [False, True])
+def test_whoever_acts_takes_over(data: bytes, command: commands.Command, scrubbed: bool) -> None:
+    page = played(data, 30)
+    if scrubbed:
+        page.frames(2, commands.GoTo(0.1))
+    before = page.session.simulation.time
+    page.frames(1, command)
+    assert page.session.replay is None
+    (notice,) = page.session.notices
+    assert "taken over" in notice.text
+    page.frames(20, commands.DragEnd(), commands.Play(True))
+    if not isinstance(command, commands.Reset):
+        assert page.session.simulation.time == pytest.approx(before + 21 / 60, abs=0.05)
+    agrees(page)
+
+
+def test_a_page_refuses_frames_that_would_stop_it() -> None:
+    for preset, entry in (
+        ("tutorial-3.3", b'{"do":"step","n":400000}'),
+        ("ring", b'{"do":"step","n":20000,"attempts":1000000}'),
+    ):
+        page = played(log.encode_header(sim.load_scene(preset)) + b"\n" + entry, 5)
+        assert page.session.replay is None
+        (notice,) = page.session.notices
+        assert "line 2: this frame is too heavy" in notice.text
+
+
+def test_while_a_log_is_played_there_is_none_to_save(data: bytes) -> None:
+    page = played(data, 10)
+    with pytest.raises(InputError, match="being played"):
+        log_of(page)
+
+
+def test_a_check_notes_few_masses_of_a_large_body() -> None:
+    simulation = sim.Simulation(sim.rope(masses=1000))
+    check = log.check_of(simulation)
+    assert 16 <= len(check.at) <= log.NOTED
+    assert isinstance(check, Check)
+    assert len(msgspec.json.encode(check)) < 2000
+
+
+def test_a_log_is_read_back_as_it_was_written(data: bytes) -> None:
+    recorded = decode_log(data, "log")
+    assert isinstance(recorded, Log)
+    assert [log.encode_entry(entry) for entry in recorded.entries] == data.splitlines()[1:]
