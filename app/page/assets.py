@@ -15,6 +15,10 @@ _FOLDER = Path(__file__).parent / "static"
 _TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
 _FOREVER = "public, max-age=31536000, immutable"
 _TITLE = "<title>Viser</title>"
+_VISERS_SCRIPT = {
+    "<script data-p=": '<script type="module" data-p=',
+    "document.currentScript": 'document.querySelector("script[data-p]")',
+}
 
 
 @cache
@@ -40,7 +44,8 @@ def page_files() -> dict[str, StaticFile]:
 def _index(folder: str) -> str:
     """viser's page, which is one HTML file, with what is softrod's in its head.
 
-    viser's own script begins when the document has been read, and module scripts run just before that.
+    softrod's script has to be there before viser's begins, or it would miss the first messages. Modules run in
+    the order of the document, so viser's is made one as well.
     """
     path = Path(viser.__file__).parent / "client" / "build" / "index.html"
     try:
@@ -48,7 +53,8 @@ def _index(folder: str) -> str:
     except OSError as error:
         raise GateError(f"viser's page cannot be read: {error}") from None
     icon_begin, icon_end = text.find("<link"), text.find("/>", text.find("<link"))
-    if text.count(_TITLE) != 1 or 'rel="icon"' not in text[icon_begin:icon_end]:
+    known = 'rel="icon"' in text[icon_begin:icon_end]
+    if not known or any(text.count(part) != 1 for part in (_TITLE, *_VISERS_SCRIPT)):
         raise GateError("viser's page is not the one that softrod knows.")
     own = "\n".join(
         (
@@ -58,4 +64,7 @@ def _index(folder: str) -> str:
             f'<script type="module" src="{folder}main.js"></script>',
         )
     )
-    return (text[:icon_begin] + text[icon_end + 2 :]).replace(_TITLE, own)
+    text = (text[:icon_begin] + text[icon_end + 2 :]).replace(_TITLE, own)
+    for part, instead in _VISERS_SCRIPT.items():
+        text = text.replace(part, instead)
+    return text

@@ -18,7 +18,7 @@ from sim.settings import TEMPLATES, Setting, settings_of
 
 from ..session import commands
 from ..session.commands import Command
-from ..session.session import SPEEDS, Session
+from ..session.session import Session
 from . import readouts, script
 from .colors import palette
 from .slider_box import SliderBox
@@ -27,8 +27,6 @@ from .solver_panel import SolverPanel
 PANEL_WIDTH = 348
 SOLVER_DIALS = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""
-
-_SPEED_MARKS = tuple((i, text) for i, text in enumerate(("⅛", "¼", "½", "1", "2", "4")))
 
 
 def _has_dial(setting: Setting, scene: Scene) -> bool:
@@ -97,16 +95,6 @@ class Panel:
         with self.tabs.add_tab("Play"):
             self.chooser = gui.add_dropdown("Scene", tuple(scenes), initial_value=scenes[0])
             self._about = gui.add_html("")
-            self._play = gui.add_button("Pause", icon=viser.Icon.PLAYER_PAUSE)
-            steps = gui.add_button_group("Clock", ("1 step", "10 steps", "Reset"))
-            self._speed = gui.add_slider(
-                "Speed",
-                min=0,
-                max=len(SPEEDS) - 1,
-                step=1,
-                initial_value=SPEEDS.index(1.0),
-                marks=_SPEED_MARKS,
-            )
             self._follow = gui.add_checkbox("Follow pointer", initial_value=False, hint="key F")
             self._readout = gui.add_html("")
             self._pad = gui.add_html(readouts.PAD, visible=False)
@@ -117,22 +105,6 @@ class Panel:
             # Not on the event loop: a large scene takes a second to read.
             if event.client_id is not None:
                 self._act("open", self.chooser.value)
-
-        @self._play.on_click
-        async def _(_: object) -> None:
-            post(commands.Play())
-
-        @steps.on_click
-        async def _(_: object) -> None:
-            choice = steps.value
-            post(
-                commands.Reset() if choice == "Reset" else commands.DoSteps(10 if choice == "10 steps" else 1)
-            )
-
-        @self._speed.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                post(commands.Speed(SPEEDS[min(max(int(self._speed.value), 0), len(SPEEDS) - 1)]))
 
         @self._follow.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -170,6 +142,11 @@ class Panel:
         entries: tuple[tuple[str, str, Command | str], ...] = (
             ("Play or pause", "Space", commands.Play()),
             ("One step", "N", commands.DoSteps(1)),
+            ("Ten steps", "Shift N", commands.DoSteps(10)),
+            ("Back one frame", ",", commands.GoBack()),
+            ("Forward one frame", ".", commands.GoForward()),
+            ("Back one second", "J", commands.GoBack(1.0)),
+            ("Back to before it ran away", "", commands.BackBeforeDivergence()),
             ("Reset", "R", commands.Reset()),
             ("Pause", "Esc", commands.Play(False)),
             ("Follow the pointer, or stop", "F", "follow"),
@@ -255,13 +232,6 @@ class Panel:
         if self.chooser.value != present:
             self.chooser.value = present
 
-    def show_playing(self, playing: bool) -> None:
-        """Say on the button what it does next."""
-        label = "Pause" if playing else "Play"
-        if self._play.label != label:
-            self._play.label = label
-            self._play.icon = viser.Icon.PLAYER_PAUSE if playing else viser.Icon.PLAYER_PLAY
-
     def refresh_controls(self) -> None:
         """Show in the controls what keys, commands or other controls changed."""
         session = self._session
@@ -269,10 +239,6 @@ class Panel:
         if self._shown_revision != session.revision:
             self._shown_revision = session.revision
             self._solver.refresh_controls()
-            self.show_playing(session.playing)
-            speed = SPEEDS.index(min(SPEEDS, key=lambda s: abs(s - session.pacer.speed)))
-            if self._speed.value != speed:
-                self._speed.value = speed
         if self._follow.value != session.follow:
             self._follow.value = session.follow
         for slider_box in self._sliders:
@@ -293,16 +259,15 @@ class Panel:
                 element.content = content
         self._solver.refresh_readouts()
 
-    def set_state(self, scene: str) -> None:
-        """Tell the page's script about the scene and the follow switch."""
-        session = self._session
-        content = script.state_html(_id(self.channel), scene, session.scene.view.frame, session.follow)
+    def set_state(self, scene: str, playing: bool) -> None:
+        """Tell the page's script what it has to know, see `script.state_html`."""
+        content = script.state_html(_id(self.channel), scene, self._session, playing)
         if self._state.content != content:
             self._state.content = content
 
     def set_style(self, dark: bool) -> None:
         """Colours of the page, and the boxes that are hidden in it."""
         sliders = [(_id(slider_box.slider), _id(slider_box.box)) for slider_box in self._sliders]
-        content = script.style_html(palette("softrod", dark), dark, sliders, _id(self._speed))
+        content = script.style_html(palette("softrod", dark), dark, sliders)
         if self._style.content != content:
             self._style.content = content

@@ -49,14 +49,14 @@ class Picture:
     ghost: Floats | None = None
 
     @staticmethod
-    def of(simulation: Simulation, ghost: Simulation | None = None) -> Picture:
-        """The present state, and that of a second body."""
+    def of(simulation: Simulation, ghost: Floats | None = None) -> Picture:
+        """The present state, and where the masses of a second body are."""
         return Picture(
             simulation.positions,
             simulation.time,
             simulation.rest_length_scale,
             simulation.rest_angle_shift,
-            ghost.positions if ghost is not None else None,
+            ghost,
         )
 
     @staticmethod

@@ -32,8 +32,13 @@ def short(value: float) -> str:
 
 
 def hud(session: Session, colors: Palette, at_rest: bool) -> str:
-    """The head-up display over the canvas: the clock, whether it keeps up, the stability meter, the key."""
-    lines = [f"<b>t = {session.simulation.time:.2f} s</b>{_state(session, at_rest)}"]
+    """The head-up display over the canvas.
+
+    It says whether the body moves and the clock keeps up, and has the stability meter and the key of the
+    colours.
+    """
+    state = _state(session, at_rest)
+    lines = [f"<b>{state}</b>"] if state else []
     rates = session.pacer.rates(session.now())
     if rates.losing > 0.05:
         lines.append(
@@ -60,10 +65,10 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
 
 def _state(session: Session, at_rest: bool) -> str:
     if session.simulation.divergence is not None:
-        return " · stopped"
+        return "stopped"
     if not session.playing:
-        return " · paused"
-    return " · at rest" if at_rest else ""
+        return "looking back" if session.history.scrubbed else "paused"
+    return "at rest" if at_rest else ""
 
 
 def _meter(ratio: float, limit: float) -> str:
@@ -208,7 +213,9 @@ PAD = (
 
 KEYS_HELP = (
     ("Space", "play or pause"),
-    ("N", "one step"),
+    ("N", "one step; with Shift ten"),
+    (", or .", "one frame back, one frame forward"),
+    ("J", "one second back"),
     ("R", "reset"),
     ("Esc", "pause"),
     ("F", "the ringed mass follows the pointer, or stops following"),
@@ -228,5 +235,6 @@ def help_html() -> str:
         f"mass to read the angle of its joint.</p><table>{rows}</table>"
         "<p>A coil turns red where it is pulled and blue where it is pushed. A wedge shows how far a joint "
         "is from its rest angle. The bar at the top left compares the time step with the largest stable "
-        "one.</p></div>"
+        "one.</p><p>The bar below goes back in time, about a minute. Play goes on from the moment that it "
+        "shows; what happened before you went back stays as a thin line.</p></div>"
     )

@@ -11,40 +11,46 @@ import re
 
 from ..session import commands
 from ..session.commands import Command
+from ..session.session import Session
 from .colors import Palette
 from .drawing import WORLD_SIZE, Mapping
 
 _KEYS = {"U": "up", "D": "down", "L": "left", "R": "right"}
 _NUMBER = r"-?\d{1,7}(?:\.\d{1,6})?"
 _MESSAGE = re.compile(
-    rf"\d{{1,15}}\|(?:keys\|([UDLR]{{0,4}})|at\|({_NUMBER}),({_NUMBER})|do\|([a-z]{{1,10}}))"
+    rf"\d{{1,15}}\|(?:keys\|([UDLR]{{0,4}})|at\|({_NUMBER}),({_NUMBER})|do\|([a-z]{{1,10}})"
+    rf"|go\|({_NUMBER})|speed\|({_NUMBER}))"
 )
+_PART = re.compile(r"\d{1,15}\|resume\|(\d{1,2})/(\d{1,2})\|([A-Za-z0-9+/=]{1,48000})")
 
 ONCE: dict[str, Command] = {
     "play": commands.Play(),
     "pause": commands.Play(False),
     "step": commands.DoSteps(1),
+    "steps": commands.DoSteps(10),
     "reset": commands.Reset(),
+    "back": commands.GoBack(),
+    "second": commands.GoBack(1.0),
+    "forward": commands.GoForward(),
+    "before": commands.BackBeforeDivergence(),
 }
 """Commands that the script sends by a word; `follow` is the tab's, which knows the switch."""
 
 
-def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], bare: str) -> str:
+def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]]) -> str:
     """The styles in a palette's colours.
 
     Args:
         colors: the palette.
         dark: whether the page is dark.
         sliders: ids of sliders, each with that of the number box that stands in place of the slider's own.
-        bare: id of a slider without any box.
     """
     rows = ",".join(f'div:has(>[id="{slider}"])' for slider, _ in sliders)
     boxes = ",".join(f'.mantine-NumberInput-root:has([id="{box}"])' for _, box in sliders)
-    own = ",".join(
-        f'div:has(>[id="{slider}"])>.mantine-InputWrapper-root' for slider in (bare, *(s for s, _ in sliders))
-    )
-    hide = f"{own}{{display:none}}"
+    own = ",".join(f'div:has(>[id="{slider}"])>.mantine-InputWrapper-root' for slider, _ in sliders)
+    hide = ""
     if sliders:
+        hide = f"{own}{{display:none}}"
         hide += f"{rows}{{padding-right:5.6em}}{boxes}{{width:5.2em;margin:-1.75em 0 0 auto;z-index:4}}"
     root = {
         "text": colors.css("text"),
@@ -57,23 +63,34 @@ def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], bare
     return f"<style>:root{{{variables}}}{hide}</style>"
 
 
-def state_html(channel: str, scene: str, frame: tuple[float, float, float, float], follow: bool) -> str:
-    """What the script has to know.
+def state_html(channel: str, scene: str, session: Session, playing: bool) -> str:
+    """What the script has to know, as attributes of an element.
 
     Args:
         channel: id of the hidden text element that it sends through.
         scene: another text for every scene, or for every time that it is to be fitted to the window.
-        frame: xmin, ymin, xmax, ymax of the scene, px.
-        follow: whether the driven mass follows the pointer.
+        session: whose history and switches they are.
+        playing: whether the clock runs, or will as soon as a heavy step is done.
     """
+    frame, history = session.scene.view.frame, session.history
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
-    width, height = (frame[2] - frame[0]) * size, (frame[3] - frame[1]) * size
-    return (
-        f'<div id="softrod-state" hidden data-channel="{html.escape(channel)}" '
-        f'data-scene="{html.escape(scene)}" '
-        f'data-width="{width:.6f}" '
-        f'data-height="{height:.6f}" data-follow="{int(follow)}"></div>'
-    )
+    told = {
+        "channel": channel,
+        "scene": scene,
+        "width": f"{(frame[2] - frame[0]) * size:.6f}",
+        "height": f"{(frame[3] - frame[1]) * size:.6f}",
+        "follow": int(session.follow),
+        "playing": int(playing),
+        "scrubbed": int(history.scrubbed),
+        # Coarse while time passes, so that this element seldom changes.
+        "start": f"{history.start:.6f}" if history.scrubbed else f"{math.floor(2.0 * history.start) / 2.0}",
+        "end": f"{history.end:.6f}" if history.scrubbed else "",
+        "speed": f"{session.pacer.speed:g}",
+        "offer": int(session.offer_back),
+        "future": int(session.old_future is not None),
+    }
+    attributes = " ".join(f'data-{name}="{html.escape(str(value))}"' for name, value in told.items())
+    return f'<div id="softrod-state" hidden {attributes}></div>'
 
 
 def parse(message: object, mapping: Mapping) -> Command | str | None:
@@ -86,10 +103,20 @@ def parse(message: object, mapping: Mapping) -> Command | str | None:
     match = _MESSAGE.fullmatch(message) if isinstance(message, str) else None
     if match is None:
         return None
-    keys, x, y, word = match.groups()
+    keys, x, y, word, time, speed = match.groups()
     if keys is not None:
         return commands.HoldKeys(frozenset(_KEYS[key] for key in keys))
     if word is not None:
         return word if word == "follow" else ONCE.get(word)
+    if time is not None:
+        return commands.GoTo(float(time))
+    if speed is not None:
+        return commands.Speed(float(speed))
     point = mapping.to_scene(float(x), float(y))
     return commands.Point(*point) if all(map(math.isfinite, point)) else None
+
+
+def parse_part(message: object) -> tuple[int, int, str] | None:
+    """A part of what a page gives back: its number from 1, of how many, its letters; None for nonsense."""
+    match = _PART.fullmatch(message) if isinstance(message, str) else None
+    return (int(match[1]), int(match[2]), match[3]) if match else None

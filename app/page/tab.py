@@ -20,7 +20,7 @@ from sim.methods.registry import METHODS
 from ..session import commands
 from ..session.pacing import is_large
 from ..session.session import Notice, Session
-from . import readouts, script
+from . import keeping, readouts, script
 from .drawing import Mapping
 from .files_panel import FilesPanel
 from .panel import Panel, set_theme
@@ -29,6 +29,9 @@ from .view import Canvas, Touch
 
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
+
+KEEP_EVERY, KEEP_SHARE = 1.0, 0.001
+"""Seconds between two keepsakes, at least; and the share of time that making them may take."""
 
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
@@ -61,6 +64,9 @@ class Tab:
         self._generation = -1
         self._fits = 0
         self._planned = -1
+        self._parts = keeping.Parts()
+        self._kept: tuple[Any, ...] = ()
+        self._keep_due = 0.0
         self._readouts_due = 0.0
         self._moved_at = 0.0
         self._was_at_rest = False
@@ -111,7 +117,7 @@ class Tab:
         if self._under_way is not None:
             if not self._under_way.done():
                 if session is not None:
-                    self._panel.show_playing(session.will_play)
+                    self._panel.set_state(self._shown_as, session.will_play)
                 return
             done, self._under_way = self._under_way, None
             made = done.result()
@@ -134,6 +140,7 @@ class Tab:
             self._plan(session)
         self._show(session)
         self._tell(session)
+        self._keep(session)
 
     @staticmethod
     def _advance(session: Session, budget: float) -> None:
@@ -150,7 +157,11 @@ class Tab:
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is None:
                 return
-            message = script.parse(self._panel.channel.value, self._mapping)
+            value = self._panel.channel.value
+            if part := script.parse_part(value):
+                self._resume(session, *part)
+                return
+            message = script.parse(value, self._mapping)
             if message == "follow":
                 self.request("follow", None)
             elif message is not None and not isinstance(message, str):
@@ -201,21 +212,51 @@ class Tab:
         # A change of the controls, or the end of a run, is drawn exactly; a moving body only when it shows.
         changed = session.revision != self._last_revision or running != self._was_playing
         self._last_revision, self._was_playing = session.revision, running
-        ghost = session.ghost
-        if self._view.draw(
-            Picture.of(session.simulation, ghost.simulation if ghost and not ghost.waits else None),
-            now,
-            force=changed or not running,
-        ):
+        if self._view.draw(self._picture(session), now, force=changed or not running):
             self._moved_at = now
         at_rest = now - self._moved_at > RESTING_AFTER
-        self._panel.set_state(f"{self._generation}.{self._fits}")
+        self._panel.set_state(self._shown_as, session.playing)
         if changed or (now >= self._readouts_due and not (at_rest and self._was_at_rest)):
             self._readouts_due = now + READOUTS_EVERY
             self._was_at_rest = at_rest
             with self.client.atomic():
                 self._panel.refresh_controls()
                 self._panel.refresh_readouts(self._dark, at_rest)
+
+    @property
+    def _shown_as(self) -> str:
+        """Another text for every scene, and for every time that it is to be fitted to the window."""
+        return f"{self._generation}.{self._fits}"
+
+    @staticmethod
+    def _picture(session: Session) -> Picture:
+        """The body, and the ghost or, without one, what would have come had the user not gone back."""
+        simulation, ghost, future = session.simulation, session.ghost, session.old_future
+        other = None
+        if ghost is not None:
+            other = None if ghost.waits else ghost.simulation.positions
+        elif future is not None:
+            other = future.positions_at(simulation.time)
+        return Picture.of(simulation, other)
+
+    def _keep(self, session: Session) -> None:
+        """Have the browser keep what it needs to come back to here."""
+        now, state = session.now(), (session.revision, session.simulation.time, self._dark, self._gizmos)
+        if now < self._keep_due or state == self._kept or session.replay is not None:
+            return
+        began = time.perf_counter()
+        self._view.keep(keeping.encode(session.keepsake(), self._dark, self._gizmos))
+        self._kept = state
+        self._keep_due = now + max(KEEP_EVERY, (time.perf_counter() - began) / KEEP_SHARE)
+
+    def _resume(self, session: Session, number: int, of: int, letters: str) -> None:
+        kept = self._parts.add(number, of, letters)
+        if kept is None:
+            return
+        self.request("gizmos", kept.gizmos)
+        if kept.dark:
+            self.request("theme", True)
+        session.post(commands.Resume(bytes(kept.session)))
 
     def _serve_requests(self, session: Session) -> None:
         while self._requests:

@@ -27,7 +27,7 @@ STILL = 0.1
 MAX_GIZMOS = 12
 """Gizmos are one node each; held masses beyond so many are dragged by themselves."""
 
-PLAN, FRAME = "/softrod/plan", "/softrod/frame"
+PLAN, FRAME, KEEPSAKE = "/softrod/plan", "/softrod/frame", "/softrod/keepsake"
 """Nodes that only carry arrays to the page's script (static/canvas.js)."""
 
 # Ambient light only and no shadows: every mesh shows its own colour, and software rendering is twice as fast.
@@ -104,8 +104,8 @@ class Canvas:
         )
 
     def _add_nodes(self, scene: Scene, sketch: Sketch) -> None:
-        # The page's script takes these two for itself; viser never sees them.
-        for name in (PLAN, FRAME):
+        # The page's script takes these for itself; viser never sees them.
+        for name in (PLAN, FRAME, KEEPSAKE):
             self._nodes[name] = self._client.scene.add_point_cloud(
                 name, np.zeros((1, 3)), (0, 0, 0), precision="float32", visible=False
             )
@@ -155,6 +155,10 @@ class Canvas:
                     if not np.array_equal(position, gizmo.position):
                         gizmo.position = position
         return True
+
+    def keep(self, data: bytes) -> None:
+        """Have the browser keep some bytes, see `keeping`."""
+        self._nodes[KEEPSAKE].colors = np.frombuffer(data, np.uint8)
 
     # --------------------------------------------------------------------- inside
     def _show_ghost(self, wanted: bool) -> None:

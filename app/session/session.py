@@ -69,8 +69,13 @@ class Session(Running):
     @property
     def heavy(self) -> bool:
         """Whether the next frame may take longer than others can wait for."""
-        opened = [command.scene for _, command in list(self._queue) if isinstance(command, commands.Open)]
-        return self.pacer.unit_cost > HEAVY_UNIT or any(map(is_large, (self.simulation.scene, *opened)))
+        waiting = [command for _, command in list(self._queue)]
+        opened = [command.scene for command in waiting if isinstance(command, commands.Open)]
+        return (
+            self.pacer.unit_cost > HEAVY_UNIT
+            or any(map(is_large, (self.simulation.scene, *opened)))
+            or any(isinstance(command, commands.Resume | commands.Replay) for command in waiting)
+        )
 
     @property
     def will_play(self) -> bool:

@@ -29,6 +29,12 @@ MAPPING = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
         ("6|do|step", commands.DoSteps(1)),
         ("7|do|reset", commands.Reset()),
         ("8|do|follow", "follow"),
+        ("9|go|12.5", commands.GoTo(12.5)),
+        ("10|speed|0.125", commands.Speed(0.125)),
+        ("11|do|back", commands.GoBack(0.0)),
+        ("12|do|second", commands.GoBack(1.0)),
+        ("13|do|forward", commands.GoForward()),
+        ("14|do|before", commands.BackBeforeDivergence()),
     ],
 )
 def test_messages_are_understood(message: str, expected: object) -> None:
@@ -39,7 +45,9 @@ def test_messages_are_understood(message: str, expected: object) -> None:
     "message",
     [
         "", "keys|U", "1|keys|X", "1|keys|UUUUU", "1|at|nan,0", "1|at|inf,1", "1|at|1e9,1", "1|at|1",
-        "1|at|1,2,3", "1|at|,", "1|at|99999999,0", "1|do|format", "1|do|", "x|do|play", "1|do|play\n",
+        "1|at|1,2,3", "1|at|,", "1|go|nan", "1|go|",
+        "1|speed|x", "1|resume|1/1|%%%%",
+        "1|at|99999999,0", "1|do|format", "1|do|", "x|do|play", "1|do|play\n",
         7, None, ["1|do|play"],
     ],
 )  # fmt: skip
@@ -52,7 +60,7 @@ def test_a_description_from_a_stranger_s_file_is_escaped() -> None:
     scene = msgspec.structs.replace(sim.rope(), description=evil)
     assert "<img" not in readouts.description(scene)
     assert "&lt;img" in readouts.description(scene)
-    assert "<b>" not in script.state_html('"><b>', '"><b>', scene.view.frame, follow=False)
+    assert "<b>" not in script.state_html('"><b>', '"><b>', Session(scene), playing=True)
 
 
 @pytest.mark.parametrize("name", ["tutorial-3.1", "tutorial-3.2", "tutorial-3.3", "ring"])

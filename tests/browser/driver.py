@@ -281,6 +281,10 @@ class Desk:
         """The head-up display's text."""
         return self.page.locator(".softrod-hud").inner_text()
 
+    def clock(self) -> str:
+        """The simulated time that the page shows."""
+        return self.page.locator(".softrod-clock").inner_text()
+
     def readout(self, name: str) -> str:
         """A value of the table of the joint that is read out; the Play tab has to be shown."""
         return self.page.locator(f'//td[text()="{name}"]/following-sibling::td').first.inner_text()

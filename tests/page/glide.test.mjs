@@ -85,3 +85,18 @@ test("another body is never mixed with the one before", () => {
   assert.equal(shown?.generation, 2);
   assert.deepEqual([...(shown?.positions ?? [])], [9, 9, 9, 9]);
 });
+
+test("another body after a pause is not mixed with the one before either", () => {
+  const glide = new Glide();
+  glide.take(frame(0), 0);
+  glide.at(0);
+  glide.take({ ...frame(5, 2), positions: new Float32Array([9]) }, 5);
+  assert.deepEqual([...(glide.at(5)?.positions ?? [])], [9]);
+});
+
+test("a server that is started anew has another clock", () => {
+  const glide = new Glide();
+  for (const i of [0, 1, 2]) glide.take(frame(900 + i / 60), i / 60);
+  for (let now = 1; now < 2; now += 1 / 60) glide.take(frame(100 + now), now + 0.004);
+  assert.ok(Math.abs(/** @type {any} */ (glide.at(2)).time - 101.98) < 0.03);
+});

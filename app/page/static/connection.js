@@ -7,6 +7,8 @@
  * attempt has its time.
  */
 
+import { lost } from "./keep.js";
+
 /** Milliseconds that an attempt has before another may take its place. */
 const PATIENCE = 8000;
 /** Milliseconds between two looks whether it is time for an attempt, also where the window has no focus. */
@@ -72,6 +74,7 @@ export function showConnection() {
   let banner = null;
   /** @param {boolean} connected */
   return (connected) => {
+    if (!connected) lost();
     if (connected) {
       banner?.remove();
       banner = null;

@@ -43,10 +43,13 @@ export class Glide {
    * @param {number} now seconds of the screen's clock
    */
   take(frame, now) {
-    const before = this.frames.at(-1);
+    let before = this.frames.at(-1);
     let at = frame.wall;
     if (before) at += CLOCK_PERIOD * Math.round((before.at - at) / CLOCK_PERIOD);
+    // Another body, or another server: nothing of the one before is of any use.
     if (before && (before.generation !== frame.generation || at < before.at)) {
+      if (at < before.at) this.ahead = -Infinity;
+      before = undefined;
       this.frames.length = 0;
       this.last = null;
     }

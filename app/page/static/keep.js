@@ -9,6 +9,12 @@ const NAME = "softrod";
 /** Characters of a message; the gate takes 64 KiB. */
 const PART = 48_000;
 
+/** What the next connection is to be given, if anything: what was kept before this page began to be kept. */
+let due = sessionStorage.getItem(NAME);
+
+/** The connection is lost: the next one is to be given what is kept now. */
+export const lost = () => (due = sessionStorage.getItem(NAME));
+
 /** Keeps what the server said. @param {Uint8Array} data JSON */
 export function keep(data) {
   try {
@@ -31,15 +37,16 @@ async function packed(text) {
   return btoa(letters);
 }
 
-/** Gives it back to every connection, once. */
+/** Gives it back to a new connection. */
 export function resume() {
   /** @type {string | undefined} */
   let channel;
   onTold(async () => {
     if (told().channel === channel) return;
     channel = told().channel;
-    const text = sessionStorage.getItem(NAME);
+    const text = due;
     if (!channel || !text) return;
+    due = null;
     const letters = await packed(text);
     const parts = Math.ceil(letters.length / PART);
     for (let i = 0; i < parts; i++) send("resume", `${i + 1}/${parts}|${letters.slice(PART * i, PART * (i + 1))}`);

@@ -1,7 +1,8 @@
 // @ts-check
 /** Keys and the arrow pad: what is held, and what is pressed once. */
 import { fit } from "./camera.js";
-import { send } from "./channel.js";
+import { onTold, send, told } from "./channel.js";
+import { nextStep } from "./transport.js";
 
 /** @type {Record<string, string>} */
 const ARROWS = { ArrowUp: "U", ArrowDown: "D", ArrowLeft: "L", ArrowRight: "R" };
@@ -75,6 +76,7 @@ function press(event) {
   keep(event);
   if (event.repeat && !REPEATED.has(once)) return;
   if (once === "fit") fit();
+  else if (once === "step") send("do", event.shiftKey ? "steps" : nextStep());
   else send("do", once);
 }
 
@@ -102,8 +104,20 @@ function listenToPad() {
   document.addEventListener("contextmenu", (event) => padKey(event) && event.preventDefault());
 }
 
+/** A scene was chosen: its keys shall act on it, not on the box that it was chosen from. */
+function leaveChooser() {
+  let scene = told().scene;
+  onTold(() => {
+    if (told().scene === scene) return;
+    scene = told().scene;
+    const focused = document.activeElement;
+    if (focused instanceof HTMLElement && focused.matches('[aria-haspopup="listbox"]')) focused.blur();
+  });
+}
+
 /** Begins to listen. */
 export function listenToKeys() {
+  leaveChooser();
   window.addEventListener("keydown", press, true);
   window.addEventListener(
     "keyup",

@@ -53,6 +53,8 @@ export function followPointer() {
     (event) => {
       if (event.target !== viser()?.canvas) return;
       pressed = true;
+      // The keys are the body's again.
+      if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
       pointer = { x: event.clientX, y: event.clientY };
     },
     true,

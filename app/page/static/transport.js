@@ -44,6 +44,9 @@ function dress(element, icon, name, key) {
   element.title = key ? `${name} (${key})` : name;
 }
 
+/** What the step button does: in the past, go on to the next frame; else make a step. */
+export const nextStep = () => (told().scrubbed === "1" ? "forward" : "step");
+
 /** @param {number} speed */
 const speedText = (speed) => `${FRACTIONS[speed] ?? speed}×`;
 
@@ -59,7 +62,7 @@ export function addTransport() {
   const reset = button("reset", "Reset", "R", () => send("do", "reset"));
   const second = button("second", "Back 1 second", "J", () => send("do", "second"));
   const back = button("back", "Back 1 frame", ",", () => send("do", "back"));
-  const forward = button("forward", "1 step", "N", () => send("do", "step"));
+  const forward = button("forward", "1 step", "N", () => send("do", nextStep()));
 
   const time = document.createElement("input");
   time.type = "range";
@@ -93,12 +96,14 @@ export function addTransport() {
   // While a finger is on the slider it is the finger's.
   let held = false;
   let asked = false;
+  let wanted = 0;
   const go = () => {
     asked = false;
-    send("go", Number(time.value).toFixed(6));
+    send("go", wanted.toFixed(6));
   };
   time.addEventListener("input", () => {
     held = true;
+    wanted = Number(time.value);
     if (!asked) requestAnimationFrame(go);
     asked = true;
   });
@@ -117,6 +122,7 @@ export function addTransport() {
     else if (scrubbed === "1") dress(play, "play", "Go on from here", "Space");
     else dress(play, "play", "Play", "Space");
     if (factor && document.activeElement !== speed) speed.value = factor;
+    dress(forward, "forward", scrubbed === "1" ? "Forward 1 frame" : "1 step", scrubbed === "1" ? "." : "N");
     offer.hidden = offered !== "1";
     past.textContent = future === "1" ? "The thin line is what happened before you went back." : "";
   };

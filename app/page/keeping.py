@@ -1,0 +1,50 @@
+"""What a browser keeps of its page, and gives back after a reload, an outage or a restart of the server."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import zlib
+
+import msgspec
+
+MOST_BYTES = 8_000_000
+"""Of what a page gives back, unpacked: a scene of the largest size, and what belongs to it."""
+
+
+class Kept(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A keepsake of the session, and how the page looked."""
+
+    session: msgspec.Raw
+    dark: bool = False
+    gizmos: bool = True
+
+
+def encode(session: bytes, dark: bool, gizmos: bool) -> bytes:
+    """What the browser is to keep, JSON."""
+    return msgspec.json.encode(Kept(session=msgspec.Raw(session), dark=dark, gizmos=gizmos))
+
+
+class Parts:
+    """Puts together what comes in parts; nothing in it is trusted."""
+
+    def __init__(self) -> None:
+        self._letters: list[str] = []
+
+    def add(self, number: int, of: int, letters: str) -> Kept | None:
+        """The whole, once the last part is there; None before that, or if it makes no sense."""
+        if number == 1:
+            self._letters = []
+        if number != len(self._letters) + 1 or number > of:
+            self._letters = []
+            return None
+        self._letters.append(letters)
+        if number < of:
+            return None
+        text, self._letters = "".join(self._letters), []
+        try:
+            unpack = zlib.decompressobj()
+            data = unpack.decompress(base64.b64decode(text, validate=True), MOST_BYTES)
+            return msgspec.json.decode(data, type=Kept)
+        except (binascii.Error, zlib.error, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+            return None

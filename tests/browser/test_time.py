@@ -1,0 +1,117 @@
+"""Going back in time, and coming back after a reload or an outage."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+
+import numpy as np
+from playwright.sync_api import Browser
+
+import sim
+from app.server.serve import serving
+from app.session import commands
+from tests.browser.conftest import DESKTOP, OpenPage
+from tests.browser.driver import Desk, Served
+
+_SLIDE = """(slider, value) => {
+  slider.value = value;
+  for (const kind of ["input", "change"]) slider.dispatchEvent(new Event(kind));
+}"""
+
+
+def assert_shows(desk: Desk, positions: np.ndarray) -> None:
+    desk.until(lambda: np.allclose(desk.masses(), positions, atol=0.5), "the page shows that moment")
+
+
+def test_the_bar_goes_back_and_on_from_there(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.SetValue("rest_angle", 12.0))
+    desk.until(lambda: desk.simulation.time > 2.5, "it runs for a while")
+    desk.button("Pause").click()
+    desk.until(lambda: not desk.session.playing, "it pauses")
+    end, last = desk.simulation.time, desk.simulation.positions
+    slider = desk.page.get_by_label("Time shown")
+    slider.evaluate(_SLIDE, 1.0)
+    desk.until(lambda: abs(desk.simulation.time - 1.0) < 0.03, "it is one second after the start")
+    desk.until(lambda: desk.clock() == f"{desk.simulation.time:.2f} s", "the clock shows it")
+    assert "looking back" in desk.hud()
+    assert_shows(desk, desk.simulation.positions)
+    assert np.abs(desk.simulation.positions - last).max() > 1.0
+
+    time = desk.simulation.time
+    desk.page.keyboard.press("Period")
+    desk.until(lambda: 0.0 < desk.simulation.time - time < 0.1, "one frame forward")
+    desk.page.keyboard.press("Comma")
+    desk.until(lambda: desk.simulation.time == time, "and back")
+    slider.evaluate(_SLIDE, end)
+    desk.until(lambda: desk.simulation.time == end, "nothing is lost: it is back at the end")
+    assert (desk.simulation.positions == last).all()
+
+    desk.button("Back 1 second").click()
+    desk.until(lambda: abs(desk.simulation.time - end + 1.0) < 0.05, "one second back")
+    desk.tell(commands.SetValue("rest_angle", -12.0))
+    desk.button("Go on from here").click()
+    desk.until(lambda: desk.session.playing, "it goes on")
+    desk.page.get_by_text("what happened before you went back").wait_for()
+    desk.until(lambda: len(desk.instances("/body/ghost")) == len(last) - 1, "what came before is a thin line")
+    desk.until(lambda: desk.simulation.time > end + 0.5, "until it is over")
+    desk.until(lambda: len(desk.instances("/body/ghost")) == 0, "then the line goes")
+
+
+def test_a_body_that_ran_away_is_taken_back(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.SetValue("rest_angle", 10.0))
+    desk.until(lambda: desk.simulation.time > 1.5, "it runs for a while")
+    desk.tell(commands.SetValue("angular_stiffness", 1e8))
+    desk.notice("Go back")
+    desk.button("Go back to just before it").click()
+    desk.until(lambda: desk.simulation.divergence is None, "it is whole again")
+    low, high = desk.simulation.positions.min(0), desk.simulation.positions.max(0)
+    assert (low > -600.0).all() and (high < 1200.0).all()
+    assert_shows(desk, desk.simulation.positions)
+    assert desk.button("Go back to just before it").count() == 0
+
+
+def test_a_reload_comes_back_to_where_it_was(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Open(sim.load_scene("ring")), commands.SetValue("linear_stiffness", 7000.0))
+    desk.show("View")
+    desk.control("Dark").click()
+    desk.until(lambda: desk.simulation.time > 0.5, "it runs")
+    desk.tell(commands.Play(False))
+    where, time = desk.simulation.positions, desk.simulation.time
+    kept = "() => JSON.parse(sessionStorage.getItem('softrod') ?? 'null')?.session.moment?.time"
+    desk.until(lambda: desk.page.evaluate(kept) == time, "the browser keeps it")
+    desk.open()
+    desk.until(lambda: desk.session.scene.name == "ring", "the scene is back")
+    desk.until(lambda: desk.simulation.time == time, "and the time")
+    assert (desk.simulation.positions == where).all()
+    assert sim.settings.SETTINGS["linear_stiffness"].read(desk.session.scene) == 7000.0
+    assert not desk.session.playing
+    desk.until(lambda: desk.tab._dark, "and the dark")
+    assert_shows(desk, where)
+    assert not desk.notices()
+
+
+def test_a_server_that_is_started_anew_has_the_page_back(browser: Browser) -> None:
+    scene = sim.load_scene("tutorial-3.3")
+    with ExitStack() as rest:
+        with serving(scene, "127.0.0.1", 0) as (server, ticker, _):
+            port = server.get_port()
+            served = Served(f"http://127.0.0.1:{port}", ticker)
+            context = browser.new_context(viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
+            rest.callback(context.close)
+            desk = Desk(served, context)
+            desk.open()
+            desk.tell(commands.SetValue("rest_angle", 15.0), commands.DoSteps(100))
+            where, time = desk.simulation.positions, desk.simulation.time
+            kept = "() => JSON.parse(sessionStorage.getItem('softrod') ?? 'null')?.session.moment?.time"
+            desk.until(lambda: desk.page.evaluate(kept) == time, "the browser keeps it")
+        desk.page.get_by_text("Reconnecting").wait_for()
+        _, served.ticker, _ = rest.enter_context(serving(scene, "127.0.0.1", port))
+        desk._client = desk.until(lambda: list(served.ticker.tabs), "the page connects by itself")[0]
+        desk.until(lambda: desk.tab._session is not None, "the tab has its session")
+        desk.until(lambda: desk.simulation.time == time, "it is where it was")
+        assert (desk.simulation.positions == where).all()
+        assert_shows(desk, where)
+        assert not desk.page.get_by_text("Reconnecting").is_visible()
