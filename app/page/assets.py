@@ -44,8 +44,8 @@ def page_files() -> dict[str, StaticFile]:
 def _index(folder: str) -> str:
     """viser's page, which is one HTML file, with what is softrod's in its head.
 
-    softrod's script has to be there before viser's begins, or it would miss the first messages. Modules run in
-    the order of the document, so viser's is made one as well.
+    softrod's script has to be there before viser's begins, or it would miss the first messages. Modules run
+    in the order of the document, so viser's is made one as well.
     """
     path = Path(viser.__file__).parent / "client" / "build" / "index.html"
     try:

@@ -259,9 +259,9 @@ class Panel:
                 element.content = content
         self._solver.refresh_readouts()
 
-    def set_state(self, scene: str, playing: bool) -> None:
+    def set_state(self, scene: str, playing: bool, at_rest: bool = False) -> None:
         """Tell the page's script what it has to know, see `script.state_html`."""
-        content = script.state_html(_id(self.channel), scene, self._session, playing)
+        content = script.state_html(_id(self.channel), scene, self._session, playing, at_rest)
         if self._state.content != content:
             self._state.content = content
 

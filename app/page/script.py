@@ -63,7 +63,7 @@ def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]]) -> s
     return f"<style>:root{{{variables}}}{hide}</style>"
 
 
-def state_html(channel: str, scene: str, session: Session, playing: bool) -> str:
+def state_html(channel: str, scene: str, session: Session, playing: bool, at_rest: bool) -> str:
     """What the script has to know, as attributes of an element.
 
     Args:
@@ -71,6 +71,7 @@ def state_html(channel: str, scene: str, session: Session, playing: bool) -> str
         scene: another text for every scene, or for every time that it is to be fitted to the window.
         session: whose history and switches they are.
         playing: whether the clock runs, or will as soon as a heavy step is done.
+        at_rest: whether the body stands while the clock runs, so that no pictures come.
     """
     frame, history = session.scene.view.frame, session.history
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
@@ -81,6 +82,7 @@ def state_html(channel: str, scene: str, session: Session, playing: bool) -> str
         "height": f"{(frame[3] - frame[1]) * size:.6f}",
         "follow": int(session.follow),
         "playing": int(playing),
+        "rest": int(at_rest),
         "scrubbed": int(history.scrubbed),
         # Coarse while time passes, so that this element seldom changes.
         "start": f"{history.start:.6f}" if history.scrubbed else f"{math.floor(2.0 * history.start) / 2.0}",

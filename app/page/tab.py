@@ -215,7 +215,7 @@ class Tab:
         if self._view.draw(self._picture(session), now, force=changed or not running):
             self._moved_at = now
         at_rest = now - self._moved_at > RESTING_AFTER
-        self._panel.set_state(self._shown_as, session.playing)
+        self._panel.set_state(self._shown_as, session.playing, at_rest and running)
         if changed or (now >= self._readouts_due and not (at_rest and self._was_at_rest)):
             self._readouts_due = now + READOUTS_EVERY
             self._was_at_rest = at_rest
@@ -242,7 +242,9 @@ class Tab:
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
         now, state = session.now(), (session.revision, session.simulation.time, self._dark, self._gizmos)
-        if now < self._keep_due or state == self._kept or session.replay is not None:
+        # At rest only the clock goes on: that is not worth a message.
+        resting = self._was_at_rest and state[:1] == self._kept[:1]
+        if now < self._keep_due or state == self._kept or resting or session.replay is not None:
             return
         began = time.perf_counter()
         self._view.keep(keeping.encode(session.keepsake(), self._dark, self._gizmos))

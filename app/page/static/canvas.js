@@ -23,6 +23,8 @@ const state = {
   plan: null,
   /** The picture that is shown. @type {Frame | null} */
   frame: null,
+  /** When it was shown, ms of the screen's clock. */
+  since: 0,
   /** Pictures drawn so far. */
   drawn: 0,
 };
@@ -97,6 +99,7 @@ export function drawBody(viser) {
     const frame = glide.at(seconds());
     if (frame && plan && frame.generation === plan.generation) {
       state.frame = frame;
+      state.since = performance.now();
       show(plan, frame);
       state.drawn += 1;
       viser.requestRender();

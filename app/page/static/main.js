@@ -5,6 +5,7 @@ import { fitted, keepFlat } from "./camera.js";
 import { showConnection, watchConnection } from "./connection.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
+import { quietNotices } from "./notices.js";
 import { followPointer } from "./pointer.js";
 import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
@@ -36,6 +37,7 @@ whenViser((viser) => {
   followPointer();
   resume();
   addTransport();
+  quietNotices();
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted } });
 });

@@ -3,6 +3,8 @@
 import { onPicture, shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
 
+/** Milliseconds between two readings of the clock while the body is at rest. */
+const CLOCK_EVERY = 100;
 const SPEEDS = [0.125, 0.25, 0.5, 1, 2, 4];
 /** @type {Record<string, string>} */
 const FRACTIONS = { 0.125: "⅛", 0.25: "¼", 0.5: "½" };
@@ -46,6 +48,15 @@ function dress(element, icon, name, key) {
 
 /** What the step button does: in the past, go on to the next frame; else make a step. */
 export const nextStep = () => (told().scrubbed === "1" ? "forward" : "step");
+
+/**
+ * The simulated time. A body at rest sends no pictures, but its clock goes on.
+ */
+function timeNow() {
+  const { frame, since } = shown();
+  const passed = told().rest === "1" ? ((performance.now() - since) / 1e3) * Number(told().speed ?? 1) : 0;
+  return (frame?.time ?? 0) + passed;
+}
 
 /** @param {number} speed */
 const speedText = (speed) => `${FRACTIONS[speed] ?? speed}×`;
@@ -111,7 +122,7 @@ export function addTransport() {
 
   const show = () => {
     const { start = "0", end = "0", playing, scrubbed, speed: factor, offer: offered, future } = told();
-    const now = shown().frame?.time ?? 0;
+    const now = timeNow();
     const last = scrubbed === "1" ? Number(end) : Math.max(Number(end), now);
     clock.textContent = `${now.toFixed(2)} s`;
     time.min = start;
@@ -127,6 +138,7 @@ export function addTransport() {
     past.textContent = future === "1" ? "The thin line is what happened before you went back." : "";
   };
   onPicture(show);
+  setInterval(() => told().rest === "1" && show(), CLOCK_EVERY);
   onTold(show);
 }
 
