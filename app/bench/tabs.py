@@ -111,7 +111,7 @@ async def _visit(
                     channel = message["uuid"]
                 elif message.get("type") == "GuiDropdownMessage" and message["props"]["label"] == "Scene":
                     chooser = message["uuid"]
-                elif message.get("updates", {}).get("label") == "Play":
+                elif 'data-playing="0"' in str(message.get("updates", {}).get("content", "")):
                     visitor.paused = time.monotonic()
         await steering
 

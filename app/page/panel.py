@@ -71,6 +71,7 @@ class Panel:
         self._applicable: list[Setting] | None = None
         self._template: Any = None
         self._shown_revision = -1
+        self._told: dict[str, object] = {}
         gui = client.gui
         gui.set_panel_label("softrod")
         gui.main_panel.dock_right()
@@ -260,10 +261,11 @@ class Panel:
         self._solver.refresh_readouts()
 
     def set_state(self, scene: str, playing: bool, at_rest: bool = False) -> None:
-        """Tell the page's script what it has to know, see `script.state_html`."""
-        content = script.state_html(_id(self.channel), scene, self._session, playing, at_rest)
-        if self._state.content != content:
-            self._state.content = content
+        """Tell the page's script what it has to know, see `script.told`."""
+        told = script.told(_id(self.channel), scene, self._session, playing, at_rest)
+        if told != self._told:
+            self._told = told
+            self._state.content = script.told_html(told)
 
     def set_style(self, dark: bool) -> None:
         """Colours of the page, and the boxes that are hidden in it."""

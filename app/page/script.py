@@ -63,8 +63,8 @@ def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]]) -> s
     return f"<style>:root{{{variables}}}{hide}</style>"
 
 
-def state_html(channel: str, scene: str, session: Session, playing: bool, at_rest: bool) -> str:
-    """What the script has to know, as attributes of an element.
+def told(channel: str, scene: str, session: Session, playing: bool, at_rest: bool) -> dict[str, object]:
+    """What the script has to know.
 
     Args:
         channel: id of the hidden text element that it sends through.
@@ -75,22 +75,27 @@ def state_html(channel: str, scene: str, session: Session, playing: bool, at_res
     """
     frame, history = session.scene.view.frame, session.history
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
-    told = {
+    scrubbed = history.scrubbed
+    return {
         "channel": channel,
         "scene": scene,
-        "width": f"{(frame[2] - frame[0]) * size:.6f}",
-        "height": f"{(frame[3] - frame[1]) * size:.6f}",
+        "width": (frame[2] - frame[0]) * size,
+        "height": (frame[3] - frame[1]) * size,
         "follow": int(session.follow),
         "playing": int(playing),
         "rest": int(at_rest),
-        "scrubbed": int(history.scrubbed),
-        # Coarse while time passes, so that this element seldom changes.
-        "start": f"{history.start:.6f}" if history.scrubbed else f"{math.floor(2.0 * history.start) / 2.0}",
-        "end": f"{history.end:.6f}" if history.scrubbed else "",
-        "speed": f"{session.pacer.speed:g}",
+        "scrubbed": int(scrubbed),
+        # Coarse while time passes, so that this seldom changes.
+        "start": history.start if scrubbed else math.floor(2.0 * history.start) / 2.0,
+        "end": history.end if scrubbed else "",
+        "speed": session.pacer.speed,
         "offer": int(session.offer_back),
         "future": int(session.old_future is not None),
     }
+
+
+def told_html(told: dict[str, object]) -> str:
+    """The hidden element whose attributes the script reads."""
     attributes = " ".join(f'data-{name}="{html.escape(str(value))}"' for name, value in told.items())
     return f'<div id="softrod-state" hidden {attributes}></div>'
 

@@ -73,6 +73,7 @@ class Tab:
         self._last_revision = -1
         self._was_playing = True
         self._wanted = ""
+        self._all_ready = False
         self._first = scene
         self._view = Canvas(client, self._touched, self._clicked)
         self._session: Session | None = None
@@ -173,10 +174,13 @@ class Tab:
     def _prepare(self, session: Session) -> None:
         """Have compiled first what the session waits for, and say what it is and how far it is."""
         method = session.simulation.method
+        if self._all_ready and not session.simulation.plain:
+            return
         if session.simulation.plain and method != self._wanted:
             self._wanted = method
             self._compiler.want(needed_by(method))
         ready, of = self._compiler.progress
+        self._all_ready = ready == of
         text = ""
         if session.simulation.plain:
             label = METHODS[method].label

@@ -60,7 +60,7 @@ def test_a_description_from_a_stranger_s_file_is_escaped() -> None:
     scene = msgspec.structs.replace(sim.rope(), description=evil)
     assert "<img" not in readouts.description(scene)
     assert "&lt;img" in readouts.description(scene)
-    assert "<b>" not in script.state_html('"><b>', '"><b>', Session(scene), playing=True, at_rest=False)
+    assert "<b>" not in script.told_html({"channel": '"><b>'})
 
 
 @pytest.mark.parametrize("name", ["tutorial-3.1", "tutorial-3.2", "tutorial-3.3", "ring"])

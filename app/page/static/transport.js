@@ -132,7 +132,7 @@ export function addTransport() {
     if (playing === "1") dress(play, "pause", "Pause", "Space");
     else if (scrubbed === "1") dress(play, "play", "Go on from here", "Space");
     else dress(play, "play", "Play", "Space");
-    if (factor && document.activeElement !== speed) speed.value = factor;
+    if (factor && document.activeElement !== speed) speed.value = String(Number(factor));
     dress(forward, "forward", scrubbed === "1" ? "Forward 1 frame" : "1 step", scrubbed === "1" ? "." : "N");
     offer.hidden = offered !== "1";
     past.textContent = future === "1" ? "The thin line is what happened before you went back." : "";
