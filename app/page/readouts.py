@@ -60,7 +60,7 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
         lines.append(
             f'pushed<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>pulled'
         )
-    return f'<div class="softrod-hud">{"<br>".join(lines)}</div>'
+    return f'<div id="softrod-hud" hidden>{"<br>".join(lines)}</div>'
 
 
 def _state(session: Session, at_rest: bool) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import html
 import math
 import re
+from dataclasses import dataclass
 
 from ..session import commands
 from ..session.commands import Command
@@ -19,7 +20,8 @@ _KEYS = {"U": "up", "D": "down", "L": "left", "R": "right"}
 _NUMBER = r"-?\d{1,7}(?:\.\d{1,6})?"
 _MESSAGE = re.compile(
     rf"\d{{1,15}}\|(?:keys\|([UDLR]{{0,4}})|at\|({_NUMBER}),({_NUMBER})|do\|([a-z]{{1,10}})"
-    rf"|go\|({_NUMBER})|speed\|({_NUMBER}))"
+    rf"|go\|({_NUMBER})|speed\|({_NUMBER})"
+    rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}}))"
 )
 _PART = re.compile(r"\d{1,15}\|resume\|(\d{1,2})/(\d{1,2})\|([A-Za-z0-9+/=]{1,48000})")
 
@@ -34,7 +36,7 @@ ONCE: dict[str, Command] = {
     "forward": commands.GoForward(),
     "before": commands.BackBeforeDivergence(),
 }
-"""Commands that the script sends by a word; `follow` is the tab's, which knows the switch."""
+"""Commands that the script sends by a word; `follow` is a switch besides."""
 
 
 def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]]) -> str:
@@ -100,8 +102,20 @@ def told_html(told: dict[str, object]) -> str:
     return f'<div id="softrod-state" hidden {attributes}></div>'
 
 
-def parse(message: object, mapping: Mapping) -> Command | str | None:
-    """A message of the script as a command, "follow" for the switch, or None for nonsense.
+@dataclass(frozen=True)
+class Pick:
+    """A mass was clicked."""
+
+    mass: int
+
+
+@dataclass(frozen=True)
+class Switch:
+    """The switch that has the driven mass follow the pointer was pressed."""
+
+
+def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | None:
+    """What a message of the script asks for, or None for nonsense.
 
     Args:
         message: the value of the hidden text element, which any client can set to anything.
@@ -110,15 +124,22 @@ def parse(message: object, mapping: Mapping) -> Command | str | None:
     match = _MESSAGE.fullmatch(message) if isinstance(message, str) else None
     if match is None:
         return None
-    keys, x, y, word, time, speed = match.groups()
+    keys, x, y, word, time, speed, mass, grab_x, grab_y, drop, picked = match.groups()
     if keys is not None:
         return commands.HoldKeys(frozenset(_KEYS[key] for key in keys))
     if word is not None:
-        return word if word == "follow" else ONCE.get(word)
+        return Switch() if word == "follow" else ONCE.get(word)
     if time is not None:
         return commands.GoTo(float(time))
     if speed is not None:
         return commands.Speed(float(speed))
+    if drop is not None:
+        return commands.DragEnd()
+    if picked is not None:
+        return Pick(int(picked))
+    if mass is not None:
+        point = mapping.to_scene(float(grab_x), float(grab_y))
+        return commands.DragStart(int(mass), *point) if all(map(math.isfinite, point)) else None
     point = mapping.to_scene(float(x), float(y))
     return commands.Point(*point) if all(map(math.isfinite, point)) else None
 

@@ -75,7 +75,7 @@ class Tab:
         self._wanted = ""
         self._all_ready = False
         self._first = scene
-        self._view = Canvas(client, self._touched, self._clicked)
+        self._view = Canvas(client, self._touched)
         self._session: Session | None = None
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
@@ -98,14 +98,11 @@ class Tab:
         if self._session is None:
             return
         if touch.phase == "start":
-            self._session.post(commands.DragStart(touch.mass, touch.x, touch.y, touch.by_gizmo))
+            self._session.post(commands.DragStart(touch.mass, touch.x, touch.y, by_gizmo=True))
         elif touch.phase == "update":
             self._session.post(commands.DragTo(touch.x, touch.y))
         else:
             self._session.post(commands.DragEnd())
-
-    def _clicked(self, mass: int) -> None:
-        self.request("joint", mass)
 
     # --------------------------------------------------------------------- the ticker's
     def frame(self, budget: float, beside: Submit) -> None:
@@ -162,11 +159,15 @@ class Tab:
             if part := script.parse_part(value):
                 self._resume(session, *part)
                 return
-            message = script.parse(value, self._mapping)
-            if message == "follow":
-                self.request("follow", None)
-            elif message is not None and not isinstance(message, str):
-                session.post(message)
+            match script.parse(value, self._mapping):
+                case None:
+                    pass
+                case script.Switch():
+                    self.request("follow", None)
+                case script.Pick(mass):
+                    self.request("joint", mass)
+                case command:
+                    session.post(command)
 
         self._session = session
         return session

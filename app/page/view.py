@@ -36,13 +36,12 @@ _FLAT: dict[str, Any] = {"material": "toon3", "lod": "off", "cast_shadow": False
 
 @dataclass(frozen=True)
 class Touch:
-    """What the user's hand did to a mass; positions in px."""
+    """What the user's hand did to a gizmo; positions in px."""
 
     phase: str  # start, update, end
     mass: int
     x: float
     y: float
-    by_gizmo: bool
 
 
 class Canvas:
@@ -50,16 +49,12 @@ class Canvas:
 
     Args:
         client: the page.
-        on_touch: hears of drags, on viser's event loop; it must not block.
-        on_click: hears which mass was clicked.
+        on_touch: hears of gizmos that are dragged, on viser's event loop; it must not block.
     """
 
-    def __init__(
-        self, client: viser.ClientHandle, on_touch: Callable[[Touch], None], on_click: Callable[[int], None]
-    ) -> None:
+    def __init__(self, client: viser.ClientHandle, on_touch: Callable[[Touch], None]) -> None:
         self._client = client
         self._on_touch = on_touch
-        self._on_click = on_click
         self._nodes: dict[str, Any] = {}
         self._gizmos: list[tuple[int, viser.TransformControlsHandle]] = []
         self._built: tuple[Any, ...] = ()
@@ -122,7 +117,6 @@ class Canvas:
         ):
             if mesh:
                 self._add_empty(f"/body/{name}", mesh)
-        self._listen(self._nodes["/body/masses"])
 
     def show_gizmos(self, on: bool) -> None:
         """Put up a gizmo at each held mass, or take them away."""
@@ -230,20 +224,6 @@ class Canvas:
             **_FLAT,
         )
 
-    def _listen(self, masses: viser.BatchedMeshHandle) -> None:
-        @masses.on_drag
-        async def _(event: viser.SceneNodeDragEvent) -> None:
-            if event.instance_index is not None and self.sketch is not None:
-                # The drag plane is the front of the disc; only x and y count.
-                x, y = self.sketch.mapping.to_scene(*event.end_position[:2])
-                mass = event.instance_index % len(self.sketch.radius)
-                self._on_touch(Touch(event.phase, mass, x, y, by_gizmo=False))
-
-        @masses.on_click
-        async def _(event: viser.SceneNodePointerEvent) -> None:
-            if event.instance_index is not None and self.sketch is not None:
-                self._on_click(event.instance_index % len(self.sketch.radius))
-
     def _add_gizmos(self, sketch: Sketch) -> None:
         for mass in sketch.held[:MAX_GIZMOS].tolist():
             gizmo = self._client.scene.add_transform_controls(
@@ -265,4 +245,4 @@ class Canvas:
                 return  # our own write
             self._gizmo_in_hand = None if event.phase == "end" else mass
             x, y = self.sketch.mapping.to_scene(*(float(c) for c in event.target.position[:2]))
-            self._on_touch(Touch(event.phase, mass, x, y, by_gizmo=True))
+            self._on_touch(Touch(event.phase, mass, x, y))

@@ -84,7 +84,10 @@ export function keepFlat() {
       flat = controls;
       flatten(controls);
     }
+    document.documentElement.style.setProperty("--softrod-canvas", `${canvas.clientWidth}px`);
     const now = `${canvas.clientWidth}x${canvas.clientHeight}`;
+    const box = canvas.getBoundingClientRect();
+    placeTransport(box, covered(canvas, box));
     if ((told().scene !== scene || size !== now) && fit()) {
       scene = told().scene;
       size = now;

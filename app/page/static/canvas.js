@@ -47,8 +47,9 @@ export const onPicture = (listener) => listeners.push(listener);
  * Stands in the way of viser's messages.
  *
  * @param {Viser} viser
+ * @param {((content: unknown) => void)[]} heard get the content of elements of HTML, or undefined
  */
-export function drawBody(viser) {
+export function drawBody(viser, heard) {
   const queue = viser.messageQueue;
   const seconds = () => performance.now() / 1e3;
   /** @param {Message} message */
@@ -116,6 +117,7 @@ export function drawBody(viser) {
         if (data) take(name, /** @type {Float32Array} */ (data));
         continue;
       }
+      for (const listener of heard) listener(message.props?.content ?? message.updates?.content);
       if (name === KEEPSAKE) {
         if (message.updates?.colors) keep(/** @type {Uint8Array} */ (message.updates.colors));
         continue;

@@ -1,32 +1,32 @@
 // @ts-check
 /**
- * What the page says to the server, through one hidden text element, and what the server tells the page,
- * through the attributes of the element #softrod-state.
+ * What the page says to the server, through one hidden text element, and what the server tells the page, in
+ * the attributes of the element #softrod-state. That is read from the message which brings it: the element
+ * itself is in the panel, which viser takes out of the page while it is folded.
  */
 import { viser } from "./viser.js";
 
+const STATE = '<div id="softrod-state"';
 let sequence = 0;
-
-/** What the server told. @returns {DOMStringMap} */
-export const told = () => document.getElementById("softrod-state")?.dataset ?? {};
-
+/** @type {DOMStringMap} */
+let heard = {};
 /** @type {(() => void)[]} */
 const listeners = [];
-let heard = "";
+
+/** What the server told last. */
+export const told = () => heard;
 
 /** Calls back whenever the server told something new. @param {() => void} listener */
-export function onTold(listener) {
-  listeners.push(listener);
-  if (listeners.length > 1) return;
-  const look = () => {
-    const now = JSON.stringify(told());
-    if (now === heard) return;
-    heard = now;
-    for (const call of listeners) call();
-  };
-  // The element is viser's, which replaces it as a whole.
-  const root = document.getElementById("root") ?? document.body;
-  new MutationObserver(look).observe(root, { childList: true, subtree: true });
+export const onTold = (listener) => listeners.push(listener);
+
+/** Takes what a message has for an element of HTML, if it is for the script. @param {unknown} content */
+export function hear(content) {
+  if (typeof content !== "string" || !content.startsWith(STATE)) return;
+  const template = document.createElement("template");
+  template.innerHTML = content;
+  const element = template.content.firstElementChild;
+  if (element instanceof HTMLElement) heard = { ...element.dataset };
+  for (const call of listeners) call();
 }
 
 /**

@@ -2,11 +2,13 @@
 /** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
 import { drawBody, shown } from "./canvas.js";
 import { fitted, keepFlat } from "./camera.js";
+import { hear } from "./channel.js";
 import { showConnection, watchConnection } from "./connection.js";
+import { showHud } from "./hud.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { quietNotices } from "./notices.js";
-import { followPointer } from "./pointer.js";
+import { listenToPointer } from "./pointer.js";
 import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
 
@@ -31,10 +33,10 @@ whenViser((viser) => {
     complain(FAULT);
     return;
   }
-  drawBody(viser);
+  drawBody(viser, [hear, showHud]);
   keepFlat();
   listenToKeys();
-  followPointer();
+  listenToPointer();
   resume();
   addTransport();
   quietNotices();

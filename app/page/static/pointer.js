@@ -1,65 +1,100 @@
 // @ts-check
-/** Where the pointer is in the scene, told to the server at every animation frame while it matters. */
+/**
+ * Taking hold of masses with a mouse, a pen or a finger. Where the pointer is in the scene is told to the server
+ * at every animation frame while it matters.
+ */
+import { shown } from "./canvas.js";
 import { send, told } from "./channel.js";
+import { nearest, onScreen, screen, worldAt } from "./screen.js";
 import { viser } from "./viser.js";
+
+/** Pixels from a mass within which it is taken hold of. */
+const REACH = { mouse: 12, pen: 16, touch: 26 };
+/** Pixels within which a press counts as a click. */
+const CLICK = 4;
 
 /** Where the pointer was last over the canvas, in pixels of the window. @type {{x: number, y: number} | null} */
 let pointer = null;
-let pressed = false;
+/** The mass in hand, and where it was pressed. @type {{mass: number, id: number, x: number, y: number, moved: boolean} | null} */
+let hold = null;
 let asked = false;
 
 /**
- * Where a place on the screen meets the plane z = 0, in the coordinates of the scene's nodes.
+ * The mass under a place on the screen, or -1.
  *
- * @param {{x: number, y: number}} place in pixels of the window
+ * @param {{x: number, y: number}} place
+ * @param {string} kind of pointer
  */
-export function worldAt(place) {
-  const { canvas, camera, nodeRefFromName } = viser() ?? {};
-  const root = nodeRefFromName?.[""];
-  if (!canvas || !camera || !root) return null;
-  const box = canvas.getBoundingClientRect();
-  const x = ((place.x - box.left) / box.width) * 2 - 1;
-  const y = 1 - ((place.y - box.top) / box.height) * 2;
-  const inverse = root.matrixWorld.clone().invert();
-  const near = camera.position.clone().set(x, y, -1).unproject(camera).applyMatrix4(inverse);
-  const far = camera.position.clone().set(x, y, 1).unproject(camera).applyMatrix4(inverse);
-  return near.lerp(far, near.z / (near.z - far.z));
+export function massAt(place, kind) {
+  const { plan, frame } = shown();
+  const on = screen();
+  if (!plan || !frame || !on) return -1;
+  const radii = plan.radius.map((radius) => radius * on.step);
+  return nearest(onScreen(plan, frame.positions, on), radii, place, REACH[/** @type {"mouse"} */ (kind)] ?? REACH.mouse);
+}
+
+/** @param {{x: number, y: number}} place */
+function coordinates(place) {
+  const on = screen();
+  const point = on && worldAt(place, on);
+  if (!point || !Number.isFinite(point.x) || !Number.isFinite(point.y)) return null;
+  return `${point.x.toFixed(6)},${point.y.toFixed(6)}`;
 }
 
 function report() {
   asked = false;
-  const place = pointer && worldAt(pointer);
-  if (place && Number.isFinite(place.x) && Number.isFinite(place.y)) {
-    send("at", `${place.x.toFixed(6)},${place.y.toFixed(6)}`);
+  const at = pointer && coordinates(pointer);
+  if (at) send("at", at);
+}
+
+/** @param {PointerEvent} event */
+function press(event) {
+  const { canvas } = viser() ?? {};
+  if (!canvas || event.target !== canvas) return;
+  // The keys are the body's again.
+  if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  pointer = { x: event.clientX, y: event.clientY };
+  const at = coordinates(pointer);
+  const mass = event.button === 0 && event.isPrimary ? massAt(pointer, event.pointerType) : -1;
+  if (mass < 0 || !at) return;
+  // Neither viser nor its camera shall hear of it.
+  event.preventDefault();
+  event.stopImmediatePropagation();
+  canvas.setPointerCapture(event.pointerId);
+  hold = { mass, id: event.pointerId, ...pointer, moved: false };
+  send("grab", `${mass}|${at}`);
+}
+
+/** @param {PointerEvent} event */
+function move(event) {
+  const { canvas } = viser() ?? {};
+  if (event.target !== canvas && !hold) return; // off the canvas it stays where it is
+  pointer = { x: event.clientX, y: event.clientY };
+  if (hold && event.pointerId === hold.id) {
+    event.stopImmediatePropagation();
+    hold.moved ||= Math.hypot(pointer.x - hold.x, pointer.y - hold.y) > CLICK;
+  } else if (canvas && event.buttons === 0 && event.pointerType !== "touch") {
+    document.documentElement.toggleAttribute("data-softrod-near", massAt(pointer, event.pointerType) >= 0);
+  }
+  if ((hold || told().follow === "1") && !asked) {
+    asked = true;
+    requestAnimationFrame(report);
   }
 }
 
+/** @param {PointerEvent} event */
+function letGo(event) {
+  if (!hold || event.pointerId !== hold.id) return;
+  event.stopImmediatePropagation();
+  if (asked) report();
+  send("drop", "");
+  if (!hold.moved && event.type === "pointerup") send("pick", String(hold.mass));
+  hold = null;
+}
+
 /** Begins to listen. */
-export function followPointer() {
-  window.addEventListener(
-    "pointermove",
-    (event) => {
-      if (event.target !== viser()?.canvas && !pressed) return; // off the canvas it stays where it is
-      pointer = { x: event.clientX, y: event.clientY };
-      if ((pressed || told().follow === "1") && !asked) {
-        asked = true;
-        requestAnimationFrame(report);
-      }
-    },
-    true,
-  );
-  window.addEventListener(
-    "pointerdown",
-    (event) => {
-      if (event.target !== viser()?.canvas) return;
-      pressed = true;
-      // The keys are the body's again.
-      if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
-      pointer = { x: event.clientX, y: event.clientY };
-    },
-    true,
-  );
-  for (const kind of ["pointerup", "pointercancel"]) {
-    window.addEventListener(kind, () => (pressed = false), true);
-  }
+export function listenToPointer() {
+  window.addEventListener("pointerdown", press, true);
+  window.addEventListener("pointermove", move, true);
+  for (const kind of ["pointerup", "pointercancel"]) window.addEventListener(kind, /** @type {any} */ (letGo), true);
 }

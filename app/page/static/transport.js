@@ -72,6 +72,7 @@ export function addTransport() {
   play.classList.add("softrod-play");
   const reset = button("reset", "Reset", "R", () => send("do", "reset"));
   const second = button("second", "Back 1 second", "J", () => send("do", "second"));
+  second.classList.add("softrod-second");
   const back = button("back", "Back 1 frame", ",", () => send("do", "back"));
   const forward = button("forward", "1 step", "N", () => send("do", nextStep()));
 
