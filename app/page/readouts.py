@@ -220,6 +220,8 @@ KEYS_HELP = (
     ("Esc", "pause"),
     ("F", "the ringed mass follows the pointer, or stops following"),
     ("0", "show the whole scene"),
+    ("P", "larger, for a projector"),
+    ("Tab", "to the body, and on: arrows choose a mass, Space takes it, arrows move it"),
     ("↑ ↓", "held: every spring longer, shorter"),
     ("→ ←", "held: every rest angle up, down"),
     ("Ctrl K", "all commands"),

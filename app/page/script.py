@@ -58,6 +58,7 @@ def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]]) -> s
         "text": colors.css("text"),
         "line": colors.css("grid_major"),
         "brand": colors.css("driven"),
+        "paper": colors.css("paper"),
         "key": "#1a2230" if dark else "#f6f8fb",
         "warn": "#ff922b" if dark else "#c2410c",
     }
@@ -84,6 +85,8 @@ def told(channel: str, scene: str, session: Session, playing: bool, at_rest: boo
         "width": (frame[2] - frame[0]) * size,
         "height": (frame[3] - frame[1]) * size,
         "follow": int(session.follow),
+        "joint": session.joint if session.scene.angular_springs else -1,
+        "unit": session.scene.view.unit,
         "playing": int(playing),
         "rest": int(at_rest),
         "scrubbed": int(scrubbed),

@@ -1,6 +1,7 @@
 // @ts-check
 /** Keys and the arrow pad: what is held, and what is pressed once. */
 import { fit } from "./camera.js";
+import { project } from "./looks.js";
 import { onTold, send, told } from "./channel.js";
 import { nextStep } from "./transport.js";
 
@@ -8,7 +9,7 @@ import { nextStep } from "./transport.js";
 const ARROWS = { ArrowUp: "U", ArrowDown: "D", ArrowLeft: "L", ArrowRight: "R" };
 /** @type {Record<string, string>} */
 const ONCE = { Space: "play", KeyN: "step", KeyR: "reset", KeyF: "follow", Escape: "pause", Digit0: "fit",
-  Comma: "back", Period: "forward", KeyJ: "second" };
+  Comma: "back", Period: "forward", KeyJ: "second", KeyP: "project" };
 /** What a key that is held down does again and again. */
 const REPEATED = new Set(["step", "back", "forward"]);
 /** With these viser would move the camera. */
@@ -29,6 +30,9 @@ const isTyping = (target) =>
 /** A slider that was reached with the Tab key takes the arrows for itself. @param {EventTarget | null} target */
 const isSlider = (target) =>
   target instanceof HTMLElement && target.matches('[role="slider"]:focus-visible, input[type="range"]:focus-visible');
+/** While the body has the focus, it takes arrows, Space and Enter. @param {KeyboardEvent} event */
+const isBodys = ({ target, code, key }) =>
+  target instanceof HTMLElement && target.classList.contains("softrod-body") && (key in ARROWS || code === "Space" || key === "Enter");
 const dialogIsOpen = () => document.querySelector('[role="dialog"]') !== null;
 /** @param {Event} event */
 const keep = (event) => {
@@ -59,7 +63,7 @@ const releaseAll = () => {
 function press(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target) || dialogIsOpen()) return;
   const arrow = ARROWS[event.key];
-  if (isSlider(event.target)) return;
+  if (isSlider(event.target) || isBodys(event)) return;
   if (arrow) {
     keep(event);
     hold(arrow);
@@ -76,6 +80,7 @@ function press(event) {
   keep(event);
   if (event.repeat && !REPEATED.has(once)) return;
   if (once === "fit") fit();
+  else if (once === "project") project();
   else if (once === "step") send("do", event.shiftKey ? "steps" : nextStep());
   else send("do", once);
 }

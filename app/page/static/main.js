@@ -1,5 +1,6 @@
 // @ts-check
 /** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
+import { addBodyKeys } from "./body_keys.js";
 import { drawBody, shown } from "./canvas.js";
 import { fitted, keepFlat } from "./camera.js";
 import { hear } from "./channel.js";
@@ -7,7 +8,9 @@ import { showConnection, watchConnection } from "./connection.js";
 import { showHud } from "./hud.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
+import { restoreLooks } from "./looks.js";
 import { quietNotices } from "./notices.js";
+import { addOverlay } from "./overlay.js";
 import { listenToPointer } from "./pointer.js";
 import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
@@ -38,7 +41,10 @@ whenViser((viser) => {
   listenToKeys();
   listenToPointer();
   resume();
+  restoreLooks();
   addTransport();
+  addOverlay();
+  addBodyKeys();
   quietNotices();
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted } });

@@ -1,0 +1,94 @@
+"""The body without a pointer that hits it: by keys alone, and by a finger or a mouse beside a mass."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from app.session import commands
+from tests.browser.conftest import OpenPage
+
+
+def test_a_mass_is_chosen_taken_and_moved_by_keys_alone(open_page: OpenPage) -> None:
+    desk = open_page()
+    live = desk.page.locator(".softrod-live")
+    for _ in range(40):
+        desk.page.keyboard.press("Tab")
+        if "mass 1 of 12" in live.inner_text():
+            break
+    assert "mass 1 of 12" in live.inner_text(), "the Tab key comes to the body"
+    assert "Body of 12 masses" in (desk.page.locator(".softrod-body").get_attribute("aria-label") or "")
+    for _ in range(5):
+        desk.page.keyboard.press("ArrowRight")
+    desk.until(lambda: "mass 6 of 12" in live.inner_text(), "the arrows choose")
+    x, y = desk.place(5)
+    ring = desk.page.locator(".softrod-chosen")
+    desk.until(
+        lambda: (
+            abs(float(ring.get_attribute("cx") or 0.0) - x) < 3.0
+            and abs(float(ring.get_attribute("cy") or 0.0) - y) < 3.0
+        ),
+        "the mass is marked",
+    )
+    desk.page.keyboard.press("Space")
+    desk.until(lambda: desk.session.dragged == 5, "Space takes hold")
+    assert desk.session.playing  # and does not pause
+    before = desk.simulation.positions[5]
+    for _ in range(4):
+        desk.page.keyboard.press("Shift+ArrowRight")
+    desk.until(lambda: desk.simulation.positions[5][0] > before[0] + 100.0, "the arrows move it")
+    assert abs(desk.simulation.positions[5][1] - before[1]) < 5.0
+    desk.page.keyboard.press("Space")
+    desk.until(lambda: desk.session.dragged is None, "Space lets go")
+    assert "let go" in live.inner_text()
+    desk.until(lambda: desk.readout("joint") == "5 of 10", "its joint is read out")
+
+
+def test_everything_is_reached_with_the_tab_key_and_can_be_seen_to_be(open_page: OpenPage) -> None:
+    desk = open_page()
+    reached = set()
+    for _ in range(30):
+        desk.page.keyboard.press("Tab")
+        name, outlined = desk.page.evaluate(
+            """() => {
+              const focused = document.activeElement, style = getComputedStyle(focused);
+              if (focused === document.body) return ["", true];
+              const seen = style.outlineStyle !== "none" || style.boxShadow !== "none";
+              return [focused.ariaLabel ?? focused.innerText, seen || focused.tagName === "INPUT"];
+            }"""
+        )
+        reached.add(name)
+        assert outlined or not name, f"{name!r} has the focus, and does not show it"
+    for name in ("Reset", "Back 1 second", "Back 1 frame", "Pause", "1 step", "Time shown", "Speed"):
+        assert name in reached
+
+
+@pytest.mark.parametrize("off", [(9.0, 0.0), (-6.0, 7.0)])
+def test_a_press_beside_a_mass_takes_hold_of_it(open_page: OpenPage, off: tuple[float, float]) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    x, y = desk.place(8)
+    desk.page.mouse.move(x + off[0], y + off[1])
+    desk.page.mouse.down()
+    desk.until(lambda: desk.session.dragged == 8, "it is in hand")
+    desk.page.mouse.up()
+    desk.until(lambda: desk.session.dragged is None, "and let go")
+    desk.page.mouse.move(x + 30.0, y)
+    desk.page.mouse.down()
+    desk.pause(0.2)
+    assert desk.session.dragged is None
+    desk.page.mouse.up()
+
+
+def test_the_arc_of_the_joint_is_at_its_mass_and_tells_its_angle(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.SetValue("rest_angle", 15.0), commands.DoSteps(150), commands.SelectJoint(3))
+    label = desk.page.locator(".softrod-angle")
+    desk.until(
+        lambda: (label.text_content() or "").rstrip("°") == f"{desk.simulation.angles[3]:.1f}",
+        "the arc tells the angle",
+    )
+    box = label.bounding_box()
+    assert box is not None
+    middle = np.array((box["x"] + box["width"] / 2, box["y"] + box["height"] / 2))
+    assert np.linalg.norm(middle - desk.place(4)) < 90.0
