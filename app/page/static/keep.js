@@ -10,7 +10,7 @@ const NAME = "softrod";
 const PART = 48_000;
 
 /** What the next connection is to be given, if anything: what was kept before this page began to be kept. */
-let due = sessionStorage.getItem(NAME);
+let due = globalThis.sessionStorage?.getItem(NAME) ?? null;
 
 /** The connection is lost: the next one is to be given what is kept now. */
 export const lost = () => (due = sessionStorage.getItem(NAME));

@@ -1,0 +1,55 @@
+// What is under the pointer, what is marked, and when the page tries to connect.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Attempts } from "../../app/page/static/connection.js";
+import { jointAngles, roundUp } from "../../app/page/static/overlay.js";
+import { nearest, onScreen, worldAt } from "../../app/page/static/screen.js";
+
+const plan = (flip) => ({
+  scale: 0.01, x: 300, y: 200, flip,
+  springs: new Float32Array([0, 1, 1, 2]),
+  joints: new Float32Array([0, 1, 1, 1]),
+  radius: new Float32Array([0.1, 0.1, 0.1]),
+});
+const on = { x: 400, y: 300, step: 100 };
+
+test("masses are on the screen where the camera has them, whichever way y grows", () => {
+  for (const flip of [1, -1]) {
+    const places = onScreen(plan(flip), new Float32Array([310, 220]), on);
+    assert.ok(Math.abs(places[0] - 410) < 1e-3 && Math.abs(places[1] - (300 - 20 * flip)) < 1e-3, `${places}`);
+    const world = worldAt({ x: places[0], y: places[1] }, on);
+    assert.ok(Math.abs(world.x - 0.1) < 1e-5 && Math.abs(world.y - 0.2 * flip) < 1e-5);
+  }
+});
+
+test("the nearest mass within reach is taken, or the one whose disc it is", () => {
+  const places = new Float64Array([0, 0, 30, 0, 100, 0]);
+  const radii = [5, 5, 40];
+  assert.equal(nearest(places, radii, { x: 12, y: 0 }, 14), 0);
+  assert.equal(nearest(places, radii, { x: 18, y: 0 }, 14), 1);
+  assert.equal(nearest(places, radii, { x: 15, y: 14 }, 14), -1);
+  assert.equal(nearest(places, radii, { x: 138, y: 0 }, 14), 2);
+});
+
+test("a joint's arc turns as the joint does", () => {
+  // From left to right, then up on the screen.
+  for (const flip of [1, -1]) {
+    const positions = new Float32Array([0, 0, 10, 0, 10, 10 * flip]);
+    const { from, turn, mass } = jointAngles(plan(flip), { positions }, 0);
+    assert.deepEqual([Math.round(from), Math.round(turn), mass], [0, 90, 1]);
+  }
+});
+
+test("scale bars are round", () => {
+  assert.deepEqual([0.7, 1, 1.2, 30, 51, 4e5].map(roundUp), [1, 1, 2, 50, 100, 500000]);
+});
+
+test("an attempt to connect has its time, and another begins when it has failed", () => {
+  const attempts = new Attempts();
+  assert.equal(attempts.begin(0), true);
+  assert.equal(attempts.begin(1000), false);
+  assert.equal(attempts.begin(7000), false);
+  assert.equal(attempts.begin(9000), true);
+  attempts.end();
+  assert.equal(attempts.begin(9001), true);
+});
