@@ -92,3 +92,24 @@ def test_the_arc_of_the_joint_is_at_its_mass_and_tells_its_angle(open_page: Open
     assert box is not None
     middle = np.array((box["x"] + box["width"] / 2, box["y"] + box["height"] / 2))
     assert np.linalg.norm(middle - desk.place(4)) < 90.0
+
+
+def test_a_finger_beside_a_mass_takes_hold_of_it(open_page: OpenPage) -> None:
+    desk = open_page(phone=True)
+    desk.tell(commands.Play(False))
+    x, y = desk.place(8)
+    touch = desk.context.new_cdp_session(desk.page)
+
+    def send(kind: str, *points: tuple[float, float]) -> None:
+        places = [{"x": px, "y": py} for px, py in points]
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": places})
+
+    send("touchStart", (x + 22.0, y))
+    desk.until(lambda: desk.session.dragged == 8, "the mass 22 px away is in hand")
+    before = desk.simulation.positions[8]
+    for i in range(1, 6):
+        send("touchMove", (x + 22.0 + 8.0 * i, y))
+        desk.rest(1)
+    desk.until(lambda: desk.simulation.positions[8][0] > before[0] + 20.0, "it comes with the finger")
+    send("touchEnd")
+    desk.until(lambda: desk.session.dragged is None, "it is let go")

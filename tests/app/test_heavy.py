@@ -1,0 +1,86 @@
+"""A heavy body holds up neither the other pages nor its own controls: the order of events."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+import sim
+from app.bench.tabs import cloth
+from app.page.tab import Tab
+from app.server.ticker import LONGEST_FRAME, next_frame
+from app.session import commands
+from app.session.pacing import HEAVY_UNIT, Pacer, is_large
+from app.session.session import FRAME, Session
+from sim.motion.solver import SolverStats
+from tests.app.test_serving import Stage, eventually, say, session_of, stage  # noqa: F401
+
+
+def told(tab: Tab) -> dict[str, object]:
+    return tab._panel._told
+
+
+def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
+    stage: Stage,  # noqa: F811
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with stage.page() as one:
+        heavy = stage.new_tab(set())
+        known = set(stage.ticker.tabs)
+        with stage.page() as other:
+            light = stage.new_tab(known)
+            session = session_of(heavy)
+            begun, go_on = threading.Event(), threading.Event()
+            tick = Session.tick
+
+            def slow(self: Session, budget: float) -> None:
+                if self is session:
+                    begun.set()
+                    assert go_on.wait(30.0)
+                tick(self, budget)
+
+            monkeypatch.setattr(Session, "heavy", property(lambda self: self is session))
+            monkeypatch.setattr(Session, "tick", slow)
+            try:
+                assert begun.wait(10.0)
+                steps = session_of(light).simulation.step_count
+                eventually(lambda: session_of(light).simulation.step_count > steps + 30)
+                assert told(heavy)["playing"] == 1
+                say(one, heavy, "do|pause")
+                eventually(lambda: told(heavy)["playing"] == 0)
+                assert session.playing  # it is not applied before the step is done
+                other.read_for(0.05)
+            finally:
+                go_on.set()
+            eventually(lambda: not session.playing)
+
+
+def test_a_scene_is_heavy_by_its_size_or_by_what_its_steps_cost() -> None:
+    session = Session(sim.rope(12))
+    assert not session.heavy
+    session.post(commands.Open(cloth(40)))
+    assert session.heavy  # also while it is only about to be opened
+    assert is_large(cloth(40))
+    assert not is_large(cloth(20))
+
+    pacer = Pacer()
+    pacer.record(0.0, 1e-3, 10, 10 * 0.9 * HEAVY_UNIT, SolverStats(steps=10), missed=0)
+    assert pacer.unit_cost < HEAVY_UNIT
+    session.pacer = pacer
+    session.drain()
+    assert session.heavy
+
+
+def test_frames_grow_longer_with_the_work_but_never_beyond_their_limit() -> None:
+    def after(worked: float) -> float:
+        frame = FRAME
+        for _ in range(100):
+            frame = next_frame(frame, worked)
+        return frame
+
+    assert after(0.1 * FRAME) == FRAME
+    assert FRAME < after(FRAME) < LONGEST_FRAME
+    assert after(10.0) == pytest.approx(LONGEST_FRAME, rel=1e-3)
+    frame = next_frame(LONGEST_FRAME, 0.0)
+    assert FRAME < frame < LONGEST_FRAME
