@@ -113,3 +113,19 @@ def test_a_finger_beside_a_mass_takes_hold_of_it(open_page: OpenPage) -> None:
     desk.until(lambda: desk.simulation.positions[8][0] > before[0] + 20.0, "it comes with the finger")
     send("touchEnd")
     desk.until(lambda: desk.session.dragged is None, "it is let go")
+
+
+def test_every_control_has_a_name(open_page: OpenPage) -> None:
+    desk = open_page()
+    unnamed = """() => {
+      const named = e => e.ariaLabel || e.innerText || e.labels?.[0]?.innerText || e.title;
+      return [...document.querySelectorAll("button, input:not([type=hidden]), select, [role=slider]")]
+        .filter(e => e.checkVisibility() && e.tabIndex >= 0 && !named(e)).map(e => e.outerHTML.slice(0, 300));
+    }"""
+    for tab in ("Play", "Body", "Solver", "Files", "View"):
+        desk.show(tab)
+        desk.rest(5)
+        assert desk.page.evaluate(unnamed) == [], tab
+    desk.show("Body")
+    thumb = desk.page.get_by_role("slider", name="Linear stiffness")
+    desk.until(lambda: thumb.get_attribute("aria-valuetext") == "10000", "not the power of ten")

@@ -9,6 +9,7 @@ import { showHud } from "./hud.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { restoreLooks } from "./looks.js";
+import { nameControls } from "./names.js";
 import { quietNotices } from "./notices.js";
 import { addOverlay } from "./overlay.js";
 import { listenToPointer } from "./pointer.js";
@@ -45,6 +46,7 @@ whenViser((viser) => {
   addTransport();
   addOverlay();
   addBodyKeys();
+  nameControls();
   quietNotices();
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted } });
