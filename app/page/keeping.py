@@ -17,7 +17,7 @@ class Kept(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
     session: msgspec.Raw
     dark: bool = False
-    gizmos: bool = True
+    gizmos: bool = False
 
 
 def encode(session: bytes, dark: bool, gizmos: bool) -> bytes:

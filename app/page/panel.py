@@ -120,7 +120,9 @@ class Panel:
         gui = self._client.gui
         with self.tabs.add_tab("View"):
             dark = gui.add_checkbox("Dark", initial_value=False)
-            gizmos = gui.add_checkbox("Gizmos", initial_value=True, hint="arrows to drag held masses by")
+            gizmos = gui.add_checkbox(
+                "Gizmos", initial_value=False, hint="arrows that drag held masses along one axis"
+            )
             fit = gui.add_button("Show all", icon=viser.Icon.MAXIMIZE, color="gray", hint="key 0")
 
         @dark.on_update
@@ -136,6 +138,14 @@ class Panel:
         @fit.on_click
         async def _(_: object) -> None:
             self._act("fit", None)
+
+        self._looks = dark, gizmos
+
+    def show_looks(self, dark: bool, gizmos: bool) -> None:
+        """Show in the View tab's switches how the page looks."""
+        for switch, on in zip(self._looks, (dark, gizmos), strict=True):
+            if switch.value != on:
+                switch.value = on
 
     def _add_palette_commands(self) -> None:
         """The keys again, for the command palette; the page's script acts on the keys themselves."""

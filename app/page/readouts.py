@@ -232,7 +232,7 @@ def help_html() -> str:
     """The help panel."""
     rows = "".join(f"<tr><td><kbd>{key}</kbd></td><td>{what}</td></tr>" for key, what in KEYS_HELP)
     return (
-        '<div class="softrod-text"><p><b>Drag any mass</b>, or the arrows of a held one. Held masses stay '
+        '<div class="softrod-text"><p><b>Drag any mass</b>. Held masses stay '
         "where you leave them; free ones fall. Drag the paper to move it, scroll or pinch to zoom. Click a "
         f"mass to read the angle of its joint.</p><table>{rows}</table>"
         "<p>A coil turns red where it is pulled and blue where it is pushed. A wedge shows how far a joint "

@@ -60,7 +60,7 @@ class Tab:
         self._requests: deque[tuple[str, Any]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
         self._dark = False
-        self._gizmos = True
+        self._gizmos = False
         self._generation = -1
         self._fits = 0
         self._planned = -1
@@ -271,10 +271,12 @@ class Tab:
             if what == "theme":
                 self._dark = argument
                 set_theme(self.client.gui, dark=argument)
+                self._panel.show_looks(self._dark, self._gizmos)
                 self._generation = -1
             elif what == "gizmos":
                 self._gizmos = argument
                 self._view.show_gizmos(argument)
+                self._panel.show_looks(self._dark, self._gizmos)
             elif what == "fit":
                 self._fits += 1
             elif what == "follow":

@@ -97,12 +97,14 @@ def say(page: Page, tab: Tab, *texts: str) -> None:
 
 
 def test_one_node_per_kind(stage: Stage) -> None:
-    """However many masses: the paper, springs, wedges, the ring, masses; and a gizmo per held mass."""
+    """However many masses: paper, springs, wedges, ring and masses; a gizmo per held mass, if asked for."""
     with stage.page() as page:
         tab = stage.new_tab(set())
         eventually(lambda: "/body/springs" in tab._view._nodes)
         assert drawn_nodes(tab) == {"/paper", "/body/springs", "/body/wedges", "/body/ring", "/body/masses"}
-        assert len(tab._view._gizmos) == 1
+        assert not tab._view._gizmos
+        tab.request("gizmos", True)
+        eventually(lambda: len(tab._view._gizmos) == 1)
         page.read_for(0.1)
 
 

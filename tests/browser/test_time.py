@@ -89,6 +89,8 @@ def test_a_reload_comes_back_to_where_it_was(open_page: OpenPage) -> None:
     assert sim.settings.SETTINGS["linear_stiffness"].read(desk.session.scene) == 7000.0
     assert not desk.session.playing
     desk.until(lambda: desk.tab._dark, "and the dark")
+    desk.show("View")
+    desk.until(lambda: desk.control("Dark").is_checked(), "its switch says so")
     assert_shows(desk, where)
     assert not desk.notices()
 

@@ -84,6 +84,9 @@ export function addOverlay() {
   const arc = add("path", "softrod-arc");
   const angle = add("text", "softrod-angle");
   const ring = add("circle", "softrod-chosen");
+  const hint = add("text", "softrod-hint");
+  hint.textContent = "drag me";
+  window.addEventListener("pointerdown", (event) => event.target === viser()?.canvas && hint.remove(), true);
   const bar = add("path", "softrod-scale");
   const length = add("text", "softrod-scale-text");
   document.body.append(svg);
@@ -117,6 +120,11 @@ export function addOverlay() {
       // As the panel has it: positive is anticlockwise where y grows upwards.
       angle.textContent = `${(turn * plan.flip).toFixed(1)}°`;
     }
+    if (plan.driven >= 0) {
+      hint.setAttribute("x", String(places[2 * plan.driven] + 2.2 * plan.radius[plan.driven] * on.step + 12));
+      hint.setAttribute("y", String(places[2 * plan.driven + 1]));
+    }
+    hint.style.display = plan.driven >= 0 && !plan.many ? "" : "none";
     ring.style.display = chosen >= 0 && chosen < plan.radius.length ? "" : "none";
     if (ring.style.display === "") {
       ring.setAttribute("cx", String(places[2 * chosen]));
