@@ -121,8 +121,8 @@ export function addOverlay() {
       angle.textContent = `${(turn * plan.flip).toFixed(1)}°`;
     }
     if (plan.driven >= 0) {
-      hint.setAttribute("x", String(places[2 * plan.driven] + 2.2 * plan.radius[plan.driven] * on.step + 12));
-      hint.setAttribute("y", String(places[2 * plan.driven + 1]));
+      hint.setAttribute("x", String(places[2 * plan.driven]));
+      hint.setAttribute("y", String(places[2 * plan.driven + 1] - 2.2 * plan.radius[plan.driven] * on.step - 14));
     }
     hint.style.display = plan.driven >= 0 && !plan.many ? "" : "none";
     ring.style.display = chosen >= 0 && chosen < plan.radius.length ? "" : "none";
