@@ -285,6 +285,10 @@ class Desk:
         """The simulated time that the page shows."""
         return self.page.locator(".softrod-clock").inner_text()
 
+    def clock_is_right(self) -> bool:
+        """Whether that is the solver's time, to the last figure shown."""
+        return abs(float(self.clock().split()[0]) - self.simulation.time) < 0.0051
+
     def readout(self, name: str) -> str:
         """A value of the table of the joint that is read out; the Play tab has to be shown."""
         return self.page.locator(f'//td[text()="{name}"]/following-sibling::td').first.inner_text()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from playwright.sync_api import Browser
 
 from tests.browser.conftest import OpenPage, Serve
 from tests.browser.driver import until
@@ -62,3 +63,30 @@ def test_with_no_page_open_nothing_is_computed(open_page: OpenPage, serve: Serve
     # It wakes up for the next one.
     again = open_page()
     again.until(lambda: again.simulation.step_count > 20, "the next page runs")
+
+
+def test_a_page_that_it_does_not_know_says_so(browser: Browser, serve: Serve) -> None:
+    context = browser.new_context()
+    page = context.new_page()
+    page.add_init_script("Object.defineProperty(window, '__viserMutable', { get: () => ({}), set() {} })")
+    page.goto(serve("tutorial-3.3").url)
+    page.get_by_role("alert").get_by_text("This page cannot draw").wait_for()
+    context.close()
+
+
+def test_a_folded_panel_leaves_the_clock_and_the_display(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.page.get_by_role("button", name="Collapse panel area").click()
+    desk.until(lambda: not desk.page.get_by_role("tab", name="Solver").is_visible(), "the panel is folded")
+    desk.button("Pause").click()
+    desk.until(lambda: not desk.session.playing, "the bar is still there")
+    desk.until(lambda: "paused" in desk.hud(), "and so is the display")
+    desk.pause(1.0)
+    print(
+        "T",
+        desk.clock(),
+        desk.simulation.time,
+        desk.page.evaluate("JSON.stringify([window.__softrod.shown().frame.time])"),
+        desk.tab._panel._told,
+    )
+    desk.until(desk.clock_is_right, "and the clock")
