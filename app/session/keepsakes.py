@@ -86,7 +86,7 @@ def decode(data: bytes) -> tuple[sim.Moment, Wishes]:
         raise SceneError(" ".join(str(error).split())) from None
     if keepsake.version > VERSION:
         raise SceneError(f"version {keepsake.version} is newer than {VERSION}; a newer softrod can read it")
-    scene = decode_scene(bytes(keepsake.scene), "scene")
+    scene = decode_scene(bytes(keepsake.scene), "scene", places=False)
     wishes, ghost = keepsake.wishes, keepsake.wishes.ghost
     if ghost is not None:
         laws = {"", *CHOICES["force_law"].options}
