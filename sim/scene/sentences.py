@@ -31,9 +31,7 @@ def _type_name(name: str) -> str:
 _PHRASES: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (
         r"^Expected `([\w |]+)`, got `(\w+)`",
-        lambda m: (
-            f"{' or '.join(map(_type_name, m[1].split(' | ')))} is expected, not {_type_name(m[2])}"
-        ),
+        lambda m: f"{' or '.join(map(_type_name, m[1].split(' | ')))} is expected, not {_type_name(m[2])}",
     ),
     (r"^Object missing required field (`.*`)", r"the field \1 is missing"),
     (r"^Object contains unknown field (`.*`)", r"there is no field \1"),

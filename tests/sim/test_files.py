@@ -229,7 +229,10 @@ def test_a_field_name_cannot_break_the_sentence_in_two() -> None:
 @pytest.mark.parametrize(
     ("text", "place"),
     [
-        ('{"name": "é",\n "masses": [\n  {"position": [0, 1]},\n  {"position": [0, "1"]}]}', "line 4, column 20"),
+        (
+            '{"name": "é",\n "masses": [\n  {"position": [0, 1]},\n  {"position": [0, "1"]}]}',
+            "line 4, column 20",
+        ),
         ('{"name": "é", "masses": [{"position": [0, "1"]}]}', "line 1, column 43"),
         ('\n{"masses": [{"mass": "x", "position": [0, 1]}], "name": "a"}', "line 2, column 22"),
         ('{"name": "a",\n"masses": [{}]}', "line 2, column 12"),
