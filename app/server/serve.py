@@ -42,7 +42,9 @@ def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.Vise
     def oversized(client_id: int, name: str) -> None:
         tab = ticker.tabs.get(client_id)
         if tab is not None:
-            tab.notify(Notice("error", "That file is too large", f"{name}: a scene file has at most 5 MB."))
+            tab.notify(
+                Notice("error", "That file is too large", f"{name}: a scene or a log has at most 5 MB here.")
+            )
 
     # A page can go away in the middle of a frame; the rest of that frame has nobody to go to.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")

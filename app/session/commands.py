@@ -207,7 +207,7 @@ class Resume:
 
 
 Command = (
-    HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues | Compare | KeepBooks
-    | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot
+    HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues | Compare
+    | KeepBooks | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot
     | GoTo | GoBack | GoForward | GoOn | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
 )  # fmt: skip

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from json.decoder import scanstring
 
 _SPACE = re.compile(r"[ \t\n\r]*")
 _STEP = re.compile(r"(\w+)|\[(\d+)\]")
@@ -56,7 +55,7 @@ def _member(text: str, at: int, name: str) -> int:
     found = -1
     at = _skip(text, at + 1) if text[at] == "{" else len(text)
     while at < len(text) and text[at] == '"':
-        key, at = scanstring(text, at + 1)
+        key, at = _DECODER.raw_decode(text, at)
         at = _skip(text, _skip(text, at) + 1)
         if key == name:
             found = at

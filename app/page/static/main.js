@@ -3,9 +3,11 @@
 import { drawBody, shown } from "./canvas.js";
 import { fitted, keepFlat } from "./camera.js";
 import { showConnection, watchConnection } from "./connection.js";
+import { mindDialogs } from "./dialogs.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { quietNotices } from "./notices.js";
+import { mindNumbers } from "./numbers.js";
 import { followPointer } from "./pointer.js";
 import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
@@ -33,7 +35,9 @@ whenViser((viser) => {
   }
   drawBody(viser);
   keepFlat();
+  mindDialogs();
   listenToKeys();
+  mindNumbers();
   followPointer();
   resume();
   addTransport();
