@@ -185,7 +185,7 @@ def energy_table(session: Session) -> str:
     if not session.simulation.keep_books(True):
         return _table({"energy": "is followed when it is compiled"})
     book = session.simulation.energy()
-    rows = {"in": f"kg {html.escape(session.scene.view.unit)}²/s²"}
+    rows = {"unit": f"kg {html.escape(session.scene.view.unit)}²/s²"}
     largest = max(abs(getattr(book, key)) for key in _ENERGY_NAMES)
     for key, name in _ENERGY_NAMES.items():
         value = getattr(book, key)

@@ -62,7 +62,8 @@ def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], outl
     }
     if outlined:
         buttons = ",".join(f'button[id="{button}"]' for button in outlined)
-        rules += f":is({buttons}){{background:transparent;color:inherit;border:1px solid currentColor}}"
+        rules += f":is({buttons}){{background:transparent;color:var(--softrod-text);"
+        rules += "border:1px solid var(--softrod-text)}"
         rules += f":is({buttons}):hover{{background:var(--softrod-key)}}"
         rules += f":is({buttons}):disabled{{opacity:0.45}}"
     variables = ";".join(f"--softrod-{name}:{value}" for name, value in root.items())
