@@ -63,6 +63,7 @@ def test_a_scene_is_saved_loaded_and_deleted(open_page: OpenPage, data_folder: P
     desk.choose("Saved", "my rope")
     desk.button("Delete").click()
     dialog = desk.page.get_by_role("dialog")
+    dialog.get_by_role("button", name="Cancel").wait_for()
     assert "my rope" in dialog.inner_text()
     assert dialog.locator("textarea, input").count() == 0
     desk.page.keyboard.press("Escape")
