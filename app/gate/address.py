@@ -84,9 +84,33 @@ def _resolve(host: str, port: int) -> tuple[socket.AddressFamily, Any]:
     return family, address
 
 
+_TOWARDS = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
+"""Addresses in the networks that this machine may be part of; nothing is sent there."""
+
+
+def local_addresses() -> list[str]:
+    """The IPv4 addresses of this machine that others can type, the one towards the internet first."""
+    found: list[str] = []
+    for towards in _TOWARDS:
+        # The system says from which address it would send, without sending.
+        with contextlib.suppress(OSError), socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            probe.connect((towards, 9))
+            found.append(probe.getsockname()[0])
+    with contextlib.suppress(OSError):
+        found += [str(i[4][0]) for i in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)]
+    return [a for a in dict.fromkeys(found) if not ipaddress.ip_address(a).is_loopback]
+
+
+def page_addresses(host: str, port: int) -> list[str]:
+    """What can be typed in a browser to open the page, on this machine first."""
+    # On "::" the socket is of IPv6 alone.
+    names = ["127.0.0.1", *local_addresses()] if host == "0.0.0.0" else ["::1" if host == "::" else host]
+    return [f"http://[{name}]:{port}" if ":" in name else f"http://{name}:{port}" for name in names]
+
+
 def _machine_names() -> set[str]:
     name = socket.gethostname()
-    names = {name, socket.getfqdn()}
+    names = {name, socket.getfqdn(), *local_addresses()}
     with contextlib.suppress(OSError):
         names |= {str(info[4][0]) for info in socket.getaddrinfo(name, None)}
     return names

@@ -33,7 +33,15 @@ from websockets.http11 import Request, Response
 from websockets.protocol import Event
 from websockets.server import ServerProtocol
 
-from app.gate.address import GateError, PortBusy, authorities, exposure, listen, own_authorities
+from app.gate.address import (
+    GateError,
+    PortBusy,
+    authorities,
+    exposure,
+    listen,
+    own_authorities,
+    page_addresses,
+)
 from app.gate.messages import (
     MAX_FRAME_BYTES,
     UPLOAD_PART_BYTES,
@@ -48,7 +56,7 @@ from app.gate.messages import (
 
 from . import messages as gate_messages
 
-__all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server"]
+__all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server", "page_addresses"]
 
 VISER_VERSION = "1.1.1"
 """The version of viser whose inside the gate knows."""

@@ -1,4 +1,4 @@
-"""The Files tab: saving, loading, deleting, downloading and uploading scenes.
+"""The Files tab: saving, loading, deleting, downloading and uploading scenes, and logs.
 
 Handlers run in viser's thread pool, since they touch the disk; the running simulation is never touched
 unless a scene was read and found valid.
@@ -6,19 +6,26 @@ unless a scene was read and found valid.
 
 from __future__ import annotations
 
+import html
 from collections.abc import Callable
 from typing import Any
 
 import viser
 
 import sim
-from sim.errors import SceneError
+from sim.errors import InputError, SceneError
 from sim.scene import files
 
-from ..session import commands
+from ..session import commands, log
 from ..session.session import Notice, Session
+from . import shelf
 
 NOTHING_SAVED = "(none yet)"
+
+ABOUT_LOGS = (
+    '<div class="softrod-text">A log is all that was done since the start or the last reset; opened as a '
+    "file, it does the same again.</div>"
+)
 
 
 class FilesPanel:
@@ -28,20 +35,17 @@ class FilesPanel:
         client: the page.
         session: its simulation.
         notify: tells the user something.
-        changed: called when the list of saved scenes may have changed.
+
+    Attributes:
+        outlined: buttons that are not the first thing to press.
     """
 
     def __init__(
-        self,
-        client: viser.ClientHandle,
-        session: Session,
-        notify: Callable[[Notice], None],
-        changed: Callable[[], None],
+        self, client: viser.ClientHandle, session: Session, notify: Callable[[Notice], None]
     ) -> None:
         self._client = client
         self._session = session
         self._notify = notify
-        self._changed = changed
         gui = client.gui
         self._name = gui.add_text("Name", initial_value="my scene")
         self._with_pose = gui.add_checkbox(
@@ -49,19 +53,23 @@ class FilesPanel:
         )
         save = gui.add_button("Save", icon=viser.Icon.DEVICE_FLOPPY)
         self._saved: viser.GuiDropdownHandle[str] = gui.add_dropdown("Saved", [NOTHING_SAVED])
-        load = gui.add_button("Load", icon=viser.Icon.FOLDER_OPEN)
-        delete = gui.add_button("Delete", icon=viser.Icon.TRASH, color="red")
+        self._load_button = load = gui.add_button("Load", icon=viser.Icon.FOLDER_OPEN)
+        self._delete_button = delete = gui.add_button("Delete", icon=viser.Icon.TRASH, color="red")
         gui.add_divider()
         download = gui.add_button("Download as a file", icon=viser.Icon.DOWNLOAD, color="gray")
+        save_log = gui.add_button("Save a log", icon=viser.Icon.HISTORY, color="gray")
         upload = gui.add_upload_button(
-            "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json"
+            "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json,.jsonl"
         )
+        gui.add_html(ABOUT_LOGS)
+        self.outlined = [load, delete, download, save_log, upload]
         self.refresh()
         for button, action in (
             (save, self._save),
             (load, self._load),
             (delete, self._ask),
             (download, self._download),
+            (save_log, self._save_log),
         ):
 
             @button.on_click
@@ -75,9 +83,13 @@ class FilesPanel:
 
     def refresh(self, choose: str | None = None) -> None:
         """Show the scenes that are saved now."""
-        names = tuple(info.name for info in sim.list_scenes() if not info.built_in) or (NOTHING_SAVED,)
+        saved = tuple(info.name for info in shelf.scenes() if not info.built_in)
+        names = saved or (NOTHING_SAVED,)
         if self._saved.options != names:
             self._saved.options = names
+        for button in (self._load_button, self._delete_button):
+            if button.disabled == bool(saved):
+                button.disabled = not saved
         if choose is not None and choose in names and self._saved.value != choose:
             self._saved.value = choose
 
@@ -85,7 +97,7 @@ class FilesPanel:
     def _try(self, action: Callable[[], None]) -> None:
         try:
             action()
-        except SceneError as error:
+        except (SceneError, InputError) as error:
             self._notify(Notice("error", "That did not work", str(error)))
 
     def _save(self) -> None:
@@ -99,7 +111,6 @@ class FilesPanel:
     def _write(self, scene: sim.Scene, name: str) -> None:
         name = files.save_user_scene(scene, name)
         self.refresh(choose=name)
-        self._changed()
         self._notify(Notice("info", "Saved", f"The scene is saved as {name!r}."))
 
     def _load(self) -> None:
@@ -116,7 +127,6 @@ class FilesPanel:
     def _delete(self, name: str) -> None:
         files.delete_user_scene(name)
         self.refresh()
-        self._changed()
         self._notify(Notice("info", "Deleted", f"The scene {name!r} is deleted."))
 
     def _download(self) -> None:
@@ -124,12 +134,19 @@ class FilesPanel:
         data = files.encode_scene(scene)
         self._client.send_file_download(f"{scene.name}.json", data, save_immediately=True)
 
+    def _save_log(self) -> None:
+        name, data = self._session.scene.name, self._session.log_file()
+        self._client.send_file_download(f"{name}-log.jsonl", data, save_immediately=True)
+
     def _open_bytes(self, data: bytes, name: str) -> None:
-        self._session.post(commands.Open(files.decode_scene(data, name)))
+        if log.is_recorded(data):
+            self._session.post(commands.Replay(log.decode_log(data, name)))
+        else:
+            self._session.post(commands.Open(files.decode_scene(data, name)))
 
     def _confirm(self, question: str, verb: str, action: Callable[[], None]) -> None:
         with self._client.gui.add_modal("Are you sure?") as modal:
-            self._client.gui.add_text("", initial_value=question, disabled=True, multiline=True)
+            self._client.gui.add_html(f'<div class="softrod-text">{html.escape(question)}</div>')
             yes = self._client.gui.add_button(verb, color="red")
             no = self._client.gui.add_button("Cancel", color="gray")
 

@@ -18,13 +18,19 @@ from sim.settings import TEMPLATES, Setting, settings_of
 
 from ..session import commands
 from ..session.commands import Command
-from ..session.session import Session
+from ..session.session import Notice, Session
 from . import readouts, script
 from .colors import palette
 from .slider_box import SliderBox
 from .solver_panel import SolverPanel
 
 PANEL_WIDTH = 348
+FOREMOST = ("rest_angle", "template", "angular_stiffness", "linear_stiffness", "gravity")
+"""Settings that make most of a scene, in order; the Play tab has the first two that there is a use for."""
+
+LAST = 1e6
+"""Order of what stands below the sliders, which come and go."""
+
 SOLVER_DIALS = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""
 
@@ -56,8 +62,11 @@ class Panel:
         client: the page.
         session: its simulation.
         scenes: names for the chooser.
-        act: what the tab does beyond the session's commands: "open" a scene by its name, "theme", "gizmos",
-            "fit", "follow", "help".
+        act: what the tab does beyond the session's commands: "open" a scene by its name, "notice", "theme",
+            "gizmos", "fit", "follow", "energy", "anew", "help".
+
+    Attributes:
+        outlined: buttons that are not the first thing to press in their tab.
     """
 
     def __init__(
@@ -69,7 +78,8 @@ class Panel:
         self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
         self._applicable: list[Setting] | None = None
-        self._template: Any = None
+        self._templates: list[viser.GuiDropdownHandle[str]] = []
+        self.outlined: list[Any] = []
         self._shown_revision = -1
         self._told: dict[str, object] = {}
         gui = client.gui
@@ -81,25 +91,37 @@ class Panel:
         self._state = gui.add_html("")
         self._style = gui.add_html("")
         self.tabs = gui.add_tab_group()
+        self._play_tab = self.tabs.add_tab("Play")
         self._build_play(scenes)
         self._body_tab = self.tabs.add_tab("Body")
+        with self._body_tab:
+            self._own_values = gui.add_button(
+                "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST
+            )
         self._solver_tab = self.tabs.add_tab("Solver")
         with self._solver_tab:
             self._solver = SolverPanel(client, session)
+        self.outlined += [self._own_values, self._solver.own_values]
         self.files_tab = self.tabs.add_tab("Files")
         self._build_view()
         self._add_palette_commands()
 
+        @self._own_values.on_click
+        async def _(_: object) -> None:
+            session.post(commands.OwnValues("body"))
+
     # --------------------------------------------------------------------- what stays
     def _build_play(self, scenes: list[str]) -> None:
         gui, post = self._client.gui, self._session.post
-        with self.tabs.add_tab("Play"):
-            self.chooser = gui.add_dropdown("Scene", tuple(scenes), initial_value=scenes[0])
-            self._about = gui.add_html("")
-            self._follow = gui.add_checkbox("Follow pointer", initial_value=False, hint="key F")
-            self._readout = gui.add_html("")
-            self._pad = gui.add_html(readouts.PAD, visible=False)
-            help_button = gui.add_button("Help", icon=viser.Icon.HELP, color="gray")
+        with self._play_tab:
+            self.chooser = gui.add_dropdown("Scene", tuple(scenes), initial_value=scenes[0], order=1)
+            self._about = gui.add_html("", order=2)
+            # Between them are the sliders that make most of the scene.
+            self._follow = gui.add_checkbox("Follow pointer", initial_value=False, hint="key F", order=LAST)
+            self._readout = gui.add_html("", order=LAST + 1)
+            self._pad = gui.add_html(readouts.PAD, visible=False, order=LAST + 2)
+            help_button = gui.add_button("Help", icon=viser.Icon.HELP, color="gray", order=LAST + 3)
+        self.outlined.append(help_button)
 
         @self.chooser.on_update
         def _(event: viser.GuiEvent[Any]) -> None:
@@ -124,6 +146,7 @@ class Panel:
                 "Gizmos", initial_value=False, hint="arrows that drag held masses along one axis"
             )
             fit = gui.add_button("Show all", icon=viser.Icon.MAXIMIZE, color="gray", hint="key 0")
+        self.outlined.append(fit)
 
         @dark.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -162,6 +185,10 @@ class Panel:
             ("Pause", "Esc", commands.Play(False)),
             ("Follow the pointer, or stop", "F", "follow"),
             ("Show the whole scene", "0", "fit"),
+            ("Energy: follow it, or stop", "", "energy"),
+            ("Open this scene anew", "", "anew"),
+            ("The body's own values", "", commands.OwnValues("body")),
+            ("The solver's own values", "", commands.OwnValues("solver")),
             ("Every spring longer, shorter", "↑ ↓, held", "help"),
             ("Every rest angle up, down", "→ ←, held", "help"),
             ("Help", "", "help"),
@@ -200,33 +227,47 @@ class Panel:
             element.remove()
         self._body.clear()
         self._sliders.clear()
+        self._templates.clear()
+        foremost = sorted((s for s in applicable if s.key in FOREMOST), key=lambda s: FOREMOST.index(s.key))
+        with self._play_tab:
+            for order, setting in enumerate(foremost[:2], start=10):
+                self._add_control(setting, order)
         with self._body_tab:
-            for setting in applicable:
-                if setting.key == "template":
-                    self._add_templates()
-                elif setting.key not in SOLVER_DIALS:
-                    self._add_slider(setting)
+            for order, setting in enumerate(applicable):
+                if setting.key not in SOLVER_DIALS:
+                    self._add_control(setting, order)
         with self._solver_tab:
-            for setting in applicable:
+            for order, setting in enumerate(applicable, start=10):
                 if setting.key in SOLVER_DIALS:
-                    self._add_slider(setting)
+                    self._add_control(setting, order)
+        self._own_values.visible = bool(applicable)
         with self._body_tab:
             if not applicable:
                 nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
                 self._body.append(gui.add_html(nothing))
 
-    def _add_slider(self, setting: Setting) -> None:
+    def _add_control(self, setting: Setting, order: float) -> None:
+        if setting.key == "template":
+            self._add_templates(order)
+        else:
+            self._add_slider(setting, order)
+
+    def _add_slider(self, setting: Setting, order: float) -> None:
         def post(value: float) -> None:
             self._session.post(commands.SetValue(setting.key, round(value) if setting.integer else value))
 
-        slider_box = SliderBox(self._client, setting, setting.read(self._session.scene), post)
+        def tell(notice: Notice) -> None:
+            self._act("notice", notice)
+
+        value = setting.read(self._session.scene)
+        slider_box = SliderBox(self._client, setting, value, post, tell, order)
         self._sliders.append(slider_box)
         self._body += [slider_box.slider, slider_box.box]
 
-    def _add_templates(self) -> None:
+    def _add_templates(self, order: float) -> None:
         names = tuple(f"{angle}°" for angle in TEMPLATES)
-        choice = self._client.gui.add_dropdown("Angle template", names)
-        self._template = choice
+        choice = self._client.gui.add_dropdown("Angle template", names, order=order)
+        self._templates.append(choice)
         self._body.append(choice)
 
         @choice.on_update
@@ -243,6 +284,11 @@ class Panel:
         if self.chooser.value != present:
             self.chooser.value = present
 
+    @property
+    def unsettled(self) -> bool:
+        """Whether a control shows what is not set."""
+        return any(slider_box.refused for slider_box in self._sliders)
+
     def refresh_controls(self) -> None:
         """Show in the controls what keys, commands or other controls changed."""
         session = self._session
@@ -255,8 +301,9 @@ class Panel:
         for slider_box in self._sliders:
             slider_box.show(slider_box.setting.read(scene))
         template = f"{scene.template}°"
-        if self._template is not None and scene.template is not None and self._template.value != template:
-            self._template.value = template
+        for choice in self._templates:
+            if scene.template is not None and choice.value != template:
+                choice.value = template
 
     def refresh_readouts(self, dark: bool, at_rest: bool) -> None:
         """Show the clock, the meter, the angle and the rates as they are now."""
@@ -280,6 +327,7 @@ class Panel:
     def set_style(self, dark: bool) -> None:
         """Colours of the page, and the boxes that are hidden in it."""
         sliders = [(_id(slider_box.slider), _id(slider_box.box)) for slider_box in self._sliders]
-        content = script.style_html(palette("softrod", dark), dark, sliders)
+        outlined = [_id(button) for button in self.outlined]
+        content = script.style_html(palette("softrod", dark), dark, sliders, outlined)
         if self._style.content != content:
             self._style.content = content

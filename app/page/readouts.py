@@ -31,6 +31,13 @@ def short(value: float) -> str:
     return f"{value:g}"
 
 
+def grouped(value: float) -> str:
+    """A number with its thousands in groups, as far as that is short."""
+    return (
+        f"{value:,.0f}" if 1e4 <= abs(value) < 1e9 else f"{value:.4g}".replace("e+0", "e").replace("e+", "e")
+    )
+
+
 def hud(session: Session, colors: Palette, at_rest: bool) -> str:
     """The head-up display over the canvas.
 
@@ -54,11 +61,12 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
     if session.preparing:
         lines.append(f'<span class="softrod-quiet">{html.escape(session.preparing)}</span>')
     if math.isfinite(session.stability.limit):  # methods that bear any step have none
-        lines.append(_meter(session.simulation.dt / session.stability.limit, session.stability.limit))
+        lines.append(_meter(session.simulation.dt, session.stability.limit, state == "at rest"))
     if len(session.simulation.anchors) < len(session.simulation.scene.masses):
         gradient = ",".join(colors.css(name) for name in ("pushed", "rest", "pulled"))
         lines.append(
-            f'pushed<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>pulled'
+            f'squeezed<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>'
+            "stretched"
         )
     return f'<div id="softrod-hud" hidden>{"<br>".join(lines)}</div>'
 
@@ -71,15 +79,18 @@ def _state(session: Session, at_rest: bool) -> str:
     return "at rest" if at_rest else ""
 
 
-def _meter(ratio: float, limit: float) -> str:
-    """A bar of the time step over the largest stable one."""
+def _meter(dt: float, limit: float, at_rest: bool) -> str:
+    """A bar of the time step over the largest stable one.
+
+    Below the limit nothing is promised: the limit is that of the body as it is shaped now.
+    """
+    ratio = dt / limit
     color = "#2f9e44" if ratio < 0.7 else "#e8a000" if ratio < 1.0 else "#e03131"
     width = min(100.0, 100.0 * ratio)
-    words = "stable" if ratio < 0.7 else "near the limit" if ratio < 1.0 else "unstable"
-    return (
-        f'<span class="softrod-meter"><i style="width:{width:.0f}%;background:{color}"></i></span>'
-        f"step {100.0 * ratio:.0f} % of {1e3 * limit:.2g} ms: {words}"
-    )
+    words = f"time step {1e3 * dt:.3g} ms, {100.0 * ratio:.0f} % of the limit"
+    if ratio >= 1.0:
+        words += ": unstable, runs away when touched" if at_rest else ": unstable"
+    return f'<span class="softrod-meter"><i style="width:{width:.0f}%;background:{color}"></i></span>{words}'
 
 
 def joint_table(session: Session) -> str:
@@ -135,8 +146,8 @@ def ghost_table(session: Session) -> str:
     unit = html.escape(session.scene.view.unit)
     rows = {
         "ghost": html.escape(ghost.label),
-        "apart now": f"{ghost.distance:.3g} {unit}",
-        "apart at most": f"{ghost.worst:.3g} {unit}",
+        "distance now": f"{ghost.distance:.3g} {unit}",
+        "largest distance": f"{ghost.worst:.3g} {unit}",
         "ghost's solver, per frame": f"{1e3 * ghost.cost:.3f} ms",
     }
     if ghost.simulation.divergence is not None:
@@ -149,7 +160,7 @@ _ENERGY_NAMES = {
     "linear": "linear springs",
     "angular": "angular springs",
     "gravity": "height",
-    "anchors": "work of moved anchors",
+    "anchors": "work of your hand",
     "damping": "lost to damping",
     "air": "lost to air",
     "law": "made by the tutorial's law",
@@ -160,6 +171,13 @@ _ENERGY_NAMES = {
 }
 
 
+def energy(value: float, largest: float) -> str:
+    """An energy as text: 0 where it is nothing beside the largest, or beside anything that can be seen."""
+    if abs(value) <= max(1e-12 * largest, 1e-9):
+        return "0"
+    return grouped(value)
+
+
 def energy_table(session: Session) -> str:
     """The energies and what has changed them; what has never been anything is left out."""
     if not session.books:
@@ -167,13 +185,14 @@ def energy_table(session: Session) -> str:
     if not session.simulation.keep_books(True):
         return _table({"energy": "is followed when it is compiled"})
     book = session.simulation.energy()
-    rows = {}
+    rows = {"unit": f"kg {html.escape(session.scene.view.unit)}²/s²"}
+    largest = max(abs(getattr(book, key)) for key in _ENERGY_NAMES)
     for key, name in _ENERGY_NAMES.items():
         value = getattr(book, key)
         if key in ("damping", "air", "fallbacks"):
             value = -value
         if value or key in ("kinetic", "residual"):
-            rows[name] = f"{value:.4g}"
+            rows[name] = energy(value, largest)
     return _table(rows)
 
 
@@ -217,7 +236,7 @@ KEYS_HELP = (
     (", or .", "one frame back, one frame forward"),
     ("J", "one second back"),
     ("R", "reset"),
-    ("Esc", "pause"),
+    ("Esc", "pause; close this help, or a question"),
     ("F", "the ringed mass follows the pointer, or stops following"),
     ("0", "show the whole scene"),
     ("P", "larger, for a projector"),
@@ -235,8 +254,9 @@ def help_html() -> str:
         '<div class="softrod-text"><p><b>Drag any mass</b>. Held masses stay '
         "where you leave them; free ones fall. Drag the paper to move it, scroll or pinch to zoom. Click a "
         f"mass to read the angle of its joint.</p><table>{rows}</table>"
-        "<p>A coil turns red where it is pulled and blue where it is pushed. A wedge shows how far a joint "
-        "is from its rest angle. The bar at the top left compares the time step with the largest stable "
-        "one.</p><p>The bar below goes back in time, about a minute. Play goes on from the moment that it "
-        "shows; what happened before you went back stays as a thin line.</p></div>"
+        "<p>A coil turns red where it is stretched and blue where it is squeezed. A wedge shows how far a "
+        "joint is from its rest angle. The bar at the top left compares the time step with the largest "
+        "stable one of the body as it is shaped now; a violent pull can still be too much.</p>"
+        "<p>The bar below goes back in time, about a minute. Play goes on from the moment that it shows; "
+        "what happened before you went back stays as a thin line.</p></div>"
     )

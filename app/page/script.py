@@ -39,21 +39,22 @@ ONCE: dict[str, Command] = {
 """Commands that the script sends by a word; `follow` is a switch besides."""
 
 
-def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]]) -> str:
+def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], outlined: list[str]) -> str:
     """The styles in a palette's colours.
 
     Args:
         colors: the palette.
         dark: whether the page is dark.
         sliders: ids of sliders, each with that of the number box that stands in place of the slider's own.
+        outlined: ids of buttons that are drawn as an outline.
     """
     rows = ",".join(f'div:has(>[id="{slider}"])' for slider, _ in sliders)
     boxes = ",".join(f'.mantine-NumberInput-root:has([id="{box}"])' for _, box in sliders)
     own = ",".join(f'div:has(>[id="{slider}"])>.mantine-InputWrapper-root' for slider, _ in sliders)
-    hide = ""
+    rules = ""
     if sliders:
-        hide = f"{own}{{display:none}}"
-        hide += f"{rows}{{padding-right:5.6em}}{boxes}{{width:5.2em;margin:-1.75em 0 0 auto;z-index:4}}"
+        rules = f"{own}{{display:none}}"
+        rules += f"{rows}{{padding-right:5.6em}}{boxes}{{width:5.2em;margin:-1.75em 0 0 auto;z-index:4}}"
     root = {
         "text": colors.css("text"),
         "line": colors.css("grid_major"),
@@ -62,8 +63,14 @@ def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]]) -> s
         "key": "#1a2230" if dark else "#f6f8fb",
         "warn": "#ff922b" if dark else "#c2410c",
     }
+    if outlined:
+        buttons = ",".join(f'button[id="{button}"]' for button in outlined)
+        rules += f":is({buttons}){{background:transparent;color:var(--softrod-text);"
+        rules += "border:1px solid var(--softrod-text)}"
+        rules += f":is({buttons}):hover{{background:var(--softrod-key)}}"
+        rules += f":is({buttons}):disabled{{opacity:0.45}}"
     variables = ";".join(f"--softrod-{name}:{value}" for name, value in root.items())
-    return f"<style>:root{{{variables}}}{hide}</style>"
+    return f"<style>:root{{{variables}}}{rules}</style>"
 
 
 def told(channel: str, scene: str, session: Session, playing: bool, at_rest: bool) -> dict[str, object]:

@@ -11,6 +11,7 @@ import viser
 
 from sim.settings import Setting
 
+from ..session.notices import Notice
 from . import readouts
 
 TOUCHED = 0.4
@@ -20,18 +21,41 @@ TYPED = 3.0
 """Seconds after which a box that was left with a number that cannot be set shows what is set."""
 
 
+DECIMALS = 9
+"""Decimals that can be typed."""
+
+
 class SliderBox:
     """A slider and a number box for one setting; the slider of a logarithmic one is over powers of ten.
 
     The slider covers the useful range, the box all that is allowed. While its user types, the box is left
-    alone: half a number ("0." of "0.001") may be out of range, and is then not taken.
+    alone: half a number ("0." of "0.001") may be out of range, and is then not taken. What is still out of
+    range when they are done is not taken either, and they are told so.
+
+    Args:
+        client: the page.
+        setting: the setting.
+        value: what is set.
+        post: hands a value on.
+        tell: says something to the user.
+        order: where it stands in its tab; at the end if not given.
+
+    Attributes:
+        refused: whether what was typed last was out of range, and still stands there.
     """
 
     def __init__(
-        self, client: viser.ClientHandle, setting: Setting, value: float, post: Callable[[float], None]
+        self,
+        client: viser.ClientHandle,
+        setting: Setting,
+        value: float,
+        post: Callable[[float], None],
+        tell: Callable[[Notice], None],
+        order: float | None = None,
     ) -> None:
         self.setting = setting
-        self._post = post
+        self._post, self._tell = post, tell
+        self.refused = False
         self._touched = -math.inf
         self._known = value  # what the solver has, as far as this slider_box knows
         self._retired = False
@@ -53,11 +77,18 @@ class SliderBox:
             step=slider_step,
             initial_value=self._place(value),
             marks=((self._low, readouts.short(low)), (self._high, readouts.short(high))),
-            hint=f"{setting.low:g} to {setting.high:g} {setting.unit}".rstrip(),
+            hint=self._range,
+            order=order,
         )
         self.box = client.gui.add_number(
-            "", initial_value=_rounded(value), min=setting.low, max=setting.high, step=box_step
+            "",
+            initial_value=_rounded(value),
+            step=box_step,  # and no limits: viser would take the sign out of a number, or put in another one
+            order=None if order is None else order + 0.5,
         )
+        if not setting.integer:
+            # viser allows as many decimals as the step has, and takes the point out of any other number.
+            self.box.precision = DECIMALS
 
         @self.slider.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -70,7 +101,8 @@ class SliderBox:
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is not None:
                 value = self.box.value
-                if self._send(value):
+                self.refused = not self._send(value)
+                if not self.refused:
                     self.slider.value = self._place(value)
 
     def retire(self) -> None:
@@ -83,11 +115,23 @@ class SliderBox:
         if idle < TOUCHED or (_alike(value, self._known) and idle < TYPED):
             return
         self._known = value
+        if self.refused:
+            self.refused = False
+            self._say_range()
         if not _alike(value, self.box.value):
             self.box.value = _rounded(value)
         place = self._place(value)
         if abs(place - self.slider.value) >= 0.5 * self._slider_step:
             self.slider.value = place
+
+    @property
+    def _range(self) -> str:
+        """What can be set, in words."""
+        low, high = map(readouts.grouped, (self._least, self.setting.high))
+        return f"{low} to {high} {self.setting.unit}".rstrip()
+
+    def _say_range(self) -> None:
+        self._tell(Notice("warning", "Out of range", f"{self.setting.label}: {self._range}"))
 
     def _send(self, value: float) -> bool:
         """Hand a value on, if it is one that can be set."""

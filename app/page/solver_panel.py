@@ -15,7 +15,7 @@ from ..session.session import Session
 from . import readouts
 
 NO_GHOST = "nothing"
-REFERENCE_LABEL = "a reference: how wrong am I?"
+REFERENCE_LABEL = "a near-exact solution"
 SAME_LAW = "the same"
 FINER_LABELS: dict[int, str] = dict(zip(FINER, ("the same", "a half", "a quarter", "a tenth"), strict=True))
 
@@ -38,6 +38,9 @@ class SolverPanel:
         self._method = gui.add_dropdown("Integrator", tuple(methods.values()), order=1)
         self._about = gui.add_html("", order=2)
         self._law = gui.add_dropdown("Force law", tuple(laws.values()), order=3)
+        self.own_values = gui.add_button(
+            "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST - 1
+        )
         self._books = gui.add_checkbox(
             "Energy", initial_value=False, hint="follow what changes the energy", order=LAST
         )
@@ -63,6 +66,10 @@ class SolverPanel:
                 if event.client_id is not None:
                     self._compare()
 
+        @self.own_values.on_click
+        async def _(_: object) -> None:
+            session.post(commands.OwnValues("solver"))
+
         @self._books.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is not None:
@@ -74,7 +81,7 @@ class SolverPanel:
         jointed = CHOICES["force_law"].applies(scene)
         moving = CHOICES["method"].applies(scene)
         self._law.visible = jointed
-        for handle in (self._method, self._about, self._books, self._other):
+        for handle in (self._method, self._about, self.own_values, self._books, self._other):
             handle.visible = moving
         self.refresh_controls()
 
@@ -92,9 +99,11 @@ class SolverPanel:
         # The ghost's own controls come with it, and its step is of no meaning to a reference.
         self._other_law.visible = ghost is not None and CHOICES["force_law"].applies(scene)
         self._finer.visible = ghost is not None and ghost.method != REFERENCE
-        if ghost is not None:
-            _show(self._other_law, laws[ghost.law] if ghost.law else SAME_LAW)
-            _show(self._finer, FINER_LABELS[ghost.finer])
+        # Where there is none, the next one begins as the body is.
+        _show(self._other_law, laws[ghost.law] if ghost is not None and ghost.law else SAME_LAW)
+        _show(self._finer, FINER_LABELS[ghost.finer if ghost is not None else 1])
+        if self._books.value != self._session.books:
+            self._books.value = self._session.books
         about = f'<div class="softrod-text softrod-about">{method.summary}</div>'
         if self._about.content != about:
             self._about.content = about

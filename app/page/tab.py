@@ -20,7 +20,7 @@ from sim.methods.registry import METHODS
 from ..session import commands
 from ..session.pacing import is_large
 from ..session.session import Notice, Session
-from . import keeping, readouts, script
+from . import keeping, readouts, script, shelf
 from .drawing import Mapping
 from .files_panel import FilesPanel
 from .panel import Panel, set_theme
@@ -32,6 +32,9 @@ READOUTS_EVERY = 0.1
 
 KEEP_EVERY, KEEP_SHARE = 1.0, 0.001
 """Seconds between two keepsakes, at least; and the share of time that making them may take."""
+
+SHELF_EVERY = 0.3
+"""Seconds between two looks whether scenes were saved or deleted, in whatever page."""
 
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
@@ -66,6 +69,9 @@ class Tab:
         self._planned = -1
         self._parts = keeping.Parts()
         self._kept: tuple[Any, ...] = ()
+        self._shelf = shelf.stamp()
+        self._shelf_due = 0.0
+        self._runaway: viser.NotificationHandle | None = None
         self._keep_due = 0.0
         self._readouts_due = 0.0
         self._moved_at = 0.0
@@ -87,6 +93,8 @@ class Tab:
         """Ask the ticker for something that is not the session's; scenes are read at once."""
         if what == "open":
             self._open(argument)
+        elif what == "notice":
+            self.notify(argument)
         else:
             self._requests.append((what, argument))
 
@@ -126,6 +134,7 @@ class Tab:
                 return
             session = self._begin(Session(self._first, wait=False))
         else:
+            self._look_at_shelf(session)
             self._serve_requests(session)
             self._prepare(session)
             if session.heavy:
@@ -149,7 +158,8 @@ class Tab:
         """The panel, which is made after the first picture has been sent."""
         self._panel = Panel(self.client, session, self._scene_names(self._first.name), self.request)
         with self._panel.files_tab:
-            self._files = FilesPanel(self.client, session, self.notify, lambda: self.request("scenes", None))
+            self._files = FilesPanel(self.client, session, self.notify)
+        self._panel.outlined += self._files.outlined
 
         @self._panel.channel.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -221,7 +231,8 @@ class Tab:
             self._moved_at = now
         at_rest = now - self._moved_at > RESTING_AFTER
         self._panel.set_state(self._shown_as, session.playing, at_rest and running)
-        if changed or (now >= self._readouts_due and not (at_rest and self._was_at_rest)):
+        still = at_rest and self._was_at_rest and not self._panel.unsettled
+        if changed or (now >= self._readouts_due and not still):
             self._readouts_due = now + READOUTS_EVERY
             self._was_at_rest = at_rest
             with self.client.atomic():
@@ -265,6 +276,17 @@ class Tab:
             self.request("theme", True)
         session.post(commands.Resume(bytes(kept.session)))
 
+    def _look_at_shelf(self, session: Session) -> None:
+        now = session.now()
+        if now < self._shelf_due:
+            return
+        self._shelf_due = now + SHELF_EVERY
+        stamp = shelf.stamp()
+        if stamp != self._shelf:
+            self._shelf = stamp
+            self._files.refresh()
+            self.request("scenes", None)
+
     def _serve_requests(self, session: Session) -> None:
         while self._requests:
             what, argument = self._requests.popleft()
@@ -282,6 +304,10 @@ class Tab:
             elif what == "follow":
                 session.post(commands.Follow(not session.follow))
                 session.revision += 1
+            elif what == "energy":
+                session.post(commands.KeepBooks(not session.books))
+            elif what == "anew":
+                session.post(commands.Open(session.opened))
             elif what == "joint":
                 joint = readouts.joint_of_mass(session.scene, argument)
                 if joint is not None:
@@ -315,16 +341,23 @@ class Tab:
     def _tell(self, session: Session) -> None:
         self._notices.extend(session.notices)
         session.notices.clear()
+        if self._runaway is not None and session.simulation.divergence is None:
+            self._runaway.remove()
+            self._runaway = None
         while self._notices:
             notice = self._notices.popleft()
-            self.client.add_notification(
+            handle = self.client.add_notification(
                 notice.title,
                 notice.text,
                 color=_COLORS[notice.kind],
                 auto_close_seconds=None if notice.kind == "error" else 5.0,
             )
+            if notice.runaway:
+                if self._runaway is not None:
+                    self._runaway.remove()
+                self._runaway = handle
 
     @staticmethod
     def _scene_names(present: str) -> list[str]:
-        names = [info.name for info in sim.list_scenes() if not info.group]
+        names = [info.name for info in shelf.scenes() if not info.group]
         return names if present in names else [*names, present]

@@ -19,7 +19,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 import sim
 from sim.compiling.compiler import Compiler, needed_by
 
-from ..gate.gate import exposure, open_server
+from ..gate.gate import exposure, open_server, page_addresses
 from ..page.assets import page_files
 from ..page.colors import LIGHT_GAIN
 from ..page.panel import set_theme
@@ -42,7 +42,9 @@ def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.Vise
     def oversized(client_id: int, name: str) -> None:
         tab = ticker.tabs.get(client_id)
         if tab is not None:
-            tab.notify(Notice("error", "That file is too large", f"{name}: a scene file has at most 5 MB."))
+            tab.notify(
+                Notice("error", "That file is too large", f"{name}: a scene or a log has at most 5 MB here.")
+            )
 
     # A page can go away in the middle of a frame; the rest of that frame has nobody to go to.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
@@ -72,9 +74,10 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
         # Only an append: a second signal can come in the middle of this handler, and must find no lock.
         signal.signal(number, lambda number, _: signals.append(number))
     with serving(scene, host, port) as (server, ticker, compiler):
-        shown = "127.0.0.1" if host in ("0.0.0.0", "::") else f"[{host}]" if ":" in host else host
-        address = f"http://{shown}:{server.get_port()}"
+        address, *others = page_addresses(host, server.get_port())
         console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
+        for other in others:
+            console.print(f"and, from other machines, at [bold]{other}[/bold]", highlight=False)
         warning = exposure(host)
         if warning:
             console.print(f"[yellow]{warning}[/yellow]", highlight=False)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from concurrent.futures import Future
 from dataclasses import dataclass
+from typing import Literal
 
 from sim import Scene
 
@@ -73,6 +74,13 @@ class SetChoice:
 
     key: str
     value: str
+
+
+@dataclass(frozen=True)
+class OwnValues:
+    """The settings are to be those that the scene was opened with, of the body or of the solver."""
+
+    of: Literal["body", "solver"]
 
 
 @dataclass(frozen=True)
@@ -199,7 +207,7 @@ class Resume:
 
 
 Command = (
-    HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | Compare | KeepBooks
-    | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot
+    HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues | Compare
+    | KeepBooks | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot
     | GoTo | GoBack | GoForward | GoOn | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
 )  # fmt: skip

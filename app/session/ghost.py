@@ -110,5 +110,5 @@ class Ghost:
             if self.finer > 1:
                 parts.append(f"{'tolerance' if METHODS[self.method].adaptive else 'step'} / {self.finer}")
         if self.law:
-            parts.append(f"{CHOICES['force_law'].options[self.law].lower()} law")
+            parts.append(f"{CHOICES['force_law'].options[self.law].lower().removesuffix(' law')} law")
         return ", ".join(parts)

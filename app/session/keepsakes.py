@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Annotated, Literal
 
 import msgspec
@@ -49,16 +50,35 @@ class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     ghost: Second | None = None
 
 
-class _Keepsake(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+_NOTHING = msgspec.Raw()
+
+
+class _Keepsake(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, omit_defaults=True):
     format: Literal["softrod-keepsake"]
     version: Annotated[int, Meta(ge=1)]
     scene: msgspec.Raw
     moment: log.Restore | None
     wishes: Wishes
+    opened: msgspec.Raw = _NOTHING
 
 
-def encode(moment: sim.Moment, wishes: Wishes) -> bytes:
-    """A keepsake.
+@dataclass(frozen=True)
+class Kept:
+    """What is in a keepsake.
+
+    Attributes:
+        moment: where the body was.
+        wishes: what its user had chosen.
+        opened: the scene as it was opened.
+    """
+
+    moment: sim.Moment
+    wishes: Wishes
+    opened: sim.Scene
+
+
+def encode(moment: sim.Moment, wishes: Wishes, opened: sim.Scene) -> bytes:
+    """A keepsake; see `Kept`.
 
     Raises:
         SceneError: the scene cannot be written.
@@ -66,14 +86,18 @@ def encode(moment: sim.Moment, wishes: Wishes) -> bytes:
     scene = log.raw_scene(moment.scene)
     there = log.restore_entry(moment, with_scene=False)
     keepsake = _Keepsake(format=FORMAT, version=VERSION, scene=scene, moment=there, wishes=wishes)
+    if opened is not moment.scene:
+        keepsake = msgspec.structs.replace(keepsake, opened=log.raw_scene(opened))
     data = msgspec.json.encode(keepsake)
-    if len(data) > MOST_BYTES:
-        data = msgspec.json.encode(msgspec.structs.replace(keepsake, moment=None))
+    for left_out in ({"opened": _NOTHING}, {"moment": None}):
+        if len(data) > MOST_BYTES:
+            keepsake = msgspec.structs.replace(keepsake, **left_out)
+            data = msgspec.json.encode(keepsake)
     return data
 
 
-def decode(data: bytes) -> tuple[sim.Moment, Wishes]:
-    """The moment and the wishes in a keepsake; nothing in it is trusted.
+def decode(data: bytes) -> Kept:
+    """What is in a keepsake; nothing in it is trusted.
 
     Raises:
         SceneError: one sentence that says what is wrong.
@@ -86,12 +110,13 @@ def decode(data: bytes) -> tuple[sim.Moment, Wishes]:
         raise SceneError(" ".join(str(error).split())) from None
     if keepsake.version > VERSION:
         raise SceneError(f"version {keepsake.version} is newer than {VERSION}; a newer softrod can read it")
-    scene = decode_scene(bytes(keepsake.scene), "scene")
+    scene = decode_scene(bytes(keepsake.scene), "scene", places=False)
     wishes, ghost = keepsake.wishes, keepsake.wishes.ghost
     if ghost is not None:
         laws = {"", *CHOICES["force_law"].options}
         if ghost.method not in {REFERENCE, *METHODS} or ghost.law not in laws or ghost.finer not in FINER:
             raise SceneError(f"ghost: there is no {ghost.method!r} with law {ghost.law!r} / {ghost.finer}")
+    opened = decode_scene(bytes(keepsake.opened), "scene", places=False) if bytes(keepsake.opened) else scene
     if keepsake.moment is None:
-        return sim.Simulation(scene, wait=False).capture(), wishes
-    return log.moment_of(keepsake.moment, scene), wishes
+        return Kept(sim.Simulation(scene, wait=False).capture(), wishes, opened)
+    return Kept(log.moment_of(keepsake.moment, scene), wishes, opened)

@@ -25,6 +25,7 @@ from sim.errors import InputError, SceneError
 from sim.kernels.core.tables import SCALE_MAX, SCALE_MIN
 from sim.motion.simulation import Key
 from sim.scene.files import MAX_FILE_BYTES, decode_scene, encode_scene
+from sim.scene.sentences import in_words
 from sim.scene.types import Angle, Vector
 
 FORMAT, VERSION = "softrod-log", 1
@@ -340,14 +341,14 @@ def decode_log(data: bytes, source: str) -> Log:
         header = msgspec.json.decode(lines[0][1] if lines else b"", type=Header)
         if header.version > VERSION:
             raise InputError(f"version {header.version} is newer than {VERSION}; a newer softrod can read it")
-        scene = decode_scene(bytes(header.scene), "scene")
+        scene = decode_scene(bytes(header.scene), "scene", places=False)
         log, present = Log(source, scene, header.machine), scene
         decoder: Any = msgspec.json.Decoder(Entry)
         for number, line in lines[1:]:
             entry = decoder.decode(line)
             if isinstance(entry, Restore):
                 if entry.scene is not None:
-                    present = decode_scene(msgspec.json.encode(entry.scene), "scene")
+                    present = decode_scene(msgspec.json.encode(entry.scene), "scene", places=False)
                     if not same_topology(scene, present):
                         raise InputError("scene: it joins other masses than the scene of the first line")
                     log.moments[len(log.entries)] = moment_of(entry, present)
@@ -358,5 +359,5 @@ def decode_log(data: bytes, source: str) -> Log:
             log.entries.append(entry)
             log.lines.append(number)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError, SceneError, InputError) as error:
-        raise InputError(" ".join(f"{source}: line {number}: {error}".split())) from None
+        raise InputError(" ".join(f"{source}: line {number}: {in_words(str(error))}".split())) from None
     return log

@@ -11,11 +11,19 @@ from sim.settings import SETTINGS
 
 @dataclass(frozen=True)
 class Notice:
-    """Something to tell the user once."""
+    """Something to tell the user once.
+
+    Attributes:
+        kind: how bad it is.
+        title, text: what it says.
+        runaway: whether it is about a body that ran away: there is one such notice at most, and none once the
+            body is sound again.
+    """
 
     kind: Literal["error", "warning", "info"]
     title: str
     text: str
+    runaway: bool = False
 
 
 def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
@@ -33,4 +41,4 @@ def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
             f"{str(divergence)[:1].upper()}{str(divergence)[1:]}. The last good state is shown. Go back to "
             "just before it, move it more gently or lower the time step, and go on; or press Reset."
         )
-    return Notice("error", "The simulation ran away", text)
+    return Notice("error", "The simulation ran away", text, runaway=True)

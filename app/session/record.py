@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sim
+from sim.body.system import same_topology
 from sim.methods.registry import METHODS
 
 from . import log
@@ -118,6 +121,23 @@ class Recorder:
             SettingError: see `sim.set_choice`.
         """
         self._replace(sim.set_choice(self.simulation.scene, key, value), log.Choose(key=key, value=value))
+
+    def set_scene(self, scene: sim.Scene, keys_too: bool) -> None:
+        """Go on with another scene's settings; another number of masses is another body, at its start.
+
+        Args:
+            scene: has the same masses, springs and joints, or comes from the same recipe.
+            keys_too: whether rest lengths and angles are the scene's, too, without what keys have changed.
+        """
+        moment = self.simulation.capture()
+        if not same_topology(moment.scene, scene):
+            self.simulation.replace(scene)
+            self._grabbed.clear()
+            self.begin()
+            return
+        if keys_too:
+            moment = replace(moment, rest_length_scale=scene.rest_length_scale, rest_angle_shift=0.0)
+        self.restore(replace(moment, scene=scene))
 
     def restore(self, moment: sim.Moment) -> None:
         """See `Simulation.restore`. Of many in a row, the last is noted."""

@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
+from typing import Literal
+
+import msgspec
 
 import sim
 from sim.motion.stability import StabilityEstimate
@@ -40,6 +43,7 @@ class Running:
         old_future: what would have come, where the user has gone back and on; or None.
         offer_back: whether the body ran away and can be taken back to just before that.
         replay: the log that is played, if one is.
+        opened: the scene as it was opened.
         hand: what the pointer does.
         preparing: what is being compiled, for the page to say; empty when nothing is.
 
@@ -55,6 +59,7 @@ class Running:
         self._clock = clock
         self._wait = wait
         self.simulation = sim.Simulation(scene, wait=wait)
+        self.opened = self.simulation.capture().scene
         self.recorder = Recorder(self.simulation)
         self.history = History()
         self.history.add(self.simulation.capture())
@@ -129,8 +134,19 @@ class Running:
         self.revision += 1
         self._stability_due = 0.0
 
+    def _own_values(self, of: Literal["body", "solver"]) -> None:
+        """Go on with the settings that the scene was opened with."""
+        present = self.simulation.capture().scene
+        with_body, with_solver = (self.opened, present) if of == "body" else (present, self.opened)
+        scene = msgspec.structs.replace(
+            with_body, force_law=with_solver.force_law, integrator=with_solver.integrator
+        )
+        self._let_go()
+        self._change(lambda: self.recorder.set_scene(scene, keys_too=of == "body"))
+
     def _open(self, scene: sim.Scene) -> None:
         simulation = sim.Simulation(scene, wait=self._wait)
+        self.opened = simulation.capture().scene
         self.hand.drop()
         self.simulation, self.recorder = simulation, Recorder(simulation)
         if self.books:

@@ -161,6 +161,7 @@ class Session(Running):
                 joint=self.joint,
                 ghost=keepsakes.Second(ghost.method, ghost.law, ghost.finer) if ghost else None,
             ),
+            self.opened,
         )
 
     def drain(self) -> None:
@@ -201,6 +202,13 @@ class Session(Running):
             case commands.SetChoice(key, value):
                 self._change(lambda: self.recorder.set_choice(key, value))
                 self.generation += 1  # other controls
+                if key == "method" and self.books:
+                    # What is left over is the error of one method, not of two.
+                    self.recorder.keep_books(False)
+                    self.recorder.keep_books(True)
+            case commands.OwnValues(of):
+                self._own_values(of)
+                self.generation += 1
             case commands.Compare(method, law, finer):
                 self.ghost = Ghost(self.simulation, method, law, finer, self._wait) if method else None
                 self.revision += 1
@@ -209,7 +217,10 @@ class Session(Running):
                 self.recorder.keep_books(on)
                 self.revision += 1
             case commands.Open(scene):
+                stopped = self.simulation.divergence is not None
                 self._open(scene)
+                if stopped:
+                    self.play(True)  # it was the other body that ended the run
             case commands.Play(on):
                 self.play(not self.playing if on is None else on)
             case commands.DoSteps(steps):
@@ -390,10 +401,12 @@ class Session(Running):
 
     def _resume(self, data: bytes) -> None:
         try:
-            moment, wishes = keepsakes.decode(data)
+            kept = keepsakes.decode(data)
         except SceneError as error:
             raise SceneError(f"could not be resumed: {error}") from None
+        moment, wishes = kept.moment, kept.wishes
         self._open(moment.scene)
+        self.opened = kept.opened
         self.recorder.restore(moment)
         self._begin_history()
         self.follow = wishes.follow and self.driven is not None
@@ -421,7 +434,7 @@ def _is_input(command: Command) -> bool:
             return on
         case commands.DragStart() | commands.SetValue() | commands.SetChoice() | commands.DoSteps():
             return True
-        case commands.Reset() | commands.KeepBooks() | commands.Compare():
+        case commands.Reset() | commands.KeepBooks() | commands.Compare() | commands.OwnValues():
             return True
         case _:
             return False

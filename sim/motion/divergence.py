@@ -62,9 +62,9 @@ class Divergence:
     def __str__(self) -> str:
         what = {
             "number": f"mass {self.mass} would get a position or velocity that is not a finite number",
-            "position": f"mass {self.mass} would pass the position limit of {self.limit:g} px",
+            "position": f"mass {self.mass} went too far (over {self.limit:,.0f} px)",
             "step": "no step from here is short enough",
-            "speed": f"mass {self.mass} would pass the speed limit of {self.limit:g} px/s",
+            "speed": f"mass {self.mass} became too fast (over {self.limit:,.0f} px/s)",
         }[self.quantity]
         return f"stopped before step {self.step}: {what}; {self.reason}"
 

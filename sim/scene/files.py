@@ -19,6 +19,7 @@ import msgspec
 import platformdirs
 
 from ..errors import SceneError
+from .places import line_and_column, place_of
 from .sentences import sentence
 from .types import BODY_FIELDS, FORMAT_VERSION, Scene
 from .validate import consistent, plain, validate
@@ -86,12 +87,13 @@ def _on_one_line(match: re.Match[bytes]) -> bytes:
     return found if found.startswith(b'"') else b"[" + b" ".join(found[1:-1].split()) + b"]"
 
 
-def decode_scene(data: bytes, source: str) -> Scene:
+def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
     """The scene in a JSON file's bytes.
 
     Args:
         data: the whole file.
         source: its name in error messages, usually that of the file.
+        places: whether messages name line and column.
 
     Raises:
         SceneError: one sentence, `source: field: reason`.
@@ -103,7 +105,7 @@ def decode_scene(data: bytes, source: str) -> Scene:
     try:
         raw = msgspec.json.decode(data)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
-        raise SceneError(f"{source}: this is not a JSON file ({error})") from None
+        raise SceneError(f"{source}: this is not a JSON file ({_with_line(str(error), data)})") from None
     if not isinstance(raw, dict):
         raise SceneError(f"{source}: a scene is a JSON object, with fields such as name and masses")
     version = raw.get("format")
@@ -119,9 +121,17 @@ def decode_scene(data: bytes, source: str) -> Scene:
         return consistent(msgspec.convert(raw, Scene))
     except msgspec.ValidationError as error:
         # A field name in the file may contain line breaks; the message must not.
-        raise SceneError(" ".join(f"{source}: {sentence(error, raw)}".split())) from None
+        reason = " ".join(sentence(error, raw).split())
     except SceneError as error:
-        raise SceneError(f"{source}: {error}") from None
+        reason = str(error)
+    path = re.match(r"\w[\w.\[\]]*(?=: )", reason)
+    place = place_of(data, path[0]) if path and places else ""
+    raise SceneError(f"{source}: {reason} ({place})" if place else f"{source}: {reason}")
+
+
+def _with_line(reason: str, data: bytes) -> str:
+    """What is wrong with a file's JSON, with a line instead of a byte."""
+    return re.sub(r"byte (\d+)", lambda found: line_and_column(data, int(found[1])), reason)
 
 
 RETIRED = {"dopri5": "adams", "dop853": "adams"}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
@@ -15,6 +16,27 @@ _A = {float: "a number", int: "a whole number", str: "a text", bool: "true or fa
 """Names of Python types in messages."""
 _JSON = {NoneType: "null", list: "an array", dict: "an object"}
 """Names of the other JSON values in messages about files."""
+
+_TYPES = {
+    "array": "an array", "object": "an object", "str": "a text", "int": "a whole number", "float": "a number",
+    "bool": "true or false", "null": "null",
+}  # fmt: skip
+"""Names of msgspec's types in messages."""
+
+
+def _type_name(name: str) -> str:
+    return _TYPES.get(name, name)
+
+
+_PHRASES: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
+    (
+        r"^Expected `([\w |]+)`, got `(\w+)`",
+        lambda m: f"{' or '.join(map(_type_name, m[1].split(' | ')))} is expected, not {_type_name(m[2])}",
+    ),
+    (r"^Object missing required field (`.*`)", r"the field \1 is missing"),
+    (r"^Object contains unknown field (`.*`)", r"there is no field \1"),
+)
+"""What msgspec says, and what is said instead."""
 
 _HUGE = 2**64
 """Whole numbers from here on are not printed in a message."""
@@ -62,7 +84,14 @@ def sentence(error: msgspec.ValidationError, found: Any) -> str:
     else:
         if where and (kind in _A or get_origin(kind) is Literal or isinstance(found, Scene)):
             return _about(where, value, kind, meta, found)
-    return f"{where}: {reason}" if where else str(error)
+    return f"{where}: {in_words(reason)}" if where else in_words(str(error))
+
+
+def in_words(reason: str) -> str:
+    """What msgspec says, without the names of its types."""
+    for pattern, words in _PHRASES:
+        reason = re.sub(pattern, words, reason)
+    return reason
 
 
 def difference(value: Any, wanted: Any, where: str = "") -> str:

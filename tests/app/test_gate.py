@@ -15,7 +15,8 @@ import websockets.exceptions
 from websockets.exceptions import InvalidStatus
 
 from app.gate import gate
-from app.gate.gate import GateError, PortBusy, exposure, open_server
+from app.gate.address import own_authorities
+from app.gate.gate import GateError, PortBusy, exposure, open_server, page_addresses
 from tests.app.hostile import HANDSHAKE, Sandbox, answer, eventually, status
 
 
@@ -225,6 +226,30 @@ def test_the_address_that_a_request_came_in_at_is_its_own() -> None:
         assert status(server.get_port(), host, address="127.0.0.1") == 421
     finally:
         server.stop()
+
+
+def test_every_address_that_can_be_typed_is_printed_and_let_in(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Probe(socket.socket):
+        """Knows two networks, whatever machine this is."""
+
+        def connect(self, address: Any) -> None:
+            if not address[0].startswith(("192.168.", "10.")):
+                raise OSError("no route")
+            self._own = "192.168.1.7" if address[0].startswith("192.168.") else "10.0.0.4"
+
+        def getsockname(self) -> Any:
+            return self._own, 1234
+
+    monkeypatch.setattr(socket, "socket", Probe)
+    monkeypatch.setattr(
+        socket, "getaddrinfo", lambda *_, **__: [(socket.AF_INET, 1, 6, "", ("127.0.1.1", 0))]
+    )
+    typed = page_addresses("0.0.0.0", 8080)
+    assert typed == ["http://127.0.0.1:8080", "http://10.0.0.4:8080", "http://192.168.1.7:8080"]
+    known = own_authorities("0.0.0.0", "0.0.0.0", 8080, ())
+    assert {address.removeprefix("http://") for address in typed} <= known
+    assert page_addresses("127.0.0.1", 8080) == ["http://127.0.0.1:8080"]
+    assert page_addresses("::", 8080) == ["http://[::1]:8080"]
 
 
 @pytest.mark.parametrize("host", ["127.0.0.1", "localhost", "::1", "127.8.8.8"])

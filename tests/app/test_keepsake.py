@@ -52,6 +52,12 @@ def test_a_page_goes_on_where_it_was(page: SessionPage, playing: bool) -> None:
     assert session.history.end == before.simulation.time
 
 
+def test_the_scene_s_own_values_are_kept_too(page: SessionPage) -> None:
+    other = resumed(page.session.keepsake())
+    other.frames(1, commands.OwnValues("body"), commands.OwnValues("solver"))
+    assert other.session.scene == sim.load_scene(other.session.scene.name)
+
+
 def test_reset_still_leads_to_the_scene_s_start(page: SessionPage) -> None:
     other = resumed(page.session.keepsake())
     other.frames(10)
@@ -72,10 +78,10 @@ def test_a_keepsake_is_small() -> None:
     assert len(small) < 6000
     scene = sim.rope(masses=20_000)
     rows = np.random.default_rng(1).normal(0.0, 300.0, (4, 20_000))
-    data = keepsakes.encode(sim.Moment(scene, 1.0, 0.0, rows, 5.0, 2000), keepsakes.Wishes())
+    data = keepsakes.encode(sim.Moment(scene, 1.0, 0.0, rows, 5.0, 2000), keepsakes.Wishes(), scene)
     assert len(data) < keepsakes.MOST_BYTES
     assert json.loads(data)["moment"] is None
-    moment, _ = keepsakes.decode(data)
+    moment = keepsakes.decode(data).moment
     assert moment.time == 0.0
     assert len(moment.positions) == 20_000
 

@@ -97,10 +97,40 @@ def test_a_scene_without_joints_has_no_readout() -> None:
 def test_the_meter_says_when_the_step_is_too_large() -> None:
     session = Session(sim.set_value(sim.load_scene("tutorial-3.3"), "angular_stiffness", 60_000.0))
     session.stability = session.simulation.stability()
-    assert "unstable" in readouts.hud(session, palette("softrod", dark=False), at_rest=False)
+    text = readouts.hud(session, palette("softrod", dark=False), at_rest=False)
+    assert re.search(r"time step 2\.5 ms, 1\d\d % of the limit: unstable<", text)
+    # A straight body stands still until something bends it.
+    session.simulation.step(100)
+    text = readouts.hud(session, palette("softrod", dark=False), at_rest=True)
+    assert ": unstable, runs away when touched" in text
+    session.play(False)
+    assert "touched" not in readouts.hud(session, palette("softrod", dark=False), at_rest=True)
+    # Nothing is promised of a step that is not too large.
     session = Session(sim.load_scene("tutorial-3.3"))
     session.stability = session.simulation.stability()
-    assert ": stable" in readouts.hud(session, palette("softrod", dark=False), at_rest=False)
+    text = readouts.hud(session, palette("softrod", dark=False), at_rest=True)
+    assert re.search(r"time step 2\.5 ms, \d\d % of the limit<", text)
+    assert "stable" not in text
+
+
+@pytest.mark.parametrize(
+    ("value", "largest", "text"),
+    [
+        (1e-295, 1e-290, "0"),
+        (-1e-9, 5e4, "0"),
+        (3.14159, 5e4, "3.142"),
+        (1234567.8, 2e6, "1,234,568"),
+        (-1.5e12, 2e12, "-1.5e12"),
+    ],
+)
+def test_energies_are_rounded_to_what_matters(value: float, largest: float, text: str) -> None:
+    assert readouts.energy(value, largest) == text
+
+
+def test_energies_have_a_unit() -> None:
+    session = Session(sim.load_scene("tutorial-3.3"))
+    session.books = True
+    assert "kg px²/s²" in readouts.energy_table(session)
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -303,7 +303,7 @@ def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytes
         # A frame or two of motion, and not a start anew.
         assert np.abs(session.simulation.positions - before).max() < 100.0
         page.wait_for(lambda m: "residual" in str(m))
-        page.wait_for(lambda m: "apart at most" in str(m))
+        page.wait_for(lambda m: "largest distance" in str(m))
         assert session.ghost is not None
         assert not session.ghost.waits
         assert max(s.stiffness for s in session.scene.linear_springs) == 12345.0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from concurrent.futures import Future
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -209,6 +210,59 @@ def test_opening_a_scene_goes_on_keeping_the_books(page: SessionPage) -> None:
     page.frames(30)
     # Books that were opened only when they are asked for would know nothing of what was damped before.
     assert page.session.simulation.energy().damping < 0.0
+
+
+def test_the_residual_is_that_of_one_method(page: SessionPage) -> None:
+    page.frames(1, commands.SetValue("rest_angle", 20.0), commands.KeepBooks(True))
+    page.frames(60)
+    assert abs(page.session.simulation.energy().residual) > 1.0
+    # The same body by another method, which has done no step yet.
+    page.frames(0, commands.Play(False), commands.SetChoice("method", "rk4"))
+    page.session.drain()
+    assert page.session.simulation.method == "rk4"
+    assert page.session.simulation.energy().residual == 0.0
+
+
+def test_the_scene_s_own_values_come_back_and_nothing_else(page: SessionPage) -> None:
+    session = page.session
+    mine = session.scene
+    page.frames(
+        20,
+        commands.SetValue("gravity", 300.0),
+        commands.SetValue("angular_stiffness", 0.0),  # all of them, so that no proportions are left
+        commands.SetValue("dt", 0.001),
+        commands.SetChoice("method", "rk4"),
+        commands.SetChoice("force_law", "angle"),
+        commands.HoldKeys(frozenset({"up", "right"})),
+    )
+    page.frames(1, commands.HoldKeys(frozenset()), commands.Play(False))
+    before, time = session.simulation.positions, session.simulation.time
+    page.session.post(commands.OwnValues("body"))
+    page.session.drain()
+    assert session.scene == msgspec.structs.replace(
+        mine, force_law="angle", integrator=session.scene.integrator
+    )
+    assert session.scene.integrator.method == "rk4"
+    assert session.simulation.dt == 0.001
+    page.session.post(commands.OwnValues("solver"))
+    page.session.drain()
+    assert session.scene == mine
+    assert np.array_equal(session.simulation.positions, before)
+    assert session.simulation.time == time
+    # Another number of masses is another body.
+    page.frames(1, commands.SetValue("masses", 20.0), commands.OwnValues("body"))
+    assert session.scene == mine
+
+
+def test_a_scene_chosen_after_a_runaway_plays_and_one_chosen_in_a_pause_does_not(page: SessionPage) -> None:
+    page.frames(1, commands.SetValue("angular_stiffness", 60_000.0))
+    page.frames(30, commands.Follow(True), commands.Point(400.0, 150.0))
+    assert not page.session.playing
+    assert [notice.runaway for notice in page.session.notices] == [True]
+    page.frames(5, commands.Open(sim.load_scene("ring")))
+    assert page.session.playing
+    page.frames(5, commands.Play(False), commands.Open(sim.load_scene("box")))
+    assert not page.session.playing
 
 
 def test_a_slow_machine_lags_and_never_spirals(page: SessionPage) -> None:

@@ -322,9 +322,9 @@ class Desk:
         self.page.get_by_role("tab", name=tab, exact=True).click()
 
     def row(self, name: str) -> Locator:
-        """The row of a control with that label, once the control's tab has been shown."""
+        """The row of a control with that label, in the tab that is shown."""
         flex = 'ancestor::div[contains(@class, "mantine-Flex-root")][1]'
-        return self.page.locator(f'//label[text()="{name}"]/{flex}').first
+        return self.page.locator(f'//label[text()="{name}"]/{flex}').locator("visible=true").first
 
     def control(self, name: str) -> Locator:
         """The control with that label: an input, or the root of a slider."""

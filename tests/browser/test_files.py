@@ -63,9 +63,10 @@ def test_a_scene_is_saved_loaded_and_deleted(open_page: OpenPage, data_folder: P
     desk.choose("Saved", "my rope")
     desk.button("Delete").click()
     dialog = desk.page.get_by_role("dialog")
-    question = dialog.locator("textarea").first
-    assert "my rope" in question.input_value()
-    dialog.get_by_role("button", name="Cancel").click()
+    dialog.get_by_role("button", name="Cancel").wait_for()
+    assert "my rope" in dialog.inner_text()
+    assert dialog.locator("textarea, input").count() == 0
+    desk.page.keyboard.press("Escape")
     desk.until(lambda: dialog.count() == 0, "the question goes away")
     assert path.is_file()
     desk.button("Delete").click()
@@ -118,6 +119,49 @@ def test_a_download_is_the_scene_and_can_be_opened_again(open_page: OpenPage, tm
     desk.tell(commands.Play(False))
     assert_shown(desk)
     assert not desk.notices()
+
+
+def test_a_scene_saved_in_one_page_is_there_in_another(open_page: OpenPage, data_folder: Path) -> None:
+    one, other = open_page(size=(720, 460)), open_page(size=(720, 460))
+    for name in sim.list_scenes():
+        if not name.built_in:
+            files.delete_user_scene(name.name)
+    other.show("Files")
+    load, delete = other.button("Load"), other.button("Delete")
+    other.until(lambda: load.is_disabled() and delete.is_disabled(), "there is nothing to load or delete")
+    one.show("Files")
+    save(one, "for both")
+    other.until(lambda: load.is_enabled() and delete.is_enabled(), "now there is")
+    assert other.control("Saved").input_value() == "for both"
+    other.show("Play")
+    other.choose("Scene", "for both")
+    other.until(lambda: other.session.scene.name == "for both", "it is opened")
+    files.delete_user_scene("for both")
+    one.until(lambda: one.button("Load").is_disabled(), "a scene deleted by another program is gone")
+
+
+def test_a_log_is_saved_and_played(open_page: OpenPage, tmp_path: Path) -> None:
+    desk = open_page()
+    desk.tell(commands.SetValue("rest_angle", 15.0), commands.DoSteps(200))
+    pose = desk.simulation.positions
+    desk.show("Files")
+    desk.page.get_by_text("A log is all that was done").wait_for()
+    with desk.page.expect_download() as started:
+        desk.button("Save a log").click()
+    assert started.value.suggested_filename == "tutorial-3.3-log.jsonl"
+    path = tmp_path / "again.jsonl"
+    started.value.save_as(path)
+    desk.tell(commands.Open(sim.load_scene("ring")))
+    upload(desk, path)
+    assert "It agrees with the log" in desk.notice("The replay has ended")
+    assert desk.session.scene.name == "tutorial-3.3"
+    assert (desk.simulation.positions == pose).all()
+    # A log in which something is wrong changes nothing.
+    bad = tmp_path / "bad.jsonl"
+    bad.write_bytes(path.read_bytes() + b'{"do": "move", "mass": "x", "to": [0, 0]}\n')
+    upload(desk, bad)
+    assert "a whole number is expected, not a text" in desk.notice("That did not work")
+    assert (desk.simulation.positions == pose).all()
 
 
 def test_a_bad_file_gets_one_notice_and_changes_nothing(open_page: OpenPage, tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+import sim
 from app.page.solver_panel import REFERENCE_LABEL
 from app.session import commands
 from app.session.ghost import REFERENCE
@@ -41,10 +42,17 @@ def test_the_energy_is_shown_while_it_is_wanted(open_page: OpenPage) -> None:
     row = desk.page.get_by_text("residual: the method's error")
     row.wait_for()
     desk.simulation.move(0, (420.0, 150.0))
-    desk.until(lambda: desk.page.get_by_text("work of moved anchors").count() == 1, "the anchor did work")
+    desk.until(lambda: desk.page.get_by_text("work of your hand").count() == 1, "the anchor did work")
     desk.control("Energy").click()
     desk.until(lambda: not desk.session.books, "books are kept no more")
     desk.until(lambda: row.count() == 0, "and are not shown")
+    # It is among the commands, too.
+    desk.control("Energy").blur()
+    desk.page.keyboard.press("Control+k")
+    desk.page.keyboard.type("energy")
+    desk.page.get_by_text("Energy: follow it, or stop").click()
+    desk.until(lambda: desk.session.books, "books are kept again")
+    desk.until(desk.control("Energy").is_checked, "and the switch shows it")
 
 
 def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
@@ -65,7 +73,7 @@ def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
         lambda: np.abs(second.positions[0] - desk.simulation.positions[0]).max() < 1e-9,
         "both are held in the same place",
     )
-    desk.page.get_by_text("apart at most").wait_for()
+    desk.page.get_by_text("largest distance").wait_for()
     bars = desk.instances("/body/ghost")
     assert len(bars) == len(desk.session.scene.linear_springs)
     desk.picture(save="ghost.png")
@@ -78,6 +86,15 @@ def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
     )
     assert finer
     desk.page.get_by_text("Symplectic Euler, step / 4").wait_for()
+    desk.choose("Ghost's law", "Angle law")
+    desk.page.get_by_text("Symplectic Euler, step / 4, angle law", exact=True).wait_for()
+    # Another scene has no ghost, and the next one nothing of this one.
+    desk.tell(commands.Open(sim.load_scene("ring")))
+    desk.choose("Compare with", "Symplectic Euler")
+    another = desk.until(lambda: desk.session.ghost, "there is another ghost")
+    assert another is not None
+    assert (another.law, another.finer) == ("", 1)
+    desk.until(lambda: desk.control("Ghost's law").input_value() == "the same", "as its controls say")
     desk.choose("Compare with", "nothing")
     desk.until(lambda: desk.session.ghost is None, "the ghost is gone")
     desk.until(lambda: "ghost" not in desk.tab._view._nodes, "and its picture, too")

@@ -189,10 +189,10 @@ def test_files_that_are_no_json_object(data: bytes, sentence: str) -> None:
         (minimal(format=0), "format: 0 is not in the range 1"),
         (minimal(format=True), "format: "),
         (minimal(format="1"), "format: "),
-        (minimal(colour="red"), "Object contains unknown field `colour`"),
-        (minimal(masses=[{"position": [0, 0], "wieght": 1}]), "masses[0]: Object contains unknown"),
-        ({"masses": [{"position": [0, 0]}]}, "Object missing required field `name`"),
-        (minimal(masses=[{}]), "masses[0]: Object missing required field `position`"),
+        (minimal(colour="red"), "there is no field `colour`"),
+        (minimal(masses=[{"position": [0, 0], "wieght": 1}]), "masses[0]: there is no field `wieght`"),
+        ({"masses": [{"position": [0, 0]}]}, "the field `name` is missing"),
+        (minimal(masses=[{}]), "masses[0]: the field `position` is missing"),
         (minimal(masses=[{"position": [0, 2e6]}]), "masses[0].position[1]: 2e+06 is not in the range -1e+06"),
         (minimal(masses=[{"position": [0, "2"]}]), "masses[0].position[1]: "),
         (minimal(masses=[{"position": [0, 1, 2]}]), "masses[0].position: "),
@@ -224,6 +224,24 @@ def test_numbers_that_are_none_are_refused(number: str) -> None:
 
 def test_a_field_name_cannot_break_the_sentence_in_two() -> None:
     refused({"name": "a", "rope": {}, "two\nlines": 1})
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        (
+            '{"name": "é",\n "masses": [\n  {"position": [0, 1]},\n  {"position": [0, "1"]}]}',
+            "line 4, column 20",
+        ),
+        ('{"name": "é", "masses": [{"position": [0, "1"]}]}', "line 1, column 43"),
+        ('\n{"masses": [{"mass": "x", "position": [0, 1]}], "name": "a"}', "line 2, column 22"),
+        ('{"name": "a",\n"masses": [{}]}', "line 2, column 12"),
+        ('{"name": "a",\n"masses": [],,}', "line 2, column 14"),
+    ],
+    ids=range(5),
+)
+def test_what_is_wrong_in_a_file_has_a_place(text: str, place: str) -> None:
+    assert place in refused(text.encode())
 
 
 def test_files_that_are_too_large_are_refused_unread(tmp_path: Path) -> None:

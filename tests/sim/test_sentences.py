@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import numpy as np
@@ -72,12 +73,12 @@ def test_numbers_and_texts_of_numpy_are_good_and_can_be_saved() -> None:
         (minimal(air_friction=True), "air_friction: a number is expected, not true"),
         (minimal(anchors=[{"mass": {}}]), "anchors[0].mass: a whole number is expected, not an object"),
         (minimal(air_friction=10**400), "air_friction: a whole number as large as this is not allowed"),
-        (minimal(masses=None), "masses: Expected `array`, got `null`"),
+        (minimal(masses=None), "masses: an array is expected, not null"),
         (
             minimal(masses=[{"position": [0, 0], "x - at `$.masses[0].position": 1}]),
-            "masses[0]: Object contains unknown field `x - at `$.masses[0].position`",
+            "masses[0]: there is no field `x - at `$.masses[0].position`",
         ),
     ],
 )
 def test_files_with_a_wrong_field_say_what_is_expected(raw: dict[str, Any], sentence: str) -> None:
-    assert refused_file(raw) == sentence
+    assert re.sub(r" \(line \d+, column \d+\)$", "", refused_file(raw)) == sentence

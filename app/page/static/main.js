@@ -1,16 +1,18 @@
 // @ts-check
 /** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
 import { addBodyKeys } from "./body_keys.js";
-import { drawBody, shown } from "./canvas.js";
 import { fitted, keepFlat } from "./camera.js";
+import { drawBody, shown } from "./canvas.js";
 import { hear } from "./channel.js";
 import { showConnection, watchConnection } from "./connection.js";
+import { mindDialogs } from "./dialogs.js";
 import { showHud } from "./hud.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { restoreLooks } from "./looks.js";
 import { nameControls } from "./names.js";
 import { quietNotices } from "./notices.js";
+import { mindNumbers } from "./numbers.js";
 import { addOverlay } from "./overlay.js";
 import { listenToPointer } from "./pointer.js";
 import { addTransport } from "./transport.js";
@@ -39,7 +41,9 @@ whenViser((viser) => {
   }
   drawBody(viser, [hear, showHud]);
   keepFlat();
+  mindDialogs();
   listenToKeys();
+  mindNumbers();
   listenToPointer();
   resume();
   restoreLooks();
