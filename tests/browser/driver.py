@@ -264,9 +264,10 @@ class Desk:
         basis = np.column_stack((right - origin, down - origin)) / 100.0
         return np.linalg.solve(basis, np.array(point) - origin)
 
-    def picture(self, save: str | None = None) -> NDArray[np.float64]:
-        """(h, w, 3) sRGB colours 0..255 of the page; also saved in the artifacts, if given a name."""
-        data = self.page.screenshot()
+    def picture(self, save: str | None = None, marks: bool = True) -> NDArray[np.float64]:
+        """(h, w, 3) sRGB colours 0..255 of the page, with or without the marks over the body; also saved in the
+        artifacts, if given a name."""
+        data = self.page.screenshot(style=None if marks else ".softrod-overlay { visibility: hidden }")
         if save is not None:
             ARTIFACTS.mkdir(exist_ok=True)
             (ARTIFACTS / save).write_bytes(data)

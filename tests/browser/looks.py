@@ -12,7 +12,7 @@ PRESETS = ("box", "flag-pole", "hair-tuft", "ring", "tutorial-3.1", "tutorial-3.
 
 def colors_off(desk: Desk, dark: bool = False) -> list[float]:
     """How far the colour at each mass is from what it should be, in 0..255: the nearest pixel of a few."""
-    picture = desk.picture()
+    picture = desk.picture(marks=False)
     scale = int(desk.page.evaluate("devicePixelRatio"))
     scene = desk.session.scene
     colors = palette(scene.view.colors, dark)

@@ -1,15 +1,23 @@
 // @ts-check
 /** The camera: seen from the front, moved and zoomed but never turned. */
-import { told } from "./channel.js";
+import { onTold, told } from "./channel.js";
 import { placeTransport } from "./transport.js";
 import { viser } from "./viser.js";
 
 /** Room around the scene's frame. */
 const MARGIN = 1.04;
+/** Milliseconds between two looks at the size of the canvas, and at whether viser has its way with the camera. */
+const LOOK_EVERY = 100;
 let fits = 0;
+
+/** @type {(() => void)[]} */
+const listeners = [];
 
 /** How often the scene was fitted to the window. */
 export const fitted = () => fits;
+
+/** Calls back whenever it was. @param {() => void} listener */
+export const onFit = (listener) => listeners.push(listener);
 
 /** @param {import("./viser.js").Controls} controls */
 function flatten(controls) {
@@ -67,6 +75,7 @@ export function fit() {
   controls.update(0);
   flatten(controls);
   fits += 1;
+  for (const listener of listeners) listener();
   return true;
 }
 
@@ -77,7 +86,7 @@ export function keepFlat() {
   /** @type {string | undefined} */
   let scene;
   let size = "";
-  setInterval(() => {
+  const look = () => {
     const { canvas, cameraControl: controls } = viser() ?? {};
     if (!canvas || !controls) return;
     if (flat !== controls || controls.mouseButtons.left !== controls.constructor.ACTION.TRUCK) {
@@ -92,5 +101,7 @@ export function keepFlat() {
       scene = told().scene;
       size = now;
     }
-  }, 100);
+  };
+  onTold(look);
+  setInterval(look, LOOK_EVERY);
 }

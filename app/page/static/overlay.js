@@ -1,5 +1,6 @@
 // @ts-check
 /** Thin marks over the body: the joint that is read out, the mass that is chosen, and a scale bar. */
+import { onFit } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { wrapped } from "./draw.js";
@@ -14,7 +15,7 @@ import { viser } from "./viser.js";
 /** Pixels from the mass at which a joint's arc is drawn, beyond the mass's own radius. */
 const ARC = 26;
 /** Pixels from the arc to the middle of its angle's text. */
-const LABEL = 14;
+const LABEL = 22;
 /** Pixels that the scale bar has at least. */
 const BAR = 70;
 
@@ -87,6 +88,7 @@ export function addOverlay() {
   const hint = add("text", "softrod-hint");
   hint.textContent = "drag me";
   window.addEventListener("pointerdown", (event) => event.target === viser()?.canvas && hint.remove(), true);
+  hint.addEventListener("animationend", () => hint.remove());
   const bar = add("path", "softrod-scale");
   const length = add("text", "softrod-scale-text");
   document.body.append(svg);
@@ -146,6 +148,7 @@ export function addOverlay() {
   };
   onPicture(redraw);
   onTold(redraw);
+  onFit(redraw);
   // The camera moves without a picture, too, and goes on a little by itself.
   let until = 0;
   let tracking = false;
