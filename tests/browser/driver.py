@@ -265,8 +265,10 @@ class Desk:
         return np.linalg.solve(basis, np.array(point) - origin)
 
     def picture(self, save: str | None = None, marks: bool = True) -> NDArray[np.float64]:
-        """(h, w, 3) sRGB colours 0..255 of the page, with or without the marks over the body; also saved in the
-        artifacts, if given a name."""
+        """(h, w, 3) sRGB colours 0..255 of the page, with or without the marks over the body.
+
+        It is also saved in the artifacts, if given a name.
+        """
         data = self.page.screenshot(style=None if marks else ".softrod-overlay { visibility: hidden }")
         if save is not None:
             ARTIFACTS.mkdir(exist_ok=True)

@@ -10,8 +10,17 @@ const MARGIN = 1.04;
 const LOOK_EVERY = 100;
 let fits = 0;
 
+/** Where the camera was after that. @type {number[]} */
+let seen = [];
 /** @type {(() => void)[]} */
 const listeners = [];
+
+/** Whether the camera is still there. */
+function untouched() {
+  const { camera } = viser() ?? {};
+  const now = camera ? [camera.position.x, camera.position.y, camera.position.z] : [];
+  return now.length === seen.length && now.every((value, i) => Math.abs(value - seen[i]) < 1e-6);
+}
 
 /** How often the scene was fitted to the window. */
 export const fitted = () => fits;
@@ -75,6 +84,7 @@ export function fit() {
   controls.update(0);
   flatten(controls);
   fits += 1;
+  seen = [camera.position.x, camera.position.y, camera.position.z];
   for (const listener of listeners) listener();
   return true;
 }
@@ -86,6 +96,7 @@ export function keepFlat() {
   /** @type {string | undefined} */
   let scene;
   let size = "";
+  let covers = 0;
   const look = () => {
     const { canvas, cameraControl: controls } = viser() ?? {};
     if (!canvas || !controls) return;
@@ -96,10 +107,14 @@ export function keepFlat() {
     document.documentElement.style.setProperty("--softrod-canvas", `${canvas.clientWidth}px`);
     const now = `${canvas.clientWidth}x${canvas.clientHeight}`;
     const box = canvas.getBoundingClientRect();
-    placeTransport(box, covered(canvas, box));
-    if ((told().scene !== scene || size !== now) && fit()) {
+    const sheet = covered(canvas, box);
+    placeTransport(box, sheet);
+    // A view that its user has chosen stays when the panel's sheet grows or shrinks.
+    const grown = sheet !== covers && untouched();
+    if ((told().scene !== scene || size !== now || grown) && fit()) {
       scene = told().scene;
       size = now;
+      covers = sheet;
     }
   };
   onTold(look);
