@@ -56,8 +56,10 @@ def _moves(message: dict[str, Any]) -> bool:
 
 
 def _runs(message: dict[str, Any]) -> bool:
-    """Whether simulated time has passed."""
-    return is_frame(message) and float(message["updates"]["points"][FRAME_TIME]) > 0.0
+    """Whether simulated time has passed: in a picture, or of a body that is told to be at rest."""
+    if is_frame(message):
+        return float(message["updates"]["points"][FRAME_TIME]) > 0.0
+    return 'data-rest="1"' in str(message.get("updates", {}).get("content", ""))
 
 
 def is_frame(message: dict[str, Any]) -> bool:
