@@ -129,3 +129,27 @@ def test_every_control_has_a_name(open_page: OpenPage) -> None:
     desk.show("Body")
     thumb = desk.page.get_by_role("slider", name="Linear stiffness")
     desk.until(lambda: thumb.get_attribute("aria-valuetext") == "10000", "not the power of ten")
+
+
+def test_space_presses_what_the_tab_key_has_reached(open_page: OpenPage) -> None:
+    desk = open_page()
+
+    def reach(selector: str) -> None:
+        for _ in range(60):
+            desk.page.keyboard.press("Tab")
+            if desk.page.evaluate("s => document.activeElement.matches(s)", selector):
+                return
+        raise AssertionError(f"the Tab key never comes to {selector}")
+
+    reach("input[type=checkbox]")
+    desk.page.keyboard.press("Space")
+    desk.until(lambda: desk.session.follow, "the switch is turned")
+    assert desk.session.playing
+    desk.page.keyboard.press("Space")
+    desk.until(lambda: not desk.session.follow, "and back")
+    reach("[data-softrod-key=R]")
+    desk.page.keyboard.down("Space")
+    desk.until(lambda: "right" in desk.simulation.keys, "the pad holds")
+    desk.page.keyboard.up("Space")
+    desk.until(lambda: not desk.simulation.keys, "and lets go")
+    assert desk.session.playing

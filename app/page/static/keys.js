@@ -10,6 +10,8 @@ const ARROWS = { ArrowUp: "U", ArrowDown: "D", ArrowLeft: "L", ArrowRight: "R" }
 /** @type {Record<string, string>} */
 const ONCE = { Space: "play", KeyN: "step", KeyR: "reset", KeyF: "follow", Escape: "pause", Digit0: "fit",
   Comma: "back", Period: "forward", KeyJ: "second", KeyP: "project" };
+/** What Space presses, once it was reached with the Tab key. */
+const PRESSED = "button:focus-visible, input:focus-visible, [role=tab]:focus-visible, [role=button]:focus-visible";
 /** What a key that is held down does again and again. */
 const REPEATED = new Set(["step", "back", "forward"]);
 /** With these viser would move the camera. */
@@ -75,8 +77,8 @@ function press(event) {
   }
   const once = ONCE[event.code];
   if (!once) return;
-  // A button reached with the Tab key is pressed with Space, as everywhere.
-  if (once === "play" && document.activeElement?.matches("button:focus-visible")) return;
+  // What was reached with the Tab key is pressed with Space, as everywhere.
+  if (once === "play" && document.activeElement?.matches(PRESSED)) return;
   keep(event);
   if (event.repeat && !REPEATED.has(once)) return;
   if (once === "fit") fit();
@@ -104,6 +106,16 @@ function listenToPad() {
       if (!button) return;
       button.classList.remove("softrod-on");
       release(button.dataset.softrodKey ?? "");
+    });
+  }
+  for (const kind of ["keydown", "keyup"]) {
+    document.addEventListener(kind, (event) => {
+      const button = padKey(event);
+      if (!button || !(event instanceof KeyboardEvent) || (event.code !== "Space" && event.key !== "Enter")) return;
+      event.preventDefault();
+      button.classList.toggle("softrod-on", kind === "keydown");
+      if (kind === "keydown") hold(button.dataset.softrodKey ?? "");
+      else release(button.dataset.softrodKey ?? "");
     });
   }
   document.addEventListener("contextmenu", (event) => padKey(event) && event.preventDefault());

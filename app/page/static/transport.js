@@ -86,7 +86,11 @@ export function addTransport() {
   speed.ariaLabel = "Speed";
   speed.title = "Simulated seconds per second";
   for (const value of SPEEDS) speed.add(new Option(speedText(value), String(value)));
-  speed.addEventListener("change", () => send("speed", speed.value));
+  speed.addEventListener("change", () => {
+    send("speed", speed.value);
+    // The keys are the body's again, unless somebody goes by keys.
+    if (!speed.matches(":focus-visible")) speed.blur();
+  });
 
   const offer = document.createElement("button");
   offer.type = "button";
