@@ -22,7 +22,9 @@ export function screen() {
     return { x: box.left + ((point.x + 1) / 2) * box.width, y: box.top + ((1 - point.y) / 2) * box.height };
   };
   const [origin, one] = [project(0), project(1)];
-  return { ...origin, step: one.x - origin.x };
+  const step = one.x - origin.x;
+  // At the very beginning the camera is not in its place.
+  return step > 0 && Number.isFinite(step + origin.x + origin.y) ? { ...origin, step } : null;
 }
 
 /**
