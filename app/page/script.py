@@ -35,6 +35,7 @@ ONCE: dict[str, Command] = {
     "second": commands.GoBack(1.0),
     "forward": commands.GoForward(),
     "before": commands.BackBeforeDivergence(),
+    "forget": commands.ForgetFuture(),
 }
 """Commands that the script sends by a word; `follow` is a switch besides."""
 

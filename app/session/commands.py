@@ -111,7 +111,7 @@ class Open:
 
 @dataclass(frozen=True)
 class Play:
-    """Run, pause, or the other of the two (None)."""
+    """Run, pause, or the other of the two (None). It runs on from the moment that is shown, if that is past."""
 
     on: bool | None = None
 
@@ -171,11 +171,6 @@ class GoForward:
 
 
 @dataclass(frozen=True)
-class GoOn:
-    """Play from the moment shown; what came after it becomes the old future."""
-
-
-@dataclass(frozen=True)
 class ForgetFuture:
     """The old future is no longer wanted."""
 
@@ -209,5 +204,5 @@ class Resume:
 Command = (
     HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues | Compare
     | KeepBooks | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot
-    | GoTo | GoBack | GoForward | GoOn | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
+    | GoTo | GoBack | GoForward | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
 )  # fmt: skip

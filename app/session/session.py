@@ -267,8 +267,6 @@ class Session(Running):
                 self._show(history.back(seconds))
             case commands.GoForward():
                 self._show(min(history.shown + 1, history.last))
-            case commands.GoOn():
-                self.play(True)
             case commands.ForgetFuture():
                 self.old_future = None
                 self.revision += 1

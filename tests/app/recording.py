@@ -39,5 +39,5 @@ def busy_page(scene: sim.Scene, play_on: bool = True) -> SessionPage:
         page.frames(1, commands.GoBack(back))
     page.frames(1, commands.SetValue("linear_damping", 60.0))
     if play_on:
-        page.frames(60, commands.GoOn(), commands.Speed(0.5))
+        page.frames(60, commands.Play(True), commands.Speed(0.5))
     return page

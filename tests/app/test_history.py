@@ -195,7 +195,7 @@ def test_a_slider_keeps_the_moment_that_is_shown(page: SessionPage) -> None:
     page.frames(5, commands.SetValue("gravity", 10.0))
     assert (session.simulation.time, session.history.end) == (time, end)
     assert np.array_equal(session.simulation.positions, positions)
-    page.frames(30, commands.GoOn())
+    page.frames(30, commands.Play(True))
     assert session.scene.gravity == (0.0, 10.0)
     assert session.simulation.time == pytest.approx(time + 0.5, abs=0.03)
 
@@ -222,7 +222,7 @@ def test_what_follows_the_pointer_does_not_disturb_the_past(page: SessionPage) -
     place = page.session.simulation.positions
     page.frames(10, commands.Point(400.0, 300.0))
     assert np.array_equal(page.session.simulation.positions, place)
-    page.frames(20, commands.GoOn())
+    page.frames(20, commands.Play(True))
     page.frames(20, commands.Point(400.0, 300.0))
     assert page.session.simulation.positions[0] == pytest.approx((400.0, 300.0))
 
@@ -254,7 +254,7 @@ def test_the_old_future_stays_for_comparison(page: SessionPage) -> None:
     assert session.old_future is None
     start, end = session.simulation.time, session.history.end
     page.frames(1, commands.SetValue("gravity", 100.0))
-    page.frames(12, commands.GoOn())
+    page.frames(12, commands.Play(True))
     old = session.old_future
     assert old is not None
     assert (old.start, old.end) == (start, end)
@@ -348,7 +348,7 @@ def test_there_is_a_way_back_to_before_a_divergence(preset: str, method: str, ov
     assert session.simulation.time < diverged
     assert np.ptp(session.simulation.positions, axis=0).max() < 1.5 * size
     assert np.abs(session.simulation.velocities).max() < 5000.0
-    page.frames(60, commands.SetValue("dt", 2e-4), commands.GoOn())
+    page.frames(60, commands.SetValue("dt", 2e-4), commands.Play(True))
     assert session.simulation.divergence is None
     assert np.ptp(session.simulation.positions, axis=0).max() < 2.0 * size
 

@@ -98,7 +98,7 @@ ACTS: st.SearchStrategy[commands.Command] = st.one_of(
     st.just(commands.Reset()),
     st.builds(commands.GoTo, st.floats(0.0, 2.0)),
     st.builds(commands.GoBack, st.floats(0.0, 0.5)),
-    st.sampled_from([commands.GoForward(), commands.GoOn(), commands.BackBeforeDivergence()]),
+    st.sampled_from([commands.GoForward(), commands.Play(True), commands.BackBeforeDivergence()]),
 )
 
 
@@ -359,7 +359,7 @@ def test_looking_back_in_a_replay_does_not_disturb_it(data: bytes) -> None:
     assert not page.session.playing
     assert page.session.simulation.time == pytest.approx(0.2, abs=0.02)
     page.frames(3, commands.GoForward(), commands.GoBack(0.1))
-    page.frames(400, commands.GoOn())
+    page.frames(400, commands.Play(True))
     (notice,) = page.session.notices
     assert "agrees" in notice.text
 

@@ -37,6 +37,7 @@ MAPPING = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
         ("11|do|back", commands.GoBack(0.0)),
         ("12|do|second", commands.GoBack(1.0)),
         ("13|do|forward", commands.GoForward()),
+        ("18|do|forget", commands.ForgetFuture()),
         ("14|do|before", commands.BackBeforeDivergence()),
     ],
 )

@@ -99,13 +99,18 @@ export function addTransport() {
   offer.addEventListener("click", () => send("do", "before"));
   const past = document.createElement("span");
   past.className = "softrod-past";
+  const forget = document.createElement("button");
+  forget.type = "button";
+  forget.className = "softrod-offer";
+  forget.textContent = "Take the line away";
+  forget.addEventListener("click", () => send("do", "forget"));
 
   bar.append(reset, second, back, play, forward, time, clock, speed);
   const frame = document.createElement("div");
   frame.className = "softrod-dock";
   const line = document.createElement("div");
   line.className = "softrod-line";
-  line.append(offer, past);
+  line.append(offer, past, forget);
   frame.append(line, bar);
   document.body.append(frame);
 
@@ -140,6 +145,7 @@ export function addTransport() {
     if (factor && document.activeElement !== speed) speed.value = String(Number(factor));
     dress(forward, "forward", scrubbed === "1" ? "Forward 1 frame" : "1 step", scrubbed === "1" ? "." : "N");
     offer.hidden = offered !== "1";
+    forget.hidden = future !== "1";
     past.textContent = future === "1" ? "The thin line is what happened before you went back." : "";
   };
   onPicture(show);
