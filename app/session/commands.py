@@ -111,7 +111,7 @@ class Open:
 
 @dataclass(frozen=True)
 class Play:
-    """Run, pause, or the other of the two (None). It runs on from the moment that is shown, if that is past."""
+    """Run, from the moment that is shown; pause; or the other of the two (None)."""
 
     on: bool | None = None
 
