@@ -12,7 +12,7 @@ import sim
 from sim.errors import SceneError
 from sim.methods.registry import METHODS
 from sim.scene.files import MAX_FILE_BYTES, decode_scene
-from sim.scene.types import MAX_SPRINGS
+from sim.scene.numbers import MAX_SPRINGS
 from sim.settings import CHOICES
 
 from . import log

@@ -25,8 +25,8 @@ from sim.errors import InputError, SceneError
 from sim.kernels.core.tables import SCALE_MAX, SCALE_MIN
 from sim.motion.simulation import Key
 from sim.scene.files import MAX_FILE_BYTES, decode_scene, encode_scene
+from sim.scene.numbers import Angle, Vector
 from sim.scene.sentences import in_words
-from sim.scene.types import Angle, Vector
 
 FORMAT, VERSION = "softrod-log", 1
 

@@ -14,7 +14,8 @@ from ..kernels.core.tables import Floats
 from ..kernels.forces.forces import accelerations
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..kernels.linear.two_sided_lu import inverse_pivots
-from ..scene.types import MAX_COORDINATE, Integrator, Pose, Scene
+from ..scene.numbers import MAX_COORDINATE
+from ..scene.types import Integrator, Pose, Scene
 from ..scene.validate import validate
 
 _MOST_STEPS = 3000

@@ -10,7 +10,8 @@ from ..body.system import System
 from ..kernels.core.tables import State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
-from ..scene.types import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Scene
+from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
+from ..scene.types import Scene
 from .stability import StabilityEstimate, StabilityMeter
 from .stepping import Outcome
 

@@ -18,7 +18,8 @@ import numpy as np
 from ..body.system import System
 from ..errors import InputError
 from ..kernels.core.tables import State
-from ..scene.types import MAX_COORDINATE, MAX_SPEED, Scene
+from ..scene.numbers import MAX_COORDINATE, MAX_SPEED
+from ..scene.types import Scene
 from .stability import quick_limit
 
 _TOO_MANY = 8e4

@@ -9,7 +9,8 @@ import numpy as np
 
 from ..body.system import System
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Drive, State
-from ..scene.types import MAX_SPEED, Circle, Scene
+from ..scene.numbers import MAX_SPEED
+from ..scene.types import Circle, Scene
 from .drag import NO_MOTION, NO_MOTIONS, HandMotions
 
 _SHY = 1.0 - 1e-15

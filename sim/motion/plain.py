@@ -12,7 +12,8 @@ from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
 from ..physics import Physics, Vectors, euler_step, verlet_step
-from ..scene.types import MAX_COORDINATE, RUNAWAY_SPEED, Scene
+from ..scene.numbers import MAX_COORDINATE, RUNAWAY_SPEED
+from ..scene.types import Scene
 from .solver import UNLIMITED, SolverStats
 from .stability import damped_limit
 

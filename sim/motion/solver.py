@@ -56,7 +56,8 @@ from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..methods.registry import ARM_METHODS, METHODS, MethodInfo
 from ..methods.tableaux import RK4
-from ..scene.types import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED, Scene
+from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
+from ..scene.types import Scene
 from .stability import quick_limit
 
 _ROWS, _HISTORY = 24, 4

@@ -10,7 +10,8 @@ from ..body.system import System
 from ..kernels.core.tables import SCALE_MAX, SCALE_MIN, Drive, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
-from ..scene.types import MAX_SPEED, RUNAWAY_SPEED, Scene
+from ..scene.numbers import MAX_SPEED, RUNAWAY_SPEED
+from ..scene.types import Scene
 from .drag import LONGEST_PART, NO_MOTIONS, HandMotions, Hands
 from .driving import Driver
 from .plain import PlainSolver

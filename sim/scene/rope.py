@@ -6,7 +6,8 @@ from typing import Any
 
 import msgspec
 
-from .types import ArrowKeys, Circle, ForceLaw, Integrator, Rope, Scene, Vector, View
+from .numbers import Vector
+from .types import ArrowKeys, Circle, ForceLaw, Integrator, Rope, Scene, View
 from .validate import validate
 
 

@@ -13,39 +13,26 @@ from typing import Annotated, Literal
 import msgspec
 from msgspec import Meta
 
+from .numbers import (
+    MAX_MASSES,
+    Angle,
+    Coordinate,
+    Damping,
+    Force,
+    Index,
+    Kilograms,
+    Length,
+    Name,
+    Radius,
+    Speed,
+    Stiffness,
+    Vector,
+    bounded,
+)
+from .surroundings import Contact, Gas, Liquid, Wall, Wind
+
 FORMAT_VERSION = 2
 """Version of the file format that this release writes; older files are read, newer ones are refused."""
-
-MAX_MASSES = 20_000
-"""Largest number of masses in a scene."""
-MAX_SPRINGS = 100_000
-"""Largest number of linear springs in a scene, and of angular springs."""
-MAX_COORDINATE = 1e6
-"""Largest absolute value of a coordinate, px."""
-MAX_SPEED = 1e9
-"""Largest absolute value of a velocity component, px/s."""
-
-RUNAWAY_SPEED = 1e6
-"""Speed (px/s) at which a body under a method without error control counts as having run away."""
-
-
-def _range(low: float, high: float, unit: str, what: str) -> Meta:
-    return Meta(ge=low, le=high, description=f"{what} ({unit})" if unit else what, extra={"unit": unit})
-
-
-# The ranges are wide enough for any body that one would draw, and narrow enough that no product of two of
-# these numbers overflows.
-Coordinate = Annotated[float, _range(-MAX_COORDINATE, MAX_COORDINATE, "px", "A coordinate")]
-Speed = Annotated[float, _range(-MAX_SPEED, MAX_SPEED, "px/s", "A component of a velocity")]
-Length = Annotated[float, _range(0.0, 1e6, "px", "A length")]
-Stiffness = Annotated[float, _range(0.0, 1e15, "kg/s²", "Stiffness")]
-Damping = Annotated[float, _range(0.0, 1e6, "kg/s", "Damping")]
-Angle = Annotated[float, _range(-180.0, 180.0, "°", "An angle")]
-Kilograms = Annotated[float, _range(1e-6, 1e6, "kg", "A mass")]
-Radius = Annotated[float, _range(1e-3, 1e4, "px", "The radius a mass is drawn with")]
-Index = Annotated[int, Meta(ge=0, lt=MAX_SPRINGS)]
-Name = Annotated[str, Meta(min_length=1, max_length=60)]
-Vector = tuple[Coordinate, Coordinate]
 
 ForceLaw = Literal["tutorial", "conservative", "angle"]
 """The force law of the angular springs; see `AngularSpring`."""
@@ -94,6 +81,11 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
         stiffness: 0..1e15 kg/s² (newtons per metre if a px is a metre).
         damping: 0..1e6 kg/s.
         rest_length: 0..1e6 px.
+        strength: the force at which it breaks, 0..1e15 kg px/s², or None if it never does. The angular
+            springs that hold it break with it.
+        yield_force: the force beyond which it is stretched or squeezed for good, so that its rest length
+            follows, 0..1e15 kg px/s², or None if it never is.
+        hardening: 0..1e15 kg/s²; by how much the yield force grows per px by which the rest length has moved.
     """
 
     a: Index
@@ -101,6 +93,9 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     stiffness: Stiffness
     damping: Damping = 0.0
     rest_length: Length
+    strength: Force | None = None
+    yield_force: Force | None = None
+    hardening: Stiffness = 0.0
 
 
 class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -123,6 +118,8 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
         stiffness: 0..1e15 kg/s².
         damping: 0..1e6 kg/s.
         rest_angle: -180..180 °.
+        yield_torque: the torque beyond which it is bent for good, so that its rest angle follows,
+            0..1e18 kg px²/s², or None if it never is.
     """
 
     a: Index
@@ -130,6 +127,7 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
     stiffness: Stiffness
     damping: Damping = 0.0
     rest_angle: Angle = 0.0
+    yield_torque: Annotated[float, bounded(0.0, 1e18, "kg px²/s²", "A torque")] | None = None
 
 
 class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -144,9 +142,9 @@ class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
         ramp: 1e-3..100 s, the time constant with which it speeds up.
     """
 
-    radius: Annotated[float, _range(0.0, 1e4, "px", "Radius of an anchor's circle")]
-    frequency: Annotated[float, _range(-100.0, 100.0, "Hz", "Turns per second")] = 1.0
-    ramp: Annotated[float, _range(1e-3, 100.0, "s", "Time in which the motion gets going")] = 0.1
+    radius: Annotated[float, bounded(0.0, 1e4, "px", "Radius of an anchor's circle")]
+    frequency: Annotated[float, bounded(-100.0, 100.0, "Hz", "Turns per second")] = 1.0
+    ramp: Annotated[float, bounded(1e-3, 100.0, "s", "Time in which the motion gets going")] = 0.1
 
 
 class Anchor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -189,9 +187,9 @@ class Rope(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     """
 
     masses: Annotated[int, Meta(ge=2, le=MAX_MASSES)] = 12
-    length: Annotated[float, _range(1e-3, 1e6, "px", "Length of the rope")] = 300.0
+    length: Annotated[float, bounded(1e-3, 1e6, "px", "Length of the rope")] = 300.0
     start: Vector = (0.0, 0.0)
-    offset: Annotated[float, _range(-1000.0, 1000.0, "springs", "Shift in spring lengths")] = 0.0
+    offset: Annotated[float, bounded(-1000.0, 1000.0, "springs", "Shift in spring lengths")] = 0.0
     direction: Vector = (1.0, 0.0)
     stiffness: Stiffness = 10_000.0
     damping: Damping = 40.0
@@ -218,8 +216,8 @@ class Integrator(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_field
     """
 
     method: Method = "auto"
-    dt: Annotated[float, _range(1e-6, 1.0, "s", "Time step")] = 0.0025
-    tolerance: Annotated[float, _range(1e-12, 1e3, "px", "Tolerance of the error control")] = 0.1
+    dt: Annotated[float, bounded(1e-6, 1.0, "s", "Time step")] = 0.0025
+    tolerance: Annotated[float, bounded(1e-12, 1e3, "px", "Tolerance of the error control")] = 0.1
 
 
 class ArrowKeys(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -231,9 +229,9 @@ class ArrowKeys(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
         interval: 1e-6..10 s.
     """
 
-    rest_length_factor: Annotated[float, _range(1.0, 2.0, "", "Factor of Up and Down")] = 1.002
-    rest_angle_step: Annotated[float, _range(0.0, 90.0, "°", "Step of Left and Right")] = 0.1
-    interval: Annotated[float, _range(1e-6, 10.0, "s", "Simulated time per factor or step")] = 0.0025
+    rest_length_factor: Annotated[float, bounded(1.0, 2.0, "", "Factor of Up and Down")] = 1.002
+    rest_angle_step: Annotated[float, bounded(0.0, 90.0, "°", "Step of Left and Right")] = 0.1
+    interval: Annotated[float, bounded(1e-6, 10.0, "s", "Simulated time per factor or step")] = 0.0025
 
 
 Readout = Literal["sine", "cosine", "radians", "degrees", "rest_angle"]
@@ -282,8 +280,12 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         description: what the scene shows, at most 2000 characters.
         rope: the recipe, or None.
         masses, linear_springs, angular_springs, anchors: the body.
+        fillings: gases and liquids in closed loops of masses.
         gravity: acceleration, px/s², each component within ±1e6; +y is down where `view.y_down`.
         air_friction: 0..1000 kg/px; the force on each axis is -air_friction v |v|.
+        wind: air that moves, or None.
+        walls: walls, floors and slopes.
+        contact: contact of bodies with each other and with themselves, or None.
         rest_length_scale: 0.01..100; multiplies every rest length.
         template: one of the tutorial's eight rest angles for every joint, or None. The angular springs
             must then have that rest angle. The diagonal templates are sqrt(2) times as stiff as the general
@@ -301,9 +303,13 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     linear_springs: tuple[LinearSpring, ...] = ()
     angular_springs: tuple[AngularSpring, ...] = ()
     anchors: tuple[Anchor, ...] = ()
+    fillings: tuple[Gas | Liquid, ...] = ()
     gravity: Annotated[Vector, Meta(description="Acceleration of gravity (px/s²)")] = (0.0, 0.0)
-    air_friction: Annotated[float, _range(0.0, 1000.0, "kg/px", "Air friction")] = 0.0
-    rest_length_scale: Annotated[float, _range(0.01, 100.0, "", "Factor of all rest lengths")] = 1.0
+    air_friction: Annotated[float, bounded(0.0, 1000.0, "kg/px", "Air friction")] = 0.0
+    wind: Wind | None = None
+    walls: tuple[Wall, ...] = ()
+    contact: Contact | None = None
+    rest_length_scale: Annotated[float, bounded(0.01, 100.0, "", "Factor of all rest lengths")] = 1.0
     template: Template | None = None
     force_law: ForceLaw = "conservative"
     integrator: Integrator = Integrator()

@@ -14,8 +14,9 @@ from typing import Any, get_args, get_type_hints
 import msgspec
 
 from ..errors import SceneError
+from .numbers import MAX_MASSES, MAX_SPRINGS
 from .sentences import difference, sentence, unit_of
-from .types import BODY_FIELDS, FORMAT_VERSION, MAX_MASSES, MAX_SPRINGS, Rope, Scene, expand_rope
+from .types import BODY_FIELDS, FORMAT_VERSION, Rope, Scene, expand_rope
 
 _SHORTEST = 1e-9
 """Distance, px, below which the ends of a spring count as coincident: the spring would have no direction."""

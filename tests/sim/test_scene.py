@@ -23,7 +23,8 @@ from sim import (
     View,
     validate,
 )
-from sim.scene.types import MAX_MASSES, MAX_SPRINGS, Circle
+from sim.scene.numbers import MAX_MASSES, MAX_SPRINGS
+from sim.scene.types import Circle
 from sim.scene.validate import number_range
 from tests.sim.walking import Route, routes, spelled, with_value
 

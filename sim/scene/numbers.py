@@ -1,0 +1,43 @@
+"""The numbers that scenes are made of, with the range of each.
+
+Validation, error messages, sliders and the JSON Schema are derived from these annotations.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from msgspec import Meta
+
+MAX_MASSES = 20_000
+"""Largest number of masses in a scene."""
+MAX_SPRINGS = 100_000
+"""Largest number of linear springs in a scene, and of angular springs."""
+MAX_COORDINATE = 1e6
+"""Largest absolute value of a coordinate, px."""
+MAX_SPEED = 1e9
+"""Largest absolute value of a velocity component, px/s."""
+
+RUNAWAY_SPEED = 1e6
+"""Speed (px/s) at which a body under a method without error control counts as having run away."""
+
+
+def bounded(low: float, high: float, unit: str, what: str) -> Meta:
+    """The annotation of a number: its range, its unit, and what it is."""
+    return Meta(ge=low, le=high, description=f"{what} ({unit})" if unit else what, extra={"unit": unit})
+
+
+# The ranges are wide enough for any body that one would draw, and narrow enough that no product of two of
+# these numbers overflows.
+Coordinate = Annotated[float, bounded(-MAX_COORDINATE, MAX_COORDINATE, "px", "A coordinate")]
+Speed = Annotated[float, bounded(-MAX_SPEED, MAX_SPEED, "px/s", "A component of a velocity")]
+Length = Annotated[float, bounded(0.0, 1e6, "px", "A length")]
+Stiffness = Annotated[float, bounded(0.0, 1e15, "kg/s²", "Stiffness")]
+Damping = Annotated[float, bounded(0.0, 1e6, "kg/s", "Damping")]
+Force = Annotated[float, bounded(0.0, 1e15, "kg px/s²", "A force")]
+Angle = Annotated[float, bounded(-180.0, 180.0, "°", "An angle")]
+Kilograms = Annotated[float, bounded(1e-6, 1e6, "kg", "A mass")]
+Radius = Annotated[float, bounded(1e-3, 1e4, "px", "The radius a mass is drawn with")]
+Index = Annotated[int, Meta(ge=0, lt=MAX_SPRINGS)]
+Name = Annotated[str, Meta(min_length=1, max_length=60)]
+Vector = tuple[Coordinate, Coordinate]

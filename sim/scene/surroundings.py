@@ -1,0 +1,118 @@
+"""What a body meets besides its own springs: moving air, walls, and what fills it."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import msgspec
+from msgspec import Meta
+
+from .numbers import Index, Length, Speed, Vector, bounded
+
+Pressure = Annotated[float, bounded(0.0, 1e9, "kg/s²", "Pressure")]
+Area = Annotated[float, bounded(1e-6, 1e12, "px²", "An area")]
+
+
+class Wind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Air that moves; the scene's air friction acts against the velocity relative to it.
+
+    Gusts are frozen eddies that the mean wind carries along (Taylor 1938): a sum of plane waves across their
+    direction, whose phases and directions follow from the seed (Kraichnan 1970). So the air is neither
+    compressed nor the same everywhere, and the same seed gives the same gusts.
+
+    Attributes:
+        velocity: of the mean wind, px/s.
+        turbulence: 0..10; the root mean square of each component of the gusts, as a fraction of the speed.
+        length_scale: 1..1e5 px, the length of the longest waves.
+        seed: 0..1e9, of the gusts.
+    """
+
+    velocity: tuple[Speed, Speed]
+    turbulence: Annotated[float, bounded(0.0, 10.0, "", "Turbulence")] = 0.0
+    length_scale: Annotated[float, bounded(1.0, 1e5, "px", "Length of the gusts")] = 400.0
+    seed: Annotated[int, Meta(ge=0, le=10**9)] = 0
+
+
+class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A straight wall, floor or slope without end, which pushes back every mass that has entered it.
+
+    A mass m at the depth d is pushed out with m hardness d² (1 + c s), where s is the speed at which it
+    enters, and c follows from the bounciness (Hunt & Crossley 1975). So under gravity g it comes to rest at
+    the depth sqrt(g / hardness).
+    Along the wall, a mass that is pushed with N is slowed by friction N tanh(s / slip_speed) at the speed s.
+    So it creeps even on a slope that would hold it: the smaller the slip speed, the slower.
+
+    Attributes:
+        point: any point of the wall's surface.
+        normal: any vector but zero, from the surface to the side that is free.
+        hardness: 1e-3..1e9 1/(px s²), the acceleration at a depth of 1 px.
+        friction: 0..100, coefficient of friction.
+        bounciness: 0..1; the speed at which a mass leaves that has hit the wall at 1000 px/s, as a fraction
+            of that. Slower ones keep more.
+        slip_speed: 1e-3..1e6 px/s.
+    """
+
+    point: Vector
+    normal: Vector
+    hardness: Annotated[float, bounded(1e-3, 1e9, "1/(px s²)", "Hardness of a wall")] = 8000.0
+    friction: Annotated[float, bounded(0.0, 100.0, "", "Coefficient of friction")] = 0.5
+    bounciness: Annotated[float, bounded(0.0, 1.0, "", "Bounciness")] = 0.5
+    slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
+
+
+class Gas(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, tag_field="kind", tag="gas"):
+    """A gas inside a closed loop of masses, at a constant temperature.
+
+    Its pressure is pressure * area / A where the loop's area is A, so that it never vanishes. The force on
+    the masses is the pressure, less that outside, times the gradient of A. Below a hundredth of the area,
+    where a long time step may arrive, the pressure grows linearly, through an area of zero and beyond.
+
+    Attributes:
+        masses: indices of the masses around the loop, in order, at least three.
+        pressure: 0..1e9 kg/s², force per length, at the given area.
+        outside: 0..1e9 kg/s², the pressure outside.
+        area: px²; None for the loop's own where its masses are by the scene.
+    """
+
+    masses: tuple[Index, ...]
+    pressure: Pressure
+    outside: Pressure = 0.0
+    area: Area | None = None
+
+
+class Liquid(
+    msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, tag_field="kind", tag="liquid"
+):
+    """A liquid inside a closed loop of masses, which resists every change of the loop's area A.
+
+    Its energy is bulk_modulus (A - area)² / (2 area), and its pressure -bulk_modulus (A - area) / area.
+
+    Attributes:
+        masses: indices of the masses around the loop, in order, at least three.
+        bulk_modulus: 0..1e9 kg/s².
+        area: px²; None for the loop's own where its masses are by the scene.
+    """
+
+    masses: tuple[Index, ...]
+    bulk_modulus: Pressure
+    area: Area | None = None
+
+
+class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Contact of bodies with each other and with themselves: no mass passes through a spring.
+
+    A mass that comes closer to a linear spring than `distance` is pushed away from it, with a force
+    stiffness d² (1 + c s) at the depth d, as by a wall; the spring's two masses get the opposite force, each
+    the more the nearer the contact is to it.
+
+    Attributes:
+        distance: 0..1e6 px, at which contact begins.
+        stiffness: 1e-3..1e12 kg/(px s²).
+        friction, bounciness, slip_speed: as of a `Wall`.
+    """
+
+    distance: Length
+    stiffness: Annotated[float, bounded(1e-3, 1e12, "kg/(px s²)", "Stiffness of contact")] = 8000.0
+    friction: Annotated[float, bounded(0.0, 100.0, "", "Coefficient of friction")] = 0.5
+    bounciness: Annotated[float, bounded(0.0, 1.0, "", "Bounciness")] = 0.5
+    slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
