@@ -328,6 +328,11 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
                 msgspec.structs.force_setattr(self, field, value)
 
 
+def is_surrounded(scene: Scene) -> bool:
+    """Whether anything acts on a scene's masses besides springs, still air and gravity."""
+    return bool(scene.walls or scene.fillings or (scene.wind and scene.air_friction > 0.0))
+
+
 BODY_FIELDS = ("masses", "linear_springs", "angular_springs", "anchors")
 """The fields of a scene that its recipe determines."""
 

@@ -187,7 +187,7 @@ def run_adams(problem, drive, end, tolerance, attempts):
                 # A step that was cut short says little about longer ones.
                 h = max(h, step * factor) if step < 0.999 * h else step * factor
         else:
-            if drive.pressed:
+            if drive.pressed or drive.gusty:
                 drive_to(body, state, drive, t, q, v)
             since, failures = 0, failures + 1
             if degree == most and error > 1.0:
