@@ -88,7 +88,7 @@ def _waves(wind: Wind) -> Floats:
         return np.zeros((0, WAVE_ROW))
     rng = np.random.default_rng(wind.seed)
     octave = np.arange(_WAVES) * (_OCTAVES / (_WAVES - 1))
-    number: Floats = math.tau / wind.length_scale * 2.0**octave
+    number = np.asarray(math.tau / wind.length_scale * 2.0**octave, float)
     turn = _TURN * np.arange(_WAVES) + rng.uniform(0.0, math.tau)
     amplitude = number ** (-1.0 / 3.0)  # equal shares of the octaves, each with the energy k^(-2/3)
     # The mean square of both components together is half of the sum of all squared amplitudes.
