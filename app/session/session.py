@@ -6,6 +6,7 @@ Callbacks only call `post`, from any thread. Everything else is called by the ti
 from __future__ import annotations
 
 import math
+import threading
 import time
 from collections import deque
 from collections.abc import Callable
@@ -25,7 +26,7 @@ from .ghost import Ghost
 from .hand import FRAME
 from .history import OldFuture
 from .notices import Notice, runaway
-from .pacing import HEAVY_UNIT, Pacer, is_large
+from .pacing import HEAVY_UNIT, is_large
 from .record import Recorder
 from .replay import Player
 from .running import Running
@@ -40,16 +41,16 @@ MAX_QUEUE = 4000
 """Commands that wait at most; beyond that the page is not a person, and the oldest are dropped."""
 
 MOST_SECONDS = 0.5
-"""Seconds of computing that one frame of a replay may take, by what steps have cost until then."""
+"""Seconds of computing that single steps, or one call of a replay, may take, by what steps have cost."""
 
 AFTER_REPLAY = "it begins where a replay was left"
-
-MOST_ATTEMPTS = 20_000
-"""Steps that a method may try for single steps of the clock, which have no frame to keep to."""
 
 STABILITY_EVERY, STABILITY_SHARE = 0.25, 0.02
 """Seconds between two looks at the stability limit, at least; and the share of the budget that they may
 take."""
+
+
+_OTHER_BODY = (commands.Open, commands.Replay, commands.Resume)
 
 
 class Session(Running):
@@ -62,6 +63,7 @@ class Session(Running):
         self, scene: sim.Scene, clock: Callable[[], float] = time.monotonic, wait: bool = True
     ) -> None:
         super().__init__(scene, clock, wait)
+        self._lock = threading.Lock()
         self._queue: deque[tuple[float, Command]] = deque(maxlen=MAX_QUEUE)
         self._estimated = -1  # revision at the last look at the stability limit
         self._keys_at = -math.inf
@@ -72,7 +74,7 @@ class Session(Running):
         waiting = [command for _, command in list(self._queue)]
         opened = [command.scene for command in waiting if isinstance(command, commands.Open)]
         return (
-            self.pacer.unit_cost > HEAVY_UNIT
+            max(self.pacer.unit_cost, self.ghost.unit_cost if self.ghost else 0.0) > HEAVY_UNIT
             or any(map(is_large, (self.simulation.scene, *opened)))
             or any(isinstance(command, commands.Resume | commands.Replay) for command in waiting)
         )
@@ -92,7 +94,12 @@ class Session(Running):
     # --------------------------------------------------------------------- any thread
     def post(self, command: Command) -> None:
         """Hand a command to the ticker."""
-        self._queue.append((self._clock(), command))
+        with self._lock:
+            if isinstance(command, _OTHER_BODY):
+                # It may be of many megabytes, and takes the place of any other that still waits.
+                waiting = (entry for entry in self._queue if not isinstance(entry[1], _OTHER_BODY))
+                self._queue = deque(waiting, maxlen=MAX_QUEUE)
+            self._queue.append((self._clock(), command))
 
     def snapshot(self, name: str, with_pose: bool) -> sim.Scene:
         """The scene as it is now, to be saved; with the present pose, or with the one it started from.
@@ -167,7 +174,10 @@ class Session(Running):
     def drain(self) -> None:
         """Apply the commands that wait; also while the clock stands."""
         for _ in range(len(self._queue)):
-            at, command = self._queue.popleft()
+            with self._lock:
+                if not self._queue:
+                    break
+                at, command = self._queue.popleft()
             try:
                 if self.replay is not None and _is_input(command):
                     self._end_replay("You have taken over from the replay.")
@@ -210,6 +220,7 @@ class Session(Running):
                 self._own_values(of)
                 self.generation += 1
             case commands.Compare(method, law, finer):
+                self.history.forget_ghosts()
                 self.ghost = Ghost(self.simulation, method, law, finer, self._wait) if method else None
                 self.revision += 1
             case commands.KeepBooks(on):
@@ -228,8 +239,8 @@ class Session(Running):
                 self._branch()
                 self.hand.steer(self._following, glide=True)
                 led = list(self.simulation.behind)
-                done = self.recorder.step(max(0, min(steps, 1000)), attempts=MOST_ATTEMPTS)
-                self._follow_ghost(done, led)
+                done = self.recorder.step(max(0, min(steps, 1000)), self.pacer.attempts(MOST_SECONDS))
+                self._follow_ghost(done, led, MOST_SECONDS)
                 self._after_steps()
             case commands.Reset():
                 self._let_go()
@@ -237,7 +248,6 @@ class Session(Running):
                 self.fallbacks = 0
                 self._begin_history()
                 if self.ghost is not None:
-                    self.ghost.simulation.reset()
                     self.ghost.start_from(self.simulation)
                 self.pacer.restart()
                 self.revision += 1
@@ -277,8 +287,6 @@ class Session(Running):
             case commands.Replay(record):
                 self._open(record.scene)
                 self.replay = Player(record, self.simulation)
-                speed, self.pacer = self.pacer.speed, Pacer()  # what the last body cost says nothing
-                self.pacer.speed = speed
                 self.play(True)
             case commands.Resume(keepsake):
                 self._resume(keepsake)
@@ -308,7 +316,7 @@ class Session(Running):
         seconds, stats = time.perf_counter() - began, self.simulation.stats()
         self.fallbacks += stats.fallbacks
         self.pacer.record(now, self.simulation.dt, done, seconds, stats, missed=steps - done)
-        self._follow_ghost(done, led)
+        self._follow_ghost(done, led, budget - seconds)
         self._after_steps()
 
     # --------------------------------------------------------------------- what is past
@@ -329,7 +337,7 @@ class Session(Running):
             self._let_go()
             if not history.scrubbed:
                 # What was changed since the last frame is not to be lost.
-                history.amend(self.simulation.capture())
+                history.amend(self.simulation.capture(), self._ghost_moment())
             self.recorder.restore(history[index])
         elif index == history.last:
             self.simulation = self.replay.simulation  # it has to go on as if nobody had looked back
@@ -342,9 +350,7 @@ class Session(Running):
         self.offer_back = False
         self._changed_from(before)
         if self.ghost is not None:
-            if history[index].scene is not before:
-                self.ghost.simulation.replace(self.ghost.variant(self.simulation.scene))
-            self.ghost.start_from(self.simulation)
+            self.ghost.go_back(history.ghost(index), self.simulation)
         self.revision += 1
         self._stability_due = 0.0
 
@@ -376,7 +382,7 @@ class Session(Running):
         try:
             pacer = self.pacer
             most, attempts = pacer.affordable(MOST_SECONDS), pacer.attempts(MOST_SECONDS)
-            done = player.advance(steps * simulation.dt, most, attempts)
+            done = player.advance(steps * simulation.dt, budget, most, attempts)
         except InputError as error:
             self._end_replay(f"It cannot go on: {error}.")
             return

@@ -10,8 +10,11 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from rich.console import Console
 
 import sim
+from app import headless
+from app.gate.gate import MAX_UPLOAD_BYTES
 from app.session import commands, log, record
 from app.session.log import Check, Log, decode_log
 from app.session.replay import Player
@@ -177,6 +180,44 @@ def test_a_log_that_grows_too_long_starts_anew(monkeypatch: pytest.MonkeyPatch) 
     agrees(page)
     page.frames(30, commands.DragEnd())
     agrees(page)
+
+
+def test_a_log_stays_short_while_time_stands(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(log, "MAX_LOG_BYTES", 3000)
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(10)
+    x, y = page.session.simulation.positions[8]
+    page.frames(1, commands.Play(False), commands.DragStart(8, x, y))
+    acts: list[commands.Command] = []
+    for i in range(100):
+        acts += [
+            commands.Point(x + 0.1 * i, y), commands.SetValue("gravity", 1.0 + i), commands.GoBack(),
+            commands.DragStart(8, x, y), commands.KeepBooks(bool(i % 2)), commands.DragEnd(),
+        ]  # fmt: skip
+    for act in acts:
+        page.frames(1, act)
+        assert sum(map(len, page.session.recorder._lines)) < 3000 + 4000
+    agrees(page)
+    page.frames(30, commands.Play(True))
+    agrees(page)
+
+
+def test_a_body_that_is_larger_than_a_log_does_not_start_it_anew_all_the_time(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(log, "MAX_LOG_BYTES", 3000)
+    page = SessionPage(sim.rope(masses=100))
+    page.frames(1, commands.GoBack())
+    begun: list[str] = []
+    begin = record.Recorder._begin
+    monkeypatch.setattr(record.Recorder, "_begin", lambda self, note: (begun.append(note), begin(self, note)))
+    for i in range(200):
+        page.frames(1, commands.Play(True), commands.HoldKeys(frozenset({"up"} if i % 2 else ())))
+    assert 1 <= len(begun) < 10
+
+
+def test_a_page_can_open_the_longest_log_that_it_saves() -> None:
+    assert log.MAX_LOG_BYTES + 1_000_000 <= MAX_UPLOAD_BYTES
 
 
 def test_a_log_says_where_it_was_made_and_not_whose(tmp_path: Path) -> None:
@@ -405,6 +446,30 @@ def test_a_page_refuses_frames_that_would_stop_it() -> None:
         assert page.session.replay is None
         (notice,) = page.session.notices
         assert "line 2: this frame is too heavy" in notice.text
+
+
+def test_a_log_of_endless_changes_does_not_stop_the_page() -> None:
+    header = log.encode_header(sim.load_scene("tutorial-3.3"))
+    again = b'{"do":"choose","key":"method","value":"rk4","times":10000000}'
+    recorded = decode_log(header + b"\n" + again, "log")
+    player = Player(recorded, sim.Simulation(recorded.scene))
+    done: list[int] = []
+    player.do = lambda attempts: done.append(attempts) or 0  # type: ignore[method-assign, func-returns-value]
+    player.advance(1.0, budget=0.0, most=100, attempts=100)
+    assert len(done) == 1  # when the time of a frame is over
+
+
+def test_the_energy_of_a_replay_is_followed_from_its_beginning() -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    x, y = page.session.simulation.positions[0]
+    page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+    page.frames(20, commands.DragEnd(), commands.KeepBooks(True))
+    page.frames(20, commands.KeepBooks(False))
+    recorded = decode_log(log_of(page), "log")
+    recording, player = headless.replay(recorded, None, 10, Console(quiet=True), energy=True)
+    assert player.agrees
+    assert recording.energies
+    assert recording.energies[-1].anchors > 1.0  # what the hand did at the very beginning
 
 
 def test_while_a_log_is_played_there_is_none_to_save(data: bytes) -> None:
