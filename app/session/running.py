@@ -10,6 +10,7 @@ from typing import Literal
 import msgspec
 
 import sim
+from sim.body.system import same_topology
 from sim.motion.stability import StabilityEstimate
 from sim.settings import SETTINGS
 
@@ -117,10 +118,10 @@ class Running:
 
     def _change(self, change: Callable[[], None]) -> None:
         """Go on with changed settings."""
-        masses = len(self.simulation.scene.masses)
+        before = self.simulation.capture().scene
         change()
         scene = self.simulation.scene
-        rebuilt = len(scene.masses) != masses
+        rebuilt = not same_topology(before, scene)
         if rebuilt:
             # Another body, whose time begins anew: what is past belongs to the other one.
             self.hand.drop()

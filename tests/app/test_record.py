@@ -14,7 +14,7 @@ from rich.console import Console
 
 import sim
 from app import headless
-from app.gate.gate import MAX_UPLOAD_BYTES
+from app.gate.uploads import MAX_UPLOAD_BYTES
 from app.session import commands, log, record
 from app.session.log import Check, Log, decode_log
 from app.session.replay import Player
