@@ -26,6 +26,9 @@ LARGE = 2000
 _FEWEST_ATTEMPTS = 8
 """Steps that a method may try in any frame: a body too heavy for the budget still moves."""
 
+_MOST_ATTEMPTS = 1_000_000
+"""Steps that it may try at most: what a log may say."""
+
 _FIRST_ATTEMPTS = 1000
 """Steps that it may try before anything is known of what they cost."""
 
@@ -170,7 +173,7 @@ def is_large(scene: Scene) -> bool:
 
 def attempts_within(budget: float, cost: float) -> int:
     """Steps that may be tried in a budget of seconds, of which each takes `cost` seconds; 0 is not known."""
-    return max(_FEWEST_ATTEMPTS, int(budget / cost)) if cost else _FIRST_ATTEMPTS
+    return int(min(max(budget / cost, _FEWEST_ATTEMPTS), _MOST_ATTEMPTS)) if cost else _FIRST_ATTEMPTS
 
 
 def smoothed(before: float, now: float) -> float:

@@ -13,7 +13,7 @@ from app.session import commands
 from app.session import ghost as ghost_module
 from app.session.ghost import FINER
 from app.session.pacing import HEAVY_UNIT
-from tests.app.pages import FRAME, SessionPage
+from tests.app.pages import BUDGET, FRAME, SessionPage
 
 
 def rate_limited() -> SessionPage:
@@ -138,7 +138,7 @@ def test_a_ghost_has_the_time_that_the_body_leaves() -> None:
     page.frames(5, commands.Compare("rk4", "", 10))
     ghost = page.session.ghost
     assert ghost is not None
-    ghost.unit_cost = 0.05
+    ghost.unit_cost = BUDGET / 20.0
     tried: list[int] = []
     step = ghost.simulation.step
 
@@ -148,7 +148,7 @@ def test_a_ghost_has_the_time_that_the_body_leaves() -> None:
 
     ghost.simulation.step = noted  # type: ignore[method-assign, assignment]
     page.frames(1)
-    assert 8 <= tried[0] <= 20  # of a budget of one second
+    assert 8 <= tried[0] <= 20
     ghost.unit_cost = 10.0 * HEAVY_UNIT
     assert page.session.heavy
 

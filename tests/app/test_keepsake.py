@@ -11,8 +11,7 @@ import pytest
 import sim
 from app.session import commands, keepsakes, log
 from tests.app.pages import SessionPage
-from tests.app.recording import busy_page
-from tests.app.test_record import agrees
+from tests.app.recording import agrees, busy_page
 
 
 @pytest.fixture
