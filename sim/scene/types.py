@@ -256,16 +256,34 @@ class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     readouts: tuple[Readout, ...] = ("degrees", "rest_angle")
 
 
+class Damage(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What has yielded and broken in a running simulation. A tuple is empty where nothing of its kind has.
+
+    Attributes:
+        broken: indices of the linear springs that are broken, ascending.
+        set_lengths: px by which the rest length of each linear spring has moved for good.
+        hardened: kg px/s² by which the yield force of each linear spring has grown.
+        set_angles: degrees by which the rest angle of each angular spring has moved for good.
+    """
+
+    broken: tuple[Index, ...] = ()
+    set_lengths: tuple[Coordinate, ...] = ()
+    hardened: tuple[Force, ...] = ()
+    set_angles: tuple[Angle, ...] = ()
+
+
 class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Positions and velocities of all masses, saved from a running simulation.
 
     Attributes:
         positions: one per mass, px.
         velocities: one per mass, px/s.
+        damage: what has yielded and broken, or None.
     """
 
     positions: tuple[Vector, ...]
     velocities: tuple[tuple[Speed, Speed], ...]
+    damage: Damage | None = None
 
 
 class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -331,6 +349,13 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 def is_surrounded(scene: Scene) -> bool:
     """Whether anything acts on a scene's masses besides springs, still air and gravity."""
     return bool(scene.walls or scene.fillings or (scene.wind and scene.air_friction > 0.0))
+
+
+def is_damageable(scene: Scene) -> bool:
+    """Whether any spring of a scene breaks or yields."""
+    return any(
+        spring.strength is not None or spring.yield_force is not None for spring in scene.linear_springs
+    ) or any(joint.yield_torque is not None for joint in scene.angular_springs)
 
 
 BODY_FIELDS = ("masses", "linear_springs", "angular_springs", "anchors")
