@@ -43,6 +43,24 @@ export const chosenMass = () => chosen;
 
 let redraw = () => {};
 
+/** Whether the page is on its way to paper, where the canvas has another size and nothing is drawn anew. */
+let printing = false;
+/** Where the canvas was when the marks were drawn last. @type {DOMRect | null} */
+let drawnOver = null;
+
+/** Has the marks shrink or grow with the canvas, as they were drawn last; or lets them be. @param {boolean} on */
+export function frameMarks(on) {
+  const svg = document.querySelector(".softrod-overlay");
+  printing = on;
+  if (on && drawnOver) {
+    const { left, top, width, height } = drawnOver;
+    svg?.setAttribute("viewBox", `${left} ${top} ${width} ${height}`);
+  } else {
+    svg?.removeAttribute("viewBox");
+    redraw();
+  }
+}
+
 /** What is on the screen now. @returns {Sight | null} */
 function sight() {
   const { plan, frame } = shown();
@@ -106,8 +124,9 @@ export function addOverlay() {
   document.body.append(svg);
   const point = addEdgeArrow();
   redraw = () => {
-    const seen = sight();
+    const seen = printing ? null : sight();
     if (!seen) return;
+    drawnOver = seen.box;
     for (const mark of marks) mark(seen);
     const { left, right, top } = seen.box;
     const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
@@ -190,11 +209,15 @@ function scaleMark(add) {
   return ({ plan, on, box }) => {
     const perPixel = 1 / (plan.scale * on.step);
     const size = roundUp(BAR * perPixel);
-    const [end, low] = [box.right - 18, box.top + 28];
+    const end = box.right - 18;
+    const begin = end - size / perPixel;
+    // On a phone the head-up display reaches under it.
+    const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
+    const free = hud && hud.right > begin - 10 ? hud.bottom : box.top;
+    const low = free + 8 + parseFloat(getComputedStyle(length).fontSize) * 1.4;
     const state = [end, low, size, perPixel, told().unit].join(" ");
     if (state === last) return;
     last = state;
-    const begin = end - size / perPixel;
     set(bar, { d: `M${begin} ${low - 5}v10M${begin} ${low}H${end}M${end} ${low - 5}v10` });
     set(length, { x: (begin + end) / 2, y: low - 9 });
     length.textContent = `${Number(size.toPrecision(1))} ${told().unit ?? ""}`;

@@ -70,7 +70,7 @@ function offerButton(text, command) {
 export const nextStep = () => (told().scrubbed === "1" ? "forward" : "step");
 
 /** The simulated time. A body at rest sends no pictures, but its clock goes on. */
-function timeNow() {
+export function timeNow() {
   const { frame, since } = shown();
   const passed = told().rest === "1" ? ((performance.now() - since) / 1e3) * Number(told().speed ?? 1) : 0;
   return (frame?.time ?? 0) + passed;
