@@ -63,6 +63,7 @@ def style_html(
         "text": colors.css("text"),
         "line": colors.css("grid_major"),
         "brand": colors.css("driven"),
+        "on-brand": "#0b1020" if dark else "#ffffff",
         "paper": colors.css("paper"),
         "key": "#1a2230" if dark else "#f6f8fb",
         "warn": "#ff922b" if dark else "#c2410c",
