@@ -120,11 +120,12 @@ export function addOverlay() {
     svg.append(element);
     return element;
   };
+  const onPaper = matchMedia("print");
   const marks = [jointMark(add), chosenMark(add), hintMark(add), scaleMark(add)];
   document.body.append(svg);
   const point = addEdgeArrow();
   redraw = () => {
-    const seen = printing ? null : sight();
+    const seen = printing || onPaper.matches ? null : sight();
     if (!seen) return;
     drawnOver = seen.box;
     for (const mark of marks) mark(seen);
