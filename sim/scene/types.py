@@ -295,6 +295,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     Attributes:
         format: version of the file format, 2.
         name: 1..60 characters.
+        title: what the scene is called where people choose one, at most 60 characters; empty for its name.
         description: what the scene shows, at most 2000 characters.
         rope: the recipe, or None.
         masses, linear_springs, angular_springs, anchors: the body.
@@ -315,6 +316,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 
     format: Annotated[int, Meta(ge=1)] = FORMAT_VERSION
     name: Name
+    title: Annotated[str, Meta(max_length=60)] = ""
     description: Annotated[str, Meta(max_length=2000)] = ""
     rope: Rope | None = None
     masses: tuple[Mass, ...] = ()

@@ -97,6 +97,7 @@ def _problems(scene: Scene) -> Iterator[str]:
         )
     for field, text in (
         ("name", scene.name),
+        ("title", scene.title),
         ("description", scene.description),
         ("view.unit", scene.view.unit),
     ):
