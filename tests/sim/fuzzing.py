@@ -7,11 +7,14 @@ import itertools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
+import msgspec
 import numpy as np
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.scene.surroundings import Gas, Liquid, Wall, Wind
 from sim.scene.types import ArrowKeys, ForceLaw
 from sim.settings import settings_of
 
@@ -149,6 +152,58 @@ def wild_scene(rng: Random) -> Scene:
     )
 
 
+def wild_world(scene: Scene, rng: Random) -> Scene:
+    """The scene among walls that the body may be deep inside of, in wind, filled, and as fragile as glass."""
+    at = np.array([mass.position for mass in scene.masses])
+    size = float(np.ptp(at, axis=0).max()) + 1.0
+    fields: dict[str, Any] = {}
+    if rng.random() < 0.7:
+        fields["walls"] = tuple(
+            Wall(
+                point=tuple((at.mean(0) + rng.normal(0.0, size, 2)).tolist()),
+                normal=tuple(rng.normal(0.0, 1.0, 2).tolist()),
+                hardness=_ten_to(rng, 1.0, 6.0),
+                friction=float(rng.choice([0.0, 0.5, 10.0])),
+                bounciness=float(rng.choice([0.0, 0.5, 1.0])),
+                slip_speed=_ten_to(rng, 0.0, 2.0),
+            )
+            for _ in range(int(rng.integers(1, 4)))
+        )
+    if rng.random() < 0.3:
+        velocity = tuple((rng.normal(0.0, 1.0, 2) * _ten_to(rng, 1.0, 4.0)).tolist())
+        fields["wind"] = Wind(
+            velocity=velocity,
+            turbulence=float(rng.choice([0.0, 0.5, 3.0])),
+            length_scale=_ten_to(rng, 1.0, 3.0),
+        )
+    if rng.random() < 0.5:
+        loop = tuple(rng.permutation(len(at))[: int(rng.integers(3, len(at) + 1))].tolist())
+        if scene.name == "ring":
+            loop = tuple(range(len(at)))
+        pressure, area = _ten_to(rng, 0.0, 5.0), size * size * _ten_to(rng, -3.0, 1.0)
+        fields["fillings"] = (
+            Gas(masses=loop, pressure=pressure, outside=pressure * rng.random(), area=area)
+            if rng.random() < 0.5
+            else Liquid(masses=loop, bulk_modulus=pressure, area=area),
+        )
+    if rng.random() < 0.4:
+        strength = _ten_to(rng, 2.0, 7.0)
+        fields["linear_springs"] = tuple(
+            msgspec.structs.replace(
+                spring,
+                strength=strength * _ten_to(rng, -1.0, 1.0) if rng.random() < 0.7 else None,
+                yield_force=strength * 0.3 if spring.stiffness > 0.0 and rng.random() < 0.5 else None,
+                hardening=_ten_to(rng, 0.0, 5.0),
+            )
+            for spring in scene.linear_springs
+        )
+        fields["angular_springs"] = tuple(
+            msgspec.structs.replace(joint, yield_torque=_ten_to(rng, 3.0, 8.0))
+            for joint in scene.angular_springs
+        )
+    return msgspec.structs.replace(scene, **fields)
+
+
 @dataclass
 class Ending:
     """How a case went.
@@ -166,14 +221,15 @@ class Ending:
     unexplained: float
 
 
-def run_case(seed: int, frames: int, budget: int) -> Ending:
+def run_case(seed: int, frames: int, budget: int, world: bool = False) -> Ending:
     """A wild scene with inputs: an anchor moved at once, led or torn, keys held, sliders flung, masses
-    grabbed and dragged."""
-    rng = np.random.default_rng(seed)
+    grabbed and dragged. `world`: whether it is in a wild world."""
+    rng = np.random.default_rng((seed, 1) if world else seed)
     simulation = None
     while simulation is None:
         try:
-            simulation = Simulation(wild_scene(rng))
+            scene = wild_scene(rng)
+            simulation = Simulation(wild_world(scene, rng) if world else scene)
         except sim.SceneError:
             continue
     simulation.keep_books(True)
@@ -191,7 +247,8 @@ def run_case(seed: int, frames: int, budget: int) -> Ending:
     turned_over = (
         book.kinetic + book.linear + book.angular + abs(book.anchors) + abs(book.keys) + abs(book.changes)
     ) + abs(book.law)
-    lost = -book.damping - book.air
+    turned_over += book.walls + abs(book.fillings) + max(book.air, 0.0)
+    lost = -book.damping - min(book.air, 0.0) - book.friction - book.plastic - book.broken
     return Ending(
         simulation,
         worst,

@@ -1,5 +1,5 @@
-"""Four thousand wild scenes with wild inputs under `auto`: no bad number, no energy from nowhere, and no
-frame that tries more than it may."""
+"""Thousands of wild scenes with wild inputs under `auto`, some in wild worlds: no bad number, no energy from
+nowhere, and no frame that tries more than it may."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 
 from tests.sim.fuzzing import run_case
 
-CASES, BATCH = 4000, 50
+CASES, IN_WORLDS, BATCH = 4000, 400, 50
 FRAMES, BUDGET = 10, 400
 MADE = 0.1
 """Energy that may come from nowhere, as a part of all that was turned over. What is damped away at once does
@@ -17,10 +17,16 @@ UNEXPLAINED = 0.3
 """Energy that the books cannot account for, as a part of all that was turned over or lost."""
 
 
-@pytest.mark.parametrize("first", range(0, CASES, BATCH))
-def test_nothing_explodes(first: int) -> None:
+@pytest.mark.parametrize(
+    ("world", "first"),
+    [
+        *((False, first) for first in range(0, CASES, BATCH)),
+        *((True, first) for first in range(0, IN_WORLDS, BATCH)),
+    ],
+)
+def test_nothing_explodes(world: bool, first: int) -> None:
     for seed in range(first, first + BATCH):
-        ending = run_case(seed, FRAMES, BUDGET)
+        ending = run_case(seed, FRAMES, BUDGET, world)
         simulation = ending.simulation
         told = f"seed {seed}: {simulation.scene.name}, {simulation.scene.force_law}, {simulation.divergence}"
         assert np.isfinite(simulation.positions).all(), told
