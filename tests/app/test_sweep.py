@@ -25,7 +25,7 @@ from app.sweep.folder import Folder, Line, make_plan
 from app.sweep.grid import make_grid, parse_axis
 from app.sweep.measures import MEASURES, parse_measures, period
 from app.sweep.plot import COLOURS, plot
-from app.sweep.runs import Row, run, run_reference
+from app.sweep.runs import Row, reference_of, run, run_reference
 from app.sweep.sweep import sweep
 from app.sweep.workers import Workers
 from sim.errors import InputError
@@ -330,6 +330,9 @@ def test_near_exact_runs_are_shared_where_only_the_solver_varies(tmp_path: Path)
     vary = ("method=rk4,adams", "gravity=500,1000", "dt=1e-3,5e-4")
     _, here, _ = swept(tmp_path, ROPE, vary, ("error",))
     assert (here.asked.count("run_reference"), here.asked.count("run")) == (2, 8)
+    # However the product of steps and step is rounded: 7 times 0.1 s is not quite 0.7 s.
+    ends = {reference_of(sim.set_value(ROPE, "dt", dt), 0.7, 0.1) for dt in (0.1, 0.7)}
+    assert len({end.data for end in ends}) == len(ends) == 1
     # A step that does not fit into the duration has an end, and a near-exact run, of its own.
     _, here, _ = swept(tmp_path / "new", ROPE, ("dt=1e-3,3e-3",), ("error",))
     assert here.asked.count("run_reference") == 2
@@ -371,13 +374,17 @@ def test_the_table_has_units_and_all_digits(tmp_path: Path) -> None:
     assert (tmp_path / "plot.png").read_bytes().startswith(b"\x89PNG")
 
 
-def test_what_is_done_is_kept_and_the_same_call_goes_on(tmp_path: Path) -> None:
+def test_what_is_done_is_kept_and_the_same_call_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("app.sweep.sweep.AHEAD", 1)
     vary = ("gravity=100..900:9",)
     status, here, text = swept(tmp_path, ROPE, vary, ("sag",), interrupt_at=4)
     assert (status, here.asked.count("run")) == (130, 4)
-    assert "Interrupted: 0 of 9 runs are done" in text or "Interrupted: 4 of 9" in text
+    assert "Interrupted: 4 of 9 runs are done; the same command goes on." in text
+    assert [row["gravity [px/s²]"] for row in rows_of(tmp_path)] == ["100", "200", "300", "400"]
     status, here, text = swept(tmp_path, ROPE, vary, ("sag",))
-    assert status == 0
+    assert (status, here.asked.count("run")) == (0, 5)
     assert "9 of 9 runs are done" in text
     status, here, _ = swept(tmp_path, ROPE, vary, ("sag",))
     assert (status, here.asked) == (0, [])
