@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import os
 import sys
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -20,6 +22,7 @@ from sim.settings import apply_assignments
 
 from . import headless
 from .session.log import Log
+from .sweep.measures import MEASURES, parse_measures
 
 DEFAULT_SCENE = "tutorial-3.3"
 
@@ -330,6 +333,58 @@ class Study:
         return study(scenes, integrators, errors, self.random, self.out, Console())
 
 
+@dataclass
+class Sweep:
+    """Run a scene many times over a grid of its settings; write a table and a plot of what is measured."""
+
+    scene: Annotated[Positional[str], arg(metavar="SCENE")]
+    """A preset's name or a file's path."""
+    out: Path
+    """Folder for table.csv, plot.png and sweep.jsonl; the same command goes on with what is missing there."""
+    vary: Annotated[
+        UseAppendAction[tuple[str, ...]],
+        arg(
+            metavar="KEY=VALUES",
+            help="a setting, as for --set, and its values: KEY=A..B:N for N numbers from A to B, "
+            "KEY=A..B:N:log for equal ratios, KEY=VALUE,VALUE,... for a list; may be repeated, and all are "
+            "combined with each other",
+        ),
+    ] = ()
+    measure: Annotated[
+        UseAppendAction[tuple[str, ...]],
+        arg(
+            metavar="NAME",
+            help="what is measured; may be repeated. "
+            + "; ".join(f"{measure.name}: {measure.summary}" for measure in MEASURES.values()),
+        ),
+    ] = ()
+    duration: float = 10.0
+    """Simulated seconds of each run."""
+    jobs: int | None = None
+    """Processes that compute at the same time; one for each core unless given."""
+    cluster: str | None = None
+    """Address of a Dask scheduler whose workers compute instead, as in tcp://host:8786."""
+    settings: Settings = ()
+
+    def run(self) -> int:
+        """Compute and write."""
+        from .sweep.grid import make_grid
+        from .sweep.sweep import sweep
+        from .sweep.workers import cluster, processes
+
+        if not 1e-3 <= self.duration <= 1e4:
+            return _fail(f"--duration: {self.duration:g} is not in the range 0.001..10000 s")
+        if self.jobs is not None and not 1 <= self.jobs <= 1000:
+            return _fail(f"--jobs: {self.jobs} is not in the range 1..1000")
+        if self.jobs is not None and self.cluster is not None:
+            return _fail("--jobs: how many compute is up to the cluster")
+        grid = make_grid(sim.load_scene(self.scene), self.settings, self.vary)
+        measures, address = parse_measures(self.measure), self.cluster
+        jobs = self.jobs or os.cpu_count() or 1
+        workers = partial(processes, jobs) if address is None else partial(cluster, address)
+        return sweep(grid, measures, self.duration, workers, self.out, Console())
+
+
 COMMANDS = {
     "run": Run,
     "scenes": Scenes,
@@ -338,6 +393,7 @@ COMMANDS = {
     "validate": Validate,
     "stability": Stability,
     "study": Study,
+    "sweep": Sweep,
 }
 
 
@@ -349,7 +405,8 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 def _main(
-    command: type[Serve | Run | Scenes | Check | Bench | Validate | Stability | Study], words: list[str]
+    command: type[Serve | Run | Scenes | Check | Bench | Validate | Stability | Study | Sweep],
+    words: list[str],
 ) -> int:
     program = "softrod" if command is Serve else f"softrod {command.__name__.lower()}"
     description = None

@@ -1,0 +1,177 @@
+"""What is varied: axes as `--vary` has them, and the grid that is their product."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import sim
+from sim.errors import InputError, SettingError
+from sim.settings import apply_assignments, settings_of
+
+MOST_VALUES = 10_000
+"""Values along an axis."""
+MOST_RUNS = 100_000
+"""Runs of a sweep."""
+
+EXPECTED = "KEY=A..B:N, KEY=A..B:N:log or KEY=VALUE,VALUE,... is expected"
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A setting and the values that it takes.
+
+    Attributes:
+        key: of the setting, as in `--set`.
+        values: as an assignment has them; a number in as many digits as it takes to read it back exactly.
+        logarithmic: whether the values were asked for with equal ratios.
+    """
+
+    key: str
+    values: tuple[str, ...]
+    logarithmic: bool = False
+
+    @property
+    def numbers(self) -> list[float] | None:
+        """The values as numbers; None where one is a name."""
+        found = [_number(value) for value in self.values]
+        return None if None in found else [number for number in found if number is not None]
+
+
+def parse_axis(text: str) -> Axis:
+    """An axis from KEY=A..B:N, KEY=A..B:N:log or KEY=VALUE,VALUE,...
+
+    Raises:
+        InputError: it is none of these, a number is not finite, or the same value comes twice; the sentence
+            begins with `--vary`.
+    """
+    key, equals, listed = (part.strip() for part in text.partition("="))
+    if not (key and equals and listed):
+        raise InputError(f"--vary {text}: {EXPECTED}")
+    logarithmic = False
+    if ".." in listed:
+        ends, *rest = listed.split(":")
+        logarithmic = rest[1:] == ["log"]
+        if len(rest) != 1 + logarithmic:
+            raise InputError(f"--vary {text}: {EXPECTED}")
+        first, _, last = ends.partition("..")
+        values = _spaced(text, first, last, rest[0], logarithmic)
+    else:
+        values = [word.strip() for word in listed.split(",")]
+        if not all(values):
+            raise InputError(f"--vary {text}: {EXPECTED}")
+        if len(values) > MOST_VALUES:
+            raise InputError(f"--vary {key}: {len(values)} values are more than {MOST_VALUES}")
+    for value in values:
+        number = _number(value)
+        if number is not None and not math.isfinite(number):
+            raise InputError(f"--vary {text}: {value} is not a finite number")
+    exact = [value if (number := _number(value)) is None else _text(number) for value in values]
+    for i, value in enumerate(exact):
+        if value in exact[:i]:
+            raise InputError(f"--vary {text}: {value} comes twice")
+    return Axis(key, tuple(exact), logarithmic)
+
+
+def _spaced(text: str, first: str, last: str, count: str, logarithmic: bool) -> list[str]:
+    """Numbers from the first to the last, both exactly, with equal differences or equal ratios."""
+    a, b = _number(first), _number(last)
+    if a is None or b is None or not (math.isfinite(a) and math.isfinite(b)):
+        raise InputError(f"--vary {text}: from {first.strip()} to {last.strip()} are not two finite numbers")
+    if not count.strip().isdecimal() or not 2 <= int(count) <= MOST_VALUES:
+        raise InputError(
+            f"--vary {text}: {count.strip() or 'no number'} of values is not in the range 2..{MOST_VALUES}"
+        )
+    n = int(count)
+    if logarithmic and not (a > 0.0 and b > 0.0):
+        raise InputError(f"--vary {text}: equal ratios need two numbers above 0")
+    if logarithmic:
+        between = [a * (b / a) ** (i / (n - 1)) for i in range(1, n - 1)]
+    else:
+        between = [a + (b - a) * (i / (n - 1)) for i in range(1, n - 1)]
+    return [_text(value) for value in (a, *between, b)]
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def _text(number: float) -> str:
+    return repr(number).removesuffix(".0")
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A scene and what is varied; runs are numbered in the order of the rows, the last axis fastest.
+
+    Attributes:
+        scene: a valid scene.
+        settings: assignments KEY=VALUE that hold in every run.
+        axes: what is varied.
+    """
+
+    scene: sim.Scene
+    settings: tuple[str, ...]
+    axes: tuple[Axis, ...]
+
+    @cached_property
+    def points(self) -> list[tuple[str, ...]]:
+        """The values of each run, one for each axis."""
+        return list(itertools.product(*(axis.values for axis in self.axes)))
+
+    def assignments(self, point: Sequence[str]) -> tuple[str, ...]:
+        """What makes the scene of a run.
+
+        Names come before numbers, since a method decides which numbers there are.
+        """
+        varied = (f"{axis.key}={value}" for axis, value in zip(self.axes, point, strict=True))
+        every = [assignment.partition("=") for assignment in (*self.settings, *varied)]
+        every.sort(key=lambda parts: _number(parts[2]) is not None)
+        return tuple("".join(parts) for parts in every)
+
+    def scene_at(self, point: Sequence[str]) -> sim.Scene:
+        """The scene of a run.
+
+        Raises:
+            InputError: the values do not go together with the scene; the sentence names the option.
+        """
+        try:
+            return apply_assignments(self.scene, self.assignments(point))
+        except SettingError as error:
+            reason = str(error).removeprefix("--set ")
+            key = reason.partition("=")[0].partition(":")[0].strip()
+            option = "--vary" if any(axis.key == key for axis in self.axes) else "--set"
+            raise InputError(f"{option} {reason}") from None
+
+    def unit(self, key: str) -> str:
+        """The unit of a setting, empty where it has none; "px" stands for the scene's own unit of length."""
+        first = self.scene_at(self.points[0])
+        units = {setting.key: setting.unit for setting in settings_of(first)}
+        return units.get(key, "")
+
+
+def make_grid(scene: sim.Scene, settings: Sequence[str], vary: Sequence[str]) -> Grid:
+    """The grid of `--set` and `--vary`.
+
+    Raises:
+        InputError: there is nothing to vary, a key comes twice, or there are too many runs.
+    """
+    if not vary:
+        raise InputError("--vary: name at least one setting, as in --vary gravity=0..2000:5")
+    axes = tuple(parse_axis(text) for text in vary)
+    keys = [axis.key for axis in axes]
+    for i, key in enumerate(keys):
+        if key in keys[:i]:
+            raise InputError(f"--vary {key}: it is varied twice")
+        if key in (assignment.partition("=")[0].strip() for assignment in settings):
+            raise InputError(f"--set {key}: it is varied as well")
+    runs = math.prod(len(axis.values) for axis in axes)
+    if runs > MOST_RUNS:
+        raise InputError(f"--vary: {runs} runs are more than {MOST_RUNS}")
+    return Grid(scene, tuple(settings), axes)

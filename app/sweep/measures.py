@@ -1,0 +1,197 @@
+"""What is measured of a run: at its end, or at looks at the body all through it."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import sim
+from sim.errors import InputError
+
+Floats = NDArray[np.float64]
+Value = float | bool | None
+"""A measure of a run; None where it has none."""
+
+
+@dataclass(frozen=True)
+class Measure:
+    """Something that can be measured.
+
+    Attributes:
+        name: as `--measure` has it.
+        unit: empty for a pure number; "px" stands for the scene's own length unit.
+        summary: what it is, for people.
+    """
+
+    name: str
+    unit: str
+    summary: str
+
+
+_ALL = (
+    Measure("sag", "px", "largest displacement of a mass from the start along gravity, at the end"),
+    Measure("period", "s", "mean period of the swings of the free masses' centre of mass"),
+    Measure(
+        "energy_residual", "",
+        "largest |residual| of the energy balance over the largest sum of kinetic energy, energy of the "
+        "springs, and change of the energy of height",
+    ),
+    Measure("error", "px", "largest distance of a mass at the end from a near-exact run of the same scene"),
+    Measure("stretch", "", "largest |L - rest length| / rest length of a linear spring"),
+    Measure("survived", "", "yes; no where the body ran away, and then the rest is empty; always there"),
+)  # fmt: skip
+
+MEASURES: dict[str, Measure] = {measure.name: measure for measure in _ALL}
+"""The measures, by name."""
+
+_BAND = 0.1
+"""Part of the largest displacement from the mean that both sides of a swing must exceed."""
+_STILL = 1e-8
+"""Largest displacement, relative to the largest coordinate, that counts as rest: rounding, and what methods
+with a tolerance make of it, is less."""
+
+
+def parse_measures(names: Sequence[str]) -> tuple[str, ...]:
+    """The names of measures, each once, in the order given; `survived` is always among them.
+
+    Raises:
+        InputError: there is none, or there is no such measure.
+    """
+    if not names:
+        raise InputError(f"--measure: name at least one of {', '.join(MEASURES)}")
+    for name in names:
+        if name not in MEASURES:
+            raise InputError(f"--measure: {name!r} is not one of {', '.join(MEASURES)}")
+    return tuple(dict.fromkeys((*names, "survived")))
+
+
+class Track:
+    """Notes what the measures need of a simulation, at every look.
+
+    Args:
+        simulation: at its start.
+        measures: names of what is measured.
+    """
+
+    def __init__(self, simulation: sim.Simulation, measures: Sequence[str]) -> None:
+        scene = simulation.scene
+        self._simulation, self._wanted = simulation, set(measures)
+        self._gravity = np.array(scene.gravity)
+        self._start = simulation.positions
+        held = {anchor.mass for anchor in scene.anchors}
+        self._free = np.array([i for i in range(len(scene.masses)) if i not in held], np.int64)
+        self._weights = np.array([scene.masses[i].mass for i in self._free])
+        rest = scene.rest_length_scale * np.array([spring.rest_length for spring in scene.linear_springs])
+        ends = np.array([(spring.a, spring.b) for spring in scene.linear_springs], np.int64).reshape(-1, 2)
+        self._ends, self._rest = ends[rest > 0.0], rest[rest > 0.0]
+        self._stretch = self._residual = self._moved = self._farthest = 0.0
+        self._height: float | None = None
+        self._times: list[float] = []
+        self._centres: list[Floats] = []
+        simulation.keep_books("energy_residual" in self._wanted)
+
+    def look(self) -> None:
+        """Note the present state."""
+        positions = self._simulation.positions
+        if "stretch" in self._wanted and self._rest.size:
+            along = positions[self._ends[:, 1]] - positions[self._ends[:, 0]]
+            strain = np.hypot(along[:, 0], along[:, 1]) / self._rest - 1.0
+            self._stretch = max(self._stretch, float(np.abs(strain).max()))
+        if "period" in self._wanted and self._free.size:
+            velocities = self._simulation.velocities
+            rows = np.concatenate((positions[self._free], velocities[self._free]), axis=1)
+            self._times.append(self._simulation.time)
+            self._centres.append((self._weights[:, None] * rows).sum(0) / self._weights.sum())
+        if "energy_residual" in self._wanted:
+            book = self._simulation.energy()
+            self._height = book.gravity if self._height is None else self._height
+            height = abs(book.gravity - self._height)
+            self._moved = max(self._moved, book.kinetic + book.linear + book.angular + height)
+            self._residual = max(self._residual, abs(book.residual))
+            self._farthest = max(self._farthest, distance(positions, self._start))
+
+    def values(self, measures: Sequence[str], reference: Floats | None) -> tuple[Value, ...]:
+        """The measures at the end.
+
+        Args:
+            measures: names.
+            reference: (n, 2) px, near-exact positions at the end; None where there are none.
+        """
+        found: dict[str, Value] = {
+            "sag": self._sag(),
+            "period": self._period(),
+            "energy_residual": self._energy_residual(),
+            "error": None if reference is None else distance(self._simulation.positions, reference),
+            "stretch": self._stretch if self._rest.size else None,
+            "survived": True,
+        }
+        return tuple(found[name] for name in measures)
+
+    def _energy_residual(self) -> float | None:
+        # A body that rests has energies of rounding errors only, and no ratio of them means anything.
+        moves = self._farthest > _STILL * max(1.0, float(np.abs(self._start).max()))
+        return self._residual / self._moved if moves and self._moved > 0.0 else None
+
+    def _sag(self) -> float | None:
+        size = float(np.hypot(*self._gravity))
+        if not size:
+            return None
+        x, y = (self._simulation.positions - self._start).T
+        return float((x * self._gravity[0] + y * self._gravity[1]).max()) / size
+
+    def _period(self) -> float | None:
+        centres = np.array(self._centres).reshape(-1, 4)
+        return period(np.array(self._times), centres[:, :2], centres[:, 2:])
+
+
+def distance(one: Floats, other: Floats) -> float:
+    """The largest distance of two positions of a mass, px; both are (n, 2)."""
+    return float(np.hypot(*(one - other).T).max())
+
+
+def period(times: Floats, positions: Floats, velocities: Floats) -> float | None:
+    """The mean period of a point's swings along the line on which it moves most.
+
+    A swing goes from one side of the mean position to the other and back, on both by more than a tenth of the
+    largest displacement: what is small beside the largest swing is none. The moments at which it passes the
+    mean are found on cubic splines, so that they are much more accurate than the times are dense.
+
+    Args:
+        times: (k,) s.
+        positions: (k, 2) px.
+        velocities: (k, 2) px/s.
+
+    Returns:
+        Seconds; None where there is no whole swing.
+    """
+    if len(times) < 4:
+        return None
+    # Here, not above: SciPy takes a second to import.
+    from scipy.interpolate import CubicHermiteSpline
+
+    x, y = (positions - positions.mean(0)).T
+    # The axis by its angle, and sums without BLAS: the same bits whatever does linear algebra elsewhere.
+    angle = 0.5 * math.atan2(2.0 * float((x * y).sum()), float((x * x - y * y).sum()))
+    along = math.cos(angle) * x + math.sin(angle) * y
+    speed = math.cos(angle) * velocities[:, 0] + math.sin(angle) * velocities[:, 1]
+    swing = float(np.abs(along).max())
+    if not swing > _STILL * max(1.0, float(np.abs(positions).max())):
+        return None
+    side = np.where(np.abs(along) > _BAND * swing, np.sign(along), 0.0)
+    seen = np.flatnonzero(side)
+    turns = [(i, j) for i, j in itertools.pairwise(seen) if side[i] < 0.0 < side[j]]
+    if len(turns) < 2:
+        return None
+    crossings = []
+    for i, j in (turns[0], turns[-1]):
+        roots = CubicHermiteSpline(times[i : j + 1], along[i : j + 1], speed[i : j + 1]).roots(
+            extrapolate=False
+        )
+        crossings.append(float(roots[-1]))
+    found = (crossings[1] - crossings[0]) / (len(turns) - 1)
+    return found if math.isfinite(found) else None

@@ -1,0 +1,82 @@
+"""Who computes: processes of this machine or a cluster, both behind the interface of `concurrent.futures`."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import multiprocessing
+import os
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass
+
+from sim.errors import InputError
+
+CONNECTING = 10
+"""Seconds in which a scheduler must answer."""
+
+
+@dataclass(frozen=True)
+class Workers:
+    """Who computes.
+
+    Attributes:
+        executor: takes the calls.
+        failures: what a future raises if a worker is lost for good.
+    """
+
+    executor: concurrent.futures.Executor
+    failures: tuple[type[BaseException], ...] = (concurrent.futures.BrokenExecutor,)
+
+
+Making = Callable[[], AbstractContextManager[Workers]]
+
+
+@contextmanager
+def processes(jobs: int) -> Iterator[Workers]:
+    """Processes of this machine, which end with this context, whatever they are at."""
+    others = set(multiprocessing.active_children())
+    # Not by fork, which is not safe beside the thread of the progress bar.
+    pool = concurrent.futures.ProcessPoolExecutor(
+        jobs, multiprocessing.get_context("spawn"), initializer=_begin
+    )
+    try:
+        yield Workers(pool)
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+        for process in set(multiprocessing.active_children()) - others:
+            process.terminate()
+
+
+def _begin() -> None:
+    """Leave Ctrl-C, which all processes of a terminal get, to the parent, and end with it however it ends."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    threading.Thread(target=lambda: (parent.join(), os._exit(1)), daemon=True).start()
+
+
+@contextmanager
+def cluster(address: str) -> Iterator[Workers]:
+    """The workers of a Dask scheduler.
+
+    They may come and go: the scheduler gives what a lost one was at to others.
+
+    Raises:
+        InputError: Dask is not installed, or no scheduler answers at the address.
+    """
+    try:
+        from distributed import Client, KilledWorker
+    except ImportError:
+        raise InputError(
+            "--cluster needs Dask; uv sync --extra cluster, or pip install 'softrod[cluster]', installs it"
+        ) from None
+    try:
+        client = Client(address, timeout=CONNECTING, set_as_default=False)
+    except (OSError, ValueError, TypeError) as error:
+        reason = str(error).partition("\n")[0]
+        raise InputError(f"--cluster {address}: no scheduler answers ({reason})") from None
+    lost = (KilledWorker, concurrent.futures.CancelledError, ImportError, OSError)
+    with client:
+        yield Workers(client.get_executor(pure=False), lost)
