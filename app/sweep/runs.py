@@ -17,7 +17,6 @@ from sim.settings import apply_assignments
 
 from ..session.log import this_machine
 from .measures import Track, Value
-from .warm import warm
 
 LOOKS = 120
 """Looks at the body per simulated second, where time steps are not longer; a whole number of steps apart."""
@@ -62,7 +61,6 @@ def run(
         reference: near-exact positions at the end, px, for the measure `error`.
     """
     scene = apply_assignments(_decoded(data), assignments)
-    warm((scene.integrator.method,))
     simulation = sim.Simulation(scene)
     track = Track(simulation, measures)
     track.look()
@@ -115,7 +113,6 @@ def reference_of(scene: sim.Scene, duration: float, smallest: float) -> Referenc
 
 def run_reference(data: bytes, end: float) -> Points | None:
     """The positions at the end of a near-exact run, px; None where it does not get there."""
-    warm((REFERENCE,))
     seconds = math.ceil(end)
     simulation = sim.Simulation(decode_scene(data, "the reference"), dt=end / seconds)
     simulation.step(seconds)

@@ -11,15 +11,16 @@ from pathlib import Path
 
 from rich.console import Console
 
+from sim.compiling.compiler import all_of, fetch
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.files import decode_scene, encode_scene
+from sim.scene.types import is_surrounded
 
 from ..studies.output import Watch, write_figures
 from .folder import Folder, make_plan
 from .grid import Grid
 from .runs import REFERENCE, Points, Reference, Row, reference_of, run, run_reference
-from .warm import warm
 from .workers import Making, Workers
 
 AHEAD = 1000
@@ -159,7 +160,9 @@ def _compute(what: Sweep, folder: Folder, making: Making, watch: Watch) -> None:
         return
     watch.say("compiling", len(folder.rows))
     # Once, here, and not by each of several processes that start at the same time.
-    warm(what.methods | ({REFERENCE} if "error" in what.measures else set()))
+    surrounded = is_surrounded(what.grid.scene)
+    for method in sorted(what.methods | ({REFERENCE} if "error" in what.measures else set())):
+        fetch(all_of(method, surrounded))
     watch.say("starting", len(folder.rows))
     with making() as workers:
         for number, row in what.rows(missing, workers):

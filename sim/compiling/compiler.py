@@ -134,6 +134,9 @@ _AROUND = {
 FOR_ENERGY = ("energies", "accumulate_work")
 """Entry points that the energy balance needs."""
 
+FOR_DAMAGE = ("overstrained", "settle")
+"""Entry points that a body needs which breaks or yields."""
+
 
 def needed_by(method: str, surrounded: bool) -> tuple[str, ...]:
     """Names of the entry points that a method needs; for `auto`, those that it needs to start.
@@ -155,6 +158,30 @@ def for_fallback(surrounded: bool) -> tuple[str, ...]:
 
 def _around(names: tuple[str, ...], surrounded: bool) -> tuple[str, ...]:
     return tuple(_AROUND.get(name, name) for name in names) if surrounded else names
+
+
+def all_of(method: str, surrounded: bool) -> tuple[str, ...]:
+    """Names of all entry points that a run by a method may come to, with the energy balance."""
+    arms = [arm.name for arm in ARM_METHODS] if METHODS[method].kernel is None else []
+    needed = [name for one in (method, *arms) for name in needed_by(one, surrounded)]
+    return tuple(dict.fromkeys((*needed, *for_fallback(surrounded), *FOR_DAMAGE, *FOR_ENERGY)))
+
+
+def fetch(names: Iterable[str]) -> None:
+    """Make entry points ready, and wait until they are.
+
+    What is not on the disk is compiled by another process, and loaded from there: LLVM may order the sums of
+    a kernel in another way where its callees have just been compiled in the same process, and the bits of a
+    run must not depend on that.
+    """
+    wanted = [ENTRY_POINTS[name] for name in names if not ENTRY_POINTS[name].ready]
+    missing = [point.name for point in wanted if point.marker is not None and not point.marker.exists()]
+    if missing:
+        words = [sys.executable, "-m", "sim.compiling.precompile", *missing]
+        # If it fails, this process compiles.
+        subprocess.run(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    for point in wanted:
+        point.load()
 
 
 def is_ready(names: Iterable[str]) -> bool:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..body.damage import without_broken
 from ..body.system import new_scratch, refresh, same_topology
-from ..compiling.compiler import FOR_ENERGY, is_ready, needed_by
+from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
@@ -197,7 +197,7 @@ class Simulation(Reading):
 
     def take_compiled(self) -> bool:
         """Go on with the kernels of the method if they are ready by now; whether it does."""
-        if self.plain and is_ready(needed_by(self.method, self._surrounded)):
+        if self.plain and is_ready(self._needed):
             self._stepper = self._new_stepper()  # the state is in the same arrays
             self._moved = True
         return not self.plain
@@ -334,12 +334,14 @@ class Simulation(Reading):
         self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
 
     @property
-    def _surrounded(self) -> bool:
-        return bool(self._body.surroundings.present)
+    def _needed(self) -> tuple[str, ...]:
+        """Names of the compiled entry points without which NumPy moves the body."""
+        damage = FOR_DAMAGE if self._body.strength.present else ()
+        return *needed_by(self.method, bool(self._body.surroundings.present)), *damage
 
     def _new_stepper(self) -> Stepper:
         scene, system, state = self._scene, self._system, self._state
-        if self._wait or is_ready(needed_by(self.method, self._surrounded)):
+        if self._wait or is_ready(self._needed):
             solver = Solver(scene, system, state, self._scratch, self._wait)
         else:
             solver = PlainSolver(scene, system, state)

@@ -9,7 +9,7 @@ import numpy as np
 from ..body.damage import without_broken
 from ..body.sparsity import NO_MATRIX, new_matrix
 from ..body.system import System, refresh, slab
-from ..compiling.compiler import for_fallback, is_ready, needed_by
+from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, fetch, for_fallback, is_ready, needed_by
 from ..kernels.around.around import accelerations_around
 from ..kernels.core.shared import (
     ACCELERATIONS,
@@ -173,6 +173,7 @@ class Solver:
         self._matrix: Matrix | None = None
         self._problem: Problem | None = None
         self._costs: Floats | None = None  # of a step of each method, see `Problem`
+        self._fetched: set[int] = set()  # indices of methods that `auto` has used
         self._missing: set[int] = set()  # indices of methods that `auto` cannot choose yet
 
     @property
@@ -269,6 +270,9 @@ class Solver:
             method = ARM_METHODS[arm]
             if method.implicit and not problem.factorise:
                 problem = self._bind(True)
+            if arm not in self._fetched:
+                self._fetched.add(arm)
+                self._fetch(needed_by(method.name, self._surrounded))
             method.kernel(problem, drive, until, tolerance, limit)
 
     def _bind(self, implicit: bool) -> Problem:
@@ -293,6 +297,8 @@ class Solver:
         factorise, solve = (
             (factorise_surrounded, solve_surrounded) if around else (factorise_matrix, solve_matrix)
         )
+        self._fetch(needed_by(info.name, around))
+        self._fetch((*(for_fallback(around) if implicit else ()), *(FOR_DAMAGE if damageable else ())))
         self._problem = Problem(
             body=self.system.body,
             state=self.state,
@@ -377,8 +383,14 @@ class Solver:
             [CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, CONTROLLER_BEGUN, CONTROLLER_CONTRACTION]
         ] = 0.0
 
+    def _fetch(self, names: tuple[str, ...]) -> None:
+        """Load entry points, if it may wait for them; otherwise they are loaded by now."""
+        if self._wait:
+            fetch(names)
+
     def open_balance(self) -> None:
         """Start the energy balance."""
+        self._fetch(FOR_ENERGY)
         body = self.system.body
         rows, dampers = np.zeros((3, 2 * self.slots)), np.zeros((DAMPER_ROWS, body.springs + body.joints))
         self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers)
