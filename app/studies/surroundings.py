@@ -218,8 +218,8 @@ CASES = (
     Case(
         "walls",
         "Walls",
-        "A mass that hits a wall with 1000 px/s, and one that slides down a slope from rest; friction has its "
-        "full size at all speeds but the lowest.",
+        "A mass that hits a wall with 1000 px/s, and one that slides down a slope from rest; friction has "
+        "its full size at all speeds but the lowest.",
         _walls,
     ),
     Case("wind", "Wind", "A mass at rest in a steady wind.", _winds),
@@ -227,8 +227,8 @@ CASES = (
         "world",
         "Energy books through bounce, friction, break and yield",
         "A ring of 24 springs and joints around a gas is thrown sideways over a floor, where it bounces and "
-        "slides; its springs bear everything, or break, or yield. The largest residual of the energy books at "
-        "sixty times within 0.6 s, in parts of the energy of the fall.",
+        "slides; its springs bear everything, or break, or yield. The largest residual of the energy books "
+        "at sixty times within 0.6 s, in parts of the energy of the fall.",
         _books,
     ),
 )
