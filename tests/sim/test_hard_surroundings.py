@@ -1,0 +1,129 @@
+"""Hard cases among walls: never a bad number, never stuck; the clock lags where computing does not suffice."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.methods.registry import METHODS
+from sim.scene.surroundings import Gas, Wall, Wind
+from sim.scene.types import Method
+from tests.sim.surrounded import surrounded
+
+REPLACE = msgspec.structs.replace
+FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0))
+
+
+def jelly(y: float, **fields: Any) -> Scene:
+    """Four by four masses with springs along rows, columns and diagonals, the lowest at the height y."""
+    at = [(30.0 * (i % 4), y - 30.0 * (i // 4)) for i in range(16)]
+    pairs = [
+        (i, k)
+        for i in range(16)
+        for k in range(i + 1, 16)
+        if abs(i % 4 - k % 4) <= 1 and abs(i // 4 - k // 4) <= 1
+    ]
+    return Scene(
+        name="jelly",
+        masses=tuple(Mass(position=p, mass=0.5) for p in at),
+        linear_springs=tuple(
+            LinearSpring(a=a, b=b, stiffness=4000.0, damping=4.0, rest_length=math.dist(at[a], at[b]))
+            for a, b in pairs
+        ),
+        gravity=(0.0, 2000.0),
+        **fields,
+    )
+
+
+def frames(scene: Scene, method: Method, count: int = 60, dt: float = 1e-3) -> Simulation:
+    """Sixty frames, each of which may try 1500 steps, as the page grants them."""
+    integrator = Integrator(method=method, dt=dt if not METHODS[method].adaptive else 1.0 / 60.0)
+    simulation = Simulation(REPLACE(scene, integrator=integrator))
+    simulation.energy()
+    last = 0.0
+    for _ in range(count):
+        simulation.step(round(1.0 / 60.0 / simulation.dt), attempts=1500)
+        assert np.isfinite(simulation.positions).all()
+        assert np.isfinite(simulation.velocities).all()
+        assert np.isfinite(simulation.energy().residual)
+        if METHODS[method].adaptive:
+            assert simulation.divergence is None
+            assert simulation.time > last  # it may lag, but it goes on
+            last = simulation.time
+        elif simulation.divergence is not None:
+            break  # a fixed step was too long, and it says so
+    return simulation
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_dropped_from_the_highest_place_there_is(method: Method) -> None:
+    # It arrives with 63 000 px/s.
+    falling = tuple(
+        REPLACE(mass, velocity=(0.0, math.sqrt(2.0 * 2000.0 * 9.9e5))) for mass in jelly(0.0).masses
+    )
+    simulation = frames(REPLACE(jelly(-400.0), masses=falling, walls=(FLOOR,)), method)
+    if METHODS[method].adaptive:
+        assert simulation.time >= 0.3
+        assert simulation.positions[:, 1].min() < 0.0
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_floor_through_the_middle_of_the_body_at_the_start(method: Method) -> None:
+    simulation = frames(jelly(300.0, walls=(FLOOR,)), method)
+    if METHODS[method].adaptive or METHODS[method].order == 1:
+        # All of it comes out, at no more than a wall gives.
+        assert simulation.divergence is None
+        assert simulation.time >= 1.0 - 1e-9
+        assert simulation.positions[:, 1].max() <= 30.0
+        assert simulation.positions[:, 1].min() >= -2000.0
+
+
+@pytest.mark.parametrize("method", ["auto", "adams", "rodas5p", "symplectic_euler", "velocity_verlet"])
+def test_friction_of_ten(method: Method) -> None:
+    scene = jelly(-20.0, walls=(REPLACE(FLOOR, friction=10.0),))
+    sliding = tuple(REPLACE(mass, velocity=(800.0, 0.0)) for mass in scene.masses)
+    simulation = frames(REPLACE(scene, masses=sliding), method, 120)
+    assert simulation.divergence is None
+    assert abs(simulation.velocities[:, 0].mean()) <= 300.0  # it tumbles over its lowest corner
+    assert simulation.energy().friction < 0.0
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_girder_that_snaps_in_the_middle_of_a_step(method: Method) -> None:
+    scene = jelly(0.0)
+    springs = tuple(REPLACE(spring, strength=3000.0) for spring in scene.linear_springs)
+    simulation = frames(
+        REPLACE(scene, linear_springs=springs, anchors=(Anchor(mass=12), Anchor(mass=15))), method
+    )
+    assert simulation.damage is not None and simulation.damage.broken
+    assert simulation.divergence is None
+
+
+def test_walls_that_leave_no_room() -> None:
+    walls = (FLOOR, REPLACE(FLOOR, point=(0.0, -40.0), normal=(0.0, 1.0)))  # the jelly is 90 px high
+    simulation = frames(jelly(0.0, walls=walls), "auto")
+    assert simulation.time == pytest.approx(1.0)
+    assert np.ptp(simulation.positions[:, 1]) <= 60.0
+
+
+def test_a_gale() -> None:
+    scene = jelly(0.0, wind=Wind(velocity=(1e5, 0.0), turbulence=5.0, length_scale=50.0), air_friction=1.0)
+    frames(REPLACE(scene, anchors=(Anchor(mass=0),)), "auto")
+
+
+def test_a_filling_of_a_loop_that_crosses_itself() -> None:
+    crossing = Gas(masses=(0, 3, 12, 15), pressure=500.0, area=900.0)
+    simulation = frames(jelly(-100.0, walls=(FLOOR,), fillings=(crossing,)), "auto")
+    assert simulation.time == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_everything_at_once(method: Method) -> None:
+    scene = surrounded("all", seed=8)
+    springs = tuple(REPLACE(spring, strength=5e4, yield_force=2e4) for spring in scene.linear_springs)
+    frames(REPLACE(scene, linear_springs=springs), method, 30, 1e-4)
