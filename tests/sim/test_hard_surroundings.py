@@ -1,4 +1,4 @@
-"""Hard cases among walls: never a bad number, never stuck; the clock lags where computing does not suffice."""
+"""Hard cases among walls: never a bad number, never stuck; the clock lags where computing is too slow."""
 
 from __future__ import annotations
 
