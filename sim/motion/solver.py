@@ -60,10 +60,10 @@ from ..kernels.core.tables import (
 )
 from ..kernels.energy.dissipation import DAMPER_ROWS
 from ..kernels.energy.work import accumulate_work
-from ..kernels.forces.damage import overstrained, settle
 from ..kernels.forces.forces import accelerations
 from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
+from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..kernels.linear.surrounded import add_surrounding_damping, factorise_surrounded, solve_surrounded

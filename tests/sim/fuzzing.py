@@ -157,7 +157,8 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
     at = np.array([mass.position for mass in scene.masses])
     size = float(np.ptp(at, axis=0).max()) + 1.0
     fields: dict[str, Any] = {}
-    if rng.random() < 0.7:
+    alone = rng.random() < 0.3
+    if not alone:
         fields["walls"] = tuple(
             Wall(
                 point=tuple((at.mean(0) + rng.normal(0.0, size, 2)).tolist()),
@@ -169,7 +170,7 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
             )
             for _ in range(int(rng.integers(1, 4)))
         )
-    if rng.random() < 0.3:
+    if alone or rng.random() < 0.3:
         velocity = tuple((rng.normal(0.0, 1.0, 2) * _ten_to(rng, 1.0, 4.0)).tolist())
         fields["wind"] = Wind(
             velocity=velocity,

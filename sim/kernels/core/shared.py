@@ -139,6 +139,6 @@ def bears(problem, q, tolerance):
 
 @kernel(inline="always")
 def settle(problem, q):
-    """`forces.damage.settle`, after a step that has led to positions q."""
+    """`integrators.damage.settle`, after a step that has led to positions q."""
     if problem.settle != 0:
         _call_settle(problem.settle, problem, q)

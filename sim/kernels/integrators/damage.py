@@ -17,9 +17,9 @@ from ..core.jit import FAST, kernel
 from ..core.tables import COUNT_FRESH, COUNT_WHAT, WORK_BROKEN, WORK_PLASTIC
 from ..core.vectors import deflection, from_to, length_of
 from ..energy.energies import angular_energy
-from ..integrators.guard import CHANGED
-from .drive import wrap
-from .laws import is_sine
+from ..forces.drive import wrap
+from ..forces.laws import is_sine
+from .guard import CHANGED
 
 _OVER_STRENGTH = 1e-3
 """Force beyond the strength of a spring, as a fraction of it, at the end of a step in which it breaks."""
