@@ -11,7 +11,7 @@ import msgspec
 
 import sim
 from sim.motion.stability import StabilityEstimate
-from sim.settings import SETTINGS
+from sim.settings import settings_of
 
 from .ghost import Ghost
 from .hand import Body, PointerHand
@@ -110,7 +110,7 @@ class Running:
         self.hand.let_go(self._following)
 
     def _set(self, key: str, value: float) -> None:
-        setting = SETTINGS.get(key)
+        setting = next((s for s in settings_of(self.simulation.scene) if s.key == key), None)
         if setting is None or not math.isfinite(value):
             return
         self._change(lambda: self.recorder.set_value(key, min(max(value, setting.low), setting.high)))

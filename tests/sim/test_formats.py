@@ -24,11 +24,11 @@ def test_format_1_knew_the_tutorials_law_and_method_only() -> None:
     for fields in ({}, {"integrator": {"dt": 0.004}}, {"integrator": {}}):
         dt = fields.get("integrator", {}).get("dt", 0.0025)
         scene = decoded(format=1, **fields)
-        assert (scene.format, scene.force_law) == (2, "tutorial")
+        assert (scene.format, scene.force_law) == (3, "tutorial")
         assert scene.integrator == sim.Integrator(method="symplectic_euler", dt=dt)
         # The same without its version is a file of this one.
         scene = decoded(**fields)
-        assert (scene.format, scene.force_law) == (2, "conservative")
+        assert (scene.format, scene.force_law) == (3, "conservative")
         assert scene.integrator == sim.Integrator(dt=dt)
 
 
@@ -39,13 +39,13 @@ def test_format_1_keeps_what_it_says() -> None:
     assert scene.masses == (sim.Mass(position=(1.0, 2.5)),)
 
 
-def test_format_1_is_saved_as_format_2(tmp_path: Path) -> None:
+def test_format_1_is_saved_as_format_3(tmp_path: Path) -> None:
     path = tmp_path / "old.json"
     path.write_text(json.dumps({"format": 1, "name": "old", "rope": {"masses": 5}}))
     scene = load_scene(path)
     save_scene(scene, path)
     raw = json.loads(path.read_bytes())
-    assert (raw["format"], raw["force_law"]) == (2, "tutorial")
+    assert (raw["format"], raw["force_law"]) == (3, "tutorial")
     assert raw["integrator"]["method"] == "symplectic_euler"
     assert load_scene(path) == scene
     assert len(scene.angular_springs) == 3

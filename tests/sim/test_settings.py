@@ -216,8 +216,9 @@ def test_masses_rebuild_the_rope() -> None:
     assert (len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)) == (21, 20, 19)
     assert {s.rest_length for s in scene.linear_springs} == {15.0}
     assert [a.mass for a in scene.anchors if a.driven] == [0]
-    assert scene.rope is not None
-    assert scene.rope.length == 300.0
+    (rope,) = scene.bodies
+    assert isinstance(rope, sim.Rope)
+    assert rope.length == 300.0
     # The tip stays where the tutorial's recipe puts it: one spring below the start, plus the length.
     assert scene.masses[-1].position[1] == pytest.approx(149.0 + 15.0 + 300.0)
 
@@ -239,7 +240,7 @@ def test_a_template_sets_the_angle_and_its_stiffness(template: int) -> None:
     assert {j.stiffness for j in scene.angular_springs} == {10_000.0}
     factor = math.sqrt(2.0) if template in (135, 45, -45, -135) else 1.0
     assert joint_stiffness(scene) == [pytest.approx(factor * 10_000.0)] * 6
-    plain = REPLACE(scene, rope=None)
+    plain = REPLACE(scene, bodies=())
     assert set_value(plain, "template", 45).angular_springs[2].rest_angle == 45.0
 
 
@@ -247,13 +248,13 @@ def test_a_template_sets_the_angle_and_its_stiffness(template: int) -> None:
 @pytest.mark.parametrize("template", TEMPLATES)
 def test_turning_a_template_scene_keeps_its_strength(template: int, as_recipe: bool) -> None:
     scene = set_value(load_scene("tutorial-3.2"), "template", template)
-    scene = scene if as_recipe else REPLACE(scene, rope=None)
+    scene = scene if as_recipe else REPLACE(scene, bodies=())
     turned = validate(shift_rest_angles(scene, 30.0))
     assert turned.template is None
     assert joint_stiffness(turned) == pytest.approx(joint_stiffness(scene))
     expected = template + 30.0 - (360.0 if template + 30.0 > 180.0 else 0.0)
     assert {j.rest_angle for j in turned.angular_springs} == {expected}
-    assert (turned.rope is not None) == as_recipe
+    assert bool(turned.bodies) == as_recipe
     again = set_value(scene, "rest_angle", expected)
     assert joint_stiffness(again) == pytest.approx(joint_stiffness(scene))
 
