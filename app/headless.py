@@ -193,8 +193,7 @@ def replay(
     """
     simulation = sim.Simulation(record.scene)
     recording = Recording(len(record.scene.masses), energies=[] if energy else None)
-    simulation.keep_books(energy)
-    player = Player(record, simulation)
+    player = Player(record, simulation, energy)
     total = sum(entry.n * entry.times for entry in record.entries if isinstance(entry, Step))
     due = every
     with Progress(console=console, transient=True, disable=total < LONG_RUN) as progress:

@@ -19,6 +19,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from . import around
 from .kernels.core.tables import Body, State
 from .kernels.forces.laws import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL
 
@@ -75,10 +76,11 @@ class Physics:
         self.joint_damping = body.torque_damping[joints]  # (J,) kg/s
         self.rest_angle = state.torque_rest[joints]  # (J,) radians
         self.state = state
+        self.surroundings = body.surroundings
         self._ends = np.concatenate((self.b, self.a))
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """(slots,) the forces of all springs on the masses at positions x (px) and velocities v (px/s)."""
+        """(slots,) the forces of springs, fillings and walls at positions x (px) and velocities v (px/s)."""
         spring, rate = x[self.b] - x[self.a], v[self.b] - v[self.a]
         square = np.maximum(abs(spring), SHORTEST) ** 2
         # Of a spring with the vector L: -stiffness (|L| - rest) L/|L| - damping (L . dL/dt) L/|L|².
@@ -98,16 +100,29 @@ class Physics:
             turned = spring / square
             np.add.at(tension, self.first, (1j * torque - energy) * turned[self.first])
             np.add.at(tension, self.second, (-1j * torque - energy) * turned[self.second])
-        return self._sum(np.concatenate((tension, -tension)), x.size)
+        forces = self._sum(np.concatenate((tension, -tension)), x.size)
+        if self.surroundings.present:
+            forces += around.filling_forces(self.surroundings, x)
+            forces += self.surroundings.mass * around.wall_accelerations(self.surroundings, x, v)
+        return forces
 
     def accelerations(self, x: Vectors, v: Vectors) -> Vectors:
         """(slots,) px/s²; zero where a mass is held. Air friction acts on each axis separately."""
-        state = self.state
-        air = v.real * abs(v.real) + 1j * (v.imag * abs(v.imag))
-        return self.forces(x, v) * state.inverse_mass - air * state.air + (state.gx + 1j * state.gy)
+        state, drag, u = self.state, self.state.air, v
+        if self.surroundings.air_friction > 0.0:
+            drag, u = self.surroundings.air_friction * state.inverse_mass, v - self.wind(x)
+        air = u.real * abs(u.real) + 1j * (u.imag * abs(u.imag))
+        return self.forces(x, v) * state.inverse_mass - air * drag + (state.gx + 1j * state.gy)
+
+    def wind(self, x: Vectors) -> Vectors:
+        """(slots,) the velocity of the air at positions x (px) at the present time, px/s."""
+        return around.wind(self.surroundings, x, float(self.state.clock[0]))
 
     def energies(self, x: Vectors) -> tuple[float, float]:
-        """Energies of linear and of angular springs, kg px²/s²; the tutorial's law uses the sine law's."""
+        """Energies of linear and of angular springs, kg px²/s²; the tutorial's law uses the sine law's.
+
+        Those of walls and fillings are in `sim.around`.
+        """
         spring = x[self.b] - x[self.a]
         pulls = self.stiffness > 0.0
         rest = self.pull[pulls] / self.stiffness[pulls]

@@ -315,7 +315,7 @@ CHOICES: dict[str, Choice] = {
     "force_law": Choice(
         "force_law",
         "Force law",
-        {**{name: law.label for name, law in LAWS.items()}, "angle": "Angle law"},
+        {name: law.label for name, law in LAWS.items()},
         lambda scene: scene.force_law,
         _replace("force_law"),
         _has_joints,

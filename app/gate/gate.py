@@ -44,7 +44,6 @@ from app.gate.address import (
 )
 from app.gate.messages import (
     MAX_FRAME_BYTES,
-    UPLOAD_PART_BYTES,
     FileTransferPart,
     FileTransferStartUpload,
     GuiUpdateMessage,
@@ -55,18 +54,14 @@ from app.gate.messages import (
 )
 
 from . import messages as gate_messages
+from .uploads import Uploads
 
 __all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server", "page_addresses"]
 
 VISER_VERSION = "1.1.1"
 """The version of viser whose inside the gate knows."""
 
-MAX_UPLOAD_BYTES = 5 * 1024 * 1024
 MAX_TABS = 64
-
-MAX_UPLOADS_PER_TAB = 2
-MAX_UPLOADS = 16
-"""Uploads under way at once, which viser holds in memory: at most 80 MiB."""
 
 # A page sends at most some 300 messages a second: the pointer once per frame of a fast screen (240 Hz), the
 # camera and each slider at 20 Hz.
@@ -165,14 +160,6 @@ class Connection(ServerConnection):
         self._gate.forget(self)
 
 
-@dataclasses.dataclass
-class _Upload:
-    tab: Connection
-    source_component_uuid: str
-    size_bytes: int
-    missing_parts: set[int]
-
-
 class Gate:
     """Decides what reaches a viser server, and counts what does not."""
 
@@ -188,7 +175,7 @@ class Gate:
         self._on_oversized = on_oversized
         self._server: viser.ViserServer | None = None
         self._tabs: set[Connection] = set()
-        self._uploads: dict[str, _Upload] = {}
+        self._uploads = Uploads()
 
     def open(self, server: viser.ViserServer) -> None:
         """Begin to admit; until now every request is refused."""
@@ -248,8 +235,7 @@ class Gate:
     def forget(self, tab: Connection) -> None:
         """Drop everything held for a tab that is gone."""
         self._tabs.discard(tab)
-        for transfer_uuid in [key for key, upload in self._uploads.items() if upload.tab is tab]:
-            del self._uploads[transfer_uuid]
+        self._uploads.forget(tab)
 
     def admit(self, tab: Connection, data: str | bytes) -> bytes | None:
         """Return the message for viser to read, or None if it must not see it."""
@@ -272,45 +258,21 @@ class Gate:
             case FileTransferStartUpload():
                 self._start_upload(tab, message)
             case FileTransferPart():
-                self._take_part(message, self._uploads.get(message.transfer_uuid), tab)
+                self._uploads.take_part(tab, message)
 
     def _start_upload(self, tab: Connection, message: FileTransferStartUpload) -> None:
         # viser would store an upload as the value of any handle: a slider's, say.
         handle = self._input_handle(tab, message.source_component_uuid)
         if not isinstance(handle, viser.GuiUploadButtonHandle):
             raise Refused("handle")
-        if message.size_bytes > MAX_UPLOAD_BYTES:
+        try:
+            self._uploads.start(tab, message)
+        except Refused as refusal:
             self._turn_away(tab, message)
-            if tab.client is not None:
+            if refusal.reason == "oversized upload" and tab.client is not None:
                 # By way of the event loop: an error in the callback must not close the connection.
                 tab.loop.call_soon(self._on_oversized, tab.client.client_id, message.filename)
-            raise Refused("oversized upload")
-        if (
-            message.part_count != -(-message.size_bytes // UPLOAD_PART_BYTES)
-            or message.transfer_uuid in self._uploads
-            or len(self._uploads) >= MAX_UPLOADS
-            or sum(upload.tab is tab for upload in self._uploads.values()) >= MAX_UPLOADS_PER_TAB
-        ):
-            self._turn_away(tab, message)
-            raise Refused("upload")
-        if message.part_count:
-            self._uploads[message.transfer_uuid] = _Upload(
-                tab, message.source_component_uuid, message.size_bytes, set(range(message.part_count))
-            )
-
-    def _take_part(self, message: FileTransferPart, upload: _Upload | None, tab: Connection) -> None:
-        offset = message.part_index * UPLOAD_PART_BYTES
-        if (
-            upload is None
-            or upload.tab is not tab
-            or upload.source_component_uuid != message.source_component_uuid
-            or message.part_index not in upload.missing_parts
-            or len(message.content) != min(UPLOAD_PART_BYTES, upload.size_bytes - offset)
-        ):
-            raise Refused("upload")
-        upload.missing_parts.remove(message.part_index)
-        if not upload.missing_parts:
-            del self._uploads[message.transfer_uuid]
+            raise
 
     def _turn_away(self, tab: Connection, message: FileTransferStartUpload) -> None:
         """Free the page's upload button, which waits for the parts to be acknowledged."""

@@ -16,6 +16,7 @@ import viser
 import sim
 from sim.compiling.compiler import Compiler, needed_by
 from sim.methods.registry import METHODS
+from sim.scene.types import is_surrounded
 
 from ..session import commands
 from ..session.pacing import is_large
@@ -189,7 +190,7 @@ class Tab:
             return
         if session.simulation.plain and method != self._wanted:
             self._wanted = method
-            self._compiler.want(needed_by(method))
+            self._compiler.want(needed_by(method, is_surrounded(session.simulation.scene)))
         ready, of = self._compiler.progress
         self._all_ready = ready == of
         text = ""

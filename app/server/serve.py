@@ -18,6 +18,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 import sim
 from sim.compiling.compiler import Compiler, needed_by
+from sim.scene.types import is_surrounded
 
 from ..gate.gate import exposure, open_server, page_addresses
 from ..page.assets import page_files
@@ -85,7 +86,7 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
             webbrowser.open(address)
         # The first page is drawn first, if it comes soon: both want the interpreter.
         ticker.drawn.wait(timeout=0.5)
-        compiler.want(needed_by(scene.integrator.method))
+        compiler.want(needed_by(scene.integrator.method, is_surrounded(scene)))
         compiler.start()
         threading.Thread(target=_show_progress, args=(compiler, console), daemon=True).start()
         while not signals:

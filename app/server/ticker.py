@@ -6,6 +6,7 @@ time steps of heavy bodies are done by threads beside it, since the kernels do n
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import threading
 import time
@@ -96,6 +97,7 @@ class Ticker:
                     # A page that went away in the middle of a frame, or a defect: the other tabs go on.
                     _log.exception("the tab %s is closed after an error", client_id)
                     self.tabs.pop(client_id, None)
+                    _say_stopped(tab.client)
             now = time.monotonic()
             self._frame = next_frame(self._frame, now - began)
             due = max(due + self._frame, now - FRAME)
@@ -112,6 +114,14 @@ class Ticker:
                 _log.exception("a page could not be set up")
         while self._departures:
             self.tabs.pop(self._departures.popleft(), None)
+
+
+def _say_stopped(client: viser.ClientHandle) -> None:
+    """Tell a page, if it is still there, that nothing more will come."""
+    with contextlib.suppress(Exception):
+        text = "There was an error on the server. Reload the page to go on."
+        client.add_notification("This page has stopped", text, color="red")
+        client.flush()
 
 
 def next_frame(frame: float, worked: float) -> float:

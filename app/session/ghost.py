@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from typing import NamedTuple
 
 import msgspec
 import numpy as np
@@ -10,6 +11,8 @@ import numpy as np
 import sim
 from sim.methods.registry import METHODS
 from sim.settings import CHOICES, SETTINGS, set_choice
+
+from .pacing import attempts_within, smoothed
 
 REFERENCE = "reference"
 """Instead of a method: `auto` at a tolerance at which it stands for the exact motion."""
@@ -20,15 +23,28 @@ REFERENCE_TOLERANCE = 1e-4
 FINER: tuple[int, ...] = (1, 2, 4, 10)
 """How many times smaller a ghost's time step or tolerance may be: so both bodies have the same frames."""
 
-ATTEMPTS = 2000
-"""Steps that a ghost may try in a frame; it is not the one that the clock waits for."""
+
+class GhostMoment(NamedTuple):
+    """A ghost at a moment that is past.
+
+    Attributes:
+        moment: where it was.
+        owed: simulated seconds that it was late by then.
+        worst: see `Ghost`.
+    """
+
+    moment: sim.Moment
+    owed: float
+    worst: float
 
 
 class Ghost:
     """The second body of a session.
 
+    It has the time that the first body leaves of a frame. Where that does not suffice it is late, and catches
+    up later.
+
     Args:
-        scene: the first body's scene, as it is now.
         simulation: the first body, whose state it starts from.
         method: a name of `sim.methods.METHODS`, or REFERENCE.
         law: a force law, or "" for the scene's own.
@@ -39,7 +55,8 @@ class Ghost:
     Attributes:
         simulation: the body.
         cost: seconds of computing in the last frames, on average.
-        distance: largest distance between a mass and its counterpart, px.
+        unit_cost: seconds of a step that it tries, on average.
+        distance: largest distance between a mass and its counterpart, px, when it was last not late.
         worst: the largest that it has been.
     """
 
@@ -48,9 +65,8 @@ class Ghost:
     ) -> None:
         self.method, self.law, self.finer = method, law, finer
         self.simulation = sim.Simulation(self.variant(simulation.scene), wait=wait)
-        self.cost = 0.0
-        self.distance = self.worst = 0.0
-        self.start_from(simulation)
+        self.cost = self.unit_cost = 0.0
+        self._start(simulation)
 
     def variant(self, scene: sim.Scene) -> sim.Scene:
         """The first body's scene with this one's method and law."""
@@ -83,19 +99,58 @@ class Ghost:
             self.start_from(simulation)
         return False
 
+    def change(self, scene: sim.Scene) -> None:
+        """Go on with other settings of the first body, whose scene is this one now."""
+        self.simulation.replace(self.variant(scene))
+
     def start_from(self, simulation: sim.Simulation) -> None:
-        """Take the first body's place, speed and time."""
+        """Take the first body's settings, place, speed and time."""
+        self.change(simulation.scene)  # with what keys have changed
+        self._start(simulation)
+
+    def _start(self, simulation: sim.Simulation) -> None:
         self.simulation.take_state(simulation)
-        self.distance = self.worst = 0.0
+        self._owed = self.distance = self.worst = 0.0
 
-    def step(self, steps: int, dt: float) -> None:
-        """Go on by some time steps of the first body, each of dt, s."""
+    def capture(self) -> GhostMoment | None:
+        """Where it is now, to come back to; None while it `waits`."""
+        return None if self.waits else GhostMoment(self.simulation.capture(), self._owed, self.worst)
+
+    def go_back(self, then: GhostMoment | None, simulation: sim.Simulation) -> None:
+        """Be where it was at the moment that the first body has gone to; if none is kept, start from that."""
+        if then is None:
+            self.start_from(simulation)
+            return
+        self.simulation.restore(then.moment)
+        self._owed, self.worst = then.owed, then.worst
+        self._compare(simulation)
+
+    def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
+        """Go on by as much time as the first body has just done, and measure how far apart they are.
+
+        Args:
+            simulation: the first body.
+            steps: time steps that it has done.
+            budget: seconds of computing that this may take.
+        """
+        own = self.simulation
+        attempts = attempts_within(budget, self.unit_cost)
+        self._owed += steps * simulation.dt
         began = time.perf_counter()
-        self.simulation.step(steps * round(dt / self.simulation.dt), attempts=ATTEMPTS)
-        self.cost += 0.1 * (time.perf_counter() - began - self.cost)
+        done = own.step(int(self._owed / own.dt + 1e-6), attempts)
+        took = time.perf_counter() - began
+        self._owed -= done * own.dt
+        if abs(self._owed) < 0.5 * own.dt:
+            self._owed = 0.0  # but for rounding
+        self.cost += 0.1 * (took - self.cost)
+        stats = own.stats()
+        if tried := stats.steps + stats.rejected:
+            self.unit_cost = smoothed(self.unit_cost, took / tried)
+        self._compare(simulation)
 
-    def compare(self, simulation: sim.Simulation) -> None:
-        """Measure the distance to the first body."""
+    def _compare(self, simulation: sim.Simulation) -> None:
+        if self._owed:
+            return  # where it was some time ago says nothing
         apart = np.hypot(*(simulation.positions - self.simulation.positions).T)
         self.distance = float(apart.max(initial=0.0))
         self.worst = max(self.worst, self.distance)

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from bisect import bisect_left
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sim import Moment, Scene
+from sim import Moment
+
+from .ghost import GhostMoment
 
 SPAN = 3600
 """Frames that are kept: a minute at 60 Hz."""
@@ -27,12 +30,25 @@ BEFORE_RUNAWAY = 0.5
 _SMOOTH = 5
 """Frames over which the largest kinetic energy is taken: springs that flip to and fro have pauses."""
 
-
 _WIDEST = 120
 """Frames between two moments, at most, that both are long past."""
 
 _CALM = 2.0
 """Speed of a body that is sound, at most, in sizes of the body per second, on average over its masses."""
+
+
+class _Frame(NamedTuple):
+    """What is kept of one frame.
+
+    Attributes:
+        number: of the frame, counted from when the history began.
+        moment: of the body.
+        ghost: of the second body, if there was one.
+    """
+
+    number: int
+    moment: Moment
+    ghost: GhostMoment | None
 
 
 class History:
@@ -51,84 +67,89 @@ class History:
 
     def clear(self) -> None:
         """Forget everything."""
-        self._moments: list[Moment] = []
-        self._frames: list[int] = []
-        self._frame = 0
+        self._frames: list[_Frame] = []
+        self._number = 0
         self._bytes = 0
         self.shown = -1
 
     def __len__(self) -> int:
-        return len(self._moments)
+        return len(self._frames)
 
     def __getitem__(self, index: int) -> Moment:
-        return self._moments[index]
+        return self._frames[index].moment
+
+    def ghost(self, index: int) -> GhostMoment | None:
+        """Where the second body was in a moment; None if there was none, or it was another one."""
+        return self._frames[index].ghost
+
+    def forget_ghosts(self) -> None:
+        """The second body is no longer the one that it was."""
+        self._frames = [frame._replace(ghost=None) for frame in self._frames]
+        self._count()
 
     @property
     def last(self) -> int:
         """Index of the newest moment; -1 if there is none."""
-        return len(self._moments) - 1
+        return len(self._frames) - 1
 
     @property
     def scrubbed(self) -> bool:
         """Whether another moment than the newest is shown."""
-        return self.shown < len(self._moments) - 1
+        return self.shown < self.last
 
     @property
     def start(self) -> float:
         """Time of the oldest moment, s; 0 if there is none."""
-        return self._moments[0].time if self._moments else 0.0
+        return self._frames[0].moment.time if self._frames else 0.0
 
     @property
     def end(self) -> float:
         """Time of the newest moment, s; 0 if there is none."""
-        return self._moments[-1].time if self._moments else 0.0
+        return self._frames[-1].moment.time if self._frames else 0.0
 
     @property
     def bytes(self) -> int:
         """What all of it takes, about."""
         return self._bytes
 
-    def add(self, moment: Moment) -> None:
-        """The next frame's moment; it is shown. Moments that are not before it are dropped."""
-        moments = self._moments
-        while moments and moments[-1].time >= moment.time:
+    def add(self, moment: Moment, ghost: GhostMoment | None = None) -> None:
+        """The next frame's moment, and the second body's; it is shown. What is not before it is dropped."""
+        frames = self._frames
+        while frames and frames[-1].moment.time >= moment.time:
             self._drop_last()
-        self._frame += 1
-        before = moments[-1].scene if moments else None
-        moments.append(moment)
-        self._frames.append(self._frame)
-        self._bytes += _size(moment, before)
-        if len(moments) > SPAN or self._frames[0] <= self._frame - SPAN:
+        self._number += 1
+        frame = _Frame(self._number, moment, ghost)
+        self._bytes += _size(frame, frames[-1] if frames else None)
+        frames.append(frame)
+        if len(frames) > SPAN or frames[0].number <= self._number - SPAN:
             self._drop_first()
         if self._bytes > MOST_BYTES:
             self._thin()
-        self.shown = len(moments) - 1
+        self.shown = self.last
 
-    def amend(self, moment: Moment) -> None:
+    def amend(self, moment: Moment, ghost: GhostMoment | None = None) -> None:
         """The newest moment is this one after all."""
-        if self._moments:
+        if self._frames:
             self._drop_last()
-        self.add(moment)
+        self.add(moment, ghost)
 
     def nearest(self, time: float) -> int:
         """Index of the moment nearest to a time, s; there must be one."""
-        at = bisect_left(self._moments, time, key=lambda moment: moment.time)
-        if at == 0 or (at <= self.last and self._moments[at].time - time < time - self._moments[at - 1].time):
+        at = bisect_left(self._frames, time, key=lambda frame: frame.moment.time)
+        if at == 0 or (at <= self.last and self[at].time - time < time - self[at - 1].time):
             return at
         return at - 1
 
     def back(self, seconds: float) -> int:
         """Index of the moment so many seconds before the one that is shown, and one frame at least."""
         before = max(self.shown - 1, 0)
-        return (
-            min(before, self.nearest(self._moments[self.shown].time - seconds)) if seconds > 0.0 else before
-        )
+        return min(before, self.nearest(self[self.shown].time - seconds)) if seconds > 0.0 else before
 
     def cut(self) -> list[Moment]:
         """Drop what is newer than what is shown, and return it, the moment shown first; or nothing at all."""
         if not self.scrubbed:
             return []
-        newer = self._moments[self.shown :]
+        newer = [frame.moment for frame in self._frames[self.shown :]]
         while self.scrubbed:
             self._drop_last()
         return newer
@@ -140,42 +161,46 @@ class History:
         ring at which the kinetic energy only grows is the runaway. Some time before that is a sound moment,
         unless the body was too fast for its size even then.
         """
-        mass = np.array([m.mass for m in self._moments[-1].scene.masses])
-        squares = [float(mass @ (m.rows[2] ** 2 + m.rows[3] ** 2)) for m in self._moments]
+        moments = [frame.moment for frame in self._frames]
+        mass = np.array([m.mass for m in moments[-1].scene.masses])
+        squares = [float(mass @ (m.rows[2] ** 2 + m.rows[3] ** 2)) for m in moments]
         smooth = [max(squares[max(0, i - _SMOOTH + 1) : i + 1]) for i in range(len(squares))]
         onset = self.last
         while onset > 0 and smooth[onset - 1] < smooth[onset]:
             onset -= 1
-        index = self.nearest(self._moments[onset].time - BEFORE_RUNAWAY)
+        index = self.nearest(moments[onset].time - BEFORE_RUNAWAY)
         # Some have been torn to and fro for long before they run away.
-        sizes = [float(np.ptp(m.rows[:2], axis=1).max()) for m in self._moments[: index + 1]]
+        sizes = [float(np.ptp(m.rows[:2], axis=1).max()) for m in moments[: index + 1]]
         calm = float(mass.sum()) * (_CALM * float(np.median(sizes))) ** 2
         return next((i for i in range(index, -1, -1) if squares[i] <= calm), index)
 
     def _drop_last(self) -> None:
-        moment = self._moments.pop()
-        self._frames.pop()
-        self._bytes -= _size(moment, self._moments[-1].scene if self._moments else None)
+        frame = self._frames.pop()
+        self._bytes -= _size(frame, self._frames[-1] if self._frames else None)
 
     def _drop_first(self) -> None:
-        moment = self._moments.pop(0)
-        self._frames.pop(0)
-        after = self._moments[0]
+        frame = self._frames.pop(0)
+        after = self._frames[0]
         # The next one pays for the scene that they share.
-        self._bytes -= _size(moment, None) - (_size(after, None) - _size(after, moment.scene))
+        self._bytes -= _size(frame, None) - (_size(after, None) - _size(after, frame))
 
     def _thin(self) -> None:
-        half, frames = max(len(self._moments) // 2, 2), self._frames
+        half, frames = len(self._frames) // 2, self._frames
+        if half < 2:  # so large a body that hardly one moment of it fits
+            if len(frames) > 1:
+                self._drop_first()
+            return
         keep: list[int] = [0]
         for i in range(1, half):
-            if keep[-1] != i - 1 or frames[i + 1] - frames[keep[-1]] > _WIDEST:
+            if keep[-1] != i - 1 or frames[i + 1].number - frames[keep[-1]].number > _WIDEST:
                 keep.append(i)
         if len(keep) == half:
             keep = keep[half // 2 :]  # it is as sparse as it may be
-        self._moments[:half] = [self._moments[i] for i in keep]
         self._frames[:half] = [frames[i] for i in keep]
-        scenes = [None, *(moment.scene for moment in self._moments[:-1])]
-        self._bytes = sum(map(_size, self._moments, scenes))
+        self._count()
+
+    def _count(self) -> None:
+        self._bytes = sum(map(_size, self._frames, [None, *self._frames[:-1]]))
 
 
 class OldFuture:
@@ -202,11 +227,18 @@ class OldFuture:
         return (before.positions + share * (after.positions - before.positions)).copy()
 
 
-def _size(moment: Moment, before: Scene | None) -> int:
-    """Bytes of a moment that follows one of a scene."""
-    size = moment.rows.nbytes + _OVERHEAD
-    if moment.scene is not before:
-        scene = moment.scene
+def _size(frame: _Frame, before: _Frame | None) -> int:
+    """Bytes of a frame that follows another one, about."""
+    size = _size_of(frame.moment, before.moment if before else None)
+    if frame.ghost is not None:
+        last = before.ghost if before else None
+        size += _size_of(frame.ghost.moment, last.moment if last else None)
+    return size
+
+
+def _size_of(moment: Moment, before: Moment | None) -> int:
+    size, scene = moment.rows.nbytes + _OVERHEAD, moment.scene
+    if before is None or scene is not before.scene:
         parts = len(scene.masses) + len(scene.linear_springs) + len(scene.angular_springs)
         size += _PER_PART * parts
     return size

@@ -21,7 +21,8 @@ from .ghost import FINER, REFERENCE
 FORMAT, VERSION = "softrod-keepsake", 1
 
 MOST_BYTES = 1_000_000
-"""A keepsake that would be larger leaves the motion out: the scene begins anew."""
+"""A keepsake that would be larger leaves out the scene as it was opened, and then the motion, too: the scene
+begins anew."""
 
 
 class Second(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -69,7 +70,7 @@ class Kept:
     Attributes:
         moment: where the body was.
         wishes: what its user had chosen.
-        opened: the scene as it was opened.
+        opened: the scene as it was opened, or as it was last where that was left out.
     """
 
     moment: sim.Moment

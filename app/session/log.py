@@ -30,17 +30,19 @@ from sim.scene.sentences import in_words
 
 FORMAT, VERSION = "softrod-log", 1
 
-MAX_LOG_BYTES = 8_000_000
-"""What a log may take beside its first line; beyond that it starts anew."""
+MAX_LOG_BYTES = 4_000_000
+"""What a log may take beside its scene and the moment that it begins with; beyond that it starts anew. A page
+can open what it has saved, as long as these take less than a megabyte."""
 
-_MOST_BYTES = 2 * MAX_LOG_BYTES + MAX_FILE_BYTES
-"""Largest log that is read: the body may be as large as a scene file."""
+_MOST_BYTES = MAX_LOG_BYTES + 4 * MAX_FILE_BYTES
+"""Largest log that is read: its scene, and the scene and pose that it begins with, may each be as large as a
+scene file, and so may what comes last."""
 
 NOTED = 32
 """Masses, at most, whose positions are noted in a check."""
 
 _Mass = Annotated[int, Meta(ge=0, lt=100_000)]
-_Seconds = Annotated[float, Meta(ge=0.0, le=1e12)]
+_Seconds = Annotated[float, Meta(ge=0.0, le=1e9)]
 _Count = Annotated[int, Meta(ge=0, le=10**15)]
 _Times = Annotated[int, Meta(ge=1, le=10**7)]
 

@@ -30,10 +30,11 @@ def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
     """What to tell when the simulation of a scene has stopped."""
     limit, cause = divergence.stability.limit, divergence.stability.cause
     if cause is not None and divergence.dt > limit:
-        value = SETTINGS[cause.replace(" ", "_")].read(scene)
+        setting = SETTINGS.get(cause.replace(" ", "_"))
+        value = f"{cause} {setting.read(scene):g}" if setting else f"the stiffness of the {cause}"
         text = (
-            f"Time step {divergence.dt:.3g} s is above the stability limit {limit:.2g} s at {cause} "
-            f"{value:g}. The last good state is shown. Go back to just before it, lower either of them, and "
+            f"Time step {divergence.dt:.3g} s is above the stability limit {limit:.2g} s at {value}. "
+            "The last good state is shown. Go back to just before it, lower either of them, and "
             "go on; or press Reset."
         )
     else:

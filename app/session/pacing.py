@@ -26,6 +26,12 @@ LARGE = 2000
 _FEWEST_ATTEMPTS = 8
 """Steps that a method may try in any frame: a body too heavy for the budget still moves."""
 
+_MOST_ATTEMPTS = 1_000_000
+"""Steps that it may try at most: what a log may say."""
+
+_FIRST_ATTEMPTS = 1000
+"""Steps that it may try before anything is known of what they cost."""
+
 _WINDOW = 1.0
 """Seconds over which the rates are averaged."""
 
@@ -52,10 +58,17 @@ class Rates:
 
 
 class Pacer:
-    """Grants steps against the wall clock and a budget of computing time."""
+    """Grants steps against the wall clock and a budget of computing time.
 
-    def __init__(self) -> None:
-        self.speed = 1.0
+    Args and attributes:
+        speed: simulated seconds per second.
+
+    Attributes:
+        behind: simulated seconds that the clock has lost since it was started.
+    """
+
+    def __init__(self, speed: float = 1.0) -> None:
+        self.speed = speed
         self.behind = 0.0
         self._last: float | None = None
         self._owed = 0.0
@@ -109,7 +122,7 @@ class Pacer:
 
     def attempts(self, budget: float) -> int:
         """How many steps a method that chooses them itself may try in a budget of seconds."""
-        return max(_FEWEST_ATTEMPTS, int(budget / self._attempt_cost)) if self._attempt_cost else 1000
+        return attempts_within(budget, self._attempt_cost)
 
     def affordable(self, budget: float) -> int:
         """Steps of the clock that a budget of seconds is enough for, by their cost so far; 20000 at first."""
@@ -129,10 +142,10 @@ class Pacer:
             missed: time steps that were granted and not reached.
         """
         if steps:
-            self._step_cost = _smoothed(self._step_cost, seconds / steps)
+            self._step_cost = smoothed(self._step_cost, seconds / steps)
         tried = stats.steps + stats.rejected
         if tried:
-            self._attempt_cost = _smoothed(self._attempt_cost, seconds / tried)
+            self._attempt_cost = smoothed(self._attempt_cost, seconds / tried)
         self.behind += missed * dt
         lost = self._lost + missed * dt
         self._frames.append((now, steps * dt, stats.steps, stats.rejected, seconds, lost))
@@ -158,5 +171,11 @@ def is_large(scene: Scene) -> bool:
     return len(scene.masses) + len(scene.linear_springs) + len(scene.angular_springs) > LARGE
 
 
-def _smoothed(before: float, now: float) -> float:
+def attempts_within(budget: float, cost: float) -> int:
+    """Steps that may be tried in a budget of seconds, of which each takes `cost` seconds; 0 is not known."""
+    return int(min(max(budget / cost, _FEWEST_ATTEMPTS), _MOST_ATTEMPTS)) if cost else _FIRST_ATTEMPTS
+
+
+def smoothed(before: float, now: float) -> float:
+    """A running average of costs, of which the first counts as it is."""
     return now if not before else 0.8 * before + 0.2 * now

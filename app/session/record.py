@@ -69,12 +69,14 @@ class Recorder:
     @keys.setter
     def keys(self, keys: frozenset[str]) -> None:
         if keys != self._keys:
+            self._make_room()
             self.simulation.keys = keys
             self._keys = keys
             self._note(log.keys_entry(keys))
 
     def move(self, mass: int, to: tuple[float, float]) -> None:
         """See `Simulation.move`."""
+        self._make_room()
         self.simulation.move(mass, to)
         self._note(log.Move(mass=mass, to=_place(to)))
 
@@ -85,23 +87,27 @@ class Recorder:
 
     def follow(self, mass: int, to: tuple[float, float]) -> None:
         """See `Simulation.follow`."""
+        self._make_room()
         self.simulation.follow(mass, to)
         self._note(log.Follow(mass=mass, to=_place(to)))
 
     def grab(self, mass: int) -> None:
         """See `Simulation.grab`."""
+        self._make_room()
         self.simulation.grab(mass)
         self._grabbed.add(mass)
         self._note(log.Grab(mass=mass))
 
     def release(self, mass: int) -> None:
         """See `Simulation.release`."""
+        self._make_room()
         self.simulation.release(mass)
         self._grabbed.discard(mass)
         self._note(log.Release(mass=mass))
 
     def keep_books(self, on: bool) -> None:
         """See `Simulation.keep_books`."""
+        self._make_room()
         self.simulation.keep_books(on)
         self._books = on
         self._note(log.Books(on=on))
@@ -166,8 +172,7 @@ class Recorder:
             self._note(log.Step(n=n, attempts=None if free else attempts))
             if abs(self.simulation.time - self._checked) >= CHECK_EVERY:
                 self._check()
-            if self._size > log.MAX_LOG_BYTES:
-                self._start_anew()
+            self._make_room()
         return done
 
     # --------------------------------------------------------------------- the log
@@ -217,15 +222,20 @@ class Recorder:
         line = log.encode_entry(entry)
         if times > 1:
             line = line[:-1] + b',"times":%d}' % times
+        if self._lines:
+            self._size += len(line) + 1
         self._lines.append(line)
-        self._size += len(line) + 1
 
     def _check(self) -> None:
         self._settle()
         self._checked = self.simulation.time
         self._write(log.check_of(self.simulation))
 
-    def _start_anew(self) -> None:
+    def _make_room(self) -> None:
+        """Start the log anew if it has grown too long: before something is done, or after steps, so that
+        nothing is lost that was to be done in the next steps."""
+        if self._size <= log.MAX_LOG_BYTES:
+            return
         grabbed = self._grabbed
         self._begin(TOO_LONG)
         self._grabbed = grabbed
@@ -248,6 +258,7 @@ class Recorder:
         self._note(log.Books(on=self._books))
 
     def _replace(self, scene: sim.Scene, entry: Entry) -> None:
+        self._make_room()
         rebuilt = len(scene.masses) != len(self.simulation.scene.masses)
         self.simulation.replace(scene)
         if rebuilt:

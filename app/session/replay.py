@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 
 import sim
@@ -10,9 +12,6 @@ from sim.motion.solver import UNLIMITED
 
 from . import log
 from .log import Entry, Log
-
-_MOST_ENTRIES = 2000
-"""Entries that are done in a frame at most, so that no log can stop the page."""
 
 _MOST_OWED = 0.5
 """Simulated seconds, at most, that a replay catches up on."""
@@ -26,6 +25,7 @@ class Player:
     Args:
         record: what was done.
         simulation: the body of `record.scene`, at its start.
+        energy: whether the energy is to be followed throughout, whatever the log says.
 
     Attributes:
         record, simulation: as above.
@@ -33,8 +33,10 @@ class Player:
         difference: where it first differed from what was recorded, a sentence, or None.
     """
 
-    def __init__(self, record: Log, simulation: sim.Simulation) -> None:
-        self.record, self.simulation = record, simulation
+    def __init__(self, record: Log, simulation: sim.Simulation, energy: bool = False) -> None:
+        self.record, self.simulation, self._energy = record, simulation, energy
+        if energy:
+            simulation.keep_books(True)
         self.steps = 0
         self.difference: str | None = None
         self._index = self._times = self._checks = 0
@@ -71,11 +73,12 @@ class Player:
             self._index, self._times = self._index + 1, 0
         return done
 
-    def advance(self, seconds: float, most: int, attempts: int) -> int:
+    def advance(self, seconds: float, budget: float, most: int, attempts: int) -> int:
         """Do what comes next, as far as so many more simulated seconds lead, and return the steps done.
 
         Args:
             seconds: simulated time, s; what a call of `step` goes beyond it is made up for later.
+            budget: seconds of computing after which nothing more is begun.
             most: steps that one call may have.
             attempts: steps that a method may really try in one call, whatever it might when it was recorded.
 
@@ -83,10 +86,8 @@ class Player:
             InputError: as `do`, or a call takes more than that.
         """
         self._owed = min(self._owed + seconds, _MOST_OWED)
-        done = 0
-        for _ in range(_MOST_ENTRIES):
-            if self.ended:
-                break
+        done, end = 0, time.perf_counter() + budget
+        while not self.ended:
             entry = self.upcoming
             if isinstance(entry, log.Step):
                 if self._owed <= 0.0:
@@ -95,6 +96,8 @@ class Player:
                     raise self._named(_TOO_HEAVY)
                 self._owed -= entry.n * self.simulation.dt
             done += self.do(attempts)
+            if time.perf_counter() >= end:
+                break
         return done
 
     @property
@@ -135,7 +138,7 @@ class Player:
             case log.Keys(held=held):
                 simulation.keys = held
             case log.Books(on=on):
-                simulation.keep_books(on)
+                simulation.keep_books(on or self._energy)
             case log.Set(key=key, value=value):
                 simulation.replace(sim.set_value(simulation.scene, key, value))
             case log.Choose(key=key, value=value):

@@ -10,10 +10,11 @@ from typing import Literal
 import msgspec
 
 import sim
+from sim.body.system import same_topology
 from sim.motion.stability import StabilityEstimate
 from sim.settings import settings_of
 
-from .ghost import Ghost
+from .ghost import Ghost, GhostMoment
 from .hand import Body, PointerHand
 from .history import History, OldFuture
 from .notices import Notice
@@ -117,10 +118,10 @@ class Running:
 
     def _change(self, change: Callable[[], None]) -> None:
         """Go on with changed settings."""
-        masses = len(self.simulation.scene.masses)
+        before = self.simulation.capture().scene
         change()
         scene = self.simulation.scene
-        rebuilt = len(scene.masses) != masses
+        rebuilt = not same_topology(before, scene)
         if rebuilt:
             # Another body, whose time begins anew: what is past belongs to the other one.
             self.hand.drop()
@@ -128,9 +129,10 @@ class Running:
             self.generation += 1
             self.joint = min(self.joint, max(0, len(scene.angular_springs) - 1))
         if self.ghost is not None:
-            self.ghost.simulation.replace(self.ghost.variant(scene))
             if rebuilt:
                 self.ghost.start_from(self.simulation)
+            else:
+                self.ghost.change(scene)
         self.revision += 1
         self._stability_due = 0.0
 
@@ -159,7 +161,7 @@ class Running:
         self.joint = 0
         self.generation += 1
         self.revision += 1
-        self.pacer.restart()
+        self.pacer = Pacer(self.pacer.speed)  # what the last body cost says nothing
         self._stability_due = 0.0
         self.stability = StabilityEstimate(math.inf, None)
 
@@ -172,7 +174,10 @@ class Running:
     def _remember(self) -> None:
         """Keep this frame's moment, if time has passed."""
         if self.simulation.time != self.history.end:
-            self.history.add(self.simulation.capture())
+            self.history.add(self.simulation.capture(), self._ghost_moment())
+
+    def _ghost_moment(self) -> GhostMoment | None:
+        return self.ghost.capture() if self.ghost is not None else None
 
     def _bodies(self) -> list[Body]:
         """The body, and its ghost."""
@@ -182,11 +187,16 @@ class Running:
         for body in self._bodies():
             body.keys = keys
 
-    def _follow_ghost(self, steps: int, led: list[int]) -> None:
-        """Let the ghost do as many steps, in which the same masses are led to where they are now."""
+    def _follow_ghost(self, steps: int, led: list[int], budget: float) -> None:
+        """Let the ghost do as many steps, in which the same masses are led to where they are now.
+
+        Args:
+            steps: time steps that the body has done.
+            led: the masses that were led at a limited speed.
+            budget: seconds of computing that this may take.
+        """
         if self.ghost is not None and self.ghost.is_ready(self.simulation):
             if not self.ghost.simulation.rate_limited:
                 for mass in led:
                     self.ghost.simulation.lead(mass, tuple(self.simulation.positions[mass]))
-            self.ghost.step(steps, self.simulation.dt)
-            self.ghost.compare(self.simulation)
+            self.ghost.follow(self.simulation, steps, budget)

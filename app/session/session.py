@@ -6,11 +6,12 @@ Callbacks only call `post`, from any thread. Everything else is called by the ti
 from __future__ import annotations
 
 import math
+import threading
 import time
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
-from typing import Literal
+from typing import TypeVar
 
 import msgspec
 
@@ -23,12 +24,9 @@ from . import commands, keepsakes
 from .commands import Command
 from .ghost import Ghost
 from .hand import FRAME
-from .history import OldFuture
 from .notices import Notice, runaway
-from .pacing import HEAVY_UNIT, Pacer, is_large
-from .record import Recorder
-from .replay import Player
-from .running import Running
+from .pacing import HEAVY_UNIT, is_large
+from .timeline import MOST_SECONDS, Timeline
 
 __all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "SPEEDS", "Notice", "Session"]
 
@@ -39,20 +37,17 @@ SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0)
 MAX_QUEUE = 4000
 """Commands that wait at most; beyond that the page is not a person, and the oldest are dropped."""
 
-MOST_SECONDS = 0.5
-"""Seconds of computing that one frame of a replay may take, by what steps have cost until then."""
-
-AFTER_REPLAY = "it begins where a replay was left"
-
-MOST_ATTEMPTS = 20_000
-"""Steps that a method may try for single steps of the clock, which have no frame to keep to."""
-
 STABILITY_EVERY, STABILITY_SHARE = 0.25, 0.02
 """Seconds between two looks at the stability limit, at least; and the share of the budget that they may
 take."""
 
+T = TypeVar("T")
 
-class Session(Running):
+_OTHER_BODY = (commands.Open, commands.Replay, commands.Resume)
+"""Commands that bring another body."""
+
+
+class Session(Timeline):
     """The simulation of one page, and what its user is doing with it.
 
     Args and attributes: see `Running`.
@@ -62,6 +57,7 @@ class Session(Running):
         self, scene: sim.Scene, clock: Callable[[], float] = time.monotonic, wait: bool = True
     ) -> None:
         super().__init__(scene, clock, wait)
+        self._lock = threading.Lock()
         self._queue: deque[tuple[float, Command]] = deque(maxlen=MAX_QUEUE)
         self._estimated = -1  # revision at the last look at the stability limit
         self._keys_at = -math.inf
@@ -72,7 +68,7 @@ class Session(Running):
         waiting = [command for _, command in list(self._queue)]
         opened = [command.scene for command in waiting if isinstance(command, commands.Open)]
         return (
-            self.pacer.unit_cost > HEAVY_UNIT
+            max(self.pacer.unit_cost, self.ghost.unit_cost if self.ghost else 0.0) > HEAVY_UNIT
             or any(map(is_large, (self.simulation.scene, *opened)))
             or any(isinstance(command, commands.Resume | commands.Replay) for command in waiting)
         )
@@ -92,7 +88,12 @@ class Session(Running):
     # --------------------------------------------------------------------- any thread
     def post(self, command: Command) -> None:
         """Hand a command to the ticker."""
-        self._queue.append((self._clock(), command))
+        with self._lock:
+            if isinstance(command, _OTHER_BODY):
+                # It may be of many megabytes, and takes the place of any other that still waits.
+                waiting = (entry for entry in self._queue if not isinstance(entry[1], _OTHER_BODY))
+                self._queue = deque(waiting, maxlen=MAX_QUEUE)
+            self._queue.append((self._clock(), command))
 
     def snapshot(self, name: str, with_pose: bool) -> sim.Scene:
         """The scene as it is now, to be saved; with the present pose, or with the one it started from.
@@ -100,27 +101,22 @@ class Session(Running):
         Any thread may ask; the ticker makes it between two frames.
 
         Raises:
-            SceneError: the ticker did not answer.
+            InputError: the ticker did not answer.
         """
         request = commands.Snapshot(name, with_pose, Future())
         self.post(request)
-        try:
-            return request.result.result(timeout=5.0)
-        except TimeoutError:
-            raise SceneError("the scene is busy; try again") from None
+        return _answer(request.result)
 
     def log_file(self) -> bytes:
         """The log until now, as a file, see `app.session.log`. Any thread may ask.
 
         Raises:
             InputError: a log is being played, or the ticker did not answer.
+            SceneError: the scene cannot be written.
         """
         request = commands.SaveLog(Future())
         self.post(request)
-        try:
-            return request.result.result(timeout=5.0)
-        except TimeoutError:
-            raise InputError("the scene is busy; try again") from None
+        return _answer(request.result)
 
     # --------------------------------------------------------------------- the ticker's
     def tick(self, budget: float) -> None:
@@ -167,7 +163,10 @@ class Session(Running):
     def drain(self) -> None:
         """Apply the commands that wait; also while the clock stands."""
         for _ in range(len(self._queue)):
-            at, command = self._queue.popleft()
+            with self._lock:
+                if not self._queue:
+                    break
+                at, command = self._queue.popleft()
             try:
                 if self.replay is not None and _is_input(command):
                     self._end_replay("You have taken over from the replay.")
@@ -210,6 +209,7 @@ class Session(Running):
                 self._own_values(of)
                 self.generation += 1
             case commands.Compare(method, law, finer):
+                self.history.forget_ghosts()
                 self.ghost = Ghost(self.simulation, method, law, finer, self._wait) if method else None
                 self.revision += 1
             case commands.KeepBooks(on):
@@ -228,8 +228,8 @@ class Session(Running):
                 self._branch()
                 self.hand.steer(self._following, glide=True)
                 led = list(self.simulation.behind)
-                done = self.recorder.step(max(0, min(steps, 1000)), attempts=MOST_ATTEMPTS)
-                self._follow_ghost(done, led)
+                done = self.recorder.step(max(0, min(steps, 1000)), self.pacer.attempts(MOST_SECONDS))
+                self._follow_ghost(done, led, MOST_SECONDS)
                 self._after_steps()
             case commands.Reset():
                 self._let_go()
@@ -237,7 +237,6 @@ class Session(Running):
                 self.fallbacks = 0
                 self._begin_history()
                 if self.ghost is not None:
-                    self.ghost.simulation.reset()
                     self.ghost.start_from(self.simulation)
                 self.pacer.restart()
                 self.revision += 1
@@ -249,52 +248,15 @@ class Session(Running):
                 if with_pose:
                     scene = msgspec.structs.replace(scene, pose=self.simulation.pose())
                 result.set_result(scene)
-            case commands.SelectJoint(joint):
-                if 0 <= joint < len(self.simulation.scene.angular_springs):
-                    self.joint = joint
-
-    def _apply_to_time(self, command: Command) -> bool:
-        """Apply a command about what is past, or on file; whether it is one."""
-        history = self.history
-        match command:
-            case commands.GoTo(time):
-                if not math.isfinite(time):
-                    raise InputError(f"t = {time} s: that is no time to go to")
-                self._show(history.nearest(time))
-            case commands.GoBack(seconds):
-                if not math.isfinite(seconds):
-                    raise InputError(f"{seconds} s: that is no time to go back by")
-                self._show(history.back(seconds))
-            case commands.GoForward():
-                self._show(min(history.shown + 1, history.last))
-            case commands.ForgetFuture():
-                self.old_future = None
-                self.revision += 1
-            case commands.BackBeforeDivergence():
-                self._show(history.before_runaway())
             case commands.SaveLog(result):
                 self._save_log(result)
             case commands.Replay(record):
-                self._open(record.scene)
-                self.replay = Player(record, self.simulation)
-                speed, self.pacer = self.pacer.speed, Pacer()  # what the last body cost says nothing
-                self.pacer.speed = speed
-                self.play(True)
+                self._begin_replay(record)
             case commands.Resume(keepsake):
                 self._resume(keepsake)
-            case _:
-                return False
-        return True
-
-    def play(self, on: bool) -> None:
-        """Let the clock run, from the moment that is shown, or stand."""
-        if on:
-            self._branch()
-            self.offer_back = False
-        if on != self.playing:
-            self.playing = on
-            self.pacer.restart()
-            self.revision += 1
+            case commands.SelectJoint(joint):
+                if 0 <= joint < len(self.simulation.scene.angular_springs):
+                    self.joint = joint
 
     def _step(self, now: float, budget: float) -> None:
         """Go on by a frame."""
@@ -308,53 +270,8 @@ class Session(Running):
         seconds, stats = time.perf_counter() - began, self.simulation.stats()
         self.fallbacks += stats.fallbacks
         self.pacer.record(now, self.simulation.dt, done, seconds, stats, missed=steps - done)
-        self._follow_ghost(done, led)
+        self._follow_ghost(done, led, budget - seconds)
         self._after_steps()
-
-    # --------------------------------------------------------------------- what is past
-    def _branch(self) -> None:
-        """What comes from here on takes the place of what came after the moment that is shown."""
-        if self.replay is not None:
-            if self.history.scrubbed:
-                self._show(self.history.last)
-        elif newer := self.history.cut():
-            self.old_future = OldFuture(newer)
-            self.revision += 1
-
-    def _show(self, index: int) -> None:
-        """Pause, and show a moment that is past."""
-        self.play(False)
-        history, before = self.history, self.simulation.capture().scene
-        if self.replay is None:
-            self._let_go()
-            if not history.scrubbed:
-                # What was changed since the last frame is not to be lost.
-                history.amend(self.simulation.capture())
-            self.recorder.restore(history[index])
-        elif index == history.last:
-            self.simulation = self.replay.simulation  # it has to go on as if nobody had looked back
-        else:
-            self._viewer = self._viewer or sim.Simulation(history[index].scene, wait=self._wait)
-            self._viewer.restore(history[index])
-            self.simulation = self._viewer
-        self.hand.forget_pointer()
-        history.shown = index
-        self.offer_back = False
-        self._changed_from(before)
-        if self.ghost is not None:
-            if history[index].scene is not before:
-                self.ghost.simulation.replace(self.ghost.variant(self.simulation.scene))
-            self.ghost.start_from(self.simulation)
-        self.revision += 1
-        self._stability_due = 0.0
-
-    def _changed_from(self, before: sim.Scene) -> None:
-        """Have the page look at the settings again, if they are no longer those of a scene."""
-        scene = self.simulation.capture().scene
-        if scene is not before:
-            self.revision += 1
-            if (scene.force_law, scene.integrator.method) != (before.force_law, before.integrator.method):
-                self.generation += 1  # other controls
 
     # --------------------------------------------------------------------- logs and keepsakes
     def _save_log(self, result: Future[bytes]) -> None:
@@ -364,38 +281,6 @@ class Session(Running):
             result.set_result(self.recorder.file())
         except (InputError, SceneError) as error:
             result.set_exception(error)
-
-    def _play_log(self, player: Player, now: float, budget: float) -> None:
-        """Go on by a frame of a replay."""
-        simulation = player.simulation
-        if not simulation.complete:
-            simulation.take_compiled()  # by other methods, it would not be the same
-            return
-        steps = self.pacer.grant(now, simulation.dt, math.inf)
-        scene, began = simulation.capture().scene, time.perf_counter()
-        try:
-            pacer = self.pacer
-            most, attempts = pacer.affordable(MOST_SECONDS), pacer.attempts(MOST_SECONDS)
-            done = player.advance(steps * simulation.dt, most, attempts)
-        except InputError as error:
-            self._end_replay(f"It cannot go on: {error}.")
-            return
-        stats = simulation.stats()
-        self.fallbacks += stats.fallbacks
-        self.pacer.record(now, simulation.dt, done, time.perf_counter() - began, stats, missed=0)
-        self._remember()
-        self._changed_from(scene)
-        if player.ended:
-            self.play(False)
-            begins = "It agrees with the log: " if player.agrees else "It does not agree with the log: it "
-            self._end_replay(f"{begins}{player.verdict}.", "info" if player.agrees else "warning")
-
-    def _end_replay(self, text: str, kind: Literal["info", "warning"] = "info") -> None:
-        self.replay = self._viewer = None
-        self.recorder = Recorder(self.simulation, AFTER_REPLAY)
-        self.recorder.keys = frozenset()
-        self.revision += 1
-        self.notices.append(Notice(kind, "The replay has ended", text))
 
     def _resume(self, data: bytes) -> None:
         try:
@@ -421,6 +306,18 @@ class Session(Running):
             self.play(False)
             self.offer_back = True
             self.notices.append(runaway(self.simulation.divergence, self.simulation.scene))
+
+
+def _answer(result: Future[T]) -> T:
+    """What the ticker gives.
+
+    Raises:
+        InputError: it took too long.
+    """
+    try:
+        return result.result(timeout=5.0)
+    except TimeoutError:
+        raise InputError("the scene is busy; try again") from None
 
 
 def _is_input(command: Command) -> bool:

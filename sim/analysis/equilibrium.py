@@ -10,9 +10,11 @@ import numpy as np
 from ..body.sparsity import new_matrix
 from ..body.system import build_system, new_scratch, new_state, refresh
 from ..errors import InputError
+from ..kernels.around.around import accelerations_around
 from ..kernels.core.tables import Floats
 from ..kernels.forces.forces import accelerations
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
+from ..kernels.linear.surrounded import factorise_surrounded, solve_surrounded
 from ..kernels.linear.two_sided_lu import inverse_pivots
 from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Integrator, Pose, Scene
@@ -65,6 +67,8 @@ def equilibrium(scene: Scene) -> Pose:
     convergence determines the length of the next step. This needs no energy, so it works for every force law.
     A step may not be so long that the matrix is indefinite, so the body leaves an unstable balance. Where no
     step converges, a step is taken with the positive definite matrix and a line search.
+
+    The wind is the mean wind, without gusts. Friction on walls holds nothing that is at rest, see `Wall`.
 
     Args:
         scene: a valid scene. If no spring forces can balance gravity, there is no equilibrium.
@@ -160,8 +164,10 @@ class _Resting:
     def __init__(self, scene: Scene, balanced: bool) -> None:
         # A method with a fixed step, for which springs are not softened.
         exact = Integrator(method="symplectic_euler")
-        self.system = build_system(msgspec.structs.replace(validate(scene), integrator=exact))
+        wind = scene.wind and msgspec.structs.replace(scene.wind, turbulence=0.0)
+        self.system = build_system(msgspec.structs.replace(validate(scene), integrator=exact, wind=wind))
         body = self.tables = self.system.body
+        self.surrounded = bool(body.surroundings.present)
         self.state, self.scratch = new_state(self.system), new_scratch(self.system)
         self.matrix = new_matrix(body, self.system.held)
         state, here = self.state, slice(1, body.masses + 1)
@@ -190,7 +196,9 @@ class _Resting:
         return np.where(at_mass[1:] > 0.0, at_mass[1:], max(1.0, float(at_mass.max())))
 
     def refuse_falling(self) -> None:
-        """Refuse a body with a part that is connected to no held mass."""
+        """Refuse a body with a part that is connected to no held mass, unless there are walls to fall on."""
+        if self.tables.surroundings.walls.size:
+            return
         held, parent = self.system.held, self.matrix.parent
         for m in self.matrix.walk.tolist():
             if parent[m] == 0 and not held[m - 1]:
@@ -200,23 +208,31 @@ class _Resting:
     def accelerations(self, q: Floats) -> Floats:
         """The accelerations at positions q and at rest, px/s²."""
         a = np.zeros_like(q)
-        accelerations(self.tables, self.state, self.scratch, q, self.still, a)
+        force = accelerations_around if self.surrounded else accelerations
+        force(self.tables, self.state, self.scratch, q, self.still, a)
         return a
 
     def factorise(self, q: Floats, shift: float, definite: bool = False) -> bool:
         """Factorise shift I - J at positions q; whether it is positive definite.
 
         Without pivoting between blocks, a matrix that is symmetric apart from the masses is positive definite
-        if and only if all its pivots are. (Under the tutorial's law it is slightly unsymmetric.)
+        if and only if all its pivots are. (Under the tutorial's law it is slightly unsymmetric.) Fillings add
+        products of vectors to it, which make as many of its eigenvalues positive as their own small matrix
+        has negative ones (Haynsworth 1968).
         """
         matrix, n = self.matrix, self.tables.masses
-        regular = factorise_matrix(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite)
+        kernel = factorise_surrounded if self.surrounded else factorise_matrix
+        regular = kernel(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite)
         if self.tables.chain:
             inverse = inverse_pivots(matrix.blocks, n)
         else:
             inverse = matrix.blocks.reshape(-1, 4)[matrix.diagonal]
         xx, xy, yx, yy = inverse[self.state.inverse_mass[self._rows] > 0.0].T
-        return bool(regular and (xx + yy > 0.0).all() and (xx * yy - xy * yx > 0.0).all())
+        both, one = xx + yy < 0.0, xx * yy - xy * yx < 0.0
+        negative = int(np.where(one, 1, 2 * both).sum())
+        if self.tables.surroundings.fillings.size:
+            negative -= int((np.linalg.eigvals(matrix.corrections[:-1]).real < 0.0).sum())
+        return bool(regular and negative == 0)
 
     @property
     def _rows(self) -> np.ndarray:
@@ -226,7 +242,7 @@ class _Resting:
     def solve(self, b: Floats) -> Floats:
         """The solution with the last factors."""
         x = b.copy()
-        solve_matrix(self.tables, self.matrix, x)
+        (solve_surrounded if self.surrounded else solve_matrix)(self.tables, self.matrix, x)
         return x
 
     def vectors(self, q: Floats) -> tuple[Floats, Floats]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from ..kernels.core.tables import Body, Floats, Indices, Matrix
 from ..kernels.linear.two_sided_lu import room_for
-from .system import slab
+from .system import slab, slots_of
 
 _NONE, _NOWHERE = np.zeros(0), np.zeros(0, np.int64)
 NO_MATRIX = Matrix(
@@ -25,6 +27,9 @@ NO_MATRIX = Matrix(
     slot=_NOWHERE,
     spring_target=_NOWHERE,
     joint_target=_NOWHERE,
+    loop_target=_NOWHERE,
+    borders=np.zeros((0, 0)),
+    corrections=np.zeros((0, 0)),
     straight=False,
 )
 """An empty matrix, for methods that solve no linear systems."""
@@ -34,8 +39,8 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     """Arrays for the matrix of a body; unless it is a chain, the pattern is found here, once.
 
     The order is SuperLU's minimum degree, called through SciPy. The pattern of the factors follows from
-    elimination on the graph of masses, in which a spring connects its two masses and a joint all of its three
-    or four.
+    elimination on the graph of masses, in which a spring connects its two masses, a joint all of its three or
+    four, and a filling those that are neighbours around it.
     """
     room = body.stiffness.size
     springs = slab([(room + 1, 1)] * 4, page_offset=1024)
@@ -56,7 +61,8 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     of_joint = [_pairs(ends[s], ends[t]) for s in (ja, jb) for t in (ja, jb)]
     joint_pairs = np.concatenate(of_joint, 1) if len(ja) else np.zeros((0, 16, 2), np.int64)
     neighbours: list[set[int]] = [set() for _ in range(n)]
-    for pairs in (spring_pairs, joint_pairs):
+    loop_pairs = _loop_pairs(body)
+    for pairs in (spring_pairs, joint_pairs, loop_pairs):
         for row, column in np.unique(pairs.reshape(-1, 2), axis=0).tolist():
             neighbours[row].add(column)
     for i in range(n):
@@ -74,6 +80,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
         return np.searchsorted(keys, (position[pairs[..., 0]] * n + position[pairs[..., 1]]).ravel())
 
     ux, uy, inverse, damping = springs
+    fillings = body.surroundings.fillings.shape[0]
     walk, parent = trees
     return Matrix(
         blocks=np.zeros(4 * column.size),
@@ -91,6 +98,9 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
         slot=np.zeros(n, np.int64),
         spring_target=targets(spring_pairs),
         joint_target=targets(joint_pairs),
+        loop_target=targets(loop_pairs),
+        borders=np.zeros((2 * fillings, 2 * slots_of(body) if fillings else 0)),
+        corrections=np.zeros((fillings + 1, fillings)),
         straight=False,
     )
 
@@ -102,7 +112,9 @@ def fill(body: Body, matrix: Matrix) -> tuple[int, int]:
         width = 2 if body.joints else 1
         band = sum(n - abs(k) for k in range(-width, width + 1) if abs(k) < n)
         return band, band
-    used = np.unique(np.concatenate((matrix.spring_target, matrix.joint_target, matrix.diagonal)))
+    used = np.unique(
+        np.concatenate((matrix.spring_target, matrix.joint_target, matrix.loop_target, matrix.diagonal))
+    )
     return int(used.size), int(matrix.column.size)
 
 
@@ -111,6 +123,16 @@ def _pairs(rows: Indices, columns: Indices) -> Indices:
     return np.stack([np.stack((rows[:, i], columns[:, j]), 1) for i in (0, 1) for j in (0, 1)], 1).astype(
         np.int64
     )
+
+
+def _loop_pairs(body: Body) -> Indices:
+    """(M, 2, 2) the (row, column) of each mass of a loop with the masses before and after it."""
+    loop, start = body.surroundings.loop - 1, body.surroundings.loop_start
+    before, after = loop.copy(), loop.copy()
+    for first, behind in itertools.pairwise(start):
+        before[first:behind] = np.roll(loop[first:behind], 1)
+        after[first:behind] = np.roll(loop[first:behind], -1)
+    return np.stack((np.stack((loop, before), 1), np.stack((loop, after), 1)), 1)
 
 
 def _minimum_degree(neighbours: list[set[int]]) -> Indices:

@@ -21,7 +21,8 @@ from ..kernels.core.tables import (
 )
 from ..kernels.forces.laws import LAWS, NO_JOINTS
 from ..methods.registry import METHODS
-from ..scene.types import Scene
+from ..scene.types import Scene, is_surrounded
+from .surroundings import new_surroundings
 
 _SOFT_IN_TOLERANCES = 0.02
 """Softening length of springs under an adaptive method, in tolerances; see `Body.softening`."""
@@ -60,10 +61,10 @@ def build_system(scene: Scene) -> System:
 
     A chain is a body whose springs run head to tail through all masses, and whose angular springs each
     hold a spring and the next one; its masses and springs may be listed in any order. A ring is a closed
-    chain.
+    chain. A body in surroundings is neither: its forces reach across.
     """
-    order = _order_along(scene)
     n = len(scene.masses)
+    order = None if is_surrounded(scene) else _order_along(scene)
     mass_order, spring_order = order or (list(range(n)), _hinged_first(scene))
     mass_index = np.empty(n, np.int64)
     mass_index[mass_order] = np.arange(1, n + 1)
@@ -127,13 +128,22 @@ def slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
     return arrays
 
 
+def slots_of(body: Body) -> int:
+    """The number of slots of a body's states."""
+    return _slots_for(body.masses, body.stiffness.size if body.chain or body.ring else 0)
+
+
+def _slots_for(masses: int, chained: int) -> int:
+    """The number of slots, with room for so many springs of a chain or a ring."""
+    # The chain's loops look one slot back and, from the last spring, three ahead; and loops over flat
+    # vectors should leave no scalar remainder.
+    return padded((chained or padded(masses)) + 3)  # aligns both halves of a flat vector alike
+
+
 def new_state(system: System) -> State:
     """A state with room for the system's masses; `Simulation` fills it."""
     body = system.body
-    # The chain's loops look one slot back and, from the last spring, three ahead; and loops over flat
-    # vectors should leave no scalar remainder.
-    last = body.stiffness.size if body.chain or body.ring else padded(body.masses)
-    slots = padded(last + 3)  # aligns both halves of a flat vector alike
+    slots = slots_of(body)
     joints = max(body.joints, body.stiffness.size) + 1
     sizes = {
         "q": (2 * slots, 1),
@@ -143,6 +153,7 @@ def new_state(system: System) -> State:
         "torque_cos": (joints, 1),
         "torque_sin": (joints, 1),
         "torque_rest": (joints, 0),
+        "clock": (1, 0),
     }
     arrays = slab([sizes.get(field, (slots, 1)) for field in State.fields], page_offset=0)
     state = State(**dict(zip(State.fields, arrays, strict=True)))
@@ -286,6 +297,7 @@ def _body(
         more_spring=more_spring,
         more_spring_mass=more_spring_mass,
         more_spring_sign=more_spring_sign,
+        surroundings=new_surroundings(scene, mass_index, _slots_for(n, room if in_order else 0)),
     )
     for _, array in body.arrays():
         array.setflags(write=False)

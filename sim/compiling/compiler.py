@@ -23,8 +23,9 @@ import llvmlite.binding
 import numba
 from numba import types
 
+from ..kernels.around.around import accelerations_around
 from ..kernels.core.jit import cache_folder, module_of
-from ..kernels.core.shared import ACCELERATIONS, ACCUMULATE, FACTORISE, FLOATS, SOLVE
+from ..kernels.core.shared import ACCELERATIONS, ACCUMULATE, FACTORISE, FLOATS, RESISTANCE, SOLVE
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
 from ..kernels.energy.work import accumulate_work
@@ -32,6 +33,7 @@ from ..kernels.forces.forces import accelerations
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
+from ..kernels.linear.surrounded import add_surrounding_damping, factorise_surrounded, solve_surrounded
 from ..methods.registry import ARM_METHODS, METHODS
 
 _FLOAT, _INT = types.float64, types.int64
@@ -95,6 +97,10 @@ def _entry_points() -> dict[str, EntryPoint]:
         *((method.label, method.kernel, run) for method in methods if method.kernel is not None),
         ("the work done in a step", accumulate_work, ACCUMULATE.args),
         ("energies", energies, (Body.numba_type, State.numba_type, FLOATS, _FLOAT, _FLOAT, *[FLOATS] * 3)),
+        ("forces of walls, wind and fillings", accelerations_around, ACCELERATIONS.args),
+        ("matrices with walls, wind and fillings", factorise_surrounded, FACTORISE.args),
+        ("linear systems with fillings", solve_surrounded, SOLVE.args),
+        ("damping by walls and wind", add_surrounding_damping, RESISTANCE.args),
     ]
     found: dict[str, EntryPoint] = {}
     for label, kernel, signature in points:
@@ -106,20 +112,37 @@ def _entry_points() -> dict[str, EntryPoint]:
 ENTRY_POINTS = _entry_points()
 """The entry points, by name."""
 
-FOR_FALLBACK = ("factorise_matrix", "solve_matrix", "run_fallback")
-"""Entry points that a fallback step needs."""
+_AROUND = {
+    "accelerations": "accelerations_around",
+    "factorise_matrix": "factorise_surrounded",
+    "solve_matrix": "solve_surrounded",
+}
+"""What takes the place of an entry point for a body with walls, wind or fillings."""
 
 FOR_ENERGY = ("energies", "accumulate_work")
 """Entry points that the energy balance needs."""
 
 
-def needed_by(method: str) -> tuple[str, ...]:
-    """Names of the entry points that a method needs; for `auto`, those that it needs to start."""
+def needed_by(method: str, surrounded: bool) -> tuple[str, ...]:
+    """Names of the entry points that a method needs; for `auto`, those that it needs to start.
+
+    `surrounded`: whether the body has walls, wind or fillings, see `Surroundings.present`.
+    """
     info = METHODS[method]
     if info.kernel is None:
-        return "accelerations", ARM_METHODS[0].kernel.py_func.__name__, "next_turn"
-    implicit = FOR_FALLBACK if info.implicit else ()
-    return "accelerations", *implicit, info.kernel.py_func.__name__
+        return _around(("accelerations", ARM_METHODS[0].kernel.py_func.__name__, "next_turn"), surrounded)
+    implicit = for_fallback(surrounded) if info.implicit else ()
+    return *_around(("accelerations",), surrounded), *implicit, info.kernel.py_func.__name__
+
+
+def for_fallback(surrounded: bool) -> tuple[str, ...]:
+    """Names of the entry points that a fallback step needs."""
+    own = ("add_surrounding_damping",) if surrounded else ()
+    return *_around(("factorise_matrix", "solve_matrix", "run_fallback"), surrounded), *own
+
+
+def _around(names: tuple[str, ...], surrounded: bool) -> tuple[str, ...]:
+    return tuple(_AROUND.get(name, name) for name in names) if surrounded else names
 
 
 def is_ready(names: Iterable[str]) -> bool:

@@ -227,7 +227,8 @@ class Hands:
         state.vx[masses] *= free
         state.vy[masses] *= free
         state.inverse_mass[masses] = free * system.inverse_mass
-        state.air[masses] = state.inverse_mass[masses] * scene.air_friction
+        still = 0.0 if scene.wind else scene.air_friction  # the friction of wind is in the surroundings
+        state.air[masses] = state.inverse_mass[masses] * still
         state.gx[masses] = free * scene.gravity[0]
         state.gy[masses] = free * scene.gravity[1]
         return bool(held.all())

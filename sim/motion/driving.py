@@ -33,6 +33,7 @@ class Driver:
         self._circles = {
             int(system.mass_index[a.mass]): a.circle for a in scene.anchors if a.circle is not None
         }
+        self._gusty = bool(system.body.surroundings.waves.size)
         self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
 
     def drive(
@@ -77,8 +78,9 @@ class Driver:
         columns = np.array(rows, float).reshape(-1, 12).T.copy()
         names = ("x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "hand", "radius", "omega", "ramp")
         drive = Drive(
-            moving=bool(indices) or pressed,
+            moving=bool(indices) or pressed or self._gusty,
             pressed=pressed,
+            gusty=self._gusty,
             start=t,
             duration=duration if targets else math.inf,
             mass=np.array(indices, np.int64),

@@ -14,9 +14,10 @@ from ..kernels.core.tables import (
     WORK_FALLBACK,
     WORK_KEYS,
     WORK_LAW,
+    WORK_WALLS,
     State,
 )
-from ..kernels.energy.energies import energies
+from ..kernels.energy.energies import ENERGIES, energies
 from ..scene.types import Scene
 from .solver import Solver
 
@@ -26,12 +27,14 @@ class EnergyBook:
     """The energies, and what has changed their sum since the balance was opened, in kg px²/s².
 
     Attributes:
-        kinetic, linear, angular, gravity: energies of the free masses' motion, the linear springs, the
-            angular springs, and the free masses' height above 0. Under the force law "tutorial" the angular
+        kinetic, linear, angular, gravity, walls, fillings: energies of the free masses' motion, the linear
+            springs, the angular springs, the free masses' height above 0 and their depth in walls, and the
+            gases and liquids. Under the force law "tutorial" the angular
             energy is that of the conservative law.
         anchors: work done on the body by moved anchors. Grabbing a mass removes its kinetic energy and that
             of its height; releasing it adds that of its height at that moment.
-        damping, air: work of the damping of springs and of air friction, which is negative.
+        damping, air, friction: work of the damping of springs, of air friction, and of walls by friction and
+            in bouncing, which is negative; but wind can do work on a body.
         law: work of a force law that is not the gradient of an energy.
         keys: work of keys that change rest lengths and rest angles.
         changes: energy added by changes of settings.
@@ -44,9 +47,12 @@ class EnergyBook:
     linear: float
     angular: float
     gravity: float
+    walls: float
+    fillings: float
     anchors: float
     damping: float
     air: float
+    friction: float
     law: float
     keys: float
     changes: float
@@ -55,8 +61,8 @@ class EnergyBook:
 
     @property
     def total(self) -> float:
-        """The sum of the four energies."""
-        return self.kinetic + self.linear + self.angular + self.gravity
+        """The sum of the six energies."""
+        return self.kinetic + self.linear + self.angular + self.gravity + self.walls + self.fillings
 
 
 ENERGY_FIELDS = tuple(field.name for field in fields(EnergyBook))
@@ -75,22 +81,19 @@ class Books:
         self._solver = solver
         self._solver.open_balance()
         self._changes = 0.0
-        self._four = np.zeros(4)
+        self._energies = np.zeros(ENERGIES)
         self._start = self.total()
 
     def read(self) -> EnergyBook:
         """The present balance."""
         total = self.total()
-        kinetic, linear, angular, gravity = (float(e) for e in self._four)
         work = self._solver.balance.work
         return EnergyBook(
-            kinetic,
-            linear,
-            angular,
-            gravity,
+            *(float(energy) for energy in self._energies),
             anchors=float(work[WORK_ANCHORS]),
             damping=float(work[WORK_DAMPING]),
             air=float(work[WORK_AIR]),
+            friction=float(work[WORK_WALLS]),
             law=float(work[WORK_LAW]),
             keys=float(work[WORK_KEYS]),
             changes=self._changes,
@@ -102,8 +105,7 @@ class Books:
         """The sum of the energies of the present state, kg px²/s²."""
         state, gravity = self._state, self._scene.gravity
         mass = self._solver.balance.mass
-        energies(self._system.body, state, mass, *gravity, state.q, state.v, self._four)
-        return float(self._four.sum())
+        return float(energies(self._system.body, state, mass, *gravity, state.q, state.v, self._energies))
 
     def moved(self, before: float) -> None:
         """Enter that held masses were moved at once, grabbed or released; the total was `before`."""

@@ -135,6 +135,8 @@ class PlainSolver:
             drive.hand * (speed + since * (acceleration + 0.5 * since * jerk))
             + drive.radius * drive.omega * (1.0 - fade) * turn
         )  # fmt: skip
+        if drive.gusty:
+            self._state.clock[0] = t
         if drive.pressed:
             controls = self._state.controls
             scale = drive.scale * math.exp(drive.growth * since)

@@ -196,7 +196,7 @@ class Simulation(Reading):
 
     def take_compiled(self) -> bool:
         """Go on with the kernels of the method if they are ready by now; whether it does."""
-        if self.plain and is_ready(needed_by(self.method)):
+        if self.plain and is_ready(needed_by(self.method, self._surrounded)):
             self._stepper = self._new_stepper()  # the state is in the same arrays
             self._moved = True
         return not self.plain
@@ -330,9 +330,13 @@ class Simulation(Reading):
         self._books: Books | None = None
         self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
 
+    @property
+    def _surrounded(self) -> bool:
+        return bool(self._body.surroundings.present)
+
     def _new_stepper(self) -> Stepper:
         scene, system, state = self._scene, self._system, self._state
-        if self._wait or is_ready(needed_by(self.method)):
+        if self._wait or is_ready(needed_by(self.method, self._surrounded)):
             solver = Solver(scene, system, state, self._scratch, self._wait)
         else:
             solver = PlainSolver(scene, system, state)

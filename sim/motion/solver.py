@@ -8,8 +8,9 @@ import numpy as np
 
 from ..body.sparsity import NO_MATRIX, new_matrix
 from ..body.system import System, slab
-from ..compiling.compiler import FOR_FALLBACK, is_ready, needed_by
-from ..kernels.core.shared import ACCELERATIONS, ACCUMULATE, FACTORISE, SOLVE, address_of
+from ..compiling.compiler import for_fallback, is_ready, needed_by
+from ..kernels.around.around import accelerations_around
+from ..kernels.core.shared import ACCELERATIONS, ACCUMULATE, FACTORISE, RESISTANCE, SOLVE, address_of
 from ..kernels.core.tables import (
     ARM_ADAMS,
     ARM_ALPHA,
@@ -54,6 +55,7 @@ from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
+from ..kernels.linear.surrounded import add_surrounding_damping, factorise_surrounded, solve_surrounded
 from ..methods.registry import ARM_METHODS, METHODS, MethodInfo
 from ..methods.tableaux import RK4
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
@@ -135,6 +137,7 @@ class Solver:
         self.slots = state.q.size // 2
         wide = state.q.size
         self._info = METHODS[scene.integrator.method]
+        self._surrounded = bool(system.body.surroundings.present)
         auto = self._info.name == "auto"
         remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
         past, history = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
@@ -174,8 +177,8 @@ class Solver:
         if self._wait:
             return True
         arms = ARM_METHODS if self._info.kernel is None else ()
-        own = [name for arm in arms for name in needed_by(arm.name)]
-        return is_ready((*own, *(FOR_FALLBACK if self._info.implicit else ())))
+        own = [name for arm in arms for name in needed_by(arm.name, self._surrounded)]
+        return is_ready((*own, *(for_fallback(self._surrounded) if self._info.implicit else ())))
 
     @property
     def time(self) -> float:
@@ -199,7 +202,7 @@ class Solver:
         left = attempts - self._run(until, drive, attempts)
         counts = self.integrator.counts
         what = int(counts[COUNT_WHAT])
-        can_fall_back = self._info.implicit and (self._wait or is_ready(FOR_FALLBACK))
+        can_fall_back = self._info.implicit and (self._wait or is_ready(for_fallback(self._surrounded)))
         while what == guard.STUCK and can_fall_back and left > 0 and self.time < until:
             self.fall_back(until, drive)
             left -= self._run(until, drive, left)
@@ -248,6 +251,11 @@ class Solver:
             self._take_in()
         costs = np.zeros(ARMS) if self._costs is None else self._costs.copy()
         costs[list(self._missing)] = 0.0
+        around = self._surrounded
+        force = accelerations_around if around else accelerations
+        factorise, solve = (
+            (factorise_surrounded, solve_surrounded) if around else (factorise_matrix, solve_matrix)
+        )
         self._problem = Problem(
             body=self.system.body,
             state=self.state,
@@ -255,10 +263,11 @@ class Solver:
             matrix=self.matrix if implicit else NO_MATRIX,
             integrator=self.integrator,
             balance=self.balance,
-            accelerations=address_of(accelerations, ACCELERATIONS),
+            accelerations=address_of(force, ACCELERATIONS),
             accumulate=address_of(accumulate_work, ACCUMULATE) if self.balance.active else 0,
-            factorise=address_of(factorise_matrix, FACTORISE) if implicit else 0,
-            solve=address_of(solve_matrix, SOLVE) if implicit else 0,
+            factorise=address_of(factorise, FACTORISE) if implicit else 0,
+            solve=address_of(solve, SOLVE) if implicit else 0,
+            resistance=address_of(add_surrounding_damping, RESISTANCE) if implicit and around else 0,
             fixed=0.0 if info.adaptive else integrator.dt,
             near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,
             explicit=own if isinstance(own, Tableau) else RK4,
@@ -274,7 +283,7 @@ class Solver:
         ready = {
             arm
             for arm in self._missing
-            if self._wait or arm == ARM_VERLET or is_ready(needed_by(ARM_METHODS[arm].name))
+            if self._wait or arm == ARM_VERLET or is_ready(needed_by(ARM_METHODS[arm].name, self._surrounded))
         }
         if ready:
             self._missing -= ready

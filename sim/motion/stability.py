@@ -40,7 +40,15 @@ from ..methods.registry import METHODS
 from ..physics import Physics, Vectors
 from ..scene.types import Scene
 
-Cause = Literal["linear stiffness", "angular stiffness", "linear damping", "angular damping", "air friction"]
+Cause = Literal[
+    "linear stiffness",
+    "angular stiffness",
+    "linear damping",
+    "angular damping",
+    "air friction",
+    "walls",
+    "fillings",
+]
 """What limits the time step."""
 
 _FIRST_SIZE = 40
@@ -99,11 +107,12 @@ class StabilityMeter:
         here = self._here
         weight = self._rule.damping
         free = state.inverse_mass[here] > 0.0
-        for field in ("q", "v", "controls"):
+        for field in ("q", "v", "controls", "clock"):
             getattr(probe, field)[:] = getattr(state, field)
         refresh(body, probe)
         physics = Physics(body, probe)
-        air = 2.0 * air_friction * np.abs(np.array([state.vx[here], state.vy[here]]))
+        speed = (state.vx + 1j * state.vy - physics.wind(state.x + 1j * state.y))[here]
+        air = 2.0 * air_friction * np.abs(np.array([speed.real, speed.imag]))
         # Coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
         root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
         size = min(_SIZE if self._limit else _FIRST_SIZE, 2 * int(free.sum()))
@@ -143,8 +152,9 @@ class StabilityMeter:
         return self._difference(lambda step: physics.forces(x + step, v), w)
 
     def _by_velocities(self, physics: Physics, w: Floats) -> Floats:
-        """C w without air friction, likewise; damping forces are linear in the velocities."""
-        if not (self._system.body.damped or self._system.body.joint_damped):
+        """C w without air friction, likewise; damping forces are linear in the velocities, but for walls."""
+        body = self._system.body
+        if not (body.damped or body.joint_damped or body.surroundings.walls.size):
             return np.zeros_like(w)
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
         return self._difference(lambda step: physics.forces(x, v + step), w)
@@ -167,13 +177,20 @@ class StabilityMeter:
         """Which property contributes most to the stiffest motion."""
         assert self._rule is not None
         rate = self._rule.damping * limit
-        linear = copy.copy(physics)
+        linear, springs, unfilled = copy.copy(physics), copy.copy(physics), copy.copy(physics)
         linear.joint_stiffness = np.zeros_like(physics.joint_stiffness)
         linear.joint_damping = np.zeros_like(physics.joint_damping)
-        stiffness, linear_stiffness, damping, linear_damping = (
-            float((w * product(kind, w)).sum())
-            for product in (self._by_positions, self._by_velocities)
-            for kind in (physics, linear)
+        around = self._system.body.surroundings
+        unfilled.surroundings = around.replaced(
+            fillings=around.fillings[:0], loop_start=around.loop_start[:1], loop=around.loop[:0]
+        )
+        linear.surroundings = springs.surroundings = around.replaced(present=False)
+        kinds = (physics, unfilled, springs, linear)
+        whole, no_filling, stiffness, linear_stiffness = (
+            float((w * self._by_positions(kind, w)).sum()) for kind in kinds
+        )
+        whole_damping, _, damping, linear_damping = (
+            float((w * self._by_velocities(kind, w)).sum()) for kind in kinds
         )
         parts: dict[Cause, float] = {
             "linear stiffness": limit * limit * linear_stiffness,
@@ -181,6 +198,8 @@ class StabilityMeter:
             "linear damping": rate * linear_damping,
             "angular damping": rate * (damping - linear_damping),
             "air friction": rate * float((w * air * w).sum()),
+            "walls": limit * limit * (no_filling - stiffness) + rate * (whole_damping - damping),
+            "fillings": limit * limit * (whole - no_filling),
         }
         return max(parts, key=lambda cause: parts[cause])
 

@@ -36,6 +36,7 @@ __all__ = [
     "Scene",
     "Template",
     "View",
+    "is_surrounded",
     "rebuilt",
 ]
 
@@ -189,6 +190,11 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
                 return  # the validation says what is wrong with the recipe
             for field, value in zip(BODY_FIELDS, body, strict=True):
                 msgspec.structs.force_setattr(self, field, value)
+
+
+def is_surrounded(scene: Scene) -> bool:
+    """Whether anything acts on a scene's masses besides springs, still air and gravity."""
+    return bool(scene.walls or scene.fillings or (scene.wind and scene.air_friction > 0.0))
 
 
 def rebuilt(scene: Scene, **changes: Any) -> Scene:

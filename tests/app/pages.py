@@ -8,6 +8,9 @@ from app.session.session import Session
 
 FRAME = 1.0 / 60.0
 
+BUDGET = 1000.0
+"""Seconds of computing for a frame: so many that nothing depends on how fast the machine is."""
+
 
 class Wall:
     """A wall clock that a test moves."""
@@ -33,4 +36,4 @@ class SessionPage:
         for _ in range(count):
             self.wall.time += FRAME
             self.session.drain()
-            self.session.tick(budget=1.0)
+            self.session.tick(BUDGET)

@@ -1,11 +1,17 @@
-"""Sessions that do a bit of everything, for the tests of logs and of what is past."""
+"""Sessions that do a bit of everything, and logs done again, for the tests of logs and of what is past."""
 
 from __future__ import annotations
 
+import json
 from concurrent.futures import Future
+
+import msgspec
+import numpy as np
 
 import sim
 from app.session import commands
+from app.session.log import decode_log
+from app.session.replay import Player
 from tests.app.pages import SessionPage
 
 
@@ -41,3 +47,44 @@ def busy_page(scene: sim.Scene, play_on: bool = True) -> SessionPage:
     if play_on:
         page.frames(60, commands.Play(True), commands.Speed(0.5))
     return page
+
+
+def replayed(data: bytes) -> Player:
+    """The log done again to its end."""
+    recorded = decode_log(data, "log")
+    player = Player(recorded, sim.Simulation(recorded.scene))
+    while not player.ended:
+        player.do()
+    return player
+
+
+def agrees(page: SessionPage) -> Player:
+    """Whether a page's log leads to where the page is, to the last bit; the replay."""
+    player = replayed(log_of(page))
+    assert player.agrees, player.verdict
+    shown = page.session.simulation
+    assert np.array_equal(player.simulation.positions, shown.positions)
+    assert np.array_equal(player.simulation.velocities, shown.velocities)
+    assert player.simulation.time == shown.time
+    assert player.simulation.scene == shown.scene
+    return player
+
+
+def lines_of(data: bytes) -> list[dict[str, object]]:
+    return [json.loads(line) for line in data.splitlines()]
+
+
+def joined(lines: list[dict[str, object]]) -> bytes:
+    return b"\n".join(map(msgspec.json.encode, lines))
+
+
+def perturbed(data: bytes) -> bytes:
+    """The log as another machine might have written it: its second check is off by a little."""
+    lines = lines_of(data)
+    check = [line for line in lines if line.get("do") == "check"][1]
+    check["digest"] = "0" * 32
+    at = check["at"]
+    assert isinstance(at, list)
+    at[3][0] += 0.125
+    lines[0]["machine"] = {"kind": "abacus", "cpu": "beads", "numba": "1"}
+    return joined(lines)

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import pytest
 from viser import UploadedFile
 
-from app.gate import gate
-from app.gate.gate import MAX_UPLOAD_BYTES
+from app.gate import gate, uploads
 from app.gate.messages import UPLOAD_PART_BYTES
+from app.gate.uploads import MAX_UPLOAD_BYTES
 from tests.app.hostile import Sandbox, User, eventually, pack, uuid_of
 
 PART = UPLOAD_PART_BYTES
@@ -34,7 +34,7 @@ def test_an_honest_file_reaches_its_callback(sandbox: Sandbox, size: int) -> Non
 
 def test_one_file_after_another(sandbox: Sandbox) -> None:
     user = sandbox.user()
-    for number in range(gate.MAX_UPLOADS_PER_TAB + 3):
+    for number in range(uploads.MAX_UPLOADS_PER_TAB + 3):
         content = os.urandom(100)
         transfer = f"file {number}"
         user.page.send(user.upload_start(100, transfer), user.upload_part(0, content, transfer))
@@ -99,7 +99,7 @@ def test_a_file_of_an_odd_number_of_parts_is_refused(sandbox: Sandbox, size: int
 
 def test_uploads_under_way_are_limited(sandbox: Sandbox) -> None:
     user, honest = sandbox.user(), sandbox.user()
-    starts = [user.upload_start(10, f"file {number}") for number in range(gate.MAX_UPLOADS_PER_TAB + 2)]
+    starts = [user.upload_start(10, f"file {number}") for number in range(uploads.MAX_UPLOADS_PER_TAB + 2)]
     user.page.send(*starts)
     assert sandbox.refuses("upload", 2)
     honest.page.send(honest.upload_start(3, "mine"), honest.upload_part(0, b"abc", "mine"))
@@ -111,7 +111,7 @@ def test_uploads_under_way_are_limited(sandbox: Sandbox) -> None:
 
 
 def test_a_tab_that_leaves_gives_up_its_uploads(sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(gate, "MAX_UPLOADS", 1)
+    monkeypatch.setattr(uploads, "MAX_UPLOADS", 1)
     user, honest = sandbox.user(), sandbox.user()
     user.page.send(user.upload_start(10, "left behind"))
     assert user.works()

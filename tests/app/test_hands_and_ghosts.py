@@ -10,8 +10,10 @@ from app.bench import frames
 from app.page import readouts
 from app.page.colors import palette
 from app.session import commands
+from app.session import ghost as ghost_module
 from app.session.ghost import FINER
-from tests.app.pages import FRAME, SessionPage
+from app.session.pacing import HEAVY_UNIT
+from tests.app.pages import BUDGET, FRAME, SessionPage
 
 
 def rate_limited() -> SessionPage:
@@ -109,6 +111,46 @@ def test_a_ghost_of_finer_steps_shows_how_wrong_the_body_s_are() -> None:
     assert 0.01 < apart[2] < apart[4] < apart[10]
     assert 1.4 < apart[10] / apart[2] < 2.0
     assert "Euler, step / 10" in readouts.ghost_table(page.session)
+
+
+def test_a_ghost_that_is_late_is_not_compared_and_catches_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(20, commands.Compare("symplectic_euler", "", 10))
+    ghost = page.session.ghost
+    assert ghost is not None
+    before = ghost.distance
+    monkeypatch.setattr(ghost_module, "attempts_within", lambda budget, cost: 9)
+    page.frames(20, commands.SetValue("gravity", 10.0))
+    late = page.session.simulation.time - ghost.simulation.time
+    assert late > 0.2
+    assert ghost.distance == before
+    page.frames(1, commands.GoBack(0.1))
+    page.frames(1, commands.GoTo(1e9))
+    assert page.session.simulation.time - ghost.simulation.time == pytest.approx(late)
+    monkeypatch.undo()
+    page.frames(5, commands.Play(True))
+    assert ghost.simulation.time == pytest.approx(page.session.simulation.time)
+    assert ghost.distance != before
+
+
+def test_a_ghost_has_the_time_that_the_body_leaves() -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(5, commands.Compare("rk4", "", 10))
+    ghost = page.session.ghost
+    assert ghost is not None
+    ghost.unit_cost = BUDGET / 20.0
+    tried: list[int] = []
+    step = ghost.simulation.step
+
+    def noted(n: int, attempts: int) -> int:
+        tried.append(attempts)
+        return step(n, attempts)
+
+    ghost.simulation.step = noted  # type: ignore[method-assign, assignment]
+    page.frames(1)
+    assert 8 <= tried[0] <= 20
+    ghost.unit_cost = 10.0 * HEAVY_UNIT
+    assert page.session.heavy
 
 
 def test_a_reset_forgets_how_far_off_the_ghost_has_been() -> None:

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 import sim
 from app.session import commands, history
+from app.session.ghost import Ghost, GhostMoment
 from app.session.history import History, OldFuture
 from tests.app.pages import FRAME, SessionPage
 from tests.sim.builders import tutorial_preset
@@ -62,6 +63,15 @@ def test_a_large_body_keeps_its_last_frames_and_fewer_of_a_minute(monkeypatch: p
     assert (np.diff(times) > 0.0).all()
 
 
+def test_of_a_body_of_which_hardly_one_moment_fits_the_last_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(history, "MOST_BYTES", 3000)
+    ring = History()
+    for i in range(10):
+        ring.add(moment(i * FRAME, sim.rope(masses=3)), GhostMoment(moment(0.0), 0.0, 0.0))
+        assert ring.end == i * FRAME
+        assert len(ring) <= 2
+
+
 def test_scenes_of_sliders_count_too(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(history, "MOST_BYTES", 1_000_000)
     ring = History()
@@ -92,7 +102,8 @@ def test_the_ring_stays_in_order_and_counts_its_bytes(steps: list[tuple[str, flo
     for i, (what, seconds) in enumerate(steps):
         if what == "add":
             time = ring.end + seconds
-            ring.add(moment(time, scenes[i % 2]))
+            second = GhostMoment(moment(time, scenes[i % 3 % 2]), 0.0, 0.0) if i % 5 else None
+            ring.add(moment(time, scenes[i % 2]), second)
         elif what == "amend":
             ring.amend(moment(ring.end))
         elif what == "back":
@@ -106,9 +117,9 @@ def test_the_ring_stays_in_order_and_counts_its_bytes(steps: list[tuple[str, flo
         times = [m.time for m in moments]
         assert times == sorted(set(times))
         assert 0 <= ring.shown <= ring.last
-    moments = [ring[i] for i in range(len(ring))]
-    before = [None, *(m.scene for m in moments[:-1])]
-    assert ring.bytes == sum(map(history._size, moments, before))
+    counted = ring.bytes
+    ring._count()
+    assert ring.bytes == counted
 
 
 # ------------------------------------------------------------------------- going back and on
@@ -227,13 +238,54 @@ def test_what_follows_the_pointer_does_not_disturb_the_past(page: SessionPage) -
     assert page.session.simulation.positions[0] == pytest.approx((400.0, 300.0))
 
 
-def test_the_ghost_goes_back_too(page: SessionPage) -> None:
-    page.frames(30, commands.Compare("rk4", "", 1))
-    page.frames(1, commands.GoTo(0.5))
-    ghost = page.session.ghost
-    assert ghost is not None
-    assert np.array_equal(ghost.simulation.positions, page.session.simulation.positions)
-    assert ghost.simulation.time == page.session.simulation.time
+def ghost_of(page: SessionPage) -> Ghost:
+    assert page.session.ghost is not None
+    return page.session.ghost
+
+
+def test_the_ghost_goes_back_to_where_it_was(page: SessionPage) -> None:
+    page.frames(30, commands.Compare("rk4", "angle", 1), commands.SetValue("rest_angle", 30.0))
+    ghost = ghost_of(page)
+    time, positions, worst = page.session.simulation.time, ghost.simulation.positions, ghost.worst
+    assert worst > 0.0
+    page.frames(30)
+    page.frames(30, commands.SetValue("gravity", 10.0))
+    page.frames(1, commands.GoTo(time))
+    assert ghost.simulation.time == page.session.simulation.time == time
+    assert np.array_equal(ghost.simulation.positions, positions)
+    assert ghost.simulation.scene.gravity == page.session.scene.gravity
+    assert ghost.worst == worst
+    page.frames(30, commands.Play(True))
+    assert ghost.simulation.time == pytest.approx(page.session.simulation.time)
+    assert page.session.simulation.time > time
+
+
+def test_the_ghost_starts_from_a_moment_before_it_was_there_and_before_it_was_another(
+    page: SessionPage,
+) -> None:
+    time = page.session.simulation.time
+    page.frames(10, commands.HoldKeys(frozenset({"up", "right"})))
+    keyed = page.session.simulation.time
+    page.frames(30, commands.HoldKeys(frozenset()), commands.Compare("rk4", "", 1))
+    page.frames(30, commands.Compare("adams", "", 1))
+    for moment in (keyed + 0.3, keyed, time):
+        page.frames(1, commands.GoTo(moment))
+        ghost, body = ghost_of(page).simulation, page.session.simulation
+        assert np.array_equal(ghost.positions, body.positions)
+        assert (ghost.time, ghost_of(page).worst) == (body.time, 0.0)
+        # What keys have changed until then is in both.
+        assert ghost.rest_length_scale == body.rest_length_scale
+        assert ghost.rest_angles == pytest.approx(body.rest_angles)
+
+
+def test_a_body_and_a_ghost_that_do_the_same_are_never_apart(page: SessionPage) -> None:
+    page.frames(5, commands.Compare("symplectic_euler", "", 1))
+    page.frames(10, commands.HoldKeys(frozenset({"up"})))
+    page.frames(10, commands.HoldKeys(frozenset()))
+    page.frames(1, commands.GoBack(0.2))
+    page.frames(30, commands.Play(True))
+    assert ghost_of(page).simulation.time == page.session.simulation.time
+    assert ghost_of(page).worst == 0.0
 
 
 def test_the_past_begins_anew_with_another_body(page: SessionPage) -> None:

@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 
 import sim
-from app.session import commands, keepsakes
+from app.session import commands, keepsakes, log
 from tests.app.pages import SessionPage
-from tests.app.recording import busy_page
-from tests.app.test_record import agrees
+from tests.app.recording import agrees, busy_page
 
 
 @pytest.fixture
@@ -70,6 +69,17 @@ def test_reset_still_leads_to_the_scene_s_start(page: SessionPage) -> None:
 def test_a_resumed_page_keeps_a_log_that_can_be_replayed(page: SessionPage) -> None:
     other = resumed(page.session.keepsake())
     other.frames(30, commands.Play(True))
+    agrees(other)
+
+
+def test_own_values_of_another_body_begin_its_time_anew(page: SessionPage) -> None:
+    # As many masses, but without joints: no page writes that, but nothing in a keepsake is trusted.
+    another = json.loads(log.encode_header(sim.rope(masses=12, joints=False)))["scene"]
+    other = resumed(changed(page.session.keepsake(), "opened", value=another))
+    other.frames(10, commands.Play(True))
+    other.frames(1, commands.Play(False), commands.OwnValues("body"))
+    assert (len(other.session.history), other.session.simulation.time) == (1, 0.0)
+    other.frames(10, commands.Play(True))
     agrees(other)
 
 

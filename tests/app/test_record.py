@@ -6,41 +6,19 @@ import json
 from pathlib import Path
 
 import msgspec
-import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import sim
+from app.gate.uploads import MAX_UPLOAD_BYTES
 from app.session import commands, log, record
 from app.session.log import Check, Log, decode_log
-from app.session.replay import Player
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 from tests.app.pages import SessionPage
-from tests.app.recording import busy_page, log_of
+from tests.app.recording import agrees, busy_page, joined, lines_of, log_of, perturbed, replayed
 from tests.app.test_cli import refused, rows_of, softrod
-
-
-def replayed(data: bytes) -> Player:
-    """The log done again to its end."""
-    recorded = decode_log(data, "log")
-    player = Player(recorded, sim.Simulation(recorded.scene))
-    while not player.ended:
-        player.do()
-    return player
-
-
-def agrees(page: SessionPage) -> Player:
-    """Whether a page's log leads to where the page is, to the last bit; the replay."""
-    player = replayed(log_of(page))
-    assert player.agrees, player.verdict
-    shown = page.session.simulation
-    assert np.array_equal(player.simulation.positions, shown.positions)
-    assert np.array_equal(player.simulation.velocities, shown.velocities)
-    assert player.simulation.time == shown.time
-    assert player.simulation.scene == shown.scene
-    return player
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -179,6 +157,44 @@ def test_a_log_that_grows_too_long_starts_anew(monkeypatch: pytest.MonkeyPatch) 
     agrees(page)
 
 
+def test_a_log_stays_short_while_time_stands(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(log, "MAX_LOG_BYTES", 3000)
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(10)
+    x, y = page.session.simulation.positions[8]
+    page.frames(1, commands.Play(False), commands.DragStart(8, x, y))
+    acts: list[commands.Command] = []
+    for i in range(100):
+        acts += [
+            commands.Point(x + 0.1 * i, y), commands.SetValue("gravity", 1.0 + i), commands.GoBack(),
+            commands.DragStart(8, x, y), commands.KeepBooks(bool(i % 2)), commands.DragEnd(),
+        ]  # fmt: skip
+    for act in acts:
+        page.frames(1, act)
+        assert sum(map(len, page.session.recorder._lines)) < 3000 + 4000
+    agrees(page)
+    page.frames(30, commands.Play(True))
+    agrees(page)
+
+
+def test_a_body_that_is_larger_than_a_log_does_not_start_it_anew_all_the_time(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(log, "MAX_LOG_BYTES", 3000)
+    page = SessionPage(sim.rope(masses=100))
+    page.frames(1, commands.GoBack())
+    begun: list[str] = []
+    begin = record.Recorder._begin
+    monkeypatch.setattr(record.Recorder, "_begin", lambda self, note: (begun.append(note), begin(self, note)))
+    for i in range(200):
+        page.frames(1, commands.Play(True), commands.HoldKeys(frozenset({"up"} if i % 2 else ())))
+    assert 1 <= len(begun) < 10
+
+
+def test_a_page_can_open_the_longest_log_that_it_saves() -> None:
+    assert log.MAX_LOG_BYTES + 1_000_000 <= MAX_UPLOAD_BYTES
+
+
 def test_a_log_says_where_it_was_made_and_not_whose(tmp_path: Path) -> None:
     import platform
 
@@ -208,26 +224,6 @@ def test_steps_by_numpy_are_left_out_and_what_follows_is_exact(monkeypatch: pyte
 
 
 # ------------------------------------------------------------------------- differing
-def lines_of(data: bytes) -> list[dict[str, object]]:
-    return [json.loads(line) for line in data.splitlines()]
-
-
-def joined(lines: list[dict[str, object]]) -> bytes:
-    return b"\n".join(map(msgspec.json.encode, lines))
-
-
-def perturbed(data: bytes) -> bytes:
-    """The log as another machine might have written it: its second check is off by a little."""
-    lines = lines_of(data)
-    check = [line for line in lines if line.get("do") == "check"][1]
-    check["digest"] = "0" * 32
-    at = check["at"]
-    assert isinstance(at, list)
-    at[3][0] += 0.125
-    lines[0]["machine"] = {"kind": "abacus", "cpu": "beads", "numba": "1"}
-    return joined(lines)
-
-
 @pytest.fixture(scope="module")
 def data() -> bytes:
     return log_of(busy_page(sim.load_scene("tutorial-3.3")))
@@ -326,91 +322,6 @@ def test_what_cannot_be_done_is_named_by_its_line(entry: bytes) -> None:
     header = log.encode_header(sim.load_scene("tutorial-3.3"))
     with pytest.raises(InputError, match=r"^log: line 3: "):
         replayed(header + b'\n{"do":"step","n":3}\n' + entry)
-
-
-# ------------------------------------------------------------------------- in a page
-def played(data: bytes, frames: int) -> SessionPage:
-    page = SessionPage(sim.load_scene("ring"))
-    page.frames(3)
-    page.frames(frames, commands.Replay(decode_log(data, "log")))
-    return page
-
-
-def test_a_page_plays_a_log_in_its_own_time(data: bytes) -> None:
-    page = played(data, 30)
-    assert page.session.replay is not None
-    assert page.session.simulation.time == pytest.approx(0.5, abs=0.05)
-    page.frames(30, commands.Play(False))
-    assert page.session.simulation.time == pytest.approx(0.5, abs=0.05)
-    page.frames(400, commands.Play(True))
-    assert page.session.replay is None
-    assert not page.session.playing
-    (notice,) = page.session.notices
-    assert "agrees" in notice.text
-    end = replayed(data).simulation
-    assert np.array_equal(page.session.simulation.positions, end.positions)
-    page.frames(30, commands.Play(True))
-    agrees(page)
-
-
-def test_looking_back_in_a_replay_does_not_disturb_it(data: bytes) -> None:
-    page = played(data, 60)
-    page.frames(3, commands.GoTo(0.2))
-    assert not page.session.playing
-    assert page.session.simulation.time == pytest.approx(0.2, abs=0.02)
-    page.frames(3, commands.GoForward(), commands.GoBack(0.1))
-    page.frames(400, commands.Play(True))
-    (notice,) = page.session.notices
-    assert "agrees" in notice.text
-
-
-def test_a_page_says_that_a_replay_differs(data: bytes) -> None:
-    page = played(perturbed(data), 500)
-    (notice,) = page.session.notices
-    assert notice.kind == "warning"
-    assert "differs first at t = " in notice.text
-
-
-@pytest.mark.parametrize(
-    "command",
-    [
-        commands.DragStart(0, 0.0, 0.0),
-        commands.HoldKeys(frozenset({"up"})),
-        commands.SetValue("gravity", 1.0),
-        commands.Reset(),
-    ],
-)
-@pytest.mark.parametrize("scrubbed", [False, True])
-def test_whoever_acts_takes_over(data: bytes, command: commands.Command, scrubbed: bool) -> None:
-    page = played(data, 30)
-    if scrubbed:
-        page.frames(2, commands.GoTo(0.1))
-    before = page.session.simulation.time
-    page.frames(1, command)
-    assert page.session.replay is None
-    (notice,) = page.session.notices
-    assert "taken over" in notice.text
-    page.frames(20, commands.DragEnd(), commands.Play(True))
-    if not isinstance(command, commands.Reset):
-        assert page.session.simulation.time == pytest.approx(before + 21 / 60, abs=0.05)
-    agrees(page)
-
-
-def test_a_page_refuses_frames_that_would_stop_it() -> None:
-    for preset, entry in (
-        ("tutorial-3.3", b'{"do":"step","n":400000}'),
-        ("ring", b'{"do":"step","n":20000,"attempts":1000000}'),
-    ):
-        page = played(log.encode_header(sim.load_scene(preset)) + b"\n" + entry, 5)
-        assert page.session.replay is None
-        (notice,) = page.session.notices
-        assert "line 2: this frame is too heavy" in notice.text
-
-
-def test_while_a_log_is_played_there_is_none_to_save(data: bytes) -> None:
-    page = played(data, 10)
-    with pytest.raises(InputError, match="being played"):
-        log_of(page)
 
 
 def test_a_check_notes_few_masses_of_a_large_body() -> None:

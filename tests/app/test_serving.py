@@ -244,19 +244,20 @@ def test_a_forged_slider_is_clamped(stage: Stage, value: float) -> None:
 
 
 def test_a_defect_in_one_tab_leaves_the_others_alone(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    with stage.page() as one, stage.page() as other:
+    with stage.page() as one:
         first = stage.new_tab(set())
-        second = stage.new_tab({n for n, tab in stage.ticker.tabs.items() if tab is first})
+        with stage.page() as other:
+            second = stage.new_tab({first.client.client_id})
 
-        def fail(budget: float) -> None:
-            raise RuntimeError("a defect")
+            def fail(*_: object) -> None:
+                raise RuntimeError("a defect")
 
-        monkeypatch.setattr(first, "frame", fail)
-        eventually(lambda: first not in stage.ticker.tabs.values())
-        steps = session_of(second).simulation.step_count
-        eventually(lambda: session_of(second).simulation.step_count > steps)
-        one.read_for(0.05)
-        other.read_for(0.05)
+            monkeypatch.setattr(first, "frame", fail)
+            eventually(lambda: first not in stage.ticker.tabs.values())
+            one.wait_for(lambda m: m.get("props", {}).get("title") == "This page has stopped")
+            steps = session_of(second).simulation.step_count
+            eventually(lambda: session_of(second).simulation.step_count > steps)
+            other.read_for(0.05)
 
 
 def _pretend_nothing_is_compiled(monkeypatch: pytest.MonkeyPatch) -> None:

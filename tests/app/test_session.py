@@ -335,6 +335,27 @@ def test_a_snapshot_holds_the_keys_work_and_the_pose(page: SessionPage) -> None:
     assert bare.result(timeout=0).pose is None
 
 
+def test_of_bodies_that_are_to_come_the_last_waits_alone(page: SessionPage) -> None:
+    for name in ("box", "ring", "flag-pole"):
+        page.session.post(commands.Resume(b"x" * 1000))
+        page.session.post(commands.SetValue("gravity", 300.0))
+        page.session.post(commands.Open(sim.load_scene(name)))
+    assert len(page.session._queue) == 4
+    page.frames(1)
+    assert page.session.scene.name == "flag-pole"
+    assert not page.session.notices
+
+
+def test_what_one_body_cost_says_nothing_of_the_next(page: SessionPage) -> None:
+    page.session.pacer.speed = 2.0
+    page.session.pacer._attempt_cost = 1.0
+    assert page.session.heavy
+    page.session.post(commands.Open(sim.load_scene("box")))
+    page.session.drain()
+    assert not page.session.heavy
+    assert page.session.pacer.speed == 2.0
+
+
 def test_a_flood_of_commands_is_bounded(page: SessionPage) -> None:
     for i in range(3 * MAX_QUEUE):
         page.session.post(commands.Point(float(i), 0.0))

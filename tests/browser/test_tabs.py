@@ -81,12 +81,4 @@ def test_a_folded_panel_leaves_the_clock_and_the_display(open_page: OpenPage) ->
     desk.button("Pause").click()
     desk.until(lambda: not desk.session.playing, "the bar is still there")
     desk.until(lambda: "paused" in desk.hud(), "and so is the display")
-    desk.pause(1.0)
-    print(
-        "T",
-        desk.clock(),
-        desk.simulation.time,
-        desk.page.evaluate("JSON.stringify([window.__softrod.shown().frame.time])"),
-        desk.tab._panel._told,
-    )
     desk.until(desk.clock_is_right, "and the clock")

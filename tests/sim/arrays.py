@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 from sim.body.sparsity import new_matrix
-from sim.kernels.energy.energies import ANGULAR, GRAVITY, LINEAR, energies
+from sim.kernels.around.around import accelerations_around
+from sim.kernels.energy.energies import ENERGIES, energies
 from sim.kernels.forces.forces import accelerations
 from sim.kernels.linear.damping import add_damping_product, remember_directions
 from sim.kernels.linear.implicit import factorise_matrix, solve_matrix
+from sim.kernels.linear.surrounded import add_surrounding_damping, factorise_surrounded, solve_surrounded
 from sim.motion.solver import Solver
 
 Floats = NDArray[np.float64]
@@ -62,19 +64,25 @@ class Arrays:
         index = self.system.mass_index
         return np.column_stack((flat[index], flat[self.slots + index]))
 
+    def pairs_of(self, values: Floats) -> Floats:
+        """Numbers of all of `here` as (n, 2), in the scene's order."""
+        flat = np.zeros_like(self.q)
+        flat[self.here] = values
+        return self.pairs(flat)
+
     def accelerations(self, q: Floats, v: Floats) -> Floats:
         """Of all of `here`."""
         a = np.zeros_like(q)
-        accelerations(self.body, self.state, self.scratch, q, v, a)
+        force = accelerations_around if self.body.surroundings.present else accelerations
+        force(self.body, self.state, self.scratch, q, v, a)
         return a[self.here]
 
     def potential(self, q: Floats) -> float:
         """The energy of all that has one, but motion."""
         mass = np.zeros(self.slots)
         mass[1 : self.body.masses + 1] = 1.0 / self.system.inverse_mass
-        four = np.zeros(4)
-        energies(self.body, self.state, mass, *self.scene.gravity, q, np.zeros_like(q), four)
-        return float(four[[LINEAR, ANGULAR, GRAVITY]].sum())
+        still, parts = np.zeros_like(q), np.zeros(ENERGIES)
+        return float(energies(self.body, self.state, mass, *self.scene.gravity, q, still, parts))
 
     def derivative(self, by_velocity: bool, step: float) -> Floats:
         """The derivative of the accelerations by positions or velocities, by differences of order 4."""
@@ -90,13 +98,14 @@ class Arrays:
 
     def factorise(self, a: float, g: float, definite: bool = False) -> bool:
         """Factorise a I - g Jv - Jx at the present state."""
-        return bool(factorise_matrix(self.body, self.state, self.matrix, self.q, self.v, a, g, definite))
+        kernel = factorise_surrounded if self.body.surroundings.present else factorise_matrix
+        return bool(kernel(self.body, self.state, self.matrix, self.q, self.v, a, g, definite))
 
     def solve(self, right: Floats) -> Floats:
         """Solve with the last factors, for numbers of all of `here`."""
         flat = np.zeros_like(self.q)
         flat[self.here] = right
-        solve_matrix(self.body, self.matrix, flat)
+        (solve_surrounded if self.body.surroundings.present else solve_matrix)(self.body, self.matrix, flat)
         assert not np.delete(flat, self.here).any()  # the padding stays as it is
         return flat[self.here]
 
@@ -111,4 +120,6 @@ class Arrays:
         flat[self.here], out[self.here] = z, start
         remember_directions(self.body, self.matrix, self.q)
         add_damping_product(self.body, self.state, self.matrix, self.v, flat, factor, out)
+        if self.body.surroundings.present:
+            add_surrounding_damping(self.body, self.state, self.q, self.v, flat, factor, out)
         return out[self.here]

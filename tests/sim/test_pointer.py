@@ -249,3 +249,18 @@ def test_a_mass_may_be_led_to_the_very_edge(dt: float, edge: tuple[float, float]
     assert simulation.step(20) == 20
     assert simulation.divergence is None
     assert tuple(simulation.positions[0]) == edge
+
+
+def test_what_is_let_go_at_the_edge_does_not_pass_it() -> None:
+    # Friction that turns within a step moves the mass once more, after the method has corrected its step.
+    scene = REPLACE(
+        chain(row(1), held=()), gravity=(55.0, 0.0), air_friction=27.0,
+        integrator=Integrator(method="adams", dt=0.0078125, tolerance=4.0),
+    )  # fmt: skip
+    simulation = Simulation(scene)
+    simulation.grab(0)
+    simulation.lead(0, (-1e6, 0.0))
+    simulation.step(20)
+    simulation.release(0)
+    simulation.step(20)
+    assert simulation.positions[0, 0] >= -1e6

@@ -27,7 +27,8 @@ FACTORISE = types.boolean(
     Body.numba_type, State.numba_type, Matrix.numba_type, FLOATS, FLOATS, _F8, _F8, types.boolean
 )
 SOLVE = types.void(Body.numba_type, Matrix.numba_type, FLOATS)
-"""This and the three above: signatures of the kernels that are called through their addresses."""
+RESISTANCE = types.void(Body.numba_type, State.numba_type, FLOATS, FLOATS, FLOATS, _F8, FLOATS)
+"""This and the four above: signatures of the kernels that are called through their addresses."""
 
 
 def address_of(kernel: Any, signature: Any) -> int:
@@ -81,6 +82,11 @@ def _call_solve(_context, address, body, matrix, b):
     return _typed(SOLVE), _caller(SOLVE)
 
 
+@_shared
+def _call_resistance(_context, address, body, state, q, v, z, factor, out):
+    return _typed(RESISTANCE), _caller(RESISTANCE)
+
+
 @kernel(inline="always")
 def accelerate(problem, q, v, a):
     """`forces.forces.accelerations` of the problem's body."""
@@ -105,3 +111,9 @@ def factorise(problem, q, v, a, g, definite):
 def solve(problem, b):
     """`linear.implicit.solve_matrix` of the problem's body."""
     _call_solve(problem.solve, problem.body, problem.matrix, b)
+
+
+@kernel(inline="always")
+def add_damping_around(problem, v, z, factor, out):
+    """`linear.surrounded.add_surrounding_damping` at the positions of the problem's state."""
+    _call_resistance(problem.resistance, problem.body, problem.state, problem.state.q, v, z, factor, out)

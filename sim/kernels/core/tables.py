@@ -10,6 +10,7 @@ padded likewise. A padding mass never moves, and a padding spring exerts no forc
 
 from __future__ import annotations
 
+from .surroundings import Surroundings
 from .table import Floats, Indices, Rows, Table
 
 
@@ -60,6 +61,7 @@ class Body(Table):
     more_spring: Indices  # of each spring in the lists: its index,
     more_spring_mass: Indices  # the slot of the mass that it acts on,
     more_spring_sign: Floats  # and the sign
+    surroundings: Surroundings  # what else acts on the masses; see there
 
 
 class State(Table):
@@ -83,6 +85,7 @@ class State(Table):
     air: Floats  # (slots,) air friction / mass, 1/px
     gx: Floats  # (slots,) gravity, px/s²
     gy: Floats
+    clock: Floats  # (1,) time of the gusts, s
 
     @property
     def slots(self) -> int:
@@ -176,14 +179,19 @@ class Matrix(Table):
     slot: Indices  # (n,) scratch: block of the current row in each column
     spring_target: Indices  # (4 S,) blocks that a spring adds to, at rows and columns bb, ba, ab, aa
     joint_target: Indices  # (16 J,) blocks that a joint adds to, likewise for each pair of its springs
+    loop_target: Indices  # (2 M,) for each mass of a loop, blocks of its row with the masses before and after
+    # For the products of gradients of L fillings, see `linear.surrounded`.
+    borders: Rows  # (2 L, 2 slots)
+    corrections: Rows  # (L + 1, L)
     straight: bool  # the parent of every mass that has one is in the slot before it
 
 
 class Drive(Table):
     """How held masses move, and what held keys do, during a call."""
 
-    moving: bool  # any mass is listed here, or a key is held
+    moving: bool  # any mass is listed here, a key is held, or the wind changes
     pressed: bool  # a key is held
+    gusty: bool  # the wind changes with time
     start: float  # time at the start of the call, s
     duration: float  # s until masses that are led straight reach their targets; infinite if there are none
     mass: Indices  # (M,) slots of the masses
@@ -373,7 +381,9 @@ WORK_KEYS = 4
 """In `EnergyBalance.work`: work of keys that change rest lengths and rest angles."""
 WORK_FALLBACK = 5
 """In `EnergyBalance.work`: energy added by fallback steps, which is negative or zero."""
-WORKS = 6
+WORK_WALLS = 6
+"""In `EnergyBalance.work`: work of friction on walls and of bouncing, which is negative."""
+WORKS = 7
 """Length of `EnergyBalance.work`."""
 
 
@@ -391,6 +401,7 @@ class Problem(Table):
     accumulate: int
     factorise: int
     solve: int
+    resistance: int
     fixed: float  # the step, s, or 0 for error control
     near_limit: float  # s; steps from here on count as near Verlet's stability limit
     explicit: Tableau

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 
+from ..around.fillings import press_from_inside
+from ..around.walls import power_of_walls
+from ..around.wind import power_of_wind
 from ..core.jit import FAST, kernel
-from ..core.tables import WORK_AIR, WORK_ANCHORS, WORK_DAMPING, WORK_KEYS, WORK_LAW
+from ..core.tables import WORK_AIR, WORK_ANCHORS, WORK_DAMPING, WORK_KEYS, WORK_LAW, WORK_WALLS
 from ..core.vectors import deflection, length_of
 from ..forces.drive import drive_to, hand_speed
 from ..forces.forces import spring_forces
@@ -82,7 +85,7 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
         _add_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v, still)
         gather_dampers(body, q, v, _WEIGHTS[i], balance.dampers)
     balance.work[WORK_DAMPING] -= taken_away(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
-    if drive.pressed:
+    if drive.pressed or drive.gusty:
         drive_to(body, state, drive, t + h, q, v)
 
 
@@ -94,8 +97,8 @@ def _add_powers(problem, drive, t, h, q, v, still):
     x, y, vx, vy = q[:slots], q[slots:], v[:slots], v[slots:]
     sums, mass = balance.work, balance.mass
     fx, fy, free = scratch.fx, scratch.fy, state.inverse_mass
-    # The force of the springs and joints, and then that of the dampers alone, which is linear in v.
-    spring_forces(body, state, scratch, x, y, still[:slots], still[slots:])
+    # The force of springs, joints and fillings, and then that of the dampers alone, which is linear in v.
+    _internal_forces(body, state, scratch, x, y, still[:slots], still[slots:])
     for i in range(drive.mass.size):
         m = drive.mass[i]
         # Its true velocity; in `v` it may be zero.
@@ -106,11 +109,14 @@ def _add_powers(problem, drive, t, h, q, v, still):
         if free[i] > 0.0:
             drag = state.air[i] * mass[i]
             sums[WORK_AIR] -= h * drag * (vx[i] * vx[i] * abs(vx[i]) + vy[i] * vy[i] * abs(vy[i]))
+    if body.surroundings.present:
+        sums[WORK_WALLS] += h * power_of_walls(body, free, x, y, vx, vy)
+        sums[WORK_AIR] += h * power_of_wind(body, state, x, y, vx, vy)
     if (body.damped or body.joint_damped) and drive.mass.size > 0:
         for i in range(drive.mass.size):
             m = drive.mass[i]
             sums[WORK_ANCHORS] += h * (fx[m] * vx[m] + fy[m] * vy[m])
-        spring_forces(body, state, scratch, x, y, vx, vy)
+        _internal_forces(body, state, scratch, x, y, vx, vy)
         for i in range(drive.mass.size):
             m = drive.mass[i]
             sums[WORK_ANCHORS] -= h * (fx[m] * vx[m] + fy[m] * vy[m])
@@ -118,6 +124,14 @@ def _add_powers(problem, drive, t, h, q, v, still):
         sums[WORK_LAW] += h * _power_of_law(body, state, x, y, vx, vy, drive, t)
     if drive.pressed:
         sums[WORK_KEYS] += h * _power_of_keys(body, state, drive, x, y)
+
+
+@kernel(fastmath=FAST)
+def _internal_forces(body, state, scratch, x, y, vx, vy):
+    """The forces of springs, joints and fillings on all masses, into `scratch.fx` and `scratch.fy`."""
+    spring_forces(body, state, scratch, x, y, vx, vy)
+    if body.surroundings.present:
+        press_from_inside(body.surroundings, x, y, scratch.fx, scratch.fy)
 
 
 @kernel(fastmath=FAST)

@@ -58,6 +58,8 @@ def hand_speed(drive, i, t):
 def drive_to(body, state, drive, t, q, v):
     """Set the held masses in q and v to their state at time t, and rest lengths and angles likewise."""
     lead_to(drive, t, q, v)
+    if drive.gusty:
+        state.clock[0] = t
     if drive.pressed:
         since = t - drive.start
         scale, shift = drive.scale * math.exp(drive.growth * since), drive.shift + drive.turn * since

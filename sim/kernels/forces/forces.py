@@ -258,8 +258,15 @@ def any_accelerations(body, state, scratch, x, y, vx, vy, a):
     """`accelerations` of any body, under any law."""
     scalar_gathers_on_amd()
     eight_at_a_time()
-    slots = x.size
     spring_forces(body, state, scratch, x, y, vx, vy)
+    from_forces(body, state, scratch, vx, vy, a)
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def from_forces(body, state, scratch, vx, vy, a):
+    """Accelerations by the forces in `scratch.fx` and `scratch.fy`, still air and gravity."""
+    eight_at_a_time()
+    slots = vx.size
     fx, fy, ax, ay = scratch.fx, scratch.fy, a[:slots], a[slots:]
     w, air, gx, gy = state.inverse_mass, state.air, state.gx, state.gy
     for i in range(1, body.masses + 1):

@@ -32,7 +32,7 @@ class Law(NamedTuple):
 LAWS = {
     "tutorial": Law(TUTORIAL, "Tutorial"),
     "conservative": Law(CONSERVATIVE, "Conservative"),
-    "angle": Law(ANGLE, "Angle itself"),
+    "angle": Law(ANGLE, "Angle law"),
 }
 """The laws, by their names in scenes."""
 

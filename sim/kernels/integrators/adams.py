@@ -151,7 +151,8 @@ def run_adams(problem, drive, end, tolerance, attempts):
         if not error < HOPELESS:
             error = HOPELESS
         good = error <= 1.0
-        if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
+        # What turned was moved again after `far` and `fast` were found.
+        if turns or not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, integrator, to_q, to_v, step < WORTH_SHORTENING)
         if good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest):
             if degree == most and since % _WEIGHED == _WEIGHED - 1:
@@ -187,7 +188,7 @@ def run_adams(problem, drive, end, tolerance, attempts):
                 # A step that was cut short says little about longer ones.
                 h = max(h, step * factor) if step < 0.999 * h else step * factor
         else:
-            if drive.pressed:
+            if drive.pressed or drive.gusty:
                 drive_to(body, state, drive, t, q, v)
             since, failures = 0, failures + 1
             if degree == most and error > 1.0:

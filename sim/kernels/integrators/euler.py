@@ -49,6 +49,8 @@ def run_euler(problem, drive, end, tolerance, attempts):
             for step in range(done + 1, done + batch + 1):
                 lead_to(drive, start + step * h, q, v)
                 press(body, state, drive, h)
+                if drive.gusty:
+                    state.clock[0] = start + step * h
                 if free:
                     accelerate(problem, q, v, a)
                     _kick_and_drift(q, v, a, h)
@@ -75,6 +77,8 @@ def _step_with_balance(problem, drive, t):
     accelerate(problem, q, v, integrator.a)
     _copy(q, v, to_q, to_v)
     press(body, state, drive, h)
+    if drive.gusty:
+        state.clock[0] = t + h
     scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
     lead_to(drive, t + h, to_q, to_v)
     accelerate(problem, to_q, to_v, to_a)

@@ -26,7 +26,7 @@ from ..core.tables import (
 from ..core.vectors import from_to
 from ..energy.energies import energies
 from ..forces.drive import drive_to
-from ..linear.damping import add_damping_product, remember_directions
+from ..linear.damping import add_resistance, remember_directions
 from .guard import GOOD, sound
 from .steps import max_abs
 
@@ -46,14 +46,13 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
     matrix = problem.matrix
     slots = state.q.size // 2
     controller, q, v, rows = integrator.controller, state.q, state.v, integrator.rows
-    to_q, to_v, a, move, four = rows[0], rows[1], rows[2], rows[3], rows[4][:4]
+    to_q, to_v, a, move, parts = rows[0], rows[1], rows[2], rows[3], rows[4]
     kept_q, kept_v = rows[5], rows[6]
     for j in range(q.size):
         kept_q[j], kept_v[j] = q[j], v[j]
     t = controller[CONTROLLER_TIME]
     mass = balance.mass
-    energies(body, state, mass, gravity_x, gravity_y, q, v, four)
-    first = four[0] + four[1] + four[2] + four[3]
+    first = energies(body, state, mass, gravity_x, gravity_y, q, v, parts)
     if drive.moving:
         drive_to(body, state, drive, t + h, q, v)
     for s in range(body.springs):
@@ -67,8 +66,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
                 far = integrator.limits[0]
                 q[k] = min(max(q[i] + shortest * math.cos(1.0 + s), -far), far)
                 q[slots + k] = min(max(q[slots + i] + shortest * math.sin(1.0 + s), -far), far)
-    energies(body, state, mass, gravity_x, gravity_y, q, v, four)
-    before = four[0] + four[1] + four[2] + four[3]
+    before = energies(body, state, mass, gravity_x, gravity_y, q, v, parts)
     accelerate(problem, q, v, a)
     g = 1.0 / h
     factorise(problem, q, v, g * g, g, True)
@@ -78,7 +76,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
     for i in range(drive.mass.size):
         m = drive.mass[i]
         move[m], move[slots + m] = 0.0, 0.0
-    add_damping_product(body, state, matrix, v, v, -1.0, move)
+    add_resistance(problem, v, v, -1.0, move)
     solve(problem, move)
     for m in range(1, body.masses + 1):
         size = math.sqrt(move[m] * move[m] + move[slots + m] * move[slots + m])
@@ -95,8 +93,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
             to_v[j] = part * move[j] * g
         if drive.moving:
             drive_to(body, state, drive, t + h, to_q, to_v)
-        energies(body, state, mass, gravity_x, gravity_y, to_q, to_v, four)
-        after = four[0] + four[1] + four[2] + four[3]
+        after = energies(body, state, mass, gravity_x, gravity_y, to_q, to_v, parts)
         if (
             after <= before
             and max_abs(to_q) <= integrator.limits[0]

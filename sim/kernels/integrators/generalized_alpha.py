@@ -223,7 +223,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         else:
             error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
-            if drive.pressed:
+            if drive.pressed or drive.gusty:
                 drive_to(body, state, drive, t, q, v)
         after = step_after(integrator, h, step, error, 3, good, failed, _LEFT)
         if not good and error >= HOPELESS:

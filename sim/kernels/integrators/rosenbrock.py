@@ -22,7 +22,7 @@ from ..core.tables import (
     SPARE,
 )
 from ..forces.drive import drive_to
-from ..linear.damping import add_damping_product, remember_directions
+from ..linear.damping import add_resistance, remember_directions
 from .guard import GOOD, sound
 from .steps import (
     HOPELESS,
@@ -97,7 +97,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
                     rest[m], rest[q.size // 2 + m] = 0.0, 0.0
             for j in range(1, q.size - SPARE):
                 x[j] = to_a[j] + right[j] + g * rest[j]
-            add_damping_product(body, state, matrix, v, rest, -1.0, x)
+            add_resistance(problem, v, rest, -1.0, x)
             solve(problem, x)
             for j in range(1, q.size - SPARE):
                 w[j] = g * x[j] - rest[j]
@@ -128,7 +128,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
             for i in range(2 * _MOST_STAGES):  # sums include stages with weight zero, which may be NaN
                 for j in range(1, q.size - SPARE):
                     rows[i, j] = 0.0
-            if drive.pressed:
+            if drive.pressed or drive.gusty:
                 drive_to(body, state, drive, t, q, v)
         if fixed == 0.0:
             h = step_after(integrator, h, step, error, method.order, good, failed)
@@ -180,5 +180,5 @@ def _by_time(problem, drive, t, h, q, v, a, out):
         accelerate(problem, q, v, a)
         for j in range(1, q.size - SPARE):
             out[j] += sign * a[j] / (2.0 * part)
-    if drive.pressed:
+    if drive.pressed or drive.gusty:
         drive_to(body, state, drive, t, q, v)

@@ -6,6 +6,7 @@ import math
 
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time, whole_eights
+from ..core.shared import add_damping_around
 from ..core.vectors import from_to, inverse_of
 
 
@@ -31,6 +32,14 @@ def _chain_directions(springs, soft, x_of, y_of, ux, uy, inverse):
         x, y = x_of[s + 2] - x_of[s + 1], y_of[s + 2] - y_of[s + 1]
         inv = 1.0 / math.sqrt(x * x + y * y + soft)
         ux[s + 1], uy[s + 1], inverse[s + 1] = x * inv, y * inv, inv
+
+
+@kernel(forceinline=True)
+def add_resistance(problem, v, z, factor, out):
+    """out += factor Jv z, with Jv of the whole problem, at velocities v and the positions of its state."""
+    add_damping_product(problem.body, problem.state, problem.matrix, v, z, factor, out)
+    if problem.resistance != 0:
+        add_damping_around(problem, v, z, factor, out)
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)

@@ -78,8 +78,14 @@ def assemble(body, state, matrix, q, v, g, definite):
 @kernel(internal=True, fastmath=FAST)
 def factorise_sparse(body, state, matrix, q, v, a, g, definite):
     """`implicit.factorise_matrix` of any body but a chain."""
-    slots = q.size // 2
     assemble(body, state, matrix, q, v, g, definite)
+    return eliminate(body, state, matrix, v, a, g)
+
+
+@kernel(internal=True, fastmath=FAST)
+def eliminate(body, state, matrix, v, a, g):
+    """Turn the derivatives of forces that are in the pattern into the matrix, and factorise it."""
+    slots = v.size // 2
     blocks, start, column, diagonal = matrix.blocks, matrix.row_start, matrix.column, matrix.diagonal
     slot = matrix.slot
     regular = True

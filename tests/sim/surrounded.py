@@ -1,0 +1,40 @@
+"""Bodies of many shapes among walls, in the wind and with fillings."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from sim import Integrator, Scene
+from sim.scene.surroundings import Gas, Liquid, Wall, Wind
+from tests.sim.bodies import body
+
+KINDS: dict[str, dict[str, Any]] = {
+    # Walls that the body is in, at both sides of which there are masses; one is entered, one left.
+    "walls": {
+        "walls": (
+            Wall(point=(0.0, 10.0), normal=(0.2, -1.0), hardness=50.0, friction=0.6, bounciness=0.4),
+            Wall(point=(60.0, 0.0), normal=(-3.0, 1.0), hardness=200.0, friction=1.5, slip_speed=80.0),
+        )
+    },
+    "steady wind": {"wind": Wind(velocity=(300.0, -80.0))},
+    "gusts": {"wind": Wind(velocity=(300.0, -80.0), turbulence=0.5, length_scale=150.0, seed=3)},
+    "gas": {"fillings": (Gas(masses=(0, 2, 4, 5, 3, 1), pressure=90.0, outside=20.0),)},
+    "fillings": {
+        "fillings": (
+            Liquid(masses=(0, 2, 4, 5, 3, 1), bulk_modulus=300.0, area=2800.0),
+            Gas(masses=(4, 6, 7, 5), pressure=40.0, area=2000.0),
+        )
+    },
+}
+"""Fields of a scene."""
+
+KINDS["all"] = {**KINDS["walls"], **KINDS["gusts"], **KINDS["fillings"]}
+
+
+def surrounded(kind: str, shape: str = "girder", seed: int = 0, **changes: Any) -> Scene:
+    """A body of `tests.sim.bodies` in surroundings of a kind; `changes` are arguments of `body`."""
+    # Not the method of first order that bodies have: for that, walls are softened.
+    exact = Integrator(method="rk4", dt=1e-4)
+    return msgspec.structs.replace(body(shape, seed=seed, **changes), integrator=exact, **KINDS[kind])

@@ -1,0 +1,368 @@
+"""Walls, wind and fillings: their forces, derivatives, energies, and motion by every method."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Integrator, Mass, Scene, Simulation
+from sim.body.surroundings import REFERENCE_SPEED, loss_of
+from sim.kernels.around.wind import wind_at
+from sim.methods.registry import METHODS
+from sim.physics import Physics
+from sim.scene.surroundings import Gas, Liquid, Wall, Wind
+from sim.scene.types import Method
+from tests.sim.arrays import Arrays, Floats
+from tests.sim.inside import same_state, system_of
+from tests.sim.surrounded import KINDS, surrounded
+
+REPLACE = msgspec.structs.replace
+FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0), friction=0.0, bounciness=1.0)
+
+
+def single(position: tuple[float, float], velocity: tuple[float, float] = (0.0, 0.0), **fields: Any) -> Scene:
+    """One mass by itself, under no gravity unless `fields` say so."""
+    mass = Mass(position=position, velocity=velocity, mass=3.0)
+    return Scene(name="single", masses=(mass,), **fields)
+
+
+def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
+    integrator = Integrator(**{"method": method, "dt": 1e-3, "tolerance": 1e-6, **numbers})
+    simulation = Simulation(REPLACE(scene, integrator=integrator))
+    simulation.advance(seconds)
+    return simulation
+
+
+# ------------------------------------------------------------------------- forces
+@pytest.mark.parametrize("step", ["rk4", "symplectic_euler"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_kernels_do_what_the_physics_in_numpy_says(kind: str, step: Method) -> None:
+    for seed in range(4):
+        scene = surrounded(kind, seed=seed, held=(1,))
+        arrays = Arrays(REPLACE(scene, integrator=Integrator(method=step, dt=1e-3)))
+        arrays.state.clock[0] = 0.37
+        expected = Physics(arrays.body, arrays.state).accelerations(
+            arrays.state.x + 1j * arrays.state.y, arrays.state.vx + 1j * arrays.state.vy
+        )
+        flat = np.concatenate((expected.real, expected.imag))[arrays.here]
+        found = arrays.accelerations(arrays.q, arrays.v)
+        assert np.abs(found - flat).max() <= 1e-12 * np.abs(flat).max()
+        without = Arrays(REPLACE(scene, walls=(), wind=None, fillings=()))
+        assert np.abs(found - without.accelerations(arrays.q, arrays.v)).max() > 1.0
+
+
+@pytest.mark.parametrize("kind", ["gas", "fillings"])
+def test_a_filling_pushes_nothing_away_as_a_whole(kind: str) -> None:
+    arrays = Arrays(surrounded(kind, joints=False, damping=0.0, air=0.0, gravity=(0.0, 0.0)))
+    force = arrays.pairs_of(arrays.weight * arrays.accelerations(arrays.q, arrays.v))
+    without = Arrays(
+        REPLACE(surrounded(kind, joints=False, damping=0.0, air=0.0, gravity=(0.0, 0.0)), fillings=())
+    )
+    force -= without.pairs_of(without.weight * without.accelerations(without.q, without.v))
+    at = arrays.pairs(arrays.q)
+    size = float(np.abs(force).sum())
+    assert size > 100.0
+    assert np.abs(force.sum(0)).max() <= 1e-14 * size
+    torque = float((at[:, 0] * force[:, 1] - at[:, 1] * force[:, 0]).sum())
+    assert abs(torque) <= 1e-14 * size * float(np.abs(at).max())
+
+
+@pytest.mark.parametrize("kind", ["walls", "gas", "fillings"])
+def test_the_force_is_the_gradient_of_the_energy(kind: str) -> None:
+    for seed in range(3):
+        scene = surrounded(kind, seed=seed, damping=0.0, twist=0.0, air=0.0)
+        walls = tuple(REPLACE(wall, friction=0.0, bounciness=1.0) for wall in scene.walls)
+        arrays = Arrays(REPLACE(scene, walls=walls))
+        gradient = []
+        for j in arrays.here:
+            ends = []
+            for size in (1e-3, -1e-3, 2e-3, -2e-3):
+                q = arrays.q.copy()
+                q[j] += size
+                ends.append(arrays.potential(q))
+            gradient.append((8.0 * (ends[0] - ends[1]) - (ends[2] - ends[3])) / 12e-3)
+        force = arrays.weight * arrays.accelerations(arrays.q, 0.0 * arrays.v)
+        assert np.abs(force + gradient).max() <= 1e-7 * np.abs(force).max()
+
+
+# ------------------------------------------------------------------------- derivatives
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_matrix_is_that_of_the_forces(kind: str) -> None:
+    for seed, held in ((1, ()), (2, (0, 3))):
+        arrays = Arrays(surrounded(kind, seed=seed, held=held))
+        g = 150.0
+        by_place = arrays.derivative(by_velocity=False, step=1e-3)
+        by_speed = arrays.derivative(by_velocity=True, step=0.01)
+        expected = g * g * np.eye(len(by_place)) - g * by_speed - by_place
+        found = np.linalg.inv(arrays.inverse(g * g, g))
+        assert np.abs(found - expected).max() <= 1e-7 * np.abs(expected).max()
+
+
+@pytest.mark.parametrize("kind", ["walls", "gusts", "all"])
+def test_the_product_with_the_derivative_by_velocities(kind: str) -> None:
+    arrays = Arrays(surrounded(kind, seed=4, held=(1,)))
+    expected = arrays.derivative(by_velocity=True, step=0.01)
+    start, z = np.random.default_rng(1).normal(size=(2, arrays.here.size)) * 100.0
+    change = 0.7 * expected @ z
+    found = arrays.resistance(z, 0.7, start) - start
+    assert np.abs(found - change).max() <= 1e-7 * np.abs(change).max()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_definite_matrix_is_one(kind: str) -> None:
+    for seed in range(4):
+        arrays = Arrays(surrounded(kind, seed=seed))
+        whole = np.linalg.inv(arrays.inverse(1e-3, 150.0, definite=True))
+        stiffness = arrays.weight[:, None] * whole
+        size = np.abs(stiffness).max()
+        assert np.abs(stiffness - stiffness.T).max() <= 1e-9 * size
+        assert np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T))[0] >= -1e-9 * size
+
+
+# ------------------------------------------------------------------------- walls
+def test_a_mass_rests_at_the_depth_that_the_hardness_says() -> None:
+    scene = single((0.0, -1.0), gravity=(0.0, 1800.0), walls=(REPLACE(FLOOR, bounciness=0.2),))
+    resting = run(scene, 20.0, tolerance=1e-4)
+    # It bounces ever less, but never quite stops.
+    assert resting.positions[0, 1] == pytest.approx(math.sqrt(1800.0 / FLOOR.hardness), abs=0.05)
+
+
+@pytest.mark.parametrize("bounciness", [0.05, 0.3, 0.8, 1.0])
+@pytest.mark.parametrize("method", ["rodas5p", "adams", "velocity_verlet"])
+def test_a_mass_leaves_a_wall_with_its_bounciness(method: Method, bounciness: float) -> None:
+    scene = single((0.0, -20.0), (0.0, REFERENCE_SPEED), walls=(REPLACE(FLOOR, bounciness=bounciness),))
+    left = run(scene, 0.5, method, dt=1e-5)
+    assert left.velocities[0, 1] == pytest.approx(-bounciness * REFERENCE_SPEED, rel=1e-4)
+
+
+def test_the_loss_of_a_bounce_is_zero_where_nothing_is_lost_and_grows() -> None:
+    losses = [loss_of(e) for e in (1.0, 0.99, 0.7, 0.3, 0.1, 0.01)]
+    assert losses[0] == 0.0
+    assert losses == sorted(losses)
+    assert loss_of(0.0) == losses[-1]
+
+
+def test_the_deepest_point_of_a_bounce() -> None:
+    # All kinetic energy is in the wall: v² / 2 = hardness d³ / 3.
+    scene = single((0.0, 0.0), (0.0, 500.0), walls=(FLOOR,))
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method="rodas5p", dt=1e-5, tolerance=1e-9)))
+    deepest = 0.0
+    while simulation.velocities[0, 1] > 0.0:
+        simulation.step()
+        deepest = max(deepest, simulation.positions[0, 1])
+    assert deepest == pytest.approx((1.5 * 500.0**2 / FLOOR.hardness) ** (1.0 / 3.0), rel=1e-6)
+
+
+def test_a_slope_holds_or_lets_slide_as_friction_says() -> None:
+    # On a slope of 30 degrees, held by friction of more than tan(30°) but for creep.
+    turn = math.radians(30.0)
+    normal, down = (math.sin(turn), -math.cos(turn)), np.array([math.cos(turn), math.sin(turn)])
+    pulling = 1000.0 * math.sin(turn)
+
+    def sliding(friction: float) -> tuple[float, float]:
+        wall = REPLACE(FLOOR, normal=normal, friction=friction, bounciness=0.1, slip_speed=5.0)
+        depth = math.sqrt(1000.0 * math.cos(turn) / wall.hardness)
+        start = (-normal[0] * depth, -normal[1] * depth)
+        moved = run(single(start, gravity=(0.0, 1000.0), walls=(wall,)), 1.0)
+        return float(moved.positions[0] @ down), float(moved.velocities[0] @ down)
+
+    _, speed = sliding(0.2)
+    assert speed == pytest.approx(pulling - 0.2 * 1000.0 * math.cos(turn), rel=0.03)
+    way, speed = sliding(1.0)
+    assert speed == pytest.approx(5.0 * math.atanh(math.tan(turn)), rel=1e-3)  # it creeps
+    assert way == pytest.approx(speed, rel=0.02)
+
+
+# ------------------------------------------------------------------------- wind
+def test_gusts_are_as_strong_as_they_should_be_and_neither_compressed_nor_still() -> None:
+    gust = Wind(velocity=(400.0, 300.0), turbulence=0.3, length_scale=200.0, seed=5)
+    around = Arrays(single((0.0, 0.0), air_friction=0.1, wind=gust)).body.surroundings
+    rng = np.random.default_rng(1)
+    air = np.array([wind_at(around, t, x, y) for t, x, y in rng.uniform(0.0, 1e5, (20_000, 3))])
+    assert air[:, :2].mean(0) == pytest.approx((400.0, 300.0), abs=5.0)
+    assert air[:, :2].std(0) == pytest.approx(0.3 * 500.0, rel=0.1)
+    assert np.abs(air[:, 2] + air[:, 5]).max() <= 1e-12 * np.abs(air[:, 2:]).max()  # div v = 0
+    # The eddies go with the mean wind.
+    one, other = wind_at(around, 0.0, 30.0, 40.0), wind_at(around, 2.0, 830.0, 640.0)
+    assert one == pytest.approx(other)
+    assert np.abs(np.subtract(one, wind_at(around, 2.0, 30.0, 40.0))).max() > 1.0
+    again = REPLACE(gust, seed=6)
+    assert wind_at(Arrays(single((0.0, 0.0), air_friction=0.1, wind=again)).body.surroundings, 0.0, 0.0, 0.0)[
+        :2
+    ] != pytest.approx(wind_at(around, 0.0, 0.0, 0.0)[:2])
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_mass_drifts_with_a_steady_wind(method: Method) -> None:
+    # v' = c/m (w - v)²: the difference falls as 1 / (1/w + c t / m).
+    scene = single((0.0, 0.0), air_friction=0.03, wind=Wind(velocity=(200.0, 0.0)))
+    drifting = run(scene, 1.0, method, dt=1e-4)
+    expected = 200.0 - 1.0 / (1.0 / 200.0 + 0.01)
+    tolerated = 0.02 if METHODS[method].order == 1 else 1e-4
+    assert drifting.velocities[0, 0] == pytest.approx(expected, rel=tolerated)
+    assert drifting.velocities[0, 1] == 0.0
+
+
+def test_still_wind_is_still_air() -> None:
+    scene = surrounded("steady wind", seed=2)
+    still = REPLACE(scene, wind=Wind(velocity=(0.0, 0.0)))
+    none = REPLACE(scene, wind=None)
+    one, other = (run(each, 0.2, "adams", tolerance=1e-8) for each in (still, none))
+    assert np.abs(one.positions - other.positions).max() <= 1e-4
+
+
+# ------------------------------------------------------------------------- fillings
+def balloon(**changes: Any) -> Scene:
+    """A ring of 24 springs with a gas inside."""
+    turns = [math.tau * i / 24 for i in range(24)]
+    edge = 2.0 * 80.0 * math.sin(math.pi / 24)
+    fields: dict[str, Any] = {
+        "name": "balloon",
+        "masses": tuple(Mass(position=(80 * math.cos(v), 80 * math.sin(v)), mass=0.2) for v in turns),
+        "linear_springs": tuple(
+            sim.LinearSpring(a=i, b=(i + 1) % 24, stiffness=3000.0, damping=3.0, rest_length=edge)
+            for i in range(24)
+        ),
+        "fillings": (Gas(masses=tuple(range(24)), pressure=300.0, outside=100.0),),
+    }
+    return Scene(**{**fields, **changes})
+
+
+def area_of(positions: Floats) -> float:
+    x, y = positions.T
+    return 0.5 * float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum())
+
+
+@pytest.mark.parametrize(
+    "filling",
+    [
+        Gas(masses=tuple(range(24)), pressure=300.0, outside=100.0),
+        Gas(masses=tuple(range(23, -1, -1)), pressure=300.0, outside=100.0),
+        Liquid(masses=tuple(range(24)), bulk_modulus=2000.0, area=25_000.0),
+    ],
+)
+def test_a_balloon_rests_where_its_pressure_balances_the_springs(filling: Gas | Liquid) -> None:
+    scene = balloon(fillings=(filling,))
+    at = np.array(sim.equilibrium(scene).positions)
+    edges = np.hypot(*(np.roll(at, -1, 0) - at).T)
+    start = area_of(np.array([m.position for m in scene.masses]))
+    if isinstance(filling, Gas):
+        pressure = 300.0 * start / area_of(at) - 100.0
+    else:
+        pressure = 2000.0 * (1.0 - area_of(at) / 25_000.0)
+    # A regular polygon: tension * 2 sin(pi/n) = pressure * distance of the masses before and after / 2 ...
+    tension = 3000.0 * (edges.mean() - scene.linear_springs[0].rest_length)
+    assert np.ptp(edges) <= 1e-6
+    assert 2.0 * tension * math.sin(math.pi / 24) == pytest.approx(
+        pressure * edges.mean() * math.cos(math.pi / 24), rel=1e-6
+    )
+    assert tension > 100.0
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_balloon_squeezed_to_nothing_comes_back(method: Method) -> None:
+    positions = [m.position for m in balloon().masses]
+    flat = tuple((x, 1e-3 * y) for x, y in positions)
+    scene = balloon(pose=sim.Pose(positions=flat, velocities=((0.0, 0.0),) * 24), air_friction=1e-3)
+    simulation = run(scene, 1.0, method, dt=1e-4, tolerance=0.1)
+    assert simulation.divergence is None
+    assert simulation.time == pytest.approx(1.0)
+    assert area_of(simulation.positions) > 0.5 * area_of(np.array(positions))
+
+
+# ------------------------------------------------------------------------- all methods
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_comes_to_the_same_place(method: Method) -> None:
+    scene = surrounded("all", seed=3)
+    reference = run(scene, 0.25, "rodas5p", tolerance=1e-9).positions
+    numbers = {"dt": 2e-5 if METHODS[method].order == 1 else 1e-4, "tolerance": 1e-4}
+    off = np.abs(run(scene, 0.25, method, **numbers).positions - reference).max()
+    assert off <= (2.0 if METHODS[method].order == 1 else 0.1)
+
+
+@pytest.mark.parametrize(
+    ("kind", "method", "order"),
+    [
+        *[
+            ("fillings", method, METHODS[method].order)
+            for method in ("symplectic_euler", "velocity_verlet", "rk4")
+        ],
+        # A wall is entered with a jump of the second derivative of the force.
+        ("walls", "velocity_verlet", 2),
+        ("walls", "rk4", 2),
+        ("walls", "symplectic_euler", 1),
+    ],
+)
+def test_errors_fall_with_the_order_of_the_method(kind: str, method: Method, order: int) -> None:
+    scene = surrounded(kind, seed=3, air=0.0)
+    reference = run(scene, 0.1, "rodas5p", dt=0.1, tolerance=1e-11).positions
+    errors = [np.abs(run(scene, 0.1, method, dt=dt).positions - reference).max() for dt in (1e-4, 2.5e-5)]
+    assert math.log(errors[0] / errors[1], 4.0) >= order - 0.3, errors
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("method", ["auto", "adams", "rodas5p", "rk4", "velocity_verlet"])
+def test_the_books_balance(method: Method, kind: str) -> None:
+    scene = surrounded(kind, seed=5, held=(2,))
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=1e-5, tolerance=1e-8)))
+    simulation.energy()
+    x, y = scene.masses[2].position
+    worst = 0.0
+    for i in range(20):
+        simulation.lead(2, (x + i, y - 2.0 * i))
+        simulation.step(500)
+        worst = max(worst, abs(simulation.energy().residual))
+    book = simulation.energy()
+    largest = abs(book.kinetic) + abs(book.linear) + abs(book.damping) + abs(book.air)
+    assert worst <= 1e-4 * largest
+    assert (book.walls > 0.0 or book.friction < 0.0) == bool(scene.walls)
+    assert (book.fillings != 0.0) == bool(scene.fillings)
+    assert (book.friction == 0.0) == (not scene.walls)
+
+
+def test_the_same_bits_again_and_after_going_back() -> None:
+    scene = surrounded("all", seed=6)
+    one, other = run(scene, 0.3), run(scene, 0.3)
+    assert same_state(one, other)
+    moment = one.capture()
+    ends = []
+    for _ in range(2):
+        one.restore(moment)
+        one.advance(0.2)
+        ends.append(one.positions)
+    assert np.array_equal(*ends)
+
+
+def test_where_nothing_surrounds_there_is_nothing_to_pay_for() -> None:
+    around = system_of(Simulation(sim.load_scene("ring"))).body.surroundings
+    assert not around.present
+    assert all(array.size == 0 for name, array in around.arrays() if name not in ("loop_start", "mass"))
+
+
+def test_numpy_moves_a_body_in_surroundings_until_kernels_are_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sim.motion.simulation.is_ready", lambda names: False)
+    scene = surrounded("all", seed=3)
+    plain = Simulation(scene, wait=False)
+    plain.advance(0.1)
+    assert plain.plain
+    monkeypatch.undo()
+    assert np.abs(plain.positions - run(scene, 0.1, "rodas5p").positions).max() <= 1.0
+
+
+@pytest.mark.parametrize("kind", ["walls", "gas"])
+def test_the_stability_meter_sees_walls_and_fillings(kind: str) -> None:
+    hard = {
+        "walls": {"walls": (Wall(point=(0.0, -50.0), normal=(0.0, -1.0), hardness=1e5),)},
+        "gas": {"fillings": (Gas(masses=(0, 2, 4, 5, 3, 1), pressure=1e6),)},
+    }[kind]
+    scene = REPLACE(surrounded(kind, seed=1), **hard)
+    scene = REPLACE(scene, integrator=Integrator(method="symplectic_euler", dt=1e-5))
+    estimate = Simulation(scene).stability()
+    assert estimate.cause == {"walls": "walls", "gas": "fillings"}[kind]
+    bare = Simulation(REPLACE(scene, walls=(), fillings=())).stability()
+    assert estimate.limit < 0.5 * bare.limit
