@@ -75,10 +75,13 @@ box = _maker(Box, gravity=(0.0, 1000.0), air_friction=0.002, arrow_keys=_KEYS)
 polygon = _maker(Polygon, gravity=(0.0, 1000.0), air_friction=0.002, arrow_keys=_KEYS)
 hair_tuft = _maker(HairTuft, gravity=(0.0, 400.0), air_friction=0.0005, arrow_keys=_KEYS)
 flag_pole = _maker(
-    FlagPole, gravity=(0.0, 600.0), air_friction=0.0005, wind=Wind(velocity=(500.0, 0.0), turbulence=0.3)
+    FlagPole,
+    gravity=(0.0, 600.0),
+    air_friction=0.0005,
+    wind=Wind(velocity=(500.0, 0.0), turbulence=0.4, length_scale=200.0),
 )
 tree = _maker(
-    Tree, gravity=(0.0, 400.0), air_friction=0.0005, wind=Wind(velocity=(500.0, 0.0), turbulence=0.5)
+    Tree, gravity=(0.0, 400.0), air_friction=0.0005, wind=Wind(velocity=(350.0, 0.0), turbulence=0.5)
 )
 air_balloon = _maker(AirBalloon, **_FALLING)
 water_balloon = _maker(WaterBalloon, **_FALLING)

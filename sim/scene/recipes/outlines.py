@@ -86,7 +86,7 @@ class Balloon(Jointed, frozen=True, kw_only=True):
     center: Vector = (300.0, 180.0)
     stiffness: Stiffness = 10_000.0
     mass: Kilograms = 0.2
-    angular_stiffness: Stiffness = 300.0
+    angular_stiffness: Stiffness = 1000.0
 
     def expand(self) -> Parts:
         """See `Recipe.expand`."""

@@ -88,10 +88,10 @@ class Jelly(Sprung, frozen=True, kw_only=True):
     width: Size = 240.0
     height: Size = 150.0
     center: Vector = (300.0, 300.0)
-    shear_stiffness: ShearStiffness = 1500.0
+    shear_stiffness: ShearStiffness = 500.0
     bulk_modulus: BulkModulus = 1000.0
-    stiffness: Stiffness = 3000.0
-    damping: Damping = 10.0
+    stiffness: Stiffness = 1000.0
+    damping: Damping = 4.0
     mass: Kilograms = 0.5
     radius: Annotated[float, bounded(1e-3, 1e4, "px", "The radius a mass is drawn with")] = 4.0
 
@@ -139,9 +139,9 @@ class FlagPole(Jointed, frozen=True, kw_only=True):
     rows: Annotated[int, bounded(2, 10_000, "", "Rows of the flag", slider=(2, 8))] = 4
     length: Annotated[float, bounded(1e-3, 1e6, "px", "Length of the flag", slider=(60.0, 400.0))] = 228.0
     flag_stiffness: Stiffness = 1500.0
-    flag_damping: Damping = 2.0
+    flag_damping: Damping = 1.0
     flag_angular_stiffness: Stiffness = 30.0
-    shear_stiffness: ShearStiffness = 300.0
+    shear_stiffness: ShearStiffness = 30.0
     flag_mass: Annotated[float, bounded(1e-6, 1e6, "kg", "Mass of a flag's point", slider=(0.02, 1.0))] = 0.1
     stiffness: Stiffness = 20_000.0
     damping: Damping = 40.0

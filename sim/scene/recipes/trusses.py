@@ -42,7 +42,7 @@ class Girder(Sprung, frozen=True, kw_only=True):
     depth: Annotated[float, bounded(1e-3, 1e6, "px", "Depth", slider=(20.0, 150.0))] = 60.0
     start: Vector = (60.0, 300.0)
     stiffness: Stiffness = 200_000.0
-    damping: Damping = 100.0
+    damping: Damping = 400.0
     load: Load = 0.0
     strength: Strength | None = None
     yield_force: YieldForce | None = None
