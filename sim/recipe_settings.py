@@ -82,8 +82,11 @@ def _setting(field: str, meta: msgspec.Meta, body: int, before: str, integer: bo
         slider=extra["slider"],
         read=lambda scene: float(getattr(scene.bodies[body], field)),
         write=write,
+        # Links refer to masses by index, so with links the numbers of masses stay.
         applies=lambda scene: (
-            len(scene.anchors) < len(scene.masses) and getattr(scene.bodies[body], field) is not None
+            len(scene.anchors) < len(scene.masses)
+            and getattr(scene.bodies[body], field) is not None
+            and not (integer and scene.links)
         ),
         logarithmic=extra["logarithmic"],
         integer=integer,

@@ -66,3 +66,26 @@ def test_format_1_is_held_to_the_same_rules(fields: dict[str, Any], sentence: st
     for version in (1, 2):
         with pytest.raises(SceneError, match=f"^file: {sentence}"):
             decoded(format=version, **fields)
+
+
+def test_format_2_had_one_recipe_that_of_a_rope() -> None:
+    raw = {"name": "old", "rope": {"masses": 5, "length": 40}}
+    for fields in ({"format": 2}, {}):  # a file that does not say its format may be an old one, too
+        scene = decode_scene(json.dumps({**raw, **fields}).encode(), "file")
+        assert scene == Scene(name="old", bodies=(sim.Rope(masses=5, length=40.0),))
+    assert decoded(format=2, rope=None) == decoded(format=3)
+    with pytest.raises(SceneError, match="there is no field `rope`"):
+        decode_scene(json.dumps({**raw, "format": 3}).encode(), "file")
+
+
+@pytest.mark.parametrize(
+    ("rope", "sentence"),
+    [
+        ({"masses": 1}, r"^file: rope\.masses: 1 is not in the range 2\.\.20000 \(line 1, column \d+\)$"),
+        ({"direction": [0, 0]}, r"^file: rope\.direction: a direction of \(0, 0\) points nowhere"),
+        ([], r"^file: rope: an object is expected, not an array"),
+    ],
+)
+def test_errors_in_old_files_name_the_field_that_they_have(rope: Any, sentence: str) -> None:
+    with pytest.raises(SceneError, match=sentence):
+        decode_scene(json.dumps({"format": 2, "name": "old", "rope": rope}).encode(), "file")

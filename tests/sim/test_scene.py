@@ -51,6 +51,23 @@ BODY = Scene(
 ROPE = Scene(name="rope", bodies=(Rope(masses=4, driven=0, circle=Circle(radius=5.0)),))
 
 
+AROUND = REPLACE(
+    BODY,
+    fillings=(
+        sim.Gas(masses=(0, 1, 2), pressure=5.0, area=3.0),
+        sim.Liquid(masses=(2, 1, 0), bulk_modulus=2.0),
+    ),
+    wind=sim.Wind(velocity=(10.0, 0.0), turbulence=0.2),
+    walls=(sim.Wall(point=(0.0, 50.0), normal=(0.0, -1.0)),),
+    contact=sim.Contact(distance=2.0),
+    linear_springs=tuple(
+        REPLACE(spring, strength=9.0, yield_force=8.0, hardening=1.0) for spring in BODY.linear_springs
+    ),
+    angular_springs=(REPLACE(BODY.angular_springs[0], yield_torque=50.0),),
+)
+"""A scene with surroundings, and with springs that break and yield."""
+
+
 def refused(scene: Any) -> str:
     """The sentence for a scene that is not valid."""
     with pytest.raises(SceneError) as caught:
@@ -71,12 +88,24 @@ def rope_with(**changes: Any) -> Scene:
 
 
 def test_valid_scenes_are_returned_as_they_are() -> None:
-    for scene in (BODY, ROPE):
+    for scene in (BODY, ROPE, AROUND):
         assert validate(scene) is scene
 
 
 # ------------------------------------------------------------------------- what belongs together
 RULES: list[tuple[Scene, str]] = [
+    (changed("fillings.0.masses", (0, 1), AROUND), r"fillings\[0\]\.masses: .*at least three masses, not 2"),
+    (changed("fillings.1.masses", (0, 1, 3), AROUND), r"fillings\[1\]\.masses\[2\]: mass 3 does not exist"),
+    (changed("fillings.0.masses", (0, 1, 0, 2), AROUND), r"fillings\[0\]\.masses\[2\]: mass 0 .*already"),
+    (
+        changed("masses.2.position", (30.0, 0.0), AROUND),
+        r"fillings\[1\]\.masses: the loop has no area",  # the gas has one of its own
+    ),
+    (changed("walls.0.normal", (0.0, 0.0), AROUND), r"walls\[0\]\.normal: a normal of \(0, 0\)"),
+    (changed("linear_springs.1.stiffness", 0.0, AROUND), r"linear_springs\[1\]\.yield_force: .*is 0 never"),
+    (changed("linear_springs.0.strength", 7.0, AROUND), r"linear_springs\[0\]\.strength: 7 is below .* 8,"),
+    (changed("linear_springs.0.yield_force", None, AROUND), r"linear_springs\[0\]\.hardening: .*no effect"),
+    (changed("angular_springs.0.stiffness", 0.0, AROUND), r"angular_springs\[0\]\.yield_torque: .*never"),
     (REPLACE(BODY, format=4), r"format: .*version 4, newer than 3"),
     (Scene(name="none"), r"masses: a scene needs at least one mass, or a recipe in bodies"),
     (changed("linear_springs.1.b", 3), r"linear_springs\[1\]\.b: mass 3 does not exist \(0\.\.2\)"),
@@ -188,9 +217,16 @@ def test_what_is_no_scene_is_refused() -> None:
         assert "a Scene is expected" in refused(thing)
 
 
-FLOATS = [(BODY, route) for route in routes(BODY, float)] + [
-    (ROPE, route) for route in routes(ROPE, float) if route[0] == "bodies"
-]
+FLOATS = (
+    [(BODY, route) for route in routes(BODY, float)]
+    + [
+        (AROUND, route)
+        for route in routes(AROUND, float)
+        if route[0] in ("fillings", "wind", "walls", "contact")
+        or route[-1] in ("strength", "yield_force", "hardening", "yield_torque")
+    ]
+    + [(ROPE, route) for route in routes(ROPE, float) if route[0] == "bodies"]
+)
 
 
 def test_the_walk_finds_the_numbers() -> None:
@@ -199,6 +235,8 @@ def test_the_walk_finds_the_numbers() -> None:
     assert {
         "gravity[1]", "masses[0].mass", "linear_springs[0].damping", "angular_springs[0].rest_angle",
         "integrator.dt", "arrow_keys.interval", "view.frame[3]", "pose.velocities[0][1]", "bodies[0].offset",
+        "fillings[0].pressure", "fillings[0].area", "walls[0].normal[1]", "wind.velocity[0]", "contact.distance",
+        "linear_springs[0].strength", "linear_springs[0].yield_force", "angular_springs[0].yield_torque",
         "bodies[0].direction[0]", "bodies[0].circle.ramp", "anchors[0].circle.frequency",
         "integrator.tolerance",
     } <= found  # fmt: skip

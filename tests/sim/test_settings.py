@@ -221,6 +221,62 @@ def test_gravity_may_point_up_in_any_scene() -> None:
 
 
 # ------------------------------------------------------------------------- recipes and templates
+def several() -> Scene:
+    link = sim.LinearSpring(a=9, b=10, stiffness=500.0, damping=1.0, rest_length=30.0)
+    return validate(
+        Scene(name="several", bodies=(sim.Rod(), sim.FlagPole(driven=None), sim.Girder()), links=(link,))
+    )
+
+
+def test_numbers_of_several_bodies_have_the_place_of_their_body() -> None:
+    scene = several()
+    keys = [setting.key for setting in settings_of(scene)]
+    assert len(set(keys)) == len(keys)
+    assert {"bodies[0].length", "bodies[1].length", "bodies[2].load"} <= set(keys)
+    assert "length" not in keys
+    assert "bodies[2].strength" not in keys  # it has none
+    (label,) = (setting.label for setting in settings_of(scene) if setting.key == "bodies[1].length")
+    assert label == "FlagPole 2: Length of the flag"
+    changed = apply_assignments(scene, ["bodies[1].length=50", "bodies[0].masses=4"])
+    assert changed.bodies == (
+        REPLACE(sim.Rod(), masses=4),
+        sim.FlagPole(driven=None, length=50.0),
+        sim.Girder(),
+    )
+    assert len(changed.masses) == len(scene.masses) - 6
+    for key in ("bodies[3].length", "bodies[0].sides", "length"):
+        with pytest.raises(SettingError, match="there is no such setting; there are linear_stiffness"):
+            set_value(scene, key, 3.0)
+
+
+def test_what_stays_of_a_panel_is_the_same_setting() -> None:
+    # The page keeps a slider as long as its setting is equal to that before.
+    scene = several()
+    assert settings_of(scene) == settings_of(set_value(scene, "bodies[0].length", 99.0))
+    assert settings_of(scene) != settings_of(REPLACE(scene, bodies=scene.bodies[:1], masses=(), links=()))
+
+
+def test_all_springs_of_all_recipes_keep_their_proportion() -> None:
+    scene = several()
+    for key, springs in (("linear_stiffness", "linear_springs"), ("angular_stiffness", "angular_springs")):
+        before = [spring.stiffness for spring in getattr(scene, springs)]
+        changed = set_value(scene, key, 77.0)
+        after = [spring.stiffness for spring in getattr(changed, springs)]
+        assert max(after) == 77.0
+        assert after == pytest.approx([77.0 * value / max(before) for value in before])
+        assert len(set(after)) > 2
+    assert set_value(scene, "linear_stiffness", 0.0).links[0].stiffness == 0.0
+    again = set_value(set_value(scene, "linear_stiffness", 0.0), "linear_stiffness", 5.0)
+    assert max(spring.stiffness for spring in again.linear_springs) == 5.0
+
+
+def test_keys_bend_recipes() -> None:
+    scene = REPLACE(several(), arrow_keys=ArrowKeys())
+    turned = validate(shift_rest_angles(scene, 100.0))
+    assert [getattr(body, "bend", None) for body in turned.bodies] == [100.0, 100.0, None]
+    assert shift_rest_angles(turned, 100.0).bodies[0] == REPLACE(sim.Rod(), bend=-160.0)
+
+
 def test_masses_rebuild_the_rope() -> None:
     scene = set_value(load_scene("tutorial-3.3"), "masses", 21)
     assert (len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)) == (21, 20, 19)
