@@ -208,8 +208,8 @@ def replay(
 
 
 def same_body(one: sim.Scene, other: sim.Scene) -> bool:
-    """Whether two scenes differ in no more than their names, descriptions and views."""
-    plain = {"name": "scene", "description": "", "view": sim.View()}
+    """Whether two scenes differ in no more than their names, titles, descriptions and views."""
+    plain = {"name": "scene", "title": "", "description": "", "view": sim.View()}
     return msgspec.structs.replace(one, **plain) == msgspec.structs.replace(other, **plain)
 
 

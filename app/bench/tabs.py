@@ -17,6 +17,7 @@ from websockets.asyncio.client import connect
 from sim import Anchor, Integrator, LinearSpring, Mass, Scene
 from sim.scene.files import encode_scene
 
+from ..page import shelf
 from ..page.plan import FRAME_TIME
 from .client import CAMERA, Decoder, options_of
 from .serving import is_frame, served, warm
@@ -83,7 +84,8 @@ async def _visit(
             while not (channel and chooser):
                 await asyncio.sleep(STEER_EVERY)
             if scene:
-                await put(chooser, scene)
+                labels = {name: label for label, name in shelf.labels(scene).items()}
+                await put(chooser, labels[scene])
                 await asyncio.sleep(1.0)
             while not stop.is_set():
                 sequence += 1

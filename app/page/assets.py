@@ -14,6 +14,7 @@ from ..gate.gate import GateError, StaticFile
 _FOLDER = Path(__file__).parent / "static"
 _TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
 _FOREVER = "public, max-age=31536000, immutable"
+_STYLES = ("page.css", "overlay.css", "dock.css", "looks.css")  # later ones win
 _TITLE = "<title>Viser</title>"
 _VISERS_SCRIPT = {
     "<script data-p=": '<script type="module" data-p=',
@@ -60,7 +61,7 @@ def _index(folder: str) -> str:
         (
             "<title>softrod</title>",
             f'<link rel="icon" href="{folder}icon.svg" />',
-            f'<link rel="stylesheet" href="{folder}page.css" />',
+            *(f'<link rel="stylesheet" href="{folder}{name}" />' for name in _STYLES),
             f'<script type="module" src="{folder}main.js"></script>',
         )
     )

@@ -61,7 +61,7 @@ class Panel:
     Args:
         client: the page.
         session: its simulation.
-        scenes: names for the chooser.
+        scenes: for the chooser, names by their labels.
         act: what the tab does beyond the session's commands: "open" a scene by its name, "notice", "theme",
             "gizmos", "fit", "follow", "energy", "anew", "help".
 
@@ -70,11 +70,16 @@ class Panel:
     """
 
     def __init__(
-        self, client: viser.ClientHandle, session: Session, scenes: list[str], act: Callable[[str, Any], None]
+        self,
+        client: viser.ClientHandle,
+        session: Session,
+        scenes: dict[str, str],
+        act: Callable[[str, Any], None],
     ) -> None:
         self._client = client
         self._session = session
         self._act = act
+        self._scenes = scenes
         self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
         self._applicable: list[Setting] | None = None
@@ -92,7 +97,7 @@ class Panel:
         self._style = gui.add_html("")
         self.tabs = gui.add_tab_group()
         self._play_tab = self.tabs.add_tab("Play")
-        self._build_play(scenes)
+        self._build_play()
         self._body_tab = self.tabs.add_tab("Body")
         with self._body_tab:
             self._own_values = gui.add_button(
@@ -111,23 +116,32 @@ class Panel:
             session.post(commands.OwnValues("body"))
 
     # --------------------------------------------------------------------- what stays
-    def _build_play(self, scenes: list[str]) -> None:
+    def _build_play(self) -> None:
         gui, post = self._client.gui, self._session.post
         with self._play_tab:
-            self.chooser = gui.add_dropdown("Scene", tuple(scenes), initial_value=scenes[0], order=1)
+            self.chooser = gui.add_dropdown("Scene", tuple(self._scenes), order=1)
+            # Choosing the scene that is shown once more does nothing in viser.
+            anew = self._anew = gui.add_button(
+                "Open anew", icon=viser.Icon.REFRESH, hint="open this scene anew", order=1.5
+            )
             self._about = gui.add_html("", order=2)
             # Between them are the sliders that make most of the scene.
             self._follow = gui.add_checkbox("Follow pointer", initial_value=False, hint="key F", order=LAST)
             self._readout = gui.add_html("", order=LAST + 1)
             self._pad = gui.add_html(readouts.PAD, visible=False, order=LAST + 2)
             help_button = gui.add_button("Help", icon=viser.Icon.HELP, color="gray", order=LAST + 3)
-        self.outlined.append(help_button)
+        self.outlined += [anew, help_button]
 
         @self.chooser.on_update
         def _(event: viser.GuiEvent[Any]) -> None:
             # Not on the event loop: a large scene takes a second to read.
-            if event.client_id is not None:
-                self._act("open", self.chooser.value)
+            name = self._scenes.get(self.chooser.value)
+            if event.client_id is not None and name is not None:
+                self._act("open", name)
+
+        @anew.on_click
+        async def _(_: object) -> None:
+            self._act("anew", None)
 
         @self._follow.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -210,8 +224,7 @@ class Panel:
         Those that stay are kept: their user may be in the middle of moving one.
         """
         scene, gui = self._session.scene, self._client.gui
-        if name in self.chooser.options and self.chooser.value != name:
-            self.chooser.value = name
+        self._show_choice(name)
         self._about.content = readouts.description(scene)
         self._pad.visible = scene.arrow_keys is not None
         self._follow.visible = self._session.driven is not None
@@ -276,13 +289,17 @@ class Panel:
                 self._session.post(commands.SetValue("template", float(choice.value.rstrip("°"))))
 
     # --------------------------------------------------------------------- what changes
-    def set_scenes(self, names: list[str], present: str) -> None:
-        """Offer other scenes in the chooser."""
-        options = tuple(names if present in names else [*names, present])
-        if self.chooser.options != options:
-            self.chooser.options = options
-        if self.chooser.value != present:
-            self.chooser.value = present
+    def set_scenes(self, scenes: dict[str, str], present: str) -> None:
+        """Offer other scenes in the chooser: names by their labels."""
+        self._scenes = scenes
+        if self.chooser.options != tuple(scenes):
+            self.chooser.options = tuple(scenes)
+        self._show_choice(present)
+
+    def _show_choice(self, name: str) -> None:
+        label = next((label for label, other in self._scenes.items() if other == name), None)
+        if label is not None and self.chooser.value != label:
+            self.chooser.value = label
 
     @property
     def unsettled(self) -> bool:
@@ -328,6 +345,7 @@ class Panel:
         """Colours of the page, and the boxes that are hidden in it."""
         sliders = [(_id(slider_box.slider), _id(slider_box.box)) for slider_box in self._sliders]
         outlined = [_id(button) for button in self.outlined]
-        content = script.style_html(palette("softrod", dark), dark, sliders, outlined)
+        colors = palette("softrod", dark)
+        content = script.style_html(colors, dark, sliders, outlined, beside=_id(self._anew))
         if self._style.content != content:
             self._style.content = content

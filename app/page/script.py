@@ -40,7 +40,9 @@ ONCE: dict[str, Command] = {
 """Commands that the script sends by a word; `follow` is a switch besides."""
 
 
-def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], outlined: list[str]) -> str:
+def style_html(
+    colors: Palette, dark: bool, sliders: list[tuple[str, str]], outlined: list[str], beside: str = ""
+) -> str:
     """The styles in a palette's colours.
 
     Args:
@@ -48,6 +50,7 @@ def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], outl
         dark: whether the page is dark.
         sliders: ids of sliders, each with that of the number box that stands in place of the slider's own.
         outlined: ids of buttons that are drawn as an outline.
+        beside: id of a button that stands beside the control before it, as its icon.
     """
     rows = ",".join(f'div:has(>[id="{slider}"])' for slider, _ in sliders)
     boxes = ",".join(f'.mantine-NumberInput-root:has([id="{box}"])' for _, box in sliders)
@@ -60,6 +63,7 @@ def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], outl
         "text": colors.css("text"),
         "line": colors.css("grid_major"),
         "brand": colors.css("driven"),
+        "on-brand": "#0b1020" if dark else "#ffffff",
         "paper": colors.css("paper"),
         "key": "#1a2230" if dark else "#f6f8fb",
         "warn": "#ff922b" if dark else "#c2410c",
@@ -70,6 +74,11 @@ def style_html(colors: Palette, dark: bool, sliders: list[tuple[str, str]], outl
         rules += "border:1px solid var(--softrod-text)}"
         rules += f":is({buttons}):hover{{background:var(--softrod-key)}}"
         rules += f":is({buttons}):disabled{{opacity:0.45}}"
+    if beside:
+        rules += f'div:has(+div>[id="{beside}"]){{padding-right:46px!important}}'
+        rules += f'div:has(>[id="{beside}"]){{width:30px;margin:-34px 10px 0 auto!important}}'
+        rules += f'[id="{beside}"]{{width:30px;height:26px!important;padding:0;font-size:0}}'
+        rules += f'[id="{beside}"] .mantine-Button-section{{margin:0!important;font-size:14px}}'
     variables = ";".join(f"--softrod-{name}:{value}" for name, value in root.items())
     return f"<style>:root{{{variables}}}{rules}</style>"
 
@@ -90,6 +99,7 @@ def told(channel: str, scene: str, session: Session, playing: bool, at_rest: boo
     return {
         "channel": channel,
         "scene": scene,
+        "title": session.scene.title or session.scene.name,
         "width": (frame[2] - frame[0]) * size,
         "height": (frame[3] - frame[1]) * size,
         "follow": int(session.follow),

@@ -36,3 +36,19 @@ def scenes() -> tuple[SceneInfo, ...]:
 @functools.lru_cache(maxsize=1)
 def _read_once(_: Stamp) -> tuple[SceneInfo, ...]:
     return tuple(sim.list_scenes())
+
+
+def labels(present: str) -> dict[str, str]:
+    """The chooser's scenes, the present one among them: names by labels.
+
+    Presets go by their titles, saved scenes by the names that they were saved under.
+    """
+    offered = [info for info in scenes() if not info.group]
+    names = {info.name for info in offered} | {present}
+    found: dict[str, str] = {}
+    for info in offered:
+        by_title = info.built_in and info.title and info.title not in names
+        found[info.title if by_title else info.name] = info.name
+    if present not in found.values():
+        found[present] = present
+    return found

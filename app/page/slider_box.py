@@ -57,7 +57,7 @@ class SliderBox:
         self._post, self._tell = post, tell
         self.refused = False
         self._touched = -math.inf
-        self._known = value  # what the solver has, as far as this slider_box knows
+        self._known = value  # what the solver has, as far as this page knows
         self._retired = False
         low, high = setting.slider
         self._low, self._high = self._to_slider(low), self._to_slider(high)

@@ -157,7 +157,7 @@ class Tab:
 
     def _begin(self, session: Session) -> Session:
         """The panel, which is made after the first picture has been sent."""
-        self._panel = Panel(self.client, session, self._scene_names(self._first.name), self.request)
+        self._panel = Panel(self.client, session, shelf.labels(self._first.name), self.request)
         with self._panel.files_tab:
             self._files = FilesPanel(self.client, session, self.notify)
         self._panel.outlined += self._files.outlined
@@ -209,7 +209,7 @@ class Tab:
         self._plan(session)
         self._view.show_gizmos(self._gizmos)
         self._panel.build(scene.name)
-        self._panel.set_scenes(self._scene_names(scene.name), scene.name)
+        self._panel.set_scenes(shelf.labels(scene.name), scene.name)
         self._panel.set_style(self._dark)
         self._moved_at = session.now()
         self._generation = session.generation
@@ -315,7 +315,7 @@ class Tab:
                     session.post(commands.SelectJoint(joint))
                     session.revision += 1
             elif what == "scenes":
-                self._panel.set_scenes(self._scene_names(session.scene.name), session.scene.name)
+                self._panel.set_scenes(shelf.labels(session.scene.name), session.scene.name)
             elif what == "help":
                 self._help()
 
@@ -357,8 +357,3 @@ class Tab:
                 if self._runaway is not None:
                     self._runaway.remove()
                 self._runaway = handle
-
-    @staticmethod
-    def _scene_names(present: str) -> list[str]:
-        names = [info.name for info in shelf.scenes() if not info.group]
-        return names if present in names else [*names, present]

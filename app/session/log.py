@@ -27,6 +27,7 @@ from sim.motion.simulation import Key
 from sim.scene.files import MAX_FILE_BYTES, decode_scene, encode_scene
 from sim.scene.numbers import Angle, Vector
 from sim.scene.sentences import in_words
+from sim.scene.validate import consistent_pose
 
 FORMAT, VERSION = "softrod-log", 1
 
@@ -293,7 +294,11 @@ def restore_entry(moment: sim.Moment, with_scene: bool) -> Restore:
     """The entry that leads to a moment."""
     x, y, vx, vy = moment.rows.tolist()
     return Restore(
-        pose=sim.Pose(positions=tuple(zip(x, y, strict=True)), velocities=tuple(zip(vx, vy, strict=True))),
+        pose=sim.Pose(
+            positions=tuple(zip(x, y, strict=True)),
+            velocities=tuple(zip(vx, vy, strict=True)),
+            damage=moment.damage,
+        ),
         time=moment.time,
         step=moment.step_count,
         scale=moment.rest_length_scale,
@@ -306,14 +311,11 @@ def moment_of(entry: Restore, scene: sim.Scene) -> sim.Moment:
     """The moment that an entry leads to, of a scene.
 
     Raises:
-        SceneError: the entry has another number of masses.
+        SceneError: the entry's pose is not one of the scene's body.
     """
-    for name in ("positions", "velocities"):
-        count = len(getattr(entry.pose, name))
-        if count != len(scene.masses):
-            raise SceneError(f"pose.{name}: {count} entries do not match the {len(scene.masses)} masses")
-    rows = np.array([*np.array(entry.pose.positions).T, *np.array(entry.pose.velocities).T])
-    return sim.Moment(scene, entry.scale, entry.shift, np.ascontiguousarray(rows), entry.time, entry.step)
+    pose = consistent_pose(entry.pose, scene)
+    rows = np.ascontiguousarray([*np.array(pose.positions).T, *np.array(pose.velocities).T])
+    return sim.Moment(scene, entry.scale, entry.shift, rows, entry.time, entry.step, pose.damage)
 
 
 def is_recorded(data: bytes) -> bool:

@@ -40,6 +40,16 @@ def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
     else:
         text = (
             f"{str(divergence)[:1].upper()}{str(divergence)[1:]}. The last good state is shown. Go back to "
-            "just before it, move it more gently or lower the time step, and go on; or press Reset."
+            f"just before it, {_remedy(divergence)}, and go on; or press Reset."
         )
     return Notice("error", "The simulation ran away", text, runaway=True)
+
+
+def _remedy(divergence: sim.Divergence) -> str:
+    """What helps where the time step was below the stability limit."""
+    if divergence.driven:
+        # No step is small enough for a law that makes energy.
+        return "move it more gently, raise the damping or choose another force law"
+    if divergence.adaptive:
+        return "move it more gently or raise the damping"
+    return "lower the time step, choose the integrator Auto, raise the damping or move it more gently"

@@ -21,7 +21,8 @@ from ..kernels.core.tables import (
 )
 from ..kernels.forces.laws import LAWS, NO_JOINTS
 from ..methods.registry import METHODS
-from ..scene.types import Scene, is_surrounded
+from ..scene.types import Scene, is_damageable, is_surrounded
+from .damage import new_strength
 from .surroundings import new_surroundings
 
 _SOFT_IN_TOLERANCES = 0.02
@@ -41,6 +42,7 @@ class System:
         body: the tables; masses and springs are numbered as the kernels visit them.
         mass_order: (n,) scene index of the mass in slot 1, 2, ..., n.
         mass_index: (n,) the slot, counted from 1, of each mass of the scene.
+        spring_order: (S,) scene index of each spring of the tables.
         joint_order: (J,) index of the joint in the tables for each angular spring of the scene.
         inverse_mass: (n,) 1/kg, in slot order, also of held masses.
         held: (n,) whether a mass is held, in slot order.
@@ -50,6 +52,7 @@ class System:
     body: Body
     mass_order: Indices
     mass_index: Indices
+    spring_order: Indices
     joint_order: Indices
     inverse_mass: Floats
     held: np.ndarray
@@ -61,10 +64,10 @@ def build_system(scene: Scene) -> System:
 
     A chain is a body whose springs run head to tail through all masses, and whose angular springs each
     hold a spring and the next one; its masses and springs may be listed in any order. A ring is a closed
-    chain. A body in surroundings is neither: its forces reach across.
+    chain. A body in surroundings is neither, nor is one that yields or breaks.
     """
     n = len(scene.masses)
-    order = None if is_surrounded(scene) else _order_along(scene)
+    order = None if is_surrounded(scene) or is_damageable(scene) else _order_along(scene)
     mass_order, spring_order = order or (list(range(n)), _hinged_first(scene))
     mass_index = np.empty(n, np.int64)
     mass_index[mass_order] = np.arange(1, n + 1)
@@ -85,6 +88,7 @@ def build_system(scene: Scene) -> System:
         body=body,
         mass_order=np.array(mass_order, np.int64),
         mass_index=mass_index,
+        spring_order=np.array(spring_order, np.int64),
         joint_order=joint_order,
         inverse_mass=1.0 / np.array([scene.masses[i].mass for i in mass_order], float),
         held=held,
@@ -145,6 +149,7 @@ def new_state(system: System) -> State:
     body = system.body
     slots = slots_of(body)
     joints = max(body.joints, body.stiffness.size) + 1
+    damageable = body.strength.present
     sizes = {
         "q": (2 * slots, 1),
         "v": (2 * slots, 1),
@@ -154,6 +159,10 @@ def new_state(system: System) -> State:
         "torque_sin": (joints, 1),
         "torque_rest": (joints, 0),
         "clock": (1, 0),
+        "set_length": (body.springs if damageable else 0, 0),
+        "set_angle": (body.joints if damageable else 0, 0),
+        "hardened": (body.springs if damageable else 0, 0),
+        "broken": (body.springs if damageable else 0, 0),
     }
     arrays = slab([sizes.get(field, (slots, 1)) for field in State.fields], page_offset=0)
     state = State(**dict(zip(State.fields, arrays, strict=True)))
@@ -166,7 +175,11 @@ def refresh(body: Body, state: State) -> None:
     scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
     springs, joints = slice(body.springs), slice(1, body.joints + 1)
     state.pull[springs] = body.stiffness[springs] * (body.rest_length[springs] * scale)
-    rest = np.radians(180.0 - (180.0 - (body.joint_rest + shift)) % 360.0)
+    angle = body.joint_rest + shift
+    if body.strength.present:
+        state.pull[springs] += body.stiffness[springs] * state.set_length
+        angle = angle + state.set_angle
+    rest = np.radians(180.0 - (180.0 - angle) % 360.0)
     state.torque_rest[joints] = rest
     state.torque_cos[joints] = body.joint_stiffness * np.cos(rest)
     state.torque_sin[joints] = body.joint_stiffness * np.sin(rest)
@@ -297,6 +310,7 @@ def _body(
         more_spring=more_spring,
         more_spring_mass=more_spring_mass,
         more_spring_sign=more_spring_sign,
+        strength=new_strength(scene, np.array(spring_order, np.int64), joint_order),
         surroundings=new_surroundings(scene, mass_index, _slots_for(n, room if in_order else 0)),
     )
     for _, array in body.arrays():

@@ -25,10 +25,20 @@ from numba import types
 
 from ..kernels.around.around import accelerations_around
 from ..kernels.core.jit import cache_folder, module_of
-from ..kernels.core.shared import ACCELERATIONS, ACCUMULATE, FACTORISE, FLOATS, RESISTANCE, SOLVE
+from ..kernels.core.shared import (
+    ACCELERATIONS,
+    ACCUMULATE,
+    FACTORISE,
+    FLOATS,
+    OVERSTRAINED,
+    RESISTANCE,
+    SETTLE,
+    SOLVE,
+)
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
 from ..kernels.energy.work import accumulate_work
+from ..kernels.forces.damage import overstrained, settle
 from ..kernels.forces.forces import accelerations
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.fallback import run_fallback
@@ -101,6 +111,8 @@ def _entry_points() -> dict[str, EntryPoint]:
         ("matrices with walls, wind and fillings", factorise_surrounded, FACTORISE.args),
         ("linear systems with fillings", solve_surrounded, SOLVE.args),
         ("damping by walls and wind", add_surrounding_damping, RESISTANCE.args),
+        ("limits of springs", overstrained, OVERSTRAINED.args),
+        ("yielding and breaking", settle, SETTLE.args),
     ]
     found: dict[str, EntryPoint] = {}
     for label, kernel, signature in points:

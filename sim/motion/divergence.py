@@ -47,8 +47,7 @@ class Divergence:
         stability: the stability limit in question: that of the body at its start or, if the time step was
             below it, in its last good shape.
         adaptive: whether the method has a tolerance, so that the time step cannot be the cause.
-        driven: whether the force law has no energy and the method has a tolerance, so that the law, and not
-            the method, made the body ever faster.
+        driven: whether the force law has no energy, so that the law itself can make the body ever faster.
     """
 
     mass: int
@@ -77,10 +76,13 @@ class Divergence:
                 f"time step {self.dt:.4g} s is above the stability limit {self.stability.limit:.2g} s, "
                 f"which the {self.stability.cause} sets"
             )
-        if self.driven:
-            return "the tutorial's force law has no energy and can drive a body ever faster; others cannot"
-        violently = "the body was moved or set up too violently"
-        return violently if self.adaptive else f"{violently} for this time step"
+        ever_faster = "the tutorial's force law has no energy and can drive a body ever faster"
+        if self.adaptive:
+            return ever_faster if self.driven else "the body was moved or set up too violently"
+        if math.isinf(self.stability.limit):
+            return "the body was moved or set up too violently for this time step"
+        small = "the time step is below the stability limit, but that is for small motions about one pose"
+        return f"{small}; large or fast ones can pass it" + (f", and {ever_faster}" if self.driven else "")
 
 
 def explain(scene: Scene, system: System, state: State, steps: int, outcome: Outcome) -> Divergence:
@@ -88,7 +90,7 @@ def explain(scene: Scene, system: System, state: State, steps: int, outcome: Out
     quantity, limit = LIMITS[outcome.what]
     method, dt = METHODS[scene.integrator.method], scene.integrator.dt
     limit = MAX_SPEED if quantity == "speed" and method.adaptive else limit
-    driven = method.adaptive and scene.force_law == "tutorial" and system.body.joints > 0
+    driven = scene.force_law == "tutorial" and system.body.joints > 0
     mass = int(system.mass_order[outcome.mass_index - 1]) if outcome.mass_index > 0 else 0
     blame = limit_to_blame(system, state, method.name, dt, scene.air_friction)
     return Divergence(mass, steps, quantity, limit, dt, blame, method.adaptive, driven)

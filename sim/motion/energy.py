@@ -6,14 +6,15 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from ..body.system import System
 from ..kernels.core.tables import (
     WORK_AIR,
     WORK_ANCHORS,
+    WORK_BROKEN,
     WORK_DAMPING,
     WORK_FALLBACK,
     WORK_KEYS,
     WORK_LAW,
+    WORK_PLASTIC,
     WORK_WALLS,
     State,
 )
@@ -35,6 +36,7 @@ class EnergyBook:
             of its height; releasing it adds that of its height at that moment.
         damping, air, friction: work of the damping of springs, of air friction, and of walls by friction and
             in bouncing, which is negative; but wind can do work on a body.
+        plastic, broken: energy lost in yielding, and with springs and joints that broke, which is negative.
         law: work of a force law that is not the gradient of an energy.
         keys: work of keys that change rest lengths and rest angles.
         changes: energy added by changes of settings.
@@ -53,6 +55,8 @@ class EnergyBook:
     damping: float
     air: float
     friction: float
+    plastic: float
+    broken: float
     law: float
     keys: float
     changes: float
@@ -73,11 +77,11 @@ class Books:
     """Keeps the energy balance of a simulation; made only when it is asked for.
 
     Args:
-        scene, system, state, solver: of the simulation.
+        scene, state, solver: of the simulation.
     """
 
-    def __init__(self, scene: Scene, system: System, state: State, solver: Solver) -> None:
-        self._scene, self._system, self._state = scene, system, state
+    def __init__(self, scene: Scene, state: State, solver: Solver) -> None:
+        self._scene, self._state = scene, state
         self._solver = solver
         self._solver.open_balance()
         self._changes = 0.0
@@ -94,6 +98,8 @@ class Books:
             damping=float(work[WORK_DAMPING]),
             air=float(work[WORK_AIR]),
             friction=float(work[WORK_WALLS]),
+            plastic=float(work[WORK_PLASTIC]),
+            broken=float(work[WORK_BROKEN]),
             law=float(work[WORK_LAW]),
             keys=float(work[WORK_KEYS]),
             changes=self._changes,
@@ -103,9 +109,9 @@ class Books:
 
     def total(self) -> float:
         """The sum of the energies of the present state, kg px²/s²."""
-        state, gravity = self._state, self._scene.gravity
-        mass = self._solver.balance.mass
-        return float(energies(self._system.body, state, mass, *gravity, state.q, state.v, self._energies))
+        state, gravity, solver = self._state, self._scene.gravity, self._solver
+        body, mass = solver.system.body, solver.balance.mass
+        return float(energies(body, state, mass, *gravity, state.q, state.v, self._energies))
 
     def moved(self, before: float) -> None:
         """Enter that held masses were moved at once, grabbed or released; the total was `before`."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..scene.types import Scene
+from ..scene.types import Damage, Scene
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -23,6 +23,7 @@ class Moment:
         rows: (4, n) x, y (px) and vx, vy (px/s) of the scene's masses; not to be written to.
         time: simulated time, s.
         step_count: time steps done until then.
+        damage: what has yielded and broken, or None.
     """
 
     scene: Scene
@@ -31,6 +32,7 @@ class Moment:
     rows: NDArray[np.float64]
     time: float
     step_count: int
+    damage: Damage | None = None
 
     @property
     def positions(self) -> NDArray[np.float64]:

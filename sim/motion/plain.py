@@ -23,7 +23,7 @@ _CAREFULLY = 0.2
 
 class PlainSolver:
     """Has the interface of a `Solver`. Uses symplectic Euler for methods of order 1, otherwise velocity
-    Verlet.
+    Verlet. Nothing yields or breaks.
 
     Args:
         scene: a valid scene.
@@ -40,14 +40,24 @@ class PlainSolver:
     def __init__(self, scene: Scene, system: System, state: State) -> None:
         self.time, self.index, self.tries = 0.0, -1, 0
         self.fastest = RUNAWAY_SPEED
-        self._body, self._state = system.body, state
-        self._physics = Physics(system.body, state)
+        self._state = state
+        self.system = system
         method, dt = METHODS[scene.integrator.method], scene.integrator.dt
         # Euler takes the scene's step. Verlet stands in for methods that may handle longer steps than it
         # does.
         self._euler = method.order == 1
         self._longest = dt if self._euler else min(dt, _CAREFULLY * damped_limit(system))
         self._a: Vectors | None = None  # of the present state
+
+    @property
+    def system(self) -> System:
+        """The tables; without the springs that were broken when it started."""
+        return self._system
+
+    @system.setter
+    def system(self, system: System) -> None:
+        self._system, self._body = system, system.body
+        self._physics = Physics(system.body, self._state)
 
     def load(self, time: float) -> None:
         """Start from the state in `state`, at a time (s)."""

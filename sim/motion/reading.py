@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..body.stable_spring import clamp_stiffness
 from ..body.system import build_system, new_state
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
-from ..scene.types import Anchor, Pose, Scene
+from ..scene.types import Anchor, Damage, Pose, Scene
 from ..settings import shift_rest_angles
 
 
@@ -66,8 +66,10 @@ class Reading:
     @property
     def rest_angles(self) -> NDArray[np.float64]:
         """(J,) the present rest angle of each angular spring, in degrees in (-180, 180]."""
-        angles = self._body.joint_rest[self._system.joint_order] + self._state.controls[CONTROL_SHIFT]
-        return 180.0 - (180.0 - angles) % 360.0
+        angles = self._body.joint_rest + self._state.controls[CONTROL_SHIFT]
+        if self._body.strength.present:
+            angles = angles + self._state.set_angle
+        return 180.0 - (180.0 - angles[self._system.joint_order]) % 360.0
 
     @property
     def rest_length_scale(self) -> float:
@@ -84,6 +86,21 @@ class Reading:
         return Pose(
             positions=tuple((x, y) for x, y in self.positions.tolist()),
             velocities=tuple((x, y) for x, y in self.velocities.tolist()),
+            damage=self.damage,
+        )
+
+    @property
+    def damage(self) -> Damage | None:
+        """What has yielded and broken; None where nothing has."""
+        state, system = self._state, self._system
+        if not (state.set_length.any() or state.set_angle.any() or state.broken.any()):
+            return None
+        index = np.argsort(system.spring_order)  # of each spring of the scene, in the tables
+        return Damage(
+            broken=tuple(np.flatnonzero(state.broken[index]).tolist()),
+            set_lengths=tuple(state.set_length[index].tolist()),
+            hardened=tuple(state.hardened[index].tolist()),
+            set_angles=tuple(state.set_angle[system.joint_order].tolist()),
         )
 
     # --------------------------------------------------------------------- inside
@@ -94,7 +111,7 @@ class Reading:
         if scene.integrator.method == "stable_spring":
             body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
             system = dataclasses.replace(system, body=body)
-        self._system = system
+        self._whole = self._system = system  # `_system` is without what has broken
         self._body = system.body
         self._state: State = new_state(system)
         springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
@@ -110,10 +127,23 @@ class Reading:
             field.take(index, out=row, mode="clip")
         return rows
 
-    def _adopt(self, rows: NDArray[np.float64]) -> None:
-        """Fill in the state from what `_rows` gives."""
+    def _adopt(self, rows: NDArray[np.float64], damage: Damage | None) -> None:
+        """Fill in the state from what `_rows` and `damage` give."""
         state, index = self._state, self._system.mass_index
         state.x[index], state.y[index], state.vx[index], state.vy[index] = rows
+        if not self._body.strength.present:
+            return
+        order, joints = self._system.spring_order, self._system.joint_order
+        for array in (state.set_length, state.hardened, state.set_angle, state.broken):
+            array[:] = 0.0
+        if damage is not None:
+            state.broken[:] = np.isin(order, damage.broken)
+            if damage.set_lengths:
+                state.set_length[:] = np.array(damage.set_lengths)[order]
+            if damage.hardened:
+                state.hardened[:] = np.array(damage.hardened)[order]
+            if damage.set_angles:
+                state.set_angle[joints] = damage.set_angles
 
     def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
         index = self._system.mass_index

@@ -9,6 +9,7 @@ from typing import Literal
 import msgspec
 import numpy as np
 
+from ..body.damage import without_broken
 from ..body.system import new_scratch, refresh, same_topology
 from ..compiling.compiler import FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
@@ -217,6 +218,7 @@ class Simulation(Reading):
             self._stepper.begin(self._time)
             self._moved = False
         outcome = self._go(n, attempts)
+        self._look_at_tables()
         self._time = self._stepper.time
         self._steps += outcome.steps
         self._hands.settle()
@@ -240,7 +242,8 @@ class Simulation(Reading):
 
     def reset(self) -> None:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
-        self._adopt(self._system.start[:, self._system.mass_index - 1])
+        pose = self._scene.pose
+        self._adopt(self._system.start[:, self._system.mass_index - 1], pose.damage if pose else None)
         self._steps = 0
         self._time = self._owed = 0.0
         self._hands.clear()
@@ -252,7 +255,7 @@ class Simulation(Reading):
         rows = self._rows()
         if self._hands.grabbed:
             rows[2:, list(self._hands.grabbed)] = 0.0
-        return Moment(self._scene, scale, shift, rows, self._time, self._steps)
+        return Moment(self._scene, scale, shift, rows, self._time, self._steps, self.damage)
 
     def restore(self, moment: Moment) -> None:
         """Back to a moment of this scene, or of another: settings, rest lengths and angles, motion and time.
@@ -264,7 +267,7 @@ class Simulation(Reading):
         kept = self._books is not None
         if moment.scene is not self._scene:
             self._install(moment.scene)
-        self._adopt(moment.rows)
+        self._adopt(moment.rows, moment.damage)
         self._time, self._steps, self._owed = moment.time, moment.step_count, 0.0
         self._hands.clear()
         self._restart((moment.rest_length_scale, moment.rest_angle_shift))
@@ -273,7 +276,7 @@ class Simulation(Reading):
 
     def take_state(self, other: Simulation) -> None:
         """Take over positions, velocities, time and held masses of a simulation of the same topology."""
-        self._adopt(other._rows())
+        self._adopt(other._rows(), other.damage)
         self._time, self._steps, self._owed = other._time, other._steps, other._owed
         self._hands.take_over(other._hands)
         self._keys = other._keys
@@ -291,11 +294,11 @@ class Simulation(Reading):
             self._install(scene)
             self.reset()
             return
-        rows, hands, books = self._rows(), self._hands, self._books
+        rows, damage, hands, books = self._rows(), self.damage, self._hands, self._books
         if books is not None:
             books.close()
         self._install(scene)
-        self._adopt(rows)
+        self._adopt(rows, damage)
         self._hands.take_over(hands)
         self._restart()
         # Where the kernels of the new method are still being compiled, there are no books for now.
@@ -313,7 +316,7 @@ class Simulation(Reading):
 
     def _new_books(self) -> Books:
         assert isinstance(self._stepper.solver, Solver)
-        return Books(self._scene, self._system, self._state, self._stepper.solver)
+        return Books(self._scene, self._state, self._stepper.solver)
 
     def _with_overrides(self, scene: Scene) -> Scene:
         if isinstance(scene, Scene) and self._overrides:
@@ -347,10 +350,20 @@ class Simulation(Reading):
         self.divergence = None
         self._folded = (self._scene.rest_length_scale, 0.0), self._scene
         self._state.controls[:] = controls or self._folded[0]
+        if self._body.strength.present:
+            broken = self._state.broken
+            self._stepper.solver.system = without_broken(self._whole, broken) if broken.any() else self._whole
+            self._look_at_tables()
         refresh(self._body, self._state)
         self._weigh()
         if self._books is not None:
             self._books = self._new_books()
+
+    def _look_at_tables(self) -> None:
+        """Take over the tables of the solver, which lose the springs that break."""
+        system = self._stepper.solver.system
+        if system is not self._system:
+            self._system, self._body, self._meter = system, system.body, None
 
     def _weigh(self) -> None:
         """Say what forces do to each mass: nothing where it is held."""

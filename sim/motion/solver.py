@@ -6,11 +6,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..body.damage import without_broken
 from ..body.sparsity import NO_MATRIX, new_matrix
-from ..body.system import System, slab
+from ..body.system import System, refresh, slab
 from ..compiling.compiler import for_fallback, is_ready, needed_by
 from ..kernels.around.around import accelerations_around
-from ..kernels.core.shared import ACCELERATIONS, ACCUMULATE, FACTORISE, RESISTANCE, SOLVE, address_of
+from ..kernels.core.shared import (
+    ACCELERATIONS,
+    ACCUMULATE,
+    FACTORISE,
+    OVERSTRAINED,
+    RESISTANCE,
+    SETTLE,
+    SOLVE,
+    address_of,
+)
 from ..kernels.core.tables import (
     ARM_ADAMS,
     ARM_ALPHA,
@@ -50,6 +60,7 @@ from ..kernels.core.tables import (
 )
 from ..kernels.energy.dissipation import DAMPER_ROWS
 from ..kernels.energy.work import accumulate_work
+from ..kernels.forces.damage import overstrained, settle
 from ..kernels.forces.forces import accelerations
 from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
@@ -133,7 +144,7 @@ class Solver:
         self, scene: Scene, system: System, state: State, scratch: Scratch, wait: bool = True
     ) -> None:
         self._wait = wait
-        self.scene, self.system, self.state, self.scratch = scene, system, state, scratch
+        self.scene, self._system, self.state, self.scratch = scene, system, state, scratch
         self.slots = state.q.size // 2
         wide = state.q.size
         self._info = METHODS[scene.integrator.method]
@@ -163,6 +174,17 @@ class Solver:
         self._problem: Problem | None = None
         self._costs: Floats | None = None  # of a step of each method, see `Problem`
         self._missing: set[int] = set()  # indices of methods that `auto` cannot choose yet
+
+    @property
+    def system(self) -> System:
+        """The tables; they change when springs break."""
+        return self._system
+
+    @system.setter
+    def system(self, system: System) -> None:
+        self._system, self._problem = system, None
+        if self._matrix is not None and not system.body.chain:
+            self._matrix.damping[1:] = system.body.damping
 
     @property
     def matrix(self) -> Matrix:
@@ -201,15 +223,30 @@ class Solver:
         """
         left = attempts - self._run(until, drive, attempts)
         counts = self.integrator.counts
-        what = int(counts[COUNT_WHAT])
         can_fall_back = self._info.implicit and (self._wait or is_ready(for_fallback(self._surrounded)))
-        while what == guard.STUCK and can_fall_back and left > 0 and self.time < until:
-            self.fall_back(until, drive)
-            left -= self._run(until, drive, left)
-            what = int(counts[COUNT_WHAT])
+        while (what := int(counts[COUNT_WHAT])) != guard.GOOD:
+            if what == guard.CHANGED:
+                self._take_damage()
+            elif what == guard.STUCK and can_fall_back and left > 0 and self.time < until:
+                self.fall_back(until, drive)
+            else:
+                break
+            if left > 0 and self.time < until:
+                left -= self._run(until, drive, left)
         if what == guard.STUCK and self._info.implicit:
             what = guard.GOOD  # it is only late: the next call begins with a fallback step
         return what
+
+    def _take_damage(self) -> None:
+        """Go on with the springs that are left, after some have yielded or broken."""
+        integrator = self.integrator
+        integrator.counts[COUNT_WHAT] = guard.GOOD
+        # What implicit methods remember of the last steps does not belong to these forces.
+        integrator.controller[[CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, CONTROLLER_BEGUN]] = 0.0
+        system = without_broken(self.system, self.state.broken)
+        if not np.array_equal(system.body.stiffness, self.system.body.stiffness):
+            self.system = system
+            refresh(system.body, self.state)
 
     def _run(self, until: float, drive: Drive, attempts: int) -> int:
         """Like `run`, without fallback steps; returns the number of steps tried."""
@@ -251,7 +288,7 @@ class Solver:
             self._take_in()
         costs = np.zeros(ARMS) if self._costs is None else self._costs.copy()
         costs[list(self._missing)] = 0.0
-        around = self._surrounded
+        around, damageable = self._surrounded, self.system.body.strength.present
         force = accelerations_around if around else accelerations
         factorise, solve = (
             (factorise_surrounded, solve_surrounded) if around else (factorise_matrix, solve_matrix)
@@ -267,6 +304,8 @@ class Solver:
             accumulate=address_of(accumulate_work, ACCUMULATE) if self.balance.active else 0,
             factorise=address_of(factorise, FACTORISE) if implicit else 0,
             solve=address_of(solve, SOLVE) if implicit else 0,
+            overstrained=address_of(overstrained, OVERSTRAINED) if damageable else 0,
+            settle=address_of(settle, SETTLE) if damageable else 0,
             resistance=address_of(add_surrounding_damping, RESISTANCE) if implicit and around else 0,
             fixed=0.0 if info.adaptive else integrator.dt,
             near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,

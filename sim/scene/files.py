@@ -36,7 +36,8 @@ class SceneInfo:
     """One entry of `list_scenes()`.
 
     Attributes:
-        name, description: of the scene.
+        name: of the file, without its suffix.
+        title, description: of the scene.
         path: of its file.
         built_in: whether it ships with softrod.
         group: the folder of presets that it is in, such as "study", or empty.
@@ -47,6 +48,7 @@ class SceneInfo:
     path: Path
     built_in: bool
     group: str = ""
+    title: str = ""
 
 
 def built_in_folder() -> Path:
@@ -273,7 +275,7 @@ def list_scenes() -> list[SceneInfo]:
             continue
         built_in = path in presets
         group = path.parent.name if built_in and path.parent != built_in_folder() else ""
-        found.append(SceneInfo(path.stem, scene.description, path, built_in, group))
+        found.append(SceneInfo(path.stem, scene.description, path, built_in, group, scene.title))
     return found
 
 
@@ -312,6 +314,8 @@ def user_path(name: str) -> Path:
 def save_user_scene(scene: Scene, name: str) -> str:
     """Save a scene in the user's folder, and return the name used, see `safe_name`.
 
+    The title is left out: it is that of the scene from which this one was made.
+
     Raises:
         SceneError: the name is not usable, the scene not valid, or the file cannot be written.
     """
@@ -320,7 +324,7 @@ def save_user_scene(scene: Scene, name: str) -> str:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise SceneError(f"{path.parent}: the folder cannot be made ({error.strerror or error})") from None
-    save_scene(msgspec.structs.replace(scene, name=path.stem), path)
+    save_scene(msgspec.structs.replace(scene, name=path.stem, title=""), path)
     return path.stem
 
 

@@ -18,8 +18,8 @@ from .types import ArrowKeys, Scene
 from .validate import validate
 
 _OF_SCENES = (
-    "name", "description", "gravity", "air_friction", "wind", "walls", "contact", "rest_length_scale",
-    "force_law", "integrator", "arrow_keys", "view", "pose",
+    "name", "title", "description", "gravity", "air_friction", "wind", "walls", "contact",
+    "rest_length_scale", "force_law", "integrator", "arrow_keys", "view", "pose",
 )  # fmt: skip
 """The fields of a scene that its maker takes."""
 

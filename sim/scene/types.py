@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta
 
-from .numbers import Coordinate, Name, Speed, Vector, bounded, of_python
+from .numbers import Angle, Coordinate, Force, Index, Name, Speed, Vector, bounded, of_python
 from .parts import Anchor, AngularSpring, Circle, LinearSpring, Mass
 from .recipes.recipe import AnyRecipe, Rope, expand
 from .surroundings import Contact, Gas, Liquid, Wall, Wind
@@ -36,6 +36,7 @@ __all__ = [
     "Scene",
     "Template",
     "View",
+    "is_damageable",
     "is_surrounded",
     "rebuilt",
 ]
@@ -115,16 +116,34 @@ class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     readouts: tuple[Readout, ...] = ("degrees", "rest_angle")
 
 
+class Damage(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What has yielded and broken in a running simulation. A tuple is empty where nothing of its kind has.
+
+    Attributes:
+        broken: indices of the linear springs that are broken, ascending.
+        set_lengths: px by which the rest length of each linear spring has moved for good.
+        hardened: kg px/s² by which the yield force of each linear spring has grown.
+        set_angles: degrees by which the rest angle of each angular spring has moved for good.
+    """
+
+    broken: tuple[Index, ...] = ()
+    set_lengths: tuple[Coordinate, ...] = ()
+    hardened: tuple[Force, ...] = ()
+    set_angles: tuple[Angle, ...] = ()
+
+
 class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Positions and velocities of all masses, saved from a running simulation.
 
     Attributes:
         positions: one per mass, px.
         velocities: one per mass, px/s.
+        damage: what has yielded and broken, or None.
     """
 
     positions: tuple[Vector, ...]
     velocities: tuple[tuple[Speed, Speed], ...]
+    damage: Damage | None = None
 
 
 class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -137,6 +156,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     Attributes:
         format: version of the file format, 3.
         name: 1..60 characters.
+        title: what the scene is called where people choose one, at most 60 characters; empty for its name.
         description: what the scene shows, at most 2000 characters.
         bodies: the recipes; the masses and springs of each come after those of the one before.
         links: linear springs between masses of the bodies; they come after all others.
@@ -158,6 +178,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 
     format: Annotated[int, Meta(ge=1)] = FORMAT_VERSION
     name: Name
+    title: Annotated[str, Meta(max_length=60)] = ""
     description: Annotated[str, Meta(max_length=2000)] = ""
     bodies: tuple[AnyRecipe, ...] = ()
     links: tuple[LinearSpring, ...] = ()
@@ -195,6 +216,13 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 def is_surrounded(scene: Scene) -> bool:
     """Whether anything acts on a scene's masses besides springs, still air and gravity."""
     return bool(scene.walls or scene.fillings or (scene.wind and scene.air_friction > 0.0))
+
+
+def is_damageable(scene: Scene) -> bool:
+    """Whether any spring of a scene breaks or yields."""
+    return any(
+        spring.strength is not None or spring.yield_force is not None for spring in scene.linear_springs
+    ) or any(joint.yield_torque is not None for joint in scene.angular_springs)
 
 
 def rebuilt(scene: Scene, **changes: Any) -> Scene:

@@ -18,7 +18,7 @@ from .numbers import MAX_MASSES, MAX_SPRINGS, of_python
 from .recipes.assembly import TooLarge, loop_area
 from .recipes.recipe import expand
 from .sentences import difference, sentence, unit_of
-from .types import BODY_FIELDS, FORMAT_VERSION, Scene
+from .types import BODY_FIELDS, FORMAT_VERSION, Pose, Scene
 
 _SHORTEST = 1e-9
 """Distance, px, below which the ends of a spring count as coincident: the spring would have no direction."""
@@ -56,6 +56,17 @@ def consistent(scene: Scene) -> Scene:
     return scene
 
 
+def consistent_pose(pose: Pose, scene: Scene) -> Pose:
+    """Return a pose whose types and ranges are right, or refuse it because it is not one of the scene's body.
+
+    Raises:
+        SceneError: as `validate`.
+    """
+    for problem in _pose_problems(scene, pose):
+        raise SceneError(problem)
+    return pose
+
+
 def plain(scene: Scene) -> dict[str, Any]:
     """The scene as dicts, tuples, numbers and strings."""
     return msgspec.to_builtins(scene, enc_hook=of_python)
@@ -83,6 +94,7 @@ def _problems(scene: Scene) -> Iterator[str]:
         )
     for field, text in (
         ("name", scene.name),
+        ("title", scene.title),
         ("description", scene.description),
         ("view.unit", scene.view.unit),
     ):
@@ -108,7 +120,7 @@ def _problems(scene: Scene) -> Iterator[str]:
     xmin, ymin, xmax, ymax = scene.view.frame
     if not (xmax - xmin > 1e-3 and ymax - ymin > 1e-3):
         yield "view.frame: it must run from (x min, y min) to a larger (x max, y max)"
-    yield from _pose_problems(scene, n)
+    yield from _pose_problems(scene, scene.pose)
 
 
 def _recipe_problems(scene: Scene) -> Iterator[str]:
@@ -241,12 +253,27 @@ def _anchor_problems(scene: Scene, n: int) -> Iterator[str]:
             driven = i
 
 
-def _pose_problems(scene: Scene, n: int) -> Iterator[str]:
-    if scene.pose is not None:
-        for field in ("positions", "velocities"):
-            count = len(getattr(scene.pose, field))
-            if count != n:
-                yield f"pose.{field}: {count} entries do not match the {n} masses"
+def _pose_problems(scene: Scene, pose: Pose | None) -> Iterator[str]:
+    if pose is None:
+        return
+    n, damage = len(scene.masses), pose.damage
+    for field in ("positions", "velocities"):
+        count = len(getattr(pose, field))
+        if count != n:
+            yield f"pose.{field}: {count} entries do not match the {n} masses"
+    if damage is not None:
+        springs, joints = len(scene.linear_springs), len(scene.angular_springs)
+        for field, of, what in (
+            ("set_lengths", springs, "linear"),
+            ("hardened", springs, "linear"),
+            ("set_angles", joints, "angular"),
+        ):
+            count = len(getattr(damage, field))
+            if count not in (0, of):
+                yield f"pose.damage.{field}: {count} entries do not match the {of} {what} springs"
+        for i, spring in enumerate(damage.broken):
+            if spring >= springs:
+                yield f"pose.damage.broken[{i}]: spring {spring} does not exist ({_span(springs)})"
 
 
 def _span(count: int) -> str:

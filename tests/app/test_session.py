@@ -302,6 +302,40 @@ def test_a_runaway_body_stops_with_the_cause_in_the_user_s_words(page: SessionPa
     assert np.abs(session.simulation.positions).max() <= 1e6
 
 
+def pulled_without_damping(page: SessionPage, law: str, dt: float = 0.0025) -> None:
+    """The rope's end is pulled aside by 250 px while the clock stands, and let go: no damping, no air."""
+    page.frames(1, commands.Play(False))
+    for key in ("linear_damping", "air_friction"):
+        page.frames(1, commands.SetValue(key, 0.0))
+    page.frames(1, commands.SetValue("dt", dt), commands.SetChoice("force_law", law))
+    x, y = page.session.simulation.positions[-1]
+    page.frames(1, commands.DragStart(11, x, y), commands.DragTo(x + 250.0, y))
+    page.frames(1, commands.DragEnd())
+    page.frames(20)
+    assert page.session.simulation.dt < 0.8 * page.session.stability.limit
+    page.frames(600, commands.Play(True))
+
+
+@pytest.mark.parametrize("law", ["tutorial", "conservative"])
+def test_a_body_that_runs_away_below_the_limit_is_told_why_that_can_be(page: SessionPage, law: str) -> None:
+    pulled_without_damping(page, law)
+    divergence = page.session.simulation.divergence
+    assert divergence is not None
+    assert divergence.dt < divergence.stability.limit
+    (notice,) = page.session.notices
+    assert "below the stability limit, but that is for small motions about one pose" in notice.text
+    assert "raise the damping" in notice.text
+    # A smaller step helps where the law has an energy, and nowhere else.
+    assert ("lower the time step" in notice.text) == (law == "conservative")
+    assert ("no energy" in notice.text) == (law == "tutorial")
+
+
+@pytest.mark.parametrize(("law", "helps"), [("tutorial", False), ("conservative", True)])
+def test_a_smaller_step_helps_where_the_notice_says_so(page: SessionPage, law: str, helps: bool) -> None:
+    pulled_without_damping(page, law, dt=0.0005)
+    assert (page.session.simulation.divergence is None) == helps
+
+
 def test_the_meter_warns_before_that(page: SessionPage) -> None:
     page.frames(20, commands.Play(True))
     calm = page.session.stability.limit

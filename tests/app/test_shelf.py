@@ -40,3 +40,23 @@ def test_the_folder_is_read_once_for_all_pages(home: Path, monkeypatch: pytest.M
     assert own() == ["one"]
     monkeypatch.setattr(sim, "list_scenes", lambda: pytest.fail("read again"))
     assert own() == ["one"]
+
+
+def test_presets_go_by_their_titles_and_saved_scenes_by_their_names(home: Path) -> None:
+    files.save_user_scene(sim.load_scene("ring"), "my ring")
+    labels = shelf.labels("elsewhere")
+    assert labels["Rope (3.3)"] == "tutorial-3.3"
+    assert labels["my ring"] == "my ring"
+    assert labels["elsewhere"] == "elsewhere"
+    # Every scene that is offered can be told from the others, and opened.
+    offered = [info.name for info in shelf.scenes() if not info.group]
+    assert sorted(labels.values()) == sorted([*offered, "elsewhere"])
+    assert sim.load_scene("my ring").title == ""
+
+
+def test_a_saved_scene_may_be_called_as_a_preset_is_titled(home: Path) -> None:
+    assert shelf.labels("ring")["Flag and pole"] == "flag-pole"
+    files.save_user_scene(sim.rope(), "Flag and pole")
+    labels = shelf.labels("ring")
+    assert labels["Flag and pole"] == "Flag and pole"
+    assert labels["flag-pole"] == "flag-pole"

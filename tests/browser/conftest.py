@@ -43,9 +43,10 @@ def browser_path(playwright: Playwright) -> str:
     """A Chromium or Chrome on this machine."""
     asked = os.environ.get("SOFTROD_BROWSER")
     if asked is not None:
-        if shutil.which(asked) is None:
+        path = shutil.which(asked)
+        if path is None:
             pytest.fail(f"SOFTROD_BROWSER is {asked!r}, which is no program that can be run.", pytrace=False)
-        return asked
+        return path
     found = next(filter(None, map(shutil.which, NAMES)), None) or playwright.chromium.executable_path
     if not Path(found).exists():
         pytest.fail(

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page
 
+from app.page import shelf
 from app.page.tab import Tab
 from app.server.ticker import Ticker
 from app.session.commands import Command
@@ -358,7 +359,9 @@ class Desk:
         box.press("Enter")
 
     def choose(self, name: str, option: str) -> None:
-        """Choose from a dropdown."""
+        """Choose from a dropdown; a scene by its name."""
+        if name == "Scene":
+            option = next(label for label, scene in shelf.labels("").items() if scene == option)
         self.control(name).click()
         self.page.get_by_role("option", name=option, exact=True).and_(self.page.locator(":visible")).click()
 

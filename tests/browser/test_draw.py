@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import sim
+from app.page import shelf
 from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.looks import PRESETS, assert_shown
@@ -52,7 +53,7 @@ def test_every_preset_opens_and_is_drawn(open_page: OpenPage) -> None:
         assert not desk.complaints
         all_held = len(desk.simulation.anchors) == len(start)
         assert (np.abs(desk.simulation.positions - start).max() > 0.5) != all_held
-        assert desk.control("Scene").input_value() == name
+        assert shelf.labels("")[desk.control("Scene").input_value()] == name
 
 
 @pytest.mark.parametrize("phone", [False, True], ids=["desktop", "phone"])

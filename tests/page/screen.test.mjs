@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Attempts } from "../../app/page/static/connection.js";
+import { edgeArrow } from "../../app/page/static/edge.js";
 import { jointAngles, roundUp } from "../../app/page/static/overlay.js";
 import { nearest, onScreen, worldAt } from "../../app/page/static/screen.js";
 
@@ -52,4 +53,15 @@ test("an attempt to connect has its time, and another begins when it has failed"
   assert.equal(attempts.begin(9000), true);
   attempts.end();
   assert.equal(attempts.begin(9001), true);
+});
+
+test("an arrow at the edge points to a body that is out of view, and there is none while a mass is in view", () => {
+  const view = { left: 0, right: 800, top: 0, bottom: 600 };
+  assert.equal(edgeArrow([2000, 300, 400, 300], view), null);
+  assert.equal(edgeArrow([], view), null);
+  assert.equal(edgeArrow([NaN, NaN], view), null);
+  const right = edgeArrow([2000, 300, 9000, 100], view);
+  assert.ok(right && right.x < 800 && right.x > 700 && right.y === 300 && right.turn === 0, JSON.stringify(right));
+  const corner = edgeArrow([-100, 700], view);
+  assert.ok(corner && corner.x > 0 && corner.y < 600 && Math.abs(corner.turn - 135) < 1e-9, JSON.stringify(corner));
 });

@@ -73,7 +73,7 @@ def test_format_2_had_one_recipe_that_of_a_rope() -> None:
     for fields in ({"format": 2}, {}):  # a file that does not say its format may be an old one, too
         scene = decode_scene(json.dumps({**raw, **fields}).encode(), "file")
         assert scene == Scene(name="old", bodies=(sim.Rope(masses=5, length=40.0),))
-    assert decoded(format=2, rope=None) == decoded(format=3)
+    assert decoded(format=2, bodies=()) == decoded(format=3)
     with pytest.raises(SceneError, match="there is no field `rope`"):
         decode_scene(json.dumps({**raw, "format": 3}).encode(), "file")
 

@@ -235,8 +235,9 @@ def test_the_walk_finds_the_numbers() -> None:
     assert {
         "gravity[1]", "masses[0].mass", "linear_springs[0].damping", "angular_springs[0].rest_angle",
         "integrator.dt", "arrow_keys.interval", "view.frame[3]", "pose.velocities[0][1]", "bodies[0].offset",
-        "fillings[0].pressure", "fillings[0].area", "walls[0].normal[1]", "wind.velocity[0]", "contact.distance",
-        "linear_springs[0].strength", "linear_springs[0].yield_force", "angular_springs[0].yield_torque",
+        "fillings[0].pressure", "fillings[0].area", "walls[0].normal[1]", "wind.velocity[0]",
+        "contact.distance", "linear_springs[0].strength", "linear_springs[0].yield_force",
+        "angular_springs[0].yield_torque",
         "bodies[0].direction[0]", "bodies[0].circle.ramp", "anchors[0].circle.frequency",
         "integrator.tolerance",
     } <= found  # fmt: skip

@@ -6,13 +6,12 @@
 import { shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
 import { choose, chosenMass } from "./overlay.js";
+import { pointText } from "./screen.js";
 
-/** Pixels of the scene's frame, taken as 600 high, that a key moves a mass by. */
-const STEP = 6;
+/** How far an arrow moves a mass, in units of the world: a hundredth of the scene's frame. */
+const STEP = 0.06;
+/** How many times farther with Shift. */
 const FAR = 5;
-const FRAME = 600;
-/** The page's world is so many units for 600 pixels. */
-const WORLD = 6;
 
 /** @type {Record<string, [number, number]>} */
 const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
@@ -44,8 +43,6 @@ export function addBodyKeys() {
     const [x, y] = frame.positions.subarray(2 * mass, 2 * mass + 2);
     return { x: (x - plan.x) * plan.scale, y: (y - plan.y) * plan.scale * plan.flip };
   };
-  /** @param {{x: number, y: number}} at */
-  const text = (at) => `${at.x.toFixed(6)},${at.y.toFixed(6)}`;
   const letGo = () => {
     if (!hand) return;
     hand = null;
@@ -54,9 +51,7 @@ export function addBodyKeys() {
   };
 
   stop.addEventListener("focus", () => {
-    const { plan } = shown();
-    if (plan && (chosenMass() < 0 || chosenMass() >= plan.radius.length)) choose(Math.max(plan.driven, 0));
-    else choose(chosenMass());
+    choose(Math.max(shown().plan?.driven ?? 0, 0));
     say(`${name()}. Arrows choose, Space takes hold`);
   });
   stop.addEventListener("blur", () => {
@@ -72,14 +67,14 @@ export function addBodyKeys() {
       if (hand) letGo();
       else if (at) {
         hand = at;
-        send("grab", `${chosenMass()}|${text(at)}`);
+        send("grab", `${chosenMass()}|${pointText(at)}`);
         send("pick", String(chosenMass()));
         say(`${name()} in hand. Arrows move it`);
       }
     } else if (move && hand) {
-      const step = ((STEP * WORLD) / FRAME) * (event.shiftKey ? FAR : 1);
+      const step = STEP * (event.shiftKey ? FAR : 1);
       hand = { x: hand.x + move[0] * step, y: hand.y + move[1] * step };
-      send("at", text(hand));
+      send("at", pointText(hand));
     } else if (move) {
       const count = plan.radius.length;
       choose((chosenMass() + (event.key === "ArrowRight" || event.key === "ArrowDown" ? 1 : count - 1)) % count);
@@ -89,12 +84,13 @@ export function addBodyKeys() {
     event.stopPropagation();
   });
 
-  let playing = told().playing;
+  let before = told();
   onTold(() => {
-    const { plan } = shown();
-    stop.ariaLabel = `Body of ${plan?.radius.length ?? 0} masses`;
-    if (told().offer === "1") say("The simulation ran away and is stopped");
-    else if (told().playing !== playing) say(told().playing === "1" ? "Running" : "Paused");
-    playing = told().playing;
+    const now = told();
+    stop.ariaLabel = `Body of ${shown().plan?.radius.length ?? 0} masses`;
+    if (before.scene !== undefined && now.scene !== before.scene) letGo();
+    if (now.offer === "1" && before.offer !== "1") say("The simulation ran away and is stopped");
+    else if (before.playing !== undefined && now.playing !== before.playing) say(now.playing === "1" ? "Running" : "Paused");
+    before = now;
   });
 }

@@ -1,21 +1,25 @@
 // @ts-check
 /** The camera: seen from the front, moved and zoomed but never turned. */
+import { shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
+import { toWorld } from "./draw.js";
 import { placeTransport } from "./transport.js";
 import { viser } from "./viser.js";
 
 /** Room around the scene's frame. */
 const MARGIN = 1.04;
+/** How many times larger than the scene's frame a view may be; a body farther away is left out. */
+const LARGEST = 20;
 /** Milliseconds between two looks at the size of the canvas, and at whether viser has its way with the camera. */
 const LOOK_EVERY = 100;
-let fits = 0;
 
-/** Where the camera was after that. @type {number[]} */
+let fits = 0;
+/** Where the last fit put the camera. @type {number[]} */
 let seen = [];
 /** @type {(() => void)[]} */
 const listeners = [];
 
-/** Whether the camera is still there. */
+/** Whether the camera is still where the last fit put it. */
 function untouched() {
   const { camera } = viser() ?? {};
   const now = camera ? [camera.position.x, camera.position.y, camera.position.z] : [];
@@ -25,7 +29,7 @@ function untouched() {
 /** How often the scene was fitted to the window. */
 export const fitted = () => fits;
 
-/** Calls back whenever it was. @param {() => void} listener */
+/** Calls back after every fit. @param {() => void} listener */
 export const onFit = (listener) => listeners.push(listener);
 
 /** @param {import("./viser.js").Controls} controls */
@@ -59,27 +63,57 @@ function covered(canvas, box) {
   return box.bottom - top;
 }
 
-/** Shows the scene's frame, whole, in the part of the canvas that can be seen; whether it could. */
-export function fit() {
+/**
+ * What is to be seen, in the page's world.
+ *
+ * @param {number} width of the scene's frame, whose middle is the origin
+ * @param {number} height
+ * @param {boolean} withBody whether the body belongs to it, wherever it is
+ */
+function bounds(width, height, withBody) {
+  const { plan, frame } = shown();
+  const all = { left: -width / 2, right: width / 2, low: -height / 2, high: height / 2 };
+  if (!withBody || !plan || !frame) return all;
+  const world = toWorld(plan, frame.positions);
+  const whole = { ...all };
+  for (let i = 0; i < world.length; i += 2) {
+    const radius = plan.radius[i / 2];
+    whole.left = Math.min(whole.left, world[i] - radius);
+    whole.right = Math.max(whole.right, world[i] + radius);
+    whole.low = Math.min(whole.low, world[i + 1] - radius);
+    whole.high = Math.max(whole.high, world[i + 1] + radius);
+  }
+  const size = Math.max((whole.right - whole.left) / width, (whole.high - whole.low) / height);
+  return size <= LARGEST ? whole : all;
+}
+
+/**
+ * Shows the scene's frame, whole, in the part of the canvas that can be seen.
+ *
+ * @param {boolean} [withBody] whether also the body, wherever it is
+ * @returns {boolean} whether it could
+ */
+export function fit(withBody = false) {
   const { canvas, camera, cameraControl: controls, nodeRefFromName } = viser() ?? {};
   const root = nodeRefFromName?.[""];
   const [width, height] = [Number(told().width), Number(told().height)];
-  if (!canvas || !camera || !controls || !root || !(width > 0)) return false;
+  if (!canvas || !camera || !controls || !root || !(width > 0 && height > 0)) return false;
   const box = canvas.getBoundingClientRect();
-  if (!(box.width > 0 && box.height > 0)) return false;
   const sheet = covered(canvas, box);
   const hidden = sheet + placeTransport(box, sheet);
   const free = box.height - hidden;
-  const perPixel = MARGIN * Math.max(width / box.width, height / free);
+  if (!(box.width > 0 && free > 0)) return false;
+  const { left, right, low, high } = bounds(width, height, withBody);
+  const perPixel = MARGIN * Math.max((right - left) / box.width, (high - low) / free);
   const distance = (perPixel * box.height) / (2 * Math.tan((camera.fov * Math.PI) / 360));
-  const low = -(perPixel * hidden) / 2;
+  const [x, y] = [(left + right) / 2, (low + high) / 2 - (perPixel * hidden) / 2];
   controls.minAzimuthAngle = -Infinity;
   controls.maxAzimuthAngle = Infinity;
   // From the nodes' coordinates to those of the camera.
-  const eye = camera.position.clone().set(0, low, distance).applyMatrix4(root.matrixWorld);
-  const target = camera.position.clone().set(0, low, 0).applyMatrix4(root.matrixWorld);
+  const eye = camera.position.clone().set(x, y, distance).applyMatrix4(root.matrixWorld);
+  const target = camera.position.clone().set(x, y, 0).applyMatrix4(root.matrixWorld);
   controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, false);
-  controls.maxDistance = 20 * distance;
+  controls.maxDistance = LARGEST * distance;
   controls.minDistance = distance / 200;
   controls.update(0);
   flatten(controls);
@@ -111,7 +145,9 @@ export function keepFlat() {
     placeTransport(box, sheet);
     // A view that its user has chosen stays when the panel's sheet grows or shrinks.
     const grown = sheet !== covers && untouched();
-    if ((told().scene !== scene || size !== now || grown) && fit()) {
+    // The same scene again means that somebody asked for it: the number before the point is the scene's.
+    const asked = told().scene !== scene && told().scene?.split(".")[0] === scene?.split(".")[0];
+    if ((told().scene !== scene || size !== now || grown) && fit(asked)) {
       scene = told().scene;
       size = now;
       covers = sheet;

@@ -29,6 +29,8 @@ const state = {
   drawn: 0,
 };
 const glide = new Glide();
+/** viser's page, once it is there. @type {Viser | null} */
+let page = null;
 /** Who owns each node of the body; updates must name the owner. @type {Map<string, string | undefined>} */
 const owners = new Map();
 /** Colours that a node has. @type {Map<string, Uint8Array>} */
@@ -43,6 +45,78 @@ export const shown = () => state;
 /** Calls back with every picture. @param {(frame: Frame, plan: Plan) => void} listener */
 export const onPicture = (listener) => listeners.push(listener);
 
+const seconds = () => performance.now() / 1e3;
+
+/** Hands a message on to viser. @param {Message} message */
+const pass = (message) => page && Array.prototype.push.call(page.messageQueue, message);
+
+/** Asks for a picture. A hidden page has no animation frames; it is drawn when it is looked at again. */
+function ask() {
+  if (!asked) requestAnimationFrame(paint);
+  asked = true;
+}
+
+function paint() {
+  asked = false;
+  const { plan } = state;
+  const frame = glide.at(seconds());
+  if (frame && plan && frame.generation === plan.generation) {
+    state.frame = frame;
+    state.since = performance.now();
+    show(plan, frame);
+    state.drawn += 1;
+    page?.requestRender();
+    for (const listener of listeners) listener(frame, plan);
+  }
+  if (glide.busy) ask();
+}
+
+/** @param {Plan} plan @param {Frame} frame */
+function show(plan, frame) {
+  const world = draw.toWorld(plan, frame.positions);
+  put("springs", draw.springs(plan, frame, world));
+  put("wedges", draw.wedges(plan, frame, world));
+  if (plan.pinned.length) put("pins", draw.pins(plan, world));
+  if (plan.driven >= 0) put("ring", draw.ring(plan, world));
+  put("masses", draw.masses(plan, world));
+  if (frame.ghost) put("ghost", draw.ghost(plan, draw.toWorld(plan, frame.ghost)));
+}
+
+/** Fills a node with its instances; colours only when they changed. @param {string} name @param {Instances} instances */
+function put(name, instances) {
+  const node = BODY + name;
+  if (!owners.has(node)) return;
+  const { batched_colors: wanted, ...updates } = instances;
+  const before = colors.get(node);
+  if (wanted && !(before && before.length === wanted.length && wanted.every((value, i) => value === before[i]))) {
+    colors.set(node, wanted);
+    Object.assign(updates, { batched_colors: wanted });
+  }
+  pass({ type: "SceneNodeUpdateMessage", name: node, owner: owners.get(node), updates });
+}
+
+/** Takes a plan or a frame, if a message has one. @param {string} name @param {Float32Array | undefined} data */
+function take(name, data) {
+  if (!data) return;
+  if (name === PLAN) {
+    state.plan = readPlan(data);
+    colors.clear();
+  } else {
+    glide.take(readFrame(data), seconds());
+  }
+  ask();
+}
+
+/** Notes which nodes of the body there are. @param {Message} message */
+function note({ type, name = "", owner, props }) {
+  if (type === "RemoveSceneNodeMessage") owners.delete(name);
+  if (!props || !name.startsWith(BODY)) return;
+  owners.set(name, owner);
+  colors.delete(name);
+  glide.last = null; // a new node has to be filled in
+  ask();
+}
+
 /**
  * Stands in the way of viser's messages.
  *
@@ -50,87 +124,23 @@ export const onPicture = (listener) => listeners.push(listener);
  * @param {((content: unknown) => void)[]} heard get the content of elements of HTML, or undefined
  */
 export function drawBody(viser, heard) {
-  const queue = viser.messageQueue;
-  const seconds = () => performance.now() / 1e3;
+  page = viser;
   /** @param {Message} message */
-  const pass = (message) => Array.prototype.push.call(queue, message);
-
-  /** @param {string} name @param {Float32Array} data */
-  const take = (name, data) => {
-    if (name === PLAN) {
-      state.plan = readPlan(data);
-      colors.clear();
+  const sort = (message) => {
+    const { name = "", props, updates } = message;
+    if (name === PLAN || name === FRAME) {
+      take(name, props?.points ?? updates?.points);
+    } else if (name === KEEPSAKE) {
+      if (updates?.colors) keep(updates.colors);
     } else {
-      glide.take(readFrame(data), seconds());
-    }
-    ask();
-  };
-  const ask = () => {
-    if (asked) return;
-    asked = true;
-    // A hidden page has no animation frames; it is drawn when it is looked at again.
-    requestAnimationFrame(paint);
-  };
-
-  /** @param {string} name @param {Instances} instances */
-  const put = (name, instances) => {
-    const node = BODY + name;
-    if (!owners.has(node)) return;
-    const { batched_colors: wanted, ...updates } = instances;
-    const before = colors.get(node);
-    if (wanted && !(before && before.length === wanted.length && wanted.every((value, i) => value === before[i]))) {
-      colors.set(node, wanted);
-      Object.assign(updates, { batched_colors: wanted });
-    }
-    pass({ type: "SceneNodeUpdateMessage", name: node, owner: owners.get(node), updates });
-  };
-  /** @param {Plan} plan @param {Frame} frame */
-  const show = (plan, frame) => {
-    const world = draw.toWorld(plan, frame.positions);
-    put("springs", draw.springs(plan, frame, world));
-    put("wedges", draw.wedges(plan, frame, world));
-    if (plan.pinned.length) put("pins", draw.pins(plan, world));
-    if (plan.driven >= 0) put("ring", draw.ring(plan, world));
-    put("masses", draw.masses(plan, world));
-    if (frame.ghost) put("ghost", draw.ghost(plan, draw.toWorld(plan, frame.ghost)));
-  };
-  const paint = () => {
-    asked = false;
-    const { plan } = state;
-    const frame = glide.at(seconds());
-    if (frame && plan && frame.generation === plan.generation) {
-      state.frame = frame;
-      state.since = performance.now();
-      show(plan, frame);
-      state.drawn += 1;
-      viser.requestRender();
-      for (const listener of listeners) listener(frame, plan);
-    }
-    if (glide.busy) ask();
-  };
-
-  queue.push = (...messages) => {
-    for (const message of messages) {
-      const { name = "" } = message;
-      const data = message.props?.points ?? message.updates?.points;
-      if (name === PLAN || name === FRAME) {
-        if (data) take(name, /** @type {Float32Array} */ (data));
-        continue;
-      }
-      for (const listener of heard) listener(message.props?.content ?? message.updates?.content);
-      if (name === KEEPSAKE) {
-        if (message.updates?.colors) keep(/** @type {Uint8Array} */ (message.updates.colors));
-        continue;
-      }
-      if (name.startsWith(BODY) && message.props) {
-        owners.set(name, message.owner);
-        colors.delete(name);
-        glide.last = null; // a new node has to be filled in
-        ask();
-      }
-      if (message.type === "RemoveSceneNodeMessage") owners.delete(name);
+      for (const listener of heard) listener(props?.content ?? updates?.content);
+      note(message);
       pass(message);
     }
+  };
+  const queue = viser.messageQueue;
+  queue.push = (...messages) => {
+    messages.forEach(sort);
     return queue.length;
   };
 }

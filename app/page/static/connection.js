@@ -6,7 +6,6 @@
  * one every second, which gives up the one that waits, so after half a minute it never comes back. Here an
  * attempt has its time.
  */
-
 import { lost } from "./keep.js";
 
 /** Milliseconds that an attempt has before another may take its place. */
@@ -68,17 +67,19 @@ export function watchConnection(changed) {
   window.Worker = Watched;
 }
 
-/** A line over the canvas that says what is wrong with the connection; none while nothing is. */
+/** A line over the canvas while the connection is lost. */
 export function showConnection() {
   /** @type {HTMLElement | null} */
   let banner = null;
   /** @param {boolean} connected */
   return (connected) => {
-    if (!connected) lost();
     if (connected) {
       banner?.remove();
       banner = null;
-    } else if (!banner) {
+      return;
+    }
+    lost();
+    if (!banner) {
       banner = document.createElement("div");
       banner.className = "softrod-banner";
       banner.setAttribute("role", "status");

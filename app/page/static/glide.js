@@ -31,6 +31,7 @@ export class Glide {
     this.interval = 1 / 60;
     /** Where on the server's clock the last picture was. */
     this.shown = -Infinity;
+    /** When `at` was asked last, on the screen's clock. */
     this.asked = -Infinity;
     /** The picture that was returned last. @type {Timed | null} */
     this.last = null;
@@ -85,8 +86,8 @@ export class Glide {
     this.shown = Math.min(this.shown, /** @type {Timed} */ (frames.at(-1)).at);
     while (frames.length > 1 && frames[1].at <= this.shown) frames.shift();
     const [one, two] = frames;
-    if (!two || this.shown <= one.at) return this.once(one);
-    return this.once(between(one, two, (this.shown - one.at) / (two.at - one.at)));
+    if (!two || this.shown <= one.at) return this.unlessShown(one);
+    return this.unlessShown(between(one, two, (this.shown - one.at) / (two.at - one.at)));
   }
 
   /** Whether the newest frame has not been shown yet. */
@@ -94,8 +95,8 @@ export class Glide {
     return this.last === null || this.last.at !== this.frames.at(-1)?.at;
   }
 
-  /** @param {Timed} frame */
-  once(frame) {
+  /** The frame, or null if it is the one that was shown last. @param {Timed} frame */
+  unlessShown(frame) {
     if (this.last?.at === frame.at) return null;
     this.last = frame;
     return frame;

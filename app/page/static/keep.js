@@ -4,31 +4,22 @@
  * server says of the session now and then, and every new connection gets it back.
  */
 import { onTold, send, told } from "./channel.js";
+import { kept, store } from "./storage.js";
 
 const NAME = "softrod";
 /** Characters of a message; the gate takes 64 KiB. */
 const PART = 48_000;
 
 /** What the next connection is to be given, if anything: what was kept before this page began to be kept. */
-let due = globalThis.sessionStorage?.getItem(NAME) ?? null;
+let due = kept(NAME);
 
 /** The connection is lost: the next one is to be given what is kept now. */
-export const lost = () => (due = sessionStorage.getItem(NAME));
+export const lost = () => (due = kept(NAME));
 
 /** Keeps what the server said. @param {Uint8Array} data JSON */
-export function keep(data) {
-  try {
-    sessionStorage.setItem(NAME, new TextDecoder().decode(data));
-  } catch {
-    sessionStorage.removeItem(NAME); // it is full, or forbidden: better nothing than something old
-  }
-}
+export const keep = (data) => store(NAME, new TextDecoder().decode(data));
 
-/**
- * Compressed, as letters that a message can carry.
- *
- * @param {string} text
- */
+/** Compressed, as letters that a message can carry. @param {string} text */
 async function packed(text) {
   const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate"));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());

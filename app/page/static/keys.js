@@ -1,15 +1,25 @@
 // @ts-check
 /** Keys and the arrow pad: what is held, and what is pressed once. */
 import { fit } from "./camera.js";
-import { project } from "./looks.js";
 import { onTold, send, told } from "./channel.js";
+import { toggleProjector } from "./looks.js";
 import { nextStep } from "./transport.js";
 
 /** @type {Record<string, string>} */
 const ARROWS = { ArrowUp: "U", ArrowDown: "D", ArrowLeft: "L", ArrowRight: "R" };
 /** @type {Record<string, string>} */
-const ONCE = { Space: "play", KeyN: "step", KeyR: "reset", KeyF: "follow", Escape: "pause", Digit0: "fit",
-  Comma: "back", Period: "forward", KeyJ: "second", KeyP: "project" };
+const ONCE = {
+  Space: "play",
+  KeyN: "step",
+  KeyR: "reset",
+  KeyF: "follow",
+  KeyJ: "second",
+  KeyP: "project",
+  Escape: "pause",
+  Digit0: "fit",
+  Comma: "back",
+  Period: "forward",
+};
 /** What Space presses, once it was reached with the Tab key. */
 const PRESSED = "button:focus-visible, input:focus-visible, [role=tab]:focus-visible, [role=button]:focus-visible";
 /** What a key that is held down does again and again. */
@@ -32,12 +42,12 @@ const isTyping = (target) =>
 /** A slider that was reached with the Tab key takes the arrows for itself. @param {EventTarget | null} target */
 const isSlider = (target) =>
   target instanceof HTMLElement && target.matches('[role="slider"]:focus-visible, input[type="range"]:focus-visible');
-/** While the body has the focus, it takes arrows, Space and Enter. @param {KeyboardEvent} event */
-const isBodys = ({ target, code, key }) =>
-  target instanceof HTMLElement && target.classList.contains("softrod-body") && (key in ARROWS || code === "Space" || key === "Enter");
+/** While the body has the focus, body_keys.js takes arrows and Space. @param {KeyboardEvent} event */
+const isForBody = ({ target, code, key }) =>
+  target instanceof HTMLElement && target.classList.contains("softrod-body") && (key in ARROWS || code === "Space");
 const dialogIsOpen = () => document.querySelector('[role="dialog"]') !== null;
-/** @param {Event} event */
-const keep = (event) => {
+/** Nobody else is to act on it. @param {Event} event */
+const swallow = (event) => {
   event.preventDefault();
   event.stopImmediatePropagation();
 };
@@ -55,34 +65,53 @@ const release = (key) => {
   if (held.delete(key)) sendHeld();
 };
 const releaseAll = () => {
+  for (const button of document.querySelectorAll(".softrod-on")) button.classList.remove("softrod-on");
   if (held.size) {
     held.clear();
     sendHeld();
   }
 };
 
+/**
+ * Ctrl K. viser's palette does not hear it while a control has the focus, so the key is pressed for it once more
+ * on the page itself. The control gets the focus back from the palette.
+ *
+ * @param {KeyboardEvent} event
+ * @returns {boolean} whether that was the key
+ */
+function openPalette(event) {
+  if (event.code !== "KeyK" || !(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return false;
+  if (event.target === document.body) return true; // viser hears it
+  swallow(event);
+  const { key, code, ctrlKey, metaKey } = event;
+  const again = new KeyboardEvent("keydown", { key, code, ctrlKey, metaKey, bubbles: true, cancelable: true });
+  if (!dialogIsOpen()) document.body.dispatchEvent(again);
+  return true;
+}
+
 /** @param {KeyboardEvent} event */
 function press(event) {
+  if (openPalette(event)) return;
   if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target) || dialogIsOpen()) return;
+  if (isSlider(event.target) || isForBody(event)) return;
   const arrow = ARROWS[event.key];
-  if (isSlider(event.target) || isBodys(event)) return;
   if (arrow) {
-    keep(event);
+    swallow(event);
     hold(arrow);
     return;
   }
   if (CAMERA_KEYS.has(event.code)) {
-    keep(event);
+    swallow(event);
     return;
   }
   const once = ONCE[event.code];
   if (!once) return;
   // What was reached with the Tab key is pressed with Space, as everywhere.
   if (once === "play" && document.activeElement?.matches(PRESSED)) return;
-  keep(event);
+  swallow(event);
   if (event.repeat && !REPEATED.has(once)) return;
-  if (once === "fit") fit();
-  else if (once === "project") project();
+  if (once === "fit") fit(true);
+  else if (once === "project") toggleProjector();
   else if (once === "step") send("do", event.shiftKey ? "steps" : nextStep());
   else send("do", once);
 }
@@ -91,37 +120,48 @@ function press(event) {
 const padKey = (event) =>
   event.target instanceof Element ? event.target.closest("[data-softrod-key]") : null;
 
+/** @param {HTMLElement} button @param {boolean} down */
+const pressPad = (button, down) => {
+  button.classList.toggle("softrod-on", down);
+  const key = button.dataset.softrodKey ?? "";
+  if (down) hold(key);
+  else release(key);
+};
+
 function listenToPad() {
+  /** What each finger presses; the pad may be taken out of the page meanwhile. @type {Map<number, HTMLElement>} */
+  const fingers = new Map();
   document.addEventListener("pointerdown", (event) => {
     const button = padKey(event);
     if (!button) return;
     event.preventDefault();
     button.setPointerCapture(event.pointerId);
-    button.classList.add("softrod-on");
-    hold(button.dataset.softrodKey ?? "");
+    fingers.set(event.pointerId, button);
+    pressPad(button, true);
   });
-  for (const kind of ["pointerup", "pointercancel", "lostpointercapture"]) {
-    document.addEventListener(kind, (event) => {
-      const button = padKey(event);
-      if (!button) return;
-      button.classList.remove("softrod-on");
-      release(button.dataset.softrodKey ?? "");
+  for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
+    document.addEventListener(kind, ({ pointerId }) => {
+      const button = fingers.get(pointerId);
+      if (button && fingers.delete(pointerId)) pressPad(button, false);
     });
   }
-  for (const kind of ["keydown", "keyup"]) {
+  for (const kind of /** @type {const} */ (["keydown", "keyup"])) {
     document.addEventListener(kind, (event) => {
       const button = padKey(event);
-      if (!button || !(event instanceof KeyboardEvent) || (event.code !== "Space" && event.key !== "Enter")) return;
+      if (!button || (event.code !== "Space" && event.key !== "Enter")) return;
       event.preventDefault();
-      button.classList.toggle("softrod-on", kind === "keydown");
-      if (kind === "keydown") hold(button.dataset.softrodKey ?? "");
-      else release(button.dataset.softrodKey ?? "");
+      pressPad(button, kind === "keydown");
     });
   }
+  // The Tab key may go on while Space is down.
+  document.addEventListener("focusout", (event) => {
+    const button = padKey(event);
+    if (button?.classList.contains("softrod-on")) pressPad(button, false);
+  });
   document.addEventListener("contextmenu", (event) => padKey(event) && event.preventDefault());
 }
 
-/** A scene was chosen: its keys shall act on it, not on the box that it was chosen from. */
+/** Once a scene is chosen, keys act on it and not on the box that it was chosen from. */
 function leaveChooser() {
   let scene = told().scene;
   onTold(() => {
@@ -142,7 +182,7 @@ export function listenToKeys() {
       const arrow = ARROWS[event.key];
       if (arrow) {
         release(arrow);
-        if (!isTyping(event.target)) keep(event);
+        if (!isTyping(event.target)) swallow(event);
       }
     },
     true,

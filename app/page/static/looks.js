@@ -1,19 +1,15 @@
 // @ts-check
 /** Projector mode: everything over the body larger and bolder, for the last row of a class. */
+import { kept, store } from "./storage.js";
 
 const NAME = "softrod-projector";
 
-/** Turns it on, or off; the tab remembers. */
-export function project() {
-  const on = document.documentElement.classList.toggle(NAME);
-  try {
-    sessionStorage.setItem(NAME, on ? "1" : "");
-  } catch {
-    // Without storage it lasts until the page is loaded again.
-  }
+/** Turns projector mode on or off; the tab remembers. */
+export function toggleProjector() {
+  store(NAME, document.documentElement.classList.toggle(NAME) ? "1" : "");
 }
 
-/** As it was left. */
+/** Turns it on if it was on before the page was loaded. */
 export function restoreLooks() {
-  document.documentElement.classList.toggle(NAME, sessionStorage.getItem(NAME) === "1");
+  document.documentElement.classList.toggle(NAME, kept(NAME) === "1");
 }

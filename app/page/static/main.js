@@ -15,6 +15,7 @@ import { quietNotices } from "./notices.js";
 import { mindNumbers } from "./numbers.js";
 import { addOverlay } from "./overlay.js";
 import { listenToPointer } from "./pointer.js";
+import { addHeading } from "./paper.js";
 import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
 
@@ -49,6 +50,7 @@ whenViser((viser) => {
   restoreLooks();
   addTransport();
   addOverlay();
+  addHeading();
   addBodyKeys();
   nameControls();
   quietNotices();

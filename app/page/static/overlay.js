@@ -4,12 +4,20 @@ import { onFit } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { wrapped } from "./draw.js";
+import { addEdgeArrow } from "./edge.js";
 import { onScreen, screen } from "./screen.js";
 import { viser } from "./viser.js";
 
 /**
  * @typedef {import("./plan.js").Plan} Plan
  * @typedef {import("./plan.js").Frame} Frame
+ * @typedef {import("./screen.js").Screen} Screen
+ * @typedef {object} Sight a picture, and where it is on the screen
+ * @property {Plan} plan
+ * @property {Frame} frame
+ * @property {Screen} on
+ * @property {Float64Array} places of the masses, x and y of each
+ * @property {DOMRect} box of the canvas
  */
 
 /** Pixels from the mass at which a joint's arc is drawn, beyond the mass's own radius. */
@@ -18,7 +26,6 @@ const ARC = 26;
 const LABEL = 22;
 /** Pixels that the scale bar has at least. */
 const BAR = 70;
-
 /** Milliseconds for which the camera may go on moving after the last event. */
 const CAMERA_MOVES = 1000;
 
@@ -35,6 +42,37 @@ export function choose(mass) {
 export const chosenMass = () => chosen;
 
 let redraw = () => {};
+
+/** Whether the page is on its way to paper, where the canvas has another size and nothing is drawn anew. */
+let printing = false;
+/** Where the canvas was when the marks were drawn last. @type {DOMRect | null} */
+let drawnOver = null;
+
+/** Has the marks shrink or grow with the canvas, as they were drawn last; or lets them be. @param {boolean} on */
+export function frameMarks(on) {
+  const svg = document.querySelector(".softrod-overlay");
+  printing = on;
+  if (on && drawnOver) {
+    const { left, top, width, height } = drawnOver;
+    svg?.setAttribute("viewBox", `${left} ${top} ${width} ${height}`);
+  } else {
+    svg?.removeAttribute("viewBox");
+    redraw();
+  }
+}
+
+/** What is on the screen now. @returns {Sight | null} */
+function sight() {
+  const { plan, frame } = shown();
+  const [on, canvas] = [screen(), viser()?.canvas];
+  if (!plan || !frame || !on || !canvas) return null;
+  return { plan, frame, on, places: onScreen(plan, frame.positions, on), box: canvas.getBoundingClientRect() };
+}
+
+/** @param {Element} element @param {Record<string, number | string>} attributes */
+function set(element, attributes) {
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+}
 
 /**
  * A round length: the next of 1, 2, 5, 10, 20, ... at or above.
@@ -75,81 +113,120 @@ export function addOverlay() {
   const svg = document.createElementNS(SVG, "svg");
   svg.classList.add("softrod-overlay");
   svg.setAttribute("aria-hidden", "true");
-  /** @template {keyof SVGElementTagNameMap} K @param {K} kind @param {string} name */
+  /** @type {Add} */
   const add = (kind, name) => {
     const element = document.createElementNS(SVG, kind);
     element.classList.add(name);
     svg.append(element);
     return element;
   };
-  const arc = add("path", "softrod-arc");
-  const angle = add("text", "softrod-angle");
-  const ring = add("circle", "softrod-chosen");
-  const hint = add("text", "softrod-hint");
-  hint.textContent = "drag me";
-  window.addEventListener("pointerdown", (event) => event.target === viser()?.canvas && hint.remove(), true);
-  hint.addEventListener("animationend", () => hint.remove());
-  const bar = add("path", "softrod-scale");
-  const length = add("text", "softrod-scale-text");
+  const onPaper = matchMedia("print");
+  const marks = [jointMark(add), chosenMark(add), hintMark(add), scaleMark(add)];
   document.body.append(svg);
-
-  let last = "";
+  const point = addEdgeArrow();
   redraw = () => {
-    const { plan, frame } = shown();
-    const [on, canvas] = [screen(), viser()?.canvas];
-    if (!plan || !frame || !on || !canvas) return;
-    const places = onScreen(plan, frame.positions, on);
-    const joint = Number(told().joint ?? -1);
-    const has = joint >= 0 && 4 * joint < plan.joints.length && !plan.many;
-    arc.style.display = angle.style.display = has ? "" : "none";
-    if (has) {
-      const { from, turn, mass } = jointAngles(plan, frame, joint);
-      const radius = plan.radius[mass] * on.step + ARC;
-      const [x, y] = [places[2 * mass], places[2 * mass + 1]];
-      /** @param {number} degrees @param {number} [r] */
-      const at = (degrees, r = radius) => {
-        const t = (degrees * Math.PI) / 180;
-        return `${(x + r * Math.cos(t)).toFixed(1)} ${(y - r * Math.sin(t)).toFixed(1)}`;
-      };
-      arc.setAttribute(
-        "d",
-        `M${x} ${y}L${at(from)}A${radius} ${radius} 0 ${Math.abs(turn) > 180 ? 1 : 0} ${turn > 0 ? 0 : 1} ${at(from + turn)}`,
-      );
-      // On the outside of the bend, where the body is not.
-      const [tx, ty] = at(from + turn / 2 - (turn < 0 ? -90 : 90), radius + LABEL).split(" ");
-      angle.setAttribute("x", tx);
-      angle.setAttribute("y", ty);
-      // As the panel has it: positive is anticlockwise where y grows upwards.
-      angle.textContent = `${(turn * plan.flip).toFixed(1)}°`;
-    }
-    if (plan.driven >= 0) {
-      hint.setAttribute("x", String(places[2 * plan.driven]));
-      hint.setAttribute("y", String(places[2 * plan.driven + 1] - 2.2 * plan.radius[plan.driven] * on.step - 14));
-    }
-    hint.style.display = plan.driven >= 0 && !plan.many ? "" : "none";
-    ring.style.display = chosen >= 0 && chosen < plan.radius.length ? "" : "none";
-    if (ring.style.display === "") {
-      ring.setAttribute("cx", String(places[2 * chosen]));
-      ring.setAttribute("cy", String(places[2 * chosen + 1]));
-      ring.setAttribute("r", String(plan.radius[chosen] * on.step + 8));
-    }
-    const perPixel = 1 / (plan.scale * on.step);
-    const box = canvas.getBoundingClientRect();
-    const size = roundUp(BAR * perPixel);
-    const [end, low] = [box.right - 18, box.top + 28];
-    const state = `${end} ${low} ${size} ${perPixel}`;
-    if (state === last) return;
-    last = state;
-    const begin = end - size / perPixel;
-    bar.setAttribute("d", `M${begin} ${low - 5}v10M${begin} ${low}H${end}M${end} ${low - 5}v10`);
-    length.setAttribute("x", String((begin + end) / 2));
-    length.setAttribute("y", String(low - 9));
-    length.textContent = `${Number(size.toPrecision(1))} ${told().unit ?? ""}`;
+    const seen = printing || onPaper.matches ? null : sight();
+    if (!seen) return;
+    drawnOver = seen.box;
+    for (const mark of marks) mark(seen);
+    const { left, right, top } = seen.box;
+    const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
+    point(seen.places, { left, right, top, bottom: Math.min(seen.box.bottom, dock?.top ?? Infinity) });
   };
   onPicture(redraw);
   onTold(redraw);
   onFit(redraw);
-  // The camera moves without a picture, too, and goes on a little by itself.
+  followCamera();
+}
+
+/** @typedef {<K extends keyof SVGElementTagNameMap>(kind: K, name: string) => SVGElementTagNameMap[K]} Add */
+
+/** The arc and the degrees of the joint that is read out. @param {Add} add */
+function jointMark(add) {
+  const arc = add("path", "softrod-arc");
+  const angle = add("text", "softrod-angle");
+  /** @param {Sight} seen */
+  return ({ plan, frame, on, places }) => {
+    const joint = Number(told().joint ?? -1);
+    const has = joint >= 0 && 4 * joint < plan.joints.length && !plan.many;
+    arc.style.display = angle.style.display = has ? "" : "none";
+    if (!has) return;
+    const { from, turn, mass } = jointAngles(plan, frame, joint);
+    const radius = plan.radius[mass] * on.step + ARC;
+    const [x, y] = [places[2 * mass], places[2 * mass + 1]];
+    /** @param {number} degrees @param {number} distance */
+    const at = (degrees, distance) => {
+      const t = (degrees * Math.PI) / 180;
+      return { x: (x + distance * Math.cos(t)).toFixed(1), y: (y - distance * Math.sin(t)).toFixed(1) };
+    };
+    const [begin, end] = [at(from, radius), at(from + turn, radius)];
+    const curve = `A${radius} ${radius} 0 0 ${turn > 0 ? 0 : 1} ${end.x} ${end.y}`;
+    set(arc, { d: `M${x} ${y}L${begin.x} ${begin.y}${curve}` });
+    // On the outside of the bend, where the body is not.
+    set(angle, at(from + turn / 2 - (turn < 0 ? -90 : 90), radius + LABEL));
+    // As the panel has it: positive is anticlockwise where y grows upwards.
+    angle.textContent = `${(turn * plan.flip).toFixed(1)}°`;
+  };
+}
+
+/** A ring around the mass that the keys have chosen. @param {Add} add */
+function chosenMark(add) {
+  const ring = add("circle", "softrod-chosen");
+  /** @param {Sight} seen */
+  return ({ plan, on, places }) => {
+    const has = chosen >= 0 && chosen < plan.radius.length;
+    ring.style.display = has ? "" : "none";
+    if (has) set(ring, { cx: places[2 * chosen], cy: places[2 * chosen + 1], r: plan.radius[chosen] * on.step + 8 });
+  };
+}
+
+/** What a newcomer can do; it fades, and goes with the first press on the canvas. @param {Add} add */
+function hintMark(add) {
+  const hint = add("text", "softrod-hint");
+  hint.textContent = "drag me";
+  /** @param {Event} event */
+  const pressed = (event) => event.target === viser()?.canvas && done();
+  const done = () => {
+    hint.remove();
+    window.removeEventListener("pointerdown", pressed, true);
+  };
+  window.addEventListener("pointerdown", pressed, true);
+  hint.addEventListener("animationend", done);
+  /** @param {Sight} seen */
+  return ({ plan, on, places }) => {
+    const { driven } = plan;
+    hint.style.display = driven >= 0 && !plan.many ? "" : "none";
+    if (driven < 0) return;
+    set(hint, { x: places[2 * driven], y: places[2 * driven + 1] - 2.2 * plan.radius[driven] * on.step - 14 });
+  };
+}
+
+/** A bar of a round length at the top right. @param {Add} add */
+function scaleMark(add) {
+  const bar = add("path", "softrod-scale");
+  const length = add("text", "softrod-scale-text");
+  let last = "";
+  /** @param {Sight} seen */
+  return ({ plan, on, box }) => {
+    const perPixel = 1 / (plan.scale * on.step);
+    const size = roundUp(BAR * perPixel);
+    const end = box.right - 18;
+    const begin = end - size / perPixel;
+    // On a phone the head-up display reaches under it.
+    const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
+    const free = hud && hud.right > begin - 10 ? hud.bottom : box.top;
+    const low = free + 8 + parseFloat(getComputedStyle(length).fontSize) * 1.4;
+    const state = [end, low, size, perPixel, told().unit].join(" ");
+    if (state === last) return;
+    last = state;
+    set(bar, { d: `M${begin} ${low - 5}v10M${begin} ${low}H${end}M${end} ${low - 5}v10` });
+    set(length, { x: (begin + end) / 2, y: low - 9 });
+    length.textContent = `${Number(size.toPrecision(1))} ${told().unit ?? ""}`;
+  };
+}
+
+/** The camera moves without a picture, too, and goes on a little by itself. */
+function followCamera() {
   let until = 0;
   let tracking = false;
   const track = () => {

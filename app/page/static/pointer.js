@@ -5,7 +5,7 @@
  */
 import { shown } from "./canvas.js";
 import { send, told } from "./channel.js";
-import { nearest, onScreen, screen, worldAt } from "./screen.js";
+import { nearest, onScreen, pointText, screen, worldAt } from "./screen.js";
 import { viser } from "./viser.js";
 
 /** Pixels from a mass within which it is taken hold of. */
@@ -38,12 +38,15 @@ function coordinates(place) {
   const on = screen();
   const point = on && worldAt(place, on);
   if (!point || !Number.isFinite(point.x) || !Number.isFinite(point.y)) return null;
-  return `${point.x.toFixed(6)},${point.y.toFixed(6)}`;
+  return pointText(point);
 }
+
+/** Whether something goes where the pointer goes. */
+const isFollowed = () => hold !== null || told().follow === "1";
 
 function report() {
   asked = false;
-  const at = pointer && coordinates(pointer);
+  const at = pointer && isFollowed() ? coordinates(pointer) : null;
   if (at) send("at", at);
 }
 
@@ -57,7 +60,7 @@ function press(event) {
   const at = coordinates(pointer);
   const mass = event.button === 0 && event.isPrimary ? massAt(pointer, event.pointerType) : -1;
   if (mass < 0 || !at) return;
-  // Neither viser nor its camera shall hear of it.
+  // Neither viser nor its camera may hear of it.
   event.preventDefault();
   event.stopImmediatePropagation();
   canvas.setPointerCapture(event.pointerId);
@@ -68,15 +71,16 @@ function press(event) {
 /** @param {PointerEvent} event */
 function move(event) {
   const { canvas } = viser() ?? {};
-  if (event.target !== canvas && !hold) return; // off the canvas it stays where it is
+  // Off the canvas the pointer counts as staying where it was; and a second finger does not move the mass in hand.
+  if (hold ? event.pointerId !== hold.id : event.target !== canvas) return;
   pointer = { x: event.clientX, y: event.clientY };
-  if (hold && event.pointerId === hold.id) {
+  if (hold) {
     event.stopImmediatePropagation();
     hold.moved ||= Math.hypot(pointer.x - hold.x, pointer.y - hold.y) > CLICK;
   } else if (canvas && event.buttons === 0 && event.pointerType !== "touch") {
     document.documentElement.toggleAttribute("data-softrod-near", massAt(pointer, event.pointerType) >= 0);
   }
-  if ((hold || told().follow === "1") && !asked) {
+  if (isFollowed() && !asked) {
     asked = true;
     requestAnimationFrame(report);
   }

@@ -20,39 +20,57 @@ const ICONS = {
 };
 
 /**
- * @param {keyof typeof ICONS} icon
- * @param {string} name for those who cannot see it, and of the tooltip
- * @param {string} key that does the same
- * @param {() => void} press
+ * @typedef {object} Face what a button shows
+ * @property {keyof typeof ICONS} icon
+ * @property {string} word beside the icon, where there is room
+ * @property {string} name for screen readers and the tooltip; it contains the word
+ * @property {string} key that does the same
  */
-function button(icon, name, key, press) {
+
+/** @satisfies {Record<string, Face>} */
+const FACES = {
+  play: { icon: "play", word: "Play", name: "Play", key: "Space" },
+  goOn: { icon: "play", word: "Go on", name: "Go on from here", key: "Space" },
+  pause: { icon: "pause", word: "Pause", name: "Pause", key: "Space" },
+  reset: { icon: "reset", word: "Reset", name: "Reset", key: "R" },
+  second: { icon: "second", word: "1 s", name: "Back 1 second", key: "J" },
+  back: { icon: "back", word: "Frame", name: "Back 1 frame", key: "," },
+  step: { icon: "forward", word: "Step", name: "1 step", key: "N" },
+  forward: { icon: "forward", word: "Frame", name: "Forward 1 frame", key: "." },
+};
+
+/** @param {HTMLButtonElement} element @param {Face} face */
+function dress(element, { icon, word, name, key }) {
+  if (element.ariaLabel === name) return;
+  element.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[icon]}"/></svg><span>${word}</span>`;
+  element.ariaLabel = name;
+  element.title = `${name} (${key})`;
+}
+
+/** @param {Face} face @param {() => void} press */
+function iconButton(face, press) {
   const element = document.createElement("button");
   element.type = "button";
   element.addEventListener("click", press);
-  dress(element, icon, name, key);
+  dress(element, face);
   return element;
 }
 
-/**
- * @param {HTMLButtonElement} element
- * @param {keyof typeof ICONS} icon
- * @param {string} name
- * @param {string} key
- */
-function dress(element, icon, name, key) {
-  if (element.ariaLabel === name) return;
-  element.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[icon]}"/></svg>`;
-  element.ariaLabel = name;
-  element.title = key ? `${name} (${key})` : name;
+/** @param {string} text @param {string} command sent when it is pressed */
+function offerButton(text, command) {
+  const element = document.createElement("button");
+  element.type = "button";
+  element.className = "softrod-offer";
+  element.textContent = text;
+  element.addEventListener("click", () => send("do", command));
+  return element;
 }
 
 /** What the step button does: in the past, go on to the next frame; else make a step. */
 export const nextStep = () => (told().scrubbed === "1" ? "forward" : "step");
 
-/**
- * The simulated time. A body at rest sends no pictures, but its clock goes on.
- */
-function timeNow() {
+/** The simulated time. A body at rest sends no pictures, but its clock goes on. */
+export function timeNow() {
   const { frame, since } = shown();
   const passed = told().rest === "1" ? ((performance.now() - since) / 1e3) * Number(told().speed ?? 1) : 0;
   return (frame?.time ?? 0) + passed;
@@ -61,60 +79,30 @@ function timeNow() {
 /** @param {number} speed */
 const speedText = (speed) => `${FRACTIONS[speed] ?? speed}×`;
 
-/** Puts up the bar. */
-export function addTransport() {
-  const bar = document.createElement("div");
-  bar.className = "softrod-transport";
-  bar.setAttribute("role", "toolbar");
-  bar.ariaLabel = "Time";
-
-  const play = button("pause", "Pause", "Space", () => send("do", "play"));
-  play.classList.add("softrod-play");
-  const reset = button("reset", "Reset", "R", () => send("do", "reset"));
-  const second = button("second", "Back 1 second", "J", () => send("do", "second"));
-  second.classList.add("softrod-second");
-  const back = button("back", "Back 1 frame", ",", () => send("do", "back"));
-  const forward = button("forward", "1 step", "N", () => send("do", nextStep()));
-
-  const time = document.createElement("input");
-  time.type = "range";
-  time.step = "any";
-  time.ariaLabel = "Time shown";
-  const clock = document.createElement("output");
-  clock.className = "softrod-clock";
-  const speed = document.createElement("select");
-  speed.ariaLabel = "Speed";
-  speed.title = "Simulated seconds per second";
-  for (const value of SPEEDS) speed.add(new Option(speedText(value), String(value)));
-  speed.addEventListener("change", () => {
-    send("speed", speed.value);
+/** How fast time goes. */
+function speedBox() {
+  const select = document.createElement("select");
+  select.ariaLabel = "Speed";
+  select.title = "Simulated seconds per second";
+  for (const value of SPEEDS) select.add(new Option(speedText(value), String(value)));
+  select.addEventListener("change", () => {
+    send("speed", select.value);
     // The keys are the body's again, unless somebody goes by keys.
-    if (!speed.matches(":focus-visible")) speed.blur();
+    if (!select.matches(":focus-visible")) select.blur();
   });
+  const show = () => {
+    const { speed } = told();
+    if (speed && document.activeElement !== select) select.value = String(Number(speed));
+  };
+  return { element: select, show };
+}
 
-  const offer = document.createElement("button");
-  offer.type = "button";
-  offer.className = "softrod-offer";
-  offer.textContent = "Go back to just before it";
-  offer.addEventListener("click", () => send("do", "before"));
-  const past = document.createElement("span");
-  past.className = "softrod-past";
-  const forget = document.createElement("button");
-  forget.type = "button";
-  forget.className = "softrod-offer";
-  forget.textContent = "Take the line away";
-  forget.addEventListener("click", () => send("do", "forget"));
-
-  bar.append(reset, second, back, play, forward, time, clock, speed);
-  const frame = document.createElement("div");
-  frame.className = "softrod-dock";
-  const line = document.createElement("div");
-  line.className = "softrod-line";
-  line.append(offer, past, forget);
-  frame.append(line, bar);
-  document.body.append(frame);
-
-  // While a finger is on the slider it is the finger's.
+/** The slider of time. While a finger is on it, it is the finger's. */
+function timeSlider() {
+  const slider = document.createElement("input");
+  slider.type = "range";
+  slider.step = "any";
+  slider.ariaLabel = "Time shown";
   let held = false;
   let asked = false;
   let wanted = 0;
@@ -122,31 +110,74 @@ export function addTransport() {
     asked = false;
     send("go", wanted.toFixed(6));
   };
-  time.addEventListener("input", () => {
+  slider.addEventListener("input", () => {
     held = true;
-    wanted = Number(time.value);
+    wanted = Number(slider.value);
     if (!asked) requestAnimationFrame(go);
     asked = true;
   });
-  time.addEventListener("change", () => (held = false));
-
-  const show = () => {
-    const { start = "0", end = "0", playing, scrubbed, speed: factor, offer: offered, future } = told();
-    const now = timeNow();
+  slider.addEventListener("change", () => (held = false));
+  /** @param {number} now */
+  const show = (now) => {
+    const { start = "0", end = "0", scrubbed } = told();
     const last = scrubbed === "1" ? Number(end) : Math.max(Number(end), now);
-    clock.textContent = `${now.toFixed(2)} s`;
-    time.min = start;
-    time.max = String(Math.max(last, Number(start) + 1e-3));
-    if (!held) time.value = String(now);
-    time.ariaValueText = `${now.toFixed(2)} seconds`;
-    if (playing === "1") dress(play, "pause", "Pause", "Space");
-    else if (scrubbed === "1") dress(play, "play", "Go on from here", "Space");
-    else dress(play, "play", "Play", "Space");
-    if (factor && document.activeElement !== speed) speed.value = String(Number(factor));
-    dress(forward, "forward", scrubbed === "1" ? "Forward 1 frame" : "1 step", scrubbed === "1" ? "." : "N");
-    offer.hidden = offered !== "1";
+    slider.min = start;
+    slider.max = String(Math.max(last, Number(start) + 1e-3));
+    if (!held) slider.value = String(now);
+    slider.ariaValueText = `${now.toFixed(2)} seconds`;
+  };
+  return { element: slider, show };
+}
+
+/** What is offered over the bar after a run that went wrong, or after going back. */
+function offers() {
+  const line = document.createElement("div");
+  line.className = "softrod-line";
+  const before = offerButton("Go back to just before it", "before");
+  const past = document.createElement("span");
+  past.className = "softrod-past";
+  const forget = offerButton("Take the line away", "forget");
+  line.append(before, past, forget);
+  const show = () => {
+    const { offer, future } = told();
+    before.hidden = offer !== "1";
     forget.hidden = future !== "1";
     past.textContent = future === "1" ? "The thin line is what happened before you went back." : "";
+  };
+  return { element: line, show };
+}
+
+/** Puts up the bar. */
+export function addTransport() {
+  const bar = document.createElement("div");
+  bar.className = "softrod-transport";
+  bar.setAttribute("role", "toolbar");
+  bar.ariaLabel = "Time";
+  const reset = iconButton(FACES.reset, () => send("do", "reset"));
+  const second = iconButton(FACES.second, () => send("do", "second"));
+  second.classList.add("softrod-second");
+  const back = iconButton(FACES.back, () => send("do", "back"));
+  const play = iconButton(FACES.pause, () => send("do", "play"));
+  play.classList.add("softrod-play");
+  const forward = iconButton(FACES.step, () => send("do", nextStep()));
+  const clock = document.createElement("output");
+  clock.className = "softrod-clock";
+  const [time, speed, line] = [timeSlider(), speedBox(), offers()];
+  bar.append(reset, second, back, play, forward, time.element, clock, speed.element);
+  const dock = document.createElement("div");
+  dock.className = "softrod-dock";
+  dock.append(line.element, bar);
+  document.body.append(dock);
+
+  const show = () => {
+    const now = timeNow();
+    const past = told().scrubbed === "1";
+    clock.textContent = `${now.toFixed(2)} s`;
+    time.show(now);
+    dress(play, told().playing === "1" ? FACES.pause : past ? FACES.goOn : FACES.play);
+    dress(forward, past ? FACES.forward : FACES.step);
+    speed.show();
+    line.show();
   };
   onPicture(show);
   setInterval(() => told().rest === "1" && show(), CLOCK_EVERY);
@@ -158,6 +189,7 @@ export function addTransport() {
  *
  * @param {DOMRect} box of the canvas
  * @param {number} hidden px at its bottom that are covered
+ * @returns {number} its height, px
  */
 export function placeTransport(box, hidden) {
   const dock = /** @type {HTMLElement | null} */ (document.querySelector(".softrod-dock"));

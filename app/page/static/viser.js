@@ -5,9 +5,8 @@
  * viser is pinned exactly. What is used of it is written down here as types, and driven by the browser tests.
  *
  * @typedef {{x: number, y: number, z: number, clone(): Vector, set(x: number, y: number, z: number): Vector,
- *   unproject(camera: Camera): Vector, project(camera: Camera): Vector, lerp(other: Vector, part: number): Vector,
- *   applyMatrix4(matrix: Matrix): Vector}} Vector
- * @typedef {{clone(): Matrix, invert(): Matrix}} Matrix
+ *   project(camera: Camera): Vector, applyMatrix4(matrix: Matrix): Vector}} Vector
+ * @typedef {object} Matrix
  * @typedef {{position: Vector, fov: number, updateMatrixWorld(): void}} Camera
  * @typedef {{minAzimuthAngle: number, maxAzimuthAngle: number, azimuthAngle: number, minPolarAngle: number,
  *   maxPolarAngle: number, minDistance: number, maxDistance: number, dollyToCursor: boolean,

@@ -28,7 +28,9 @@ FACTORISE = types.boolean(
 )
 SOLVE = types.void(Body.numba_type, Matrix.numba_type, FLOATS)
 RESISTANCE = types.void(Body.numba_type, State.numba_type, FLOATS, FLOATS, FLOATS, _F8, FLOATS)
-"""This and the four above: signatures of the kernels that are called through their addresses."""
+OVERSTRAINED = types.boolean(Problem.numba_type, FLOATS, _F8)
+SETTLE = types.void(Problem.numba_type, FLOATS)
+"""This and the six above: signatures of the kernels that are called through their addresses."""
 
 
 def address_of(kernel: Any, signature: Any) -> int:
@@ -87,6 +89,16 @@ def _call_resistance(_context, address, body, state, q, v, z, factor, out):
     return _typed(RESISTANCE), _caller(RESISTANCE)
 
 
+@_shared
+def _call_overstrained(_context, address, problem, q, tolerance):
+    return _typed(OVERSTRAINED), _caller(OVERSTRAINED)
+
+
+@_shared
+def _call_settle(_context, address, problem, q):
+    return _typed(SETTLE), _caller(SETTLE)
+
+
 @kernel(inline="always")
 def accelerate(problem, q, v, a):
     """`forces.forces.accelerations` of the problem's body."""
@@ -117,3 +129,16 @@ def solve(problem, b):
 def add_damping_around(problem, v, z, factor, out):
     """`linear.surrounded.add_surrounding_damping` at the positions of the problem's state."""
     _call_resistance(problem.resistance, problem.body, problem.state, problem.state.q, v, z, factor, out)
+
+
+@kernel(inline="always")
+def bears(problem, q, tolerance):
+    """Whether no spring is strained at positions q so far beyond its limits that a step should be shorter."""
+    return problem.settle == 0 or not _call_overstrained(problem.overstrained, problem, q, tolerance)
+
+
+@kernel(inline="always")
+def settle(problem, q):
+    """`forces.damage.settle`, after a step that has led to positions q."""
+    if problem.settle != 0:
+        _call_settle(problem.settle, problem, q)

@@ -10,6 +10,7 @@ padded likewise. A padding mass never moves, and a padding spring exerts no forc
 
 from __future__ import annotations
 
+from .strength import Strength
 from .surroundings import Surroundings
 from .table import Floats, Indices, Rows, Table
 
@@ -62,6 +63,7 @@ class Body(Table):
     more_spring_mass: Indices  # the slot of the mass that it acts on,
     more_spring_sign: Floats  # and the sign
     surroundings: Surroundings  # what else acts on the masses; see there
+    strength: Strength  # what springs and joints bear; see there
 
 
 class State(Table):
@@ -86,6 +88,11 @@ class State(Table):
     gx: Floats  # (slots,) gravity, px/s²
     gy: Floats
     clock: Floats  # (1,) time of the gusts, s
+    # Empty where nothing yields or breaks.
+    set_length: Floats  # (S,) px by which rest lengths have moved for good
+    set_angle: Floats  # (J,) degrees by which rest angles have
+    hardened: Floats  # (S,) kg px/s² by which yield forces have grown
+    broken: Floats  # (S,) 1 for a spring that is broken, else 0
 
     @property
     def slots(self) -> int:
@@ -383,7 +390,11 @@ WORK_FALLBACK = 5
 """In `EnergyBalance.work`: energy added by fallback steps, which is negative or zero."""
 WORK_WALLS = 6
 """In `EnergyBalance.work`: work of friction on walls and of bouncing, which is negative."""
-WORKS = 7
+WORK_PLASTIC = 7
+"""In `EnergyBalance.work`: energy lost in yielding, which is negative."""
+WORK_BROKEN = 8
+"""In `EnergyBalance.work`: energy of springs and joints that broke, which is negative."""
+WORKS = 9
 """Length of `EnergyBalance.work`."""
 
 
@@ -402,6 +413,8 @@ class Problem(Table):
     factorise: int
     solve: int
     resistance: int
+    overstrained: int
+    settle: int
     fixed: float  # the step, s, or 0 for error control
     near_limit: float  # s; steps from here on count as near Verlet's stability limit
     explicit: Tableau

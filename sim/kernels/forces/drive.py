@@ -25,8 +25,14 @@ def refresh(body, state):
     shift = state.controls[CONTROL_SHIFT]
     for s in range(body.springs):
         state.pull[s] = body.stiffness[s] * (body.rest_length[s] * scale)
+    if body.strength.present:
+        for s in range(body.springs):
+            state.pull[s] += body.stiffness[s] * state.set_length[s]
     for j in range(body.joints):
-        rest = math.radians(wrap(body.joint_rest[j] + shift))
+        degrees = wrap(body.joint_rest[j] + shift)
+        if body.strength.present:
+            degrees = wrap(degrees + state.set_angle[j])
+        rest = math.radians(degrees)
         state.torque_cos[j + 1] = body.joint_stiffness[j] * math.cos(rest)
         state.torque_sin[j + 1] = body.joint_stiffness[j] * math.sin(rest)
         state.torque_rest[j + 1] = rest

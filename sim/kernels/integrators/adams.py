@@ -15,7 +15,7 @@ import math
 from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate
+from ..core.shared import accelerate, accumulate, bears, settle
 from ..core.tables import (
     CONTROLLER_DEGREE,
     CONTROLLER_HEAD,
@@ -154,7 +154,8 @@ def run_adams(problem, drive, end, tolerance, attempts):
         # What turned was moved again after `far` and `fast` were found.
         if turns or not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, integrator, to_q, to_v, step < WORTH_SHORTENING)
-        if good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest):
+        good = good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest)
+        if good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance)):
             if degree == most and since % _WEIGHED == _WEIGHED - 1:
                 most, error = _best_degree(past, head, known, method, degree, top, scale, error, to_a)
             # Overwrites the oldest acceleration, which is no longer needed.
@@ -172,6 +173,7 @@ def run_adams(problem, drive, end, tolerance, attempts):
                 # Swap the arrays instead of copying them.
                 q, to_q, v, to_v = to_q, q, to_v, v
                 swaps += 1
+            settle(problem, q)
             t = end if step == rest else t + step
             since, failures = since + 1, 0
             degree = min(degree, most)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..core.jit import FUSED, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate
+from ..core.shared import accelerate, accumulate, settle
 from ..core.tables import (
     CONTROL_SCALE,
     CONTROL_SHIFT,
@@ -40,7 +40,7 @@ def run_euler(problem, drive, end, tolerance, attempts):
     free = _any_free(state.inverse_mass)
     done, stride = 0, CHECK_EVERY
     while done < steps and count[COUNT_WHAT] == GOOD:
-        batch = 1 if balance.active else min(stride, steps - done)
+        batch = 1 if balance.active or problem.settle != 0 else min(stride, steps - done)
         scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
         _copy(q, v, kept_q, kept_v)
         if balance.active:
@@ -57,6 +57,7 @@ def run_euler(problem, drive, end, tolerance, attempts):
                     lead_to(drive, start + step * h, q, v)  # the drift has moved them
         if sound(body, integrator, q, v, batch == 1):
             done += batch
+            settle(problem, q)
         else:
             _copy(kept_q, kept_v, q, v)
             if drive.pressed:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from ..core.jit import FAST, kernel
-from ..core.shared import accelerate, accumulate, factorise, solve
+from ..core.shared import accelerate, accumulate, bears, factorise, settle, solve
 from ..core.tables import (
     CONTROLLER_BEGUN,
     CONTROLLER_CONTRACTION,
@@ -203,6 +203,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         good = error <= 1.5 and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good and fixed == 0.0:
             good = is_gentle(body, state, q, to_q, step)
+            good = good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance))
         if good:
             if balance.active:
                 for j in range(1, q.size - SPARE):
@@ -219,6 +220,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
             _rest(drive, integrator.a)
             controller[CONTROLLER_CUBE] = 0.0 if calming else cube
             controller[CONTROLLER_BEGUN] += 1.0
+            settle(problem, q)
             count[COUNT_STEPS] += 1
         else:
             error = max(error, 2.0)

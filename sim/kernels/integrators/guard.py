@@ -8,8 +8,9 @@ from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.tables import COUNT_MASS, COUNT_WHAT
 
-GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED, STUCK = 0, 1, 2, 3, 4
-"""What is wrong with a state; STUCK: no step from it is accepted, however short."""
+GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED, STUCK, CHANGED = 0, 1, 2, 3, 4, 5
+"""What is wrong with a state. STUCK: no step from it is accepted, however short. CHANGED: nothing is wrong,
+but springs have yielded or broken, so that the run has to begin anew."""
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate, factorise, solve
+from ..core.shared import accelerate, accumulate, bears, factorise, settle, solve
 from ..core.tables import (
     ARM_ALPHA,
     AUTO_STEP,
@@ -114,6 +114,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
         )
         if good and fixed == 0.0:
             good = is_gentle(body, state, q, to_q, step)
+            good = good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance))
         if good:
             if balance.active:
                 accumulate(problem, drive, t, to_q, to_v, to_a, step)
@@ -121,6 +122,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
             if integrator.history.shape[0] > 0:  # in case generalized-alpha goes on from here
                 remember(problem, step, 0.5 * integrator.selector[AUTO_STEP + ARM_ALPHA])
             replace_state(q, v, integrator.a, to_q, to_v, to_a)
+            settle(problem, q)
             count[COUNT_STEPS] += 1
         else:
             error = max(error, 2.0)

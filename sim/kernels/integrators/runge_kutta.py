@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate
+from ..core.shared import accelerate, accumulate, settle
 from ..core.tables import CONTROLLER_TIME, COUNT_FORCES, COUNT_STEPS, COUNT_WHAT, SPARE
 from ..forces.drive import drive_to
 from .guard import GOOD, sound
@@ -43,6 +43,7 @@ def run_runge_kutta(problem, drive, end, tolerance, attempts):
             accumulate(problem, drive, t, to_q, to_v, rates[stages], step)
         t = end if step == end - t else t + step
         replace_state(q, v, integrator.a, to_q, to_v, rates[stages])
+        settle(problem, q)
         count[COUNT_STEPS] += 1
     controller[CONTROLLER_TIME] = t
 

@@ -1,0 +1,63 @@
+// @ts-check
+/** An arrow at the edge of the view, towards a body that has left it; pressed, it shows the whole scene. */
+import { fit } from "./camera.js";
+
+/** Pixels between the arrow's middle and the edge. */
+const INSET = 34;
+
+/** @typedef {{left: number, right: number, top: number, bottom: number}} Box pixels of the window */
+
+/**
+ * Where the arrow stands and where it points, clockwise from the right in degrees; null while a mass is in view.
+ *
+ * @param {ArrayLike<number>} places of the masses in pixels of the window, x and y of each
+ * @param {Box} view
+ */
+export function edgeArrow(places, view) {
+  let least = Infinity;
+  let nearest = { x: 0, y: 0, turn: 0 };
+  for (let i = 0; i < places.length; i += 2) {
+    const [x, y] = [places[i], places[i + 1]];
+    const at = { x: between(x, view.left, view.right), y: between(y, view.top, view.bottom) };
+    const distance = Math.hypot(x - at.x, y - at.y);
+    if (distance === 0) return null;
+    if (distance < least) {
+      least = distance;
+      nearest = { ...at, turn: (Math.atan2(y - at.y, x - at.x) * 180) / Math.PI };
+    }
+  }
+  if (least === Infinity) return null;
+  return {
+    x: between(nearest.x, view.left + INSET, view.right - INSET),
+    y: between(nearest.y, view.top + INSET, view.bottom - INSET),
+    turn: nearest.turn,
+  };
+}
+
+/** @param {number} value @param {number} low @param {number} high */
+const between = (value, low, high) => Math.max(low, Math.min(high, value));
+
+/** Puts up the arrow, hidden; what is returned places it. */
+export function addEdgeArrow() {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "softrod-edge";
+  button.hidden = true;
+  button.ariaLabel = "The body is out of view. Show the whole scene";
+  button.title = "Show the whole scene (0)";
+  button.innerHTML = '<svg viewBox="0 0 24 24" aria-hidden="true"><path d="M5 10v4h8v5l7-7-7-7v5z"/></svg>';
+  button.addEventListener("click", () => {
+    fit(true);
+    button.blur();
+  });
+  document.body.append(button);
+  /** @param {ArrayLike<number>} places @param {Box} view */
+  return (places, view) => {
+    const arrow = edgeArrow(places, view);
+    button.hidden = arrow === null;
+    if (!arrow) return;
+    button.style.left = `${arrow.x}px`;
+    button.style.top = `${arrow.y}px`;
+    button.style.setProperty("--softrod-turn", `${arrow.turn}deg`);
+  };
+}

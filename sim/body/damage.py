@@ -1,0 +1,76 @@
+"""The tables of what springs bear, and of a body some of whose springs are broken."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..kernels.core.strength import Strength
+from ..kernels.core.tables import Floats, Indices
+from ..scene.types import Scene, is_damageable
+
+if TYPE_CHECKING:
+    from .system import System
+
+
+def new_strength(scene: Scene, spring_order: Indices, joint_order: Indices) -> Strength:
+    """The table of a valid scene.
+
+    Args:
+        scene: the scene.
+        spring_order: (S,) scene index of each spring of the tables.
+        joint_order: (J,) index in the tables of each angular spring of the scene.
+    """
+    if not is_damageable(scene):
+        nothing = np.zeros(0)
+        return Strength(present=False, breaking=nothing, yielding=nothing, hardening=nothing, bending=nothing)
+    springs = [scene.linear_springs[s] for s in spring_order]
+    bending = np.full(len(scene.angular_springs), math.inf)
+    bending[joint_order] = [_limit(joint.yield_torque) for joint in scene.angular_springs]
+    strength = Strength(
+        present=True,
+        breaking=np.array([_limit(spring.strength) for spring in springs]),
+        yielding=np.array([_limit(spring.yield_force) for spring in springs]),
+        hardening=np.array([spring.hardening for spring in springs]),
+        bending=bending,
+    )
+    for _, array in strength.arrays():
+        array.setflags(write=False)
+    return strength
+
+
+def without_broken(system: System, broken: Floats) -> System:
+    """The tables of a body whose broken springs, and the joints that hold them, do nothing any more.
+
+    Args:
+        system: the tables.
+        broken: (S,) 1 for each broken spring, as in `State.broken`.
+    """
+    body, gone = system.body, np.flatnonzero(broken)
+    stiffness, damping = body.stiffness.copy(), body.damping.copy()
+    stiffness[gone] = damping[gone] = 0.0
+    loose = np.isin(body.joint_a, gone) | np.isin(body.joint_b, gone)
+    joint_stiffness, size, resistance = (
+        body.joint_stiffness.copy(),
+        body.torque_size.copy(),
+        body.torque_damping.copy(),
+    )
+    joint_stiffness[loose] = 0.0
+    size[1 : body.joints + 1][loose] = resistance[1 : body.joints + 1][loose] = 0.0
+    tables = {
+        "stiffness": stiffness,
+        "damping": damping,
+        "joint_stiffness": joint_stiffness,
+        "torque_size": size,
+        "torque_damping": resistance,
+    }
+    for table in tables.values():
+        table.setflags(write=False)
+    return dataclasses.replace(system, body=body.replaced(**tables))
+
+
+def _limit(value: float | None) -> float:
+    return math.inf if value is None else value

@@ -1,0 +1,121 @@
+"""Springs that yield and break, and joints that yield.
+
+Both are looked at after each step. A spring whose force |f| is beyond its yield force Y has its rest length
+moved by (|f| - Y) / (k + H), and Y grows by H times that: the return mapping of plasticity with linear
+isotropic hardening (Simo & Hughes, "Computational Inelasticity", 1.4). The rest angle of a joint is moved so
+far that its torque is at the yield torque again. A spring whose force is beyond its strength breaks, and the
+joints that hold it with it. The energy that is lost in this way is entered into the energy balance.
+
+The force is that of the spring itself, without its damping.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ..core.jit import FAST, kernel
+from ..core.tables import COUNT_FRESH, COUNT_WHAT, WORK_BROKEN, WORK_PLASTIC
+from ..core.vectors import deflection, from_to, length_of
+from ..energy.energies import angular_energy
+from ..integrators.guard import CHANGED
+from .drive import wrap
+from .laws import is_sine
+
+_OVER_STRENGTH = 1e-3
+"""Force beyond the strength of a spring, as a fraction of it, at the end of a step in which it breaks."""
+_OVER_YIELD = 1e-3
+"""The same for the yield force, beside the tolerance for the way that the rest length moves."""
+_STEEPEST = 0.999
+"""Largest sine of the deflection to which a yielding joint returns; beyond 90 degrees it would not hold."""
+_SHORTEST_REST = 0.01
+"""Smallest rest length, as a fraction of that of the scene, to which a spring can be squeezed for good."""
+
+
+@kernel(fastmath=FAST)
+def overstrained(problem, q, tolerance):
+    """Whether a step that leads to positions q goes so far beyond a limit that a shorter one should be tried.
+
+    So a method with error control finds the moment at which a spring breaks.
+    """
+    body, state = problem.body, problem.state
+    strength = body.strength
+    for s in range(body.springs):
+        force = abs(_force(body, state, q, s))
+        if state.broken[s] == 0.0 and force > (1.0 + _OVER_STRENGTH) * strength.breaking[s]:
+            return True
+        yielding = strength.yielding[s] + state.hardened[s]
+        if force > (1.0 + _OVER_YIELD) * yielding + body.stiffness[s] * tolerance:
+            return True
+    return False
+
+
+@kernel(fastmath=FAST)
+def settle(problem, q):
+    """Let springs and joints yield and break at positions q; anything that did ends the run with CHANGED."""
+    body, state, balance = problem.body, problem.state, problem.balance
+    strength, changed = body.strength, False
+    for s in range(body.springs):
+        force, stiffness = _force(body, state, q, s), body.stiffness[s]
+        size = abs(force)
+        over = size - (strength.yielding[s] + state.hardened[s])
+        if over > 0.0 and stiffness > 0.0:
+            moved = math.copysign(over / (stiffness + strength.hardening[s]), force)
+            rest = state.pull[s] / stiffness
+            moved = max(moved, min(_SHORTEST_REST * body.rest_length[s] - rest, 0.0))
+            if moved != 0.0:
+                after = force - stiffness * moved
+                state.set_length[s] += moved
+                state.hardened[s] += strength.hardening[s] * abs(moved)
+                state.pull[s] += stiffness * moved
+                balance.work[WORK_PLASTIC] -= 0.5 * (force * force - after * after) / stiffness
+                size, force, changed = abs(after), after, True
+        if size > strength.breaking[s] and state.broken[s] == 0.0:
+            state.broken[s] = 1.0
+            balance.work[WORK_BROKEN] -= 0.5 * force * force / stiffness
+            changed = True
+    for j in range(body.joints):
+        changed |= _settle_joint(problem, q, j)
+    if changed:
+        problem.integrator.counts[COUNT_WHAT] = CHANGED
+        problem.integrator.counts[COUNT_FRESH] = 0
+
+
+@kernel(fastmath=FAST)
+def _settle_joint(problem, q, j):
+    """Let a joint yield or break with one of its springs; whether it did."""
+    body, state, balance = problem.body, problem.state, problem.balance
+    size, soft = body.torque_size[j + 1], body.softening
+    if size <= 0.0:
+        return False
+    s, r = body.joint_a[j], body.joint_b[j]
+    ax, ay = from_to(q, body.spring_a[s], body.spring_b[s])
+    bx, by = from_to(q, body.spring_a[r], body.spring_b[r])
+    before = size * angular_energy(body.law, ax, ay, bx, by, state.torque_rest[j + 1], soft)
+    if state.broken[s] + state.broken[r] > 0.0:
+        balance.work[WORK_BROKEN] -= before
+        return True
+    limit = body.strength.bending[j] / (size * length_of(ax, ay, soft) * length_of(bx, by, soft))
+    off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])
+    torque = abs(math.sin(off)) if is_sine(body.law) else abs(off)
+    if is_sine(body.law) and abs(off) > 0.5 * math.pi:
+        torque = 1.0  # bent beyond its largest torque, it has yielded on the way
+    if not torque > limit:
+        return False
+    kept = math.asin(min(limit, _STEEPEST)) if is_sine(body.law) else limit
+    moved = off - math.copysign(kept, off)
+    if abs(moved) < 1e-12:
+        return False
+    state.set_angle[j] = wrap(state.set_angle[j] + math.degrees(moved))
+    rest = state.torque_rest[j + 1] + moved
+    state.torque_rest[j + 1] = rest
+    state.torque_cos[j + 1], state.torque_sin[j + 1] = size * math.cos(rest), size * math.sin(rest)
+    after = size * angular_energy(body.law, ax, ay, bx, by, rest, soft)
+    balance.work[WORK_PLASTIC] -= before - after
+    return True
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _force(body, state, q, s):
+    """The force of a spring at positions q, kg px/s²; positive where it is stretched."""
+    x, y = from_to(q, body.spring_a[s], body.spring_b[s])
+    return body.stiffness[s] * length_of(x, y, body.softening) - state.pull[s]

@@ -1,0 +1,70 @@
+"""All text can be read: contrast of at least 4.5 : 1, or 3 : 1 where it is large (WCAG 2.2, 1.4.3)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from app.session import commands
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk
+
+SCRIPT = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
+CALM = """async () => {
+  const moving = () => document.getAnimations().some(
+    (each) => each.playState === "running" && each.effect?.getComputedTiming().iterations !== Infinity);
+  for (let calm = 0; calm < 10; ) {
+    await new Promise(requestAnimationFrame);
+    calm = moving() ? 0 : calm + 1;
+  }
+}"""
+TABS = ("Play", "Body", "Solver", "Files", "View")
+
+
+def judged(desk: Desk) -> list[dict[str, Any]]:
+    """Each visible text with its contrast and the least that it needs, when all has faded in."""
+    desk.page.evaluate(CALM)
+    return desk.page.evaluate(SCRIPT)
+
+
+def poor(desk: Desk, where: str) -> list[tuple[str, dict[str, Any]]]:
+    """The texts that are too pale."""
+    found = judged(desk)
+    assert len(found) > 8, where
+    return [(where, one) for one in found if one["ratio"] < one["needed"]]
+
+
+@pytest.mark.parametrize("look", ["light", "dark", "projector"])
+def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
+    desk = open_page(size=(1280, 760))
+    if look == "projector":
+        desk.page.keyboard.press("p")
+    if look == "dark":
+        desk.show("View")
+        desk.control("Dark").click()
+        desk.until(lambda: desk.tab._dark, "it is dark")
+    pale: list[tuple[str, dict[str, Any]]] = []
+    for tab in TABS:
+        desk.show(tab)
+        pale += poor(desk, tab)
+    desk.page.keyboard.press("Control+k")
+    desk.page.get_by_placeholder("Search").wait_for()
+    pale += poor(desk, "all commands")
+    desk.page.keyboard.press("Escape")
+    desk.tell(commands.SetValue("angular_stiffness", 1e8), commands.SetValue("rest_angle", 10.0))
+    desk.until(lambda: desk.notices(), "it runs away")
+    pale += poor(desk, "a notice, and a way back")
+    desk.show("Play")
+    desk.button("Help").click()
+    desk.page.get_by_role("dialog").wait_for()
+    pale += poor(desk, "help")
+    assert not pale, pale
+
+
+def test_pale_text_is_found(open_page: OpenPage) -> None:
+    desk = open_page()
+    pale = ".softrod-clock { color: #999 !important }"
+    desk.page.add_style_tag(content=pale)
+    assert [one for _, one in poor(desk, "the page") if one["text"].endswith(" s")]

@@ -1,0 +1,105 @@
+"""What the page offers where there is room, when the body is out of view, and on paper."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+
+from app.session import commands
+from tests.browser.conftest import OpenPage
+
+
+def test_words_stand_beside_the_icons_where_there_is_room(open_page: OpenPage) -> None:
+    desk = open_page(size=(1280, 700))
+    word = desk.button("Reset").locator("span")
+    assert word.is_visible()
+    # Nothing is cut off, and nothing lies over its neighbour.
+    boxes = [part.bounding_box() for part in desk.page.locator(".softrod-transport > *").all()]
+    edges = [(box["x"], box["x"] + box["width"]) for box in boxes if box is not None]
+    assert all(end <= begin for (_, end), (begin, _) in itertools.pairwise(edges)), edges
+    desk.page.set_viewport_size({"width": 800, "height": 600})
+    desk.until(lambda: not word.is_visible(), "the words give way")
+    assert desk.button("Reset").is_visible()
+
+
+def test_an_arrow_leads_back_to_a_body_that_is_out_of_view(open_page: OpenPage) -> None:
+    desk = open_page()
+    arrow = desk.page.locator(".softrod-edge")
+    assert not arrow.is_visible()
+    for _ in range(3):
+        desk.drag((480.0, 300.0), (40.0, 300.0))
+    desk.until(lambda: arrow.is_visible(), "the arrow is there")
+    box = arrow.bounding_box()
+    assert box is not None
+    assert box["x"] < 60.0  # the body went to the left
+    arrow.click()
+    desk.until(lambda: not arrow.is_visible(), "the arrow is gone")
+    assert all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
+
+
+def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    x, y = desk.simulation.positions[0]
+    desk.tell(commands.DragStart(0, x, y), commands.DragTo(x + 1500.0, y), commands.DragEnd())
+    desk.wait_drawn()
+    assert not desk.uncovered(desk.place(0))
+    desk.page.keyboard.press("0")
+    desk.until(lambda: desk.uncovered(desk.place(0)), "all of it is in view")
+
+
+@pytest.mark.parametrize("control", ["Rest angle", "Follow pointer", "Scene"])
+def test_ctrl_k_opens_the_palette_whatever_has_the_focus(open_page: OpenPage, control: str) -> None:
+    desk = open_page()
+    focused = desk.box(control) if control == "Rest angle" else desk.control(control)
+    focused.focus()
+    desk.page.keyboard.press("Control+k")
+    palette = desk.page.locator(".mantine-Spotlight-action")
+    desk.until(lambda: palette.count() > 0, "the palette opens")
+    desk.page.keyboard.press("Escape")
+    desk.until(lambda: palette.count() == 0, "the palette closes")
+
+
+def test_a_scene_is_opened_anew(open_page: OpenPage) -> None:
+    desk = open_page()
+    assert desk.control("Scene").input_value() == "Rope (3.3)"
+    desk.tell(commands.SetValue("angular_stiffness", 500.0))
+    box, chooser = desk.button("Open anew").bounding_box(), desk.control("Scene").bounding_box()
+    assert box is not None and chooser is not None
+    assert box["height"] > 20.0
+    assert abs(box["y"] - chooser["y"]) < 4.0
+    assert box["x"] > chooser["x"] + chooser["width"]
+    desk.button("Open anew").click()
+    desk.until(
+        lambda: desk.session.scene.angular_springs[0].stiffness == 10_000.0, "it is as its file has it"
+    )
+
+
+@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage, dark: bool) -> None:
+    desk = open_page(size=(1000, 700))
+    if dark:
+        desk.show("View")
+        desk.control("Dark").click()
+        desk.until(lambda: desk.tab._dark, "it is dark")
+        desk.wait_drawn()
+    desk.tell(commands.Play(False))
+    time = desk.clock()
+    desk.page.emulate_media(media="print")
+    heading = desk.page.locator(".softrod-paper")
+    desk.until(lambda: heading.inner_text().startswith("Rope (3.3)\n"), "the heading is there")
+    assert time in heading.inner_text()
+    assert not desk.page.locator(".softrod-dock").is_visible()
+    assert not desk.page.get_by_role("tab").first.is_visible()
+    picture = desk.picture("paper-dark.png" if dark else "paper.png")
+    assert np.median(picture) > 250.0
+    body = picture[picture.shape[0] // 4 :]
+    reddish = body[:, :, 0] - body[:, :, 1:].max(2)
+    assert (reddish > 80.0).sum() > 300  # the masses
+    assert (body.max(2) < 120.0).mean() < 0.02  # and no dark grid
+    desk.page.emulate_media(media="screen")
+    desk.until(lambda: desk.page.locator(".softrod-dock").is_visible(), "the page is back")
+    overlay = desk.page.locator(".softrod-overlay")
+    desk.until(lambda: overlay.get_attribute("viewBox") is None, "the marks are as before")
