@@ -43,8 +43,13 @@ def test_each_example_has_its_settings() -> None:
     assert keys_of(load_scene("tutorial-3.1")) == set()
     assert keys_of(load_scene("tutorial-3.2")) == DYNAMIC | {"template", "masses"}
     assert keys_of(load_scene("tutorial-3.3")) == DYNAMIC | {"masses"}
-    for preset in ("ring", "box", "hair-tuft", "flag-pole"):
-        assert keys_of(load_scene(preset)) == DYNAMIC | {"tolerance"}  # their method is `auto`
+    assert keys_of(load_scene("ring")) == DYNAMIC | {"tolerance"}  # its method is `auto`
+    bent = (DYNAMIC | {"tolerance", "bend"}) - {"rest_angle"}
+    assert keys_of(load_scene("box")) == bent | {"width", "height", "per_side"}
+    assert keys_of(load_scene("hair-tuft")) == bent | {"hairs", "masses", "length", "spread", "taper"}
+    assert keys_of(load_scene("girder")) == (DYNAMIC | {"tolerance"}) - OF_JOINTS | {
+        "panels", "depth", "load", "strength",
+    }  # fmt: skip
 
 
 def test_a_body_without_joints_or_springs_has_fewer() -> None:
@@ -69,9 +74,11 @@ def test_a_setting_without_use_is_refused() -> None:
 def samples(setting: Setting) -> list[float]:
     if setting.key == "template":
         return [float(t) for t in TEMPLATES]
-    if setting.key == "masses":
-        return [3, 4, 17, 60]
     low, high = setting.slider
+    if setting.integer:
+        return [low, low + 1, (low + high) // 2, high]
+    if setting.key not in SETTINGS:  # of a recipe, whose widest range is not for every body
+        return [low, high, low + 0.1234567 * (high - low)]
     return [low, high, low + 0.1234567 * (high - low), setting.low, setting.high]
 
 
@@ -95,6 +102,9 @@ def test_setting_one_leaves_the_others(preset: str, setting: Setting) -> None:
     if setting.key in ("template", "rest_angle"):
         # They set the same angles, and the general law takes over the stiffness of a template.
         touched |= {"template", "rest_angle", "angular_stiffness"}
+    if setting.key in ("linear_stiffness", "shear_stiffness"):
+        # The one scales the other, and the stiffest spring may be a diagonal.
+        touched |= {"linear_stiffness", "shear_stiffness"}
     for other in settings_of(scene):
         if other.key not in touched:
             assert other.read(changed) == other.read(scene)
@@ -211,13 +221,69 @@ def test_gravity_may_point_up_in_any_scene() -> None:
 
 
 # ------------------------------------------------------------------------- recipes and templates
+def several() -> Scene:
+    link = sim.LinearSpring(a=9, b=10, stiffness=500.0, damping=1.0, rest_length=30.0)
+    return validate(
+        Scene(name="several", bodies=(sim.Rod(), sim.FlagPole(driven=None), sim.Girder()), links=(link,))
+    )
+
+
+def test_numbers_of_several_bodies_have_the_place_of_their_body() -> None:
+    scene = several()
+    keys = [setting.key for setting in settings_of(scene)]
+    assert len(set(keys)) == len(keys)
+    assert {"bodies[0].length", "bodies[1].length", "bodies[2].load"} <= set(keys)
+    assert "length" not in keys
+    assert "bodies[2].strength" not in keys  # it has none
+    (label,) = (setting.label for setting in settings_of(scene) if setting.key == "bodies[1].length")
+    assert label == "FlagPole 2: Length of the flag"
+    # Links refer to masses by index, so without them only may the number of masses change.
+    assert "bodies[0].masses" not in keys
+    scene = REPLACE(scene, links=(), masses=())
+    changed = apply_assignments(scene, ["bodies[1].length=50", "bodies[0].masses=4"])
+    assert changed.bodies == (sim.Rod(masses=4), sim.FlagPole(driven=None, length=50.0), sim.Girder())
+    assert len(changed.masses) == len(scene.masses) - 6
+    for key in ("bodies[3].length", "bodies[0].sides", "length"):
+        with pytest.raises(SettingError, match="there is no such setting; there are linear_stiffness"):
+            set_value(scene, key, 3.0)
+
+
+def test_what_stays_of_a_panel_is_the_same_setting() -> None:
+    # The page keeps a slider as long as its setting is equal to that before.
+    scene = several()
+    assert settings_of(scene) == settings_of(set_value(scene, "bodies[0].length", 99.0))
+    assert settings_of(scene) != settings_of(REPLACE(scene, bodies=scene.bodies[:1], masses=(), links=()))
+
+
+def test_all_springs_of_all_recipes_keep_their_proportion() -> None:
+    scene = several()
+    for key, springs in (("linear_stiffness", "linear_springs"), ("angular_stiffness", "angular_springs")):
+        before = [spring.stiffness for spring in getattr(scene, springs)]
+        changed = set_value(scene, key, 77.0)
+        after = [spring.stiffness for spring in getattr(changed, springs)]
+        assert max(after) == 77.0
+        assert after == pytest.approx([77.0 * value / max(before) for value in before])
+        assert len(set(after)) > 2
+    assert set_value(scene, "linear_stiffness", 0.0).links[0].stiffness == 0.0
+    again = set_value(set_value(scene, "linear_stiffness", 0.0), "linear_stiffness", 5.0)
+    assert max(spring.stiffness for spring in again.linear_springs) == 5.0
+
+
+def test_keys_bend_recipes() -> None:
+    scene = REPLACE(several(), arrow_keys=ArrowKeys())
+    turned = validate(shift_rest_angles(scene, 100.0))
+    assert [getattr(body, "bend", None) for body in turned.bodies] == [100.0, 100.0, None]
+    assert shift_rest_angles(turned, 100.0).bodies[0] == REPLACE(sim.Rod(), bend=-160.0)
+
+
 def test_masses_rebuild_the_rope() -> None:
     scene = set_value(load_scene("tutorial-3.3"), "masses", 21)
     assert (len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)) == (21, 20, 19)
     assert {s.rest_length for s in scene.linear_springs} == {15.0}
     assert [a.mass for a in scene.anchors if a.driven] == [0]
-    assert scene.rope is not None
-    assert scene.rope.length == 300.0
+    (rope,) = scene.bodies
+    assert isinstance(rope, sim.Rope)
+    assert rope.length == 300.0
     # The tip stays where the tutorial's recipe puts it: one spring below the start, plus the length.
     assert scene.masses[-1].position[1] == pytest.approx(149.0 + 15.0 + 300.0)
 
@@ -239,7 +305,7 @@ def test_a_template_sets_the_angle_and_its_stiffness(template: int) -> None:
     assert {j.stiffness for j in scene.angular_springs} == {10_000.0}
     factor = math.sqrt(2.0) if template in (135, 45, -45, -135) else 1.0
     assert joint_stiffness(scene) == [pytest.approx(factor * 10_000.0)] * 6
-    plain = REPLACE(scene, rope=None)
+    plain = REPLACE(scene, bodies=())
     assert set_value(plain, "template", 45).angular_springs[2].rest_angle == 45.0
 
 
@@ -247,13 +313,13 @@ def test_a_template_sets_the_angle_and_its_stiffness(template: int) -> None:
 @pytest.mark.parametrize("template", TEMPLATES)
 def test_turning_a_template_scene_keeps_its_strength(template: int, as_recipe: bool) -> None:
     scene = set_value(load_scene("tutorial-3.2"), "template", template)
-    scene = scene if as_recipe else REPLACE(scene, rope=None)
+    scene = scene if as_recipe else REPLACE(scene, bodies=())
     turned = validate(shift_rest_angles(scene, 30.0))
     assert turned.template is None
     assert joint_stiffness(turned) == pytest.approx(joint_stiffness(scene))
     expected = template + 30.0 - (360.0 if template + 30.0 > 180.0 else 0.0)
     assert {j.rest_angle for j in turned.angular_springs} == {expected}
-    assert (turned.rope is not None) == as_recipe
+    assert bool(turned.bodies) == as_recipe
     again = set_value(scene, "rest_angle", expected)
     assert joint_stiffness(again) == pytest.approx(joint_stiffness(scene))
 
