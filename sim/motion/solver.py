@@ -10,7 +10,16 @@ from ..body.sparsity import NO_MATRIX, new_matrix
 from ..body.system import System, slab
 from ..compiling.compiler import for_fallback, is_ready, needed_by
 from ..kernels.around.around import accelerations_around
-from ..kernels.core.shared import ACCELERATIONS, ACCUMULATE, FACTORISE, RESISTANCE, SOLVE, address_of
+from ..kernels.around.contact import stays_apart
+from ..kernels.core.shared import (
+    ACCELERATIONS,
+    ACCUMULATE,
+    APART,
+    FACTORISE,
+    RESISTANCE,
+    SOLVE,
+    address_of,
+)
 from ..kernels.core.tables import (
     ARM_ADAMS,
     ARM_ALPHA,
@@ -268,6 +277,7 @@ class Solver:
             factorise=address_of(factorise, FACTORISE) if implicit else 0,
             solve=address_of(solve, SOLVE) if implicit else 0,
             resistance=address_of(add_surrounding_damping, RESISTANCE) if implicit and around else 0,
+            apart=address_of(stays_apart, APART) if self.system.body.surroundings.contact.present else 0,
             fixed=0.0 if info.adaptive else integrator.dt,
             near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,
             explicit=own if isinstance(own, Tableau) else RK4,

@@ -28,7 +28,8 @@ FACTORISE = types.boolean(
 )
 SOLVE = types.void(Body.numba_type, Matrix.numba_type, FLOATS)
 RESISTANCE = types.void(Body.numba_type, State.numba_type, FLOATS, FLOATS, FLOATS, _F8, FLOATS)
-"""This and the four above: signatures of the kernels that are called through their addresses."""
+APART = types.boolean(Body.numba_type, FLOATS, FLOATS)
+"""This and the five above: signatures of the kernels that are called through their addresses."""
 
 
 def address_of(kernel: Any, signature: Any) -> int:
@@ -87,6 +88,11 @@ def _call_resistance(_context, address, body, state, q, v, z, factor, out):
     return _typed(RESISTANCE), _caller(RESISTANCE)
 
 
+@_shared
+def _call_apart(_context, address, body, q, to_q):
+    return _typed(APART), _caller(APART)
+
+
 @kernel(inline="always")
 def accelerate(problem, q, v, a):
     """`forces.forces.accelerations` of the problem's body."""
@@ -117,3 +123,9 @@ def solve(problem, b):
 def add_damping_around(problem, v, z, factor, out):
     """`linear.surrounded.add_surrounding_damping` at the positions of the problem's state."""
     _call_resistance(problem.resistance, problem.body, problem.state, problem.state.q, v, z, factor, out)
+
+
+@kernel(inline="always")
+def keeps_apart(problem, q, to_q):
+    """`around.contact.stays_apart`, where there is contact."""
+    return problem.apart == 0 or _call_apart(problem.apart, problem.body, q, to_q)

@@ -382,7 +382,7 @@ WORK_KEYS = 4
 WORK_FALLBACK = 5
 """In `EnergyBalance.work`: energy added by fallback steps, which is negative or zero."""
 WORK_WALLS = 6
-"""In `EnergyBalance.work`: work of friction on walls and of bouncing, which is negative."""
+"""In `EnergyBalance.work`: work of friction on walls and in contact, and of bouncing, which is negative."""
 WORKS = 7
 """Length of `EnergyBalance.work`."""
 
@@ -402,6 +402,7 @@ class Problem(Table):
     factorise: int
     solve: int
     resistance: int
+    apart: int
     fixed: float  # the step, s, or 0 for error control
     near_limit: float  # s; steps from here on count as near Verlet's stability limit
     explicit: Tableau

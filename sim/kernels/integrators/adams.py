@@ -15,7 +15,7 @@ import math
 from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate
+from ..core.shared import accelerate, accumulate, keeps_apart
 from ..core.tables import (
     CONTROLLER_DEGREE,
     CONTROLLER_HEAD,
@@ -153,7 +153,8 @@ def run_adams(problem, drive, end, tolerance, attempts):
         good = error <= 1.0
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, integrator, to_q, to_v, step < WORTH_SHORTENING)
-        if good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest):
+        good = good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest)
+        if good and keeps_apart(problem, q, to_q):
             if degree == most and since % _WEIGHED == _WEIGHED - 1:
                 most, error = _best_degree(past, head, known, method, degree, top, scale, error, to_a)
             # Overwrites the oldest acceleration, which is no longer needed.
