@@ -183,6 +183,12 @@ class Matrix(Table):
     # For the products of gradients of L fillings, see `linear.surrounded`.
     borders: Rows  # (2 L, 2 slots)
     corrections: Rows  # (L + 1, L)
+    # For contact, see `linear.contact`; empty where there is none.
+    of_mass: Indices  # (slots,) block of each mass on the diagonal
+    touching: Floats  # (3,), see the TOUCHING_ constants there
+    touched: Rows  # (3, 2 slots) positions, velocities and inverse masses for which the matrix was built
+    krylov: Rows  # (K + 3, 2 slots) basis of a Krylov space, and scratch
+    hessenberg: Rows  # (K + 4, K + 1) scratch of GMRES
     straight: bool  # the parent of every mass that has one is in the slot before it
 
 
