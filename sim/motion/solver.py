@@ -103,6 +103,9 @@ _ADAMS_HIGH = 1.6
 """The same for smaller tolerances. Found by experiment, so that about the same share of random bodies ends
 within large and within small tolerances."""
 
+_ITERATIONS = 10.0
+"""Iterations for a linear system with contact, as far as `auto` expects."""
+
 FALLBACK_STEP = 1e-3
 """Length of a fallback step, s."""
 
@@ -319,11 +322,15 @@ class Solver:
         blocks = 1.8 * n
         if not (body.chain or body.ring):
             force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
+        touching = 20.0 * body.springs if body.surroundings.contact.present else 0.0
+        force += touching
         if not body.chain:
             later = matrix.row_start[1:] - matrix.diagonal - 1
             products = float((later * (later + 1)).sum())
             factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * products
             blocks = float(matrix.column.size)
+        if touching:  # each solution takes some iterations, see `linear.contact`
+            blocks = _ITERATIONS * (blocks + 2.0 * touching)
         stages = 6 if low else 8
         costs = np.zeros(ARMS)
         costs[ARM_VERLET] = 60.0 + force

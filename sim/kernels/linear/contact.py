@@ -85,6 +85,22 @@ def change_of_pair(body, w, m, a, b, met, rate, d, g, definite):
     )
 
 
+@kernel(forceinline=True, fastmath=FUSED)
+def drag_of_pair(body, w, m, a, b, met, rate, d):
+    """Derivatives of a pair's F and G by velocities; arguments as of `change_of_pair`."""
+    contact = body.surroundings.contact
+    push, _, _, nx, ny, speed, along, lx, ly = pair_terms(body, w, m, a, b, met, rate)
+    depth = contact.distance - math.sqrt(met[1] * met[1] + met[2] * met[2])
+    _, by_speed = slopes_of_push(contact.stiffness, contact.loss, depth, speed)
+    square = met[3] * met[3] + met[4] * met[4]
+    rough = contact.friction * min(square / (contact.distance * contact.distance), 1.0)
+    held = math.tanh(along / contact.slip)
+    more = by_speed * (nx * d[0] + ny * d[1])
+    slide = nx * d[1] - ny * d[0] - (d[2] * lx + d[3] * ly)
+    drag = rough * (held * more + push * (1.0 - held * held) / contact.slip * slide)
+    return more * nx + drag * ny, more * ny - drag * nx, drag * lx, drag * ly
+
+
 @kernel(internal=True, fastmath=FUSED)
 def add_contact(body, state, matrix, q, v, g, definite):
     """Add what contact adds to the blocks in the pattern, and remember where, for `solve_with_contact`."""
@@ -138,17 +154,14 @@ def add_contact_damping(body, w, q, v, z, factor, out):
             met = meeting(x, y, m, a, b)
             if met[1] * met[1] + met[2] * met[2] < near:
                 rate, d, t = rates(vx, vy, m, a, b, met[0]), rates(zx, zy, m, a, b, met[0]), met[0]
-                # Without what positions change, this is what is definite, and what the push does to friction.
-                with_g = change_of_pair(body, w, m, a, b, met, rate, d, 1.0, False)
-                without = change_of_pair(body, w, m, a, b, met, rate, d, 0.0, False)
-                px, py = factor * (with_g[0] - without[0]), factor * (with_g[1] - without[1])
-                gx, gy = factor * (with_g[2] - without[2]), factor * (with_g[3] - without[3])
-                out[m] += w[m] * px
-                out[slots + m] += w[m] * py
-                out[a] -= w[a] * ((1.0 - t) * px + gx)
-                out[slots + a] -= w[a] * ((1.0 - t) * py + gy)
-                out[b] += w[b] * (gx - t * px)
-                out[slots + b] += w[b] * (gy - t * py)
+                px, py, gx, gy = drag_of_pair(body, w, m, a, b, met, rate, d)
+                wm, wa, wb, u = factor * w[m], factor * w[a], factor * w[b], 1.0 - t
+                out[m] += wm * px
+                out[slots + m] += wm * py
+                out[a] -= wa * (u * px + gx)
+                out[slots + a] -= wa * (u * py + gy)
+                out[b] += wb * (gx - t * px)
+                out[slots + b] += wb * (gy - t * py)
 
 
 @kernel(internal=True, fastmath=FAST)
