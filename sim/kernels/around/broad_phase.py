@@ -1,7 +1,8 @@
 """The list of the masses that may touch each spring, found with a uniform grid in a hash table.
 
 The list holds all pairs that are nearer than the distance of contact plus a margin. As long as no mass has
-moved by more than half of the margin, no other pair can touch (Verlet 1967), so it is made anew only then.
+moved by more than half of the margin, apart from what all move together, no other pair can touch (Verlet 1967),
+so it is made anew only then.
 That takes a time in proportion to the number of masses and springs, if springs are about equally long.
 """
 
@@ -9,13 +10,8 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from ..core.bits import from_bits, size_bits
-from ..core.jit import FUSED, kernel
-
-DIAGONAL = 1.4142135623730951
-"""Largest movement of a mass if no coordinate changes by more than 1."""
+from ..core.jit import FAST, FUSED, kernel
 
 _FARTHEST = 1e8
 """Coordinate, px, beyond which no pairs are looked for: such a state is refused anyway."""
@@ -25,15 +21,19 @@ _TOO_LONG = 2.0
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def nearest_point(x, y, ax, ay, ex, ey):
-    """The point of a segment that is nearest to a point, as a fraction of the way from a to a + e."""
-    square = ex * ex + ey * ey
-    along = (x - ax) * ex + (y - ay) * ey
-    if along <= 0.0:
-        return 0.0
-    if along >= square:
-        return 1.0
-    return along / square
+def segment(x, y, a, b):
+    """The spring from mass a to mass b: its start, its vector e, and 1 / |e|², which is never infinite."""
+    ex, ey = x[b] - x[a], y[b] - y[a]
+    return x[a], y[a], ex, ey, 1.0 / (ex * ex + ey * ey + 1e-300)
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def meeting(line, x, y):
+    """How a point lies to a segment: the nearest point as a fraction of the way, and the vector from there."""
+    ax, ay, ex, ey, inverse = line
+    dx, dy = x - ax, y - ay
+    t = min(max((dx * ex + dy * ey) * inverse, 0.0), 1.0)
+    return t, dx - t * ex, dy - t * ey
 
 
 @kernel(internal=True, fastmath=FUSED)
@@ -41,10 +41,8 @@ def update_pairs(body, x, y):
     """Make the list anew unless it holds all pairs that touch at these positions."""
     contact = body.surroundings.contact
     margin = contact.number[0]
-    if not (
-        2.0 * DIAGONAL * farthest_move(body.masses, contact.at, x, y) <= margin
-        and margin <= _TOO_LONG * contact.margin
-    ):
+    moved = relative_move(body.masses, contact.at, x, y)
+    if not (moved <= margin and margin <= _TOO_LONG * contact.margin):
         _find_pairs(body, x, y, contact.margin)
 
 
@@ -52,7 +50,7 @@ def update_pairs(body, x, y):
 def cover_pairs(body, x, y, margin):
     """Make the list anew unless it holds all pairs that are nearer than the distance plus a margin (px)."""
     contact = body.surroundings.contact
-    moved = 2.0 * DIAGONAL * farthest_move(body.masses, contact.at, x, y)
+    moved = relative_move(body.masses, contact.at, x, y)
     if not moved + margin <= contact.number[0]:
         _find_pairs(body, x, y, max(margin, contact.margin))
 
@@ -66,13 +64,18 @@ def pairs_of(body, s):
     return contact.start[s], contact.start[s + 1]
 
 
-@kernel(fastmath=FUSED)
-def farthest_move(masses, at, x, y):
-    """The largest difference of a coordinate from positions `at`, px; NaN if any is."""
-    slots, most = x.size, 0
+@kernel(fastmath=FAST)
+def relative_move(masses, at, x, y):
+    """How far masses may have moved relative to each other since positions `at`, px; NaN if any is."""
+    slots, most, ux, uy = x.size, 0, 0.0, 0.0
     for i in range(1, masses + 1):
-        most = max(most, size_bits(x[i] - at[i]), size_bits(y[i] - at[slots + i]))
-    return from_bits(most)
+        ux += x[i] - at[i]
+        uy += y[i] - at[slots + i]
+    ux, uy = ux / masses, uy / masses
+    for i in range(1, masses + 1):
+        dx, dy = x[i] - at[i] - ux, y[i] - at[slots + i] - uy
+        most = max(most, size_bits(dx * dx + dy * dy))
+    return 2.0 * math.sqrt(from_bits(most))
 
 
 @kernel(fastmath=FUSED)
@@ -133,45 +136,47 @@ def _gather(body, s, first):
     """Write the masses that may touch spring s into the list, in ascending order; returns where they end."""
     contact = body.surroundings.contact
     at, member, slots = contact.at, contact.member, contact.at.size // 2
-    a, b = body.spring_a[s], body.spring_b[s]
-    ax, ay, bx, by = at[a], at[slots + a], at[b], at[slots + b]
-    reach, per_px, buckets = contact.distance + contact.number[0], 1.0 / contact.cell, contact.bucket_start.size - 1
-    left, right = math.floor((min(ax, bx) - reach) * per_px), math.floor((max(ax, bx) + reach) * per_px)
-    low, high = math.floor((min(ay, by) - reach) * per_px), math.floor((max(ay, by) + reach) * per_px)
+    reach, buckets = contact.distance + contact.number[0], contact.bucket_start.size - 1
+    near, per_px = reach * reach, 1.0 / contact.cell
+    line = segment(at[:slots], at[slots:], body.spring_a[s], body.spring_b[s])
+    ax, ay, ex, ey, _ = line
+    left, right = math.floor((ax + min(ex, 0.0) - reach) * per_px), math.floor((ax + max(ex, 0.0) + reach) * per_px)
+    low, high = math.floor((ay + min(ey, 0.0) - reach) * per_px), math.floor((ay + max(ey, 0.0) + reach) * per_px)
     behind = first
     if float(right - left + 1) * float(high - low + 1) > body.masses:
         for m in range(1, body.masses + 1):
-            behind = _add_if_near(body, s, m, reach, behind)
-        return behind
-    for column in range(left, right + 1):
-        for row in range(low, high + 1):
-            k = _bucket_of(column, row, buckets)
-            for p in range(contact.bucket_start[k], contact.bucket_start[k + 1]):
-                m = contact.bucket[p]
-                if contact.column[m] == column and contact.row[m] == row:
-                    behind = _add_if_near(body, s, m, reach, behind)
-    for p in range(first + 1, behind):
-        m, k = member[p], p
-        while k > first and member[k - 1] > m:
-            member[k] = member[k - 1]
-            k -= 1
-        member[k] = m
-    return behind
+            _, dx, dy = meeting(line, at[m], at[slots + m])
+            if dx * dx + dy * dy <= near:
+                member[behind] = m
+                behind += 1
+    else:
+        for column in range(left, right + 1):
+            for row in range(low, high + 1):
+                k = _bucket_of(column, row, buckets)
+                for p in range(contact.bucket_start[k], contact.bucket_start[k + 1]):
+                    m = contact.bucket[p]
+                    _, dx, dy = meeting(line, at[m], at[slots + m])
+                    here = contact.column[m] == column and contact.row[m] == row
+                    if here and dx * dx + dy * dy <= near:
+                        q = behind
+                        while q > first and member[q - 1] > m:
+                            member[q] = member[q - 1]
+                            q -= 1
+                        member[q] = m
+                        behind += 1
+    return _without_apart(contact, s, first, behind)
 
 
-@kernel(forceinline=True, fastmath=FUSED)
-def _add_if_near(body, s, m, reach, behind):
-    contact = body.surroundings.contact
-    at, slots = contact.at, contact.at.size // 2
-    a, b = body.spring_a[s], body.spring_b[s]
-    ax, ay = at[a], at[slots + a]
-    ex, ey, x, y = at[b] - ax, at[slots + b] - ay, at[m], at[slots + m]
-    t = nearest_point(x, y, ax, ay, ex, ey)
-    dx, dy = x - ax - t * ex, y - ay - t * ey
-    if dx * dx + dy * dy <= reach * reach:
-        for p in range(contact.apart_start[s], contact.apart_start[s + 1]):
-            if contact.apart[p] == m:
-                return behind
-        contact.member[behind] = m
-        return behind + 1
-    return behind
+@kernel(forceinline=True)
+def _without_apart(contact, s, first, behind):
+    """Take the masses that never touch spring s out of the list; returns where it ends."""
+    member, apart, to = contact.member, contact.apart, first
+    p, last = contact.apart_start[s], contact.apart_start[s + 1]
+    for k in range(first, behind):
+        m = member[k]
+        while p < last and apart[p] < m:
+            p += 1
+        if p == last or apart[p] != m:
+            member[to] = m
+            to += 1
+    return to

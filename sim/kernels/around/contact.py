@@ -20,50 +20,41 @@ import math
 
 from ..core.jit import FUSED, kernel
 from .bounce import push_and_friction, slopes_of_push
-from .broad_phase import DIAGONAL, cover_pairs, farthest_move, nearest_point, pairs_of, update_pairs
+from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
 
 _SURE = 0.5
 """Movement of a mass relative to a spring in a step, as a fraction of the distance of contact, that is
 harmless."""
 
-_TINY = 1e-300
-"""px², added to squared lengths that are divided by."""
+@kernel(forceinline=True, fastmath=FUSED)
+def moving(vx, vy, a, b):
+    """How the spring from mass a to mass b moves: the velocity of its start, and the rate of e."""
+    return vx[a], vy[a], vx[b] - vx[a], vy[b] - vy[a]
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def meeting(x, y, m, a, b):
-    """How mass m and the spring from a to b lie: t, the vector from the nearest point to m, and e."""
-    ex, ey = x[b] - x[a], y[b] - y[a]
-    t = nearest_point(x[m], y[m], x[a], y[a], ex, ey)
-    return t, x[m] - x[a] - t * ex, y[m] - y[a] - t * ey, ex, ey
-
-
-@kernel(forceinline=True, fastmath=FUSED)
-def rates(vx, vy, m, a, b, t):
-    """The velocity of m relative to the point t of the spring, and the rate of e."""
-    ex, ey = vx[b] - vx[a], vy[b] - vy[a]
-    return vx[m] - vx[a] - t * ex, vy[m] - vy[a] - t * ey, ex, ey
-
-
-@kernel(forceinline=True, fastmath=FUSED)
-def pair_terms(body, w, m, a, b, met, rate):
-    """(push, friction, elastic part of the push, its direction, outward speed, speed of sliding, lever).
+def pair_terms(body, w, m, a, b, line, motion, met, vx, vy):
+    """(push, friction, elastic part of the push, r, its direction, outward speed, speed of sliding, lever).
 
     The lever is the vector by which the speed of sliding decreases with the rate of e.
 
     Args:
         w: inverse masses, which matter for methods of first order only.
         m, a, b: slots of the masses.
+        line, motion: of `segment` and `moving`.
         met: of `meeting`.
-        rate: of `rates`.
+        vx, vy: velocity of the mass, px/s.
     """
     contact, h = body.surroundings.contact, body.surroundings.step
-    t, dx, dy, ex, ey = met
-    r, square = math.sqrt(dx * dx + dy * dy), ex * ex + ey * ey
-    nx, ny = dx / (r + _TINY), dy / (r + _TINY)
-    lx, ly = -r * ey / (square + _TINY), r * ex / (square + _TINY)
-    speed = rate[0] * nx + rate[1] * ny
-    along = rate[1] * nx - rate[0] * ny - (rate[2] * lx + rate[3] * ly)
+    _, _, ex, ey, inverse = line
+    sx, sy, wx, wy = motion
+    t, dx, dy = met
+    r = math.sqrt(dx * dx + dy * dy)
+    per_r = 1.0 / (r + 1e-300)
+    nx, ny, lx, ly = dx * per_r, dy * per_r, -r * ey * inverse, r * ex * inverse
+    vx, vy = vx - sx - t * wx, vy - sy - t * wy
+    speed = vx * nx + vy * ny
+    along = vy * nx - vx * ny - (wx * lx + wy * ly)
     across, around = 0.0, 0.0
     if h > 0.0:
         u = 1.0 - t
@@ -73,38 +64,52 @@ def pair_terms(body, w, m, a, b, met, rate):
             + w[a] * ((lx + u * ny) * (lx + u * ny) + (ly - u * nx) * (ly - u * nx))
             + w[b] * ((lx - t * ny) * (lx - t * ny) + (ly + t * nx) * (ly + t * nx))
         )
-    rough = contact.friction * min(square / (contact.distance * contact.distance), 1.0)
     push, friction, elastic = push_and_friction(
-        contact.stiffness, contact.loss, rough, contact.slip,
+        contact.stiffness, contact.loss, roughness(contact, ex * ex + ey * ey), contact.slip,
         h, across, around, contact.distance - r, speed, along,
     )  # fmt: skip
-    return push, friction, elastic, nx, ny, speed, along, lx, ly
+    return push, friction, elastic, r, nx, ny, speed, along, lx, ly
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def roughness(contact, square):
+    """The coefficient of friction on a spring with the squared length `square`."""
+    whole = contact.distance * contact.distance
+    return contact.friction * (square / whole) if square < whole else contact.friction
 
 
 @kernel(internal=True, fastmath=FUSED)
 def push_apart(body, w, x, y, vx, vy, fx, fy):
     """Add the forces of contact on all masses; w: inverse masses."""
     contact = body.surroundings.contact
-    square = contact.distance * contact.distance
+    near = contact.distance * contact.distance
     update_pairs(body, x, y)
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
+        if first == behind:
+            continue
         a, b = body.spring_a[s], body.spring_b[s]
+        line, motion = segment(x, y, a, b), moving(vx, vy, a, b)
+        ax, ay, bx, by = 0.0, 0.0, 0.0, 0.0
         for p in range(first, behind):
             m = contact.member[p]
-            met = meeting(x, y, m, a, b)
-            t, dx, dy, _, _ = met
-            if dx * dx + dy * dy < square:
-                terms = pair_terms(body, w, m, a, b, met, rates(vx, vy, m, a, b, t))
-                push, friction, _, nx, ny, _, _, lx, ly = terms
+            met = meeting(line, x[m], y[m])
+            t, dx, dy = met
+            if dx * dx + dy * dy < near:
+                terms = pair_terms(body, w, m, a, b, line, motion, met, vx[m], vy[m])
+                push, friction, _, _, nx, ny, _, _, lx, ly = terms
                 px, py = push * nx + friction * ny, push * ny - friction * nx
                 gx, gy = friction * lx, friction * ly
                 fx[m] += px
                 fy[m] += py
-                fx[a] -= (1.0 - t) * px + gx
-                fy[a] -= (1.0 - t) * py + gy
-                fx[b] += gx - t * px
-                fy[b] += gy - t * py
+                ax -= (1.0 - t) * px + gx
+                ay -= (1.0 - t) * py + gy
+                bx += gx - t * px
+                by += gy - t * py
+        fx[a] += ax
+        fy[a] += ay
+        fx[b] += bx
+        fy[b] += by
 
 
 @kernel(internal=True, fastmath=FUSED)
@@ -114,8 +119,10 @@ def energy_of_contact(body, x, y):
     update_pairs(body, x, y)
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
+        line = segment(x, y, body.spring_a[s], body.spring_b[s])
         for p in range(first, behind):
-            _, dx, dy, _, _ = meeting(x, y, contact.member[p], body.spring_a[s], body.spring_b[s])
+            m = contact.member[p]
+            _, dx, dy = meeting(line, x[m], y[m])
             depth = contact.distance - math.sqrt(dx * dx + dy * dy)
             if depth > 0.0:
                 energy += contact.stiffness * depth * depth * depth / 3.0
@@ -126,17 +133,18 @@ def energy_of_contact(body, x, y):
 def power_of_contact(body, w, x, y, vx, vy):
     """The power of friction and of what bouncing loses, which is negative, kg px²/s³."""
     contact, power = body.surroundings.contact, 0.0
-    square = contact.distance * contact.distance
+    near = contact.distance * contact.distance
     update_pairs(body, x, y)
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         a, b = body.spring_a[s], body.spring_b[s]
+        line, motion = segment(x, y, a, b), moving(vx, vy, a, b)
         for p in range(first, behind):
             m = contact.member[p]
-            met = meeting(x, y, m, a, b)
-            if met[1] * met[1] + met[2] * met[2] < square:
-                terms = pair_terms(body, w, m, a, b, met, rates(vx, vy, m, a, b, met[0]))
-                push, friction, elastic, _, _, speed, along, _, _ = terms
+            met = meeting(line, x[m], y[m])
+            if met[1] * met[1] + met[2] * met[2] < near:
+                terms = pair_terms(body, w, m, a, b, line, motion, met, vx[m], vy[m])
+                push, friction, elastic, _, _, _, speed, along, _, _ = terms
                 power += (push - elastic) * speed - friction * along
     return power
 
@@ -147,16 +155,17 @@ def stays_apart(body, q, to_q):
     contact, slots = body.surroundings.contact, q.size // 2
     x, y, to_x, to_y = q[:slots], q[slots:], to_q[:slots], to_q[slots:]
     sure = _SURE * contact.distance
-    moved = 2.0 * DIAGONAL * farthest_move(body.masses, q, to_x, to_y)
+    moved = relative_move(body.masses, q, to_x, to_y)
     if moved <= sure:
         return True
     cover_pairs(body, x, y, moved)
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         a, b = body.spring_a[s], body.spring_b[s]
+        line = segment(x, y, a, b)
         for p in range(first, behind):
             m = contact.member[p]
-            _, dx, dy, _, _ = meeting(x, y, m, a, b)
+            _, dx, dy = meeting(line, x[m], y[m])
             ux, uy = to_x[m] - x[m], to_y[m] - y[m]
             past_a = (ux - to_x[a] + x[a]) ** 2 + (uy - to_y[a] + y[a]) ** 2
             past_b = (ux - to_x[b] + x[b]) ** 2 + (uy - to_y[b] + y[b]) ** 2

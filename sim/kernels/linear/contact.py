@@ -12,8 +12,8 @@ from __future__ import annotations
 import math
 
 from ..around.bounce import slopes_of_push
-from ..around.broad_phase import pairs_of, update_pairs
-from ..around.contact import meeting, pair_terms, rates
+from ..around.broad_phase import meeting, pairs_of, segment, update_pairs
+from ..around.contact import moving, pair_terms, roughness
 from ..core.jit import FAST, FUSED, kernel
 from .sparse import solve_sparse
 
@@ -28,24 +28,22 @@ indefinite is left out, and the number of pairs that touch."""
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def change_of_pair(body, w, m, a, b, met, rate, d, g, definite):
+def change_of_pair(body, pair, d, g, definite):
     """Derivatives of a pair's F, and of G less F times that of t, by positions and g times by velocities.
 
     Args:
-        w, m, a, b, met, rate: as of `contact.pair_terms`.
+        pair: of `_pair`.
         d: along what the derivative is taken: w_i times the changes of the three masses, and c_i times them.
         g: 1/s.
         definite: leave out what could make the matrix of an implicit step indefinite.
     """
     contact = body.surroundings.contact
-    t, px, py, ex, ey = met
-    vx, vy, wx, wy = rate
+    t, ex, ey, inverse, vx, vy, wx, wy, terms = pair
     dx, dy, fx, fy = d
-    push, friction, _, nx, ny, speed, along, lx, ly = pair_terms(body, w, m, a, b, met, rate)
-    r, square = math.sqrt(px * px + py * py) + 1e-300, ex * ex + ey * ey + 1e-300
+    push, friction, _, r, nx, ny, speed, along, lx, ly = terms
+    square = ex * ex + ey * ey
     rise, by_speed = slopes_of_push(contact.stiffness, contact.loss, contact.distance - r, speed)
-    short = square < contact.distance * contact.distance
-    rough = contact.friction * (square / (contact.distance * contact.distance) if short else 1.0)
+    short, rough = square < contact.distance * contact.distance, roughness(contact, square)
     held = math.tanh(along / contact.slip)
     stuck = rough * push * (1.0 - held * held) / contact.slip
     away = nx * dx + ny * dy
@@ -55,19 +53,19 @@ def change_of_pair(body, w, m, a, b, met, rate, d, g, definite):
         more, drag = (g * by_speed - rise) * away, g * stuck * slide
         return more * nx + drag * ny, more * ny - drag * nx, drag * lx, drag * ly
     if 0.0 < t < 1.0:
-        turn = (ex * fy - ey * fx) / square
-        shift = (ex * dx + ey * dy + r * (nx * fx + ny * fy)) / square
+        turn = (ex * fy - ey * fx) * inverse
+        shift = (ex * dx + ey * dy + r * (nx * fx + ny * fy)) * inverse
     else:
-        turn, shift = past / r, 0.0
-    stretch = (ex * fx + ey * fy) / square
-    spin = (ex * wy - ey * wx) / square
+        turn, shift = past / (r + 1e-300), 0.0
+    stretch = (ex * fx + ey * fy) * inverse
+    spin = (ex * wy - ey * wx) * inverse
     faster = (nx * vy - ny * vx) * turn - shift * (nx * wx + ny * wy)
     sliding = (
         2.0 * r * spin * stretch
         - shift * (nx * wy - ny * wx)
         - speed * turn
         - away * spin
-        - r * (fx * wy - fy * wx) / square
+        - r * (fx * wy - fy * wx) * inverse
     )
     more = by_speed * (faster + g * away) - rise * away
     drag = rough * held * more + stuck * (sliding + g * slide)
@@ -75,8 +73,7 @@ def change_of_pair(body, w, m, a, b, met, rate, d, g, definite):
         drag += 2.0 * friction * stretch
     along_n, across_n = more + friction * turn, push * turn - drag
     longer = drag - 2.0 * friction * stretch
-    lever = friction * away / square
-    arm = friction * r / square
+    lever, arm = friction * away * inverse, friction * r * inverse
     return (
         nx * along_n - ny * across_n,
         ny * along_n + nx * across_n,
@@ -86,17 +83,25 @@ def change_of_pair(body, w, m, a, b, met, rate, d, g, definite):
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def drag_of_pair(body, w, m, a, b, met, rate, d):
+def _pair(body, w, m, a, b, line, motion, met, vx, vy):
+    """What the derivatives of a pair depend on; arguments as of `contact.pair_terms`."""
+    _, _, ex, ey, inverse = line
+    sx, sy, wx, wy = motion
+    terms = pair_terms(body, w, m, a, b, line, motion, met, vx, vy)
+    return met[0], ex, ey, inverse, vx - sx - met[0] * wx, vy - sy - met[0] * wy, wx, wy, terms
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def drag_of_pair(body, pair, d):
     """Derivatives of a pair's F and G by velocities; arguments as of `change_of_pair`."""
     contact = body.surroundings.contact
-    push, _, _, nx, ny, speed, along, lx, ly = pair_terms(body, w, m, a, b, met, rate)
-    depth = contact.distance - math.sqrt(met[1] * met[1] + met[2] * met[2])
-    _, by_speed = slopes_of_push(contact.stiffness, contact.loss, depth, speed)
-    square = met[3] * met[3] + met[4] * met[4]
-    rough = contact.friction * min(square / (contact.distance * contact.distance), 1.0)
+    _, ex, ey, _, _, _, _, _, terms = pair
+    push, _, _, r, nx, ny, speed, along, lx, ly = terms
+    _, by_speed = slopes_of_push(contact.stiffness, contact.loss, contact.distance - r, speed)
     held = math.tanh(along / contact.slip)
     more = by_speed * (nx * d[0] + ny * d[1])
     slide = nx * d[1] - ny * d[0] - (d[2] * lx + d[3] * ly)
+    rough = roughness(contact, ex * ex + ey * ey)
     drag = rough * (held * more + push * (1.0 - held * held) / contact.slip * slide)
     return more * nx + drag * ny, more * ny - drag * nx, drag * lx, drag * ly
 
@@ -116,17 +121,18 @@ def add_contact(body, state, matrix, q, v, g, definite):
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         a, b = body.spring_a[s], body.spring_b[s]
+        line, motion = segment(x, y, a, b), moving(vx, vy, a, b)
         for p in range(first, behind):
             m = contact.member[p]
-            met = meeting(x, y, m, a, b)
+            met = meeting(line, x[m], y[m])
             if met[1] * met[1] + met[2] * met[2] < near:
                 count += 1
-                rate, t = rates(vx, vy, m, a, b, met[0]), met[0]
-                u = 1.0 - t
+                pair = _pair(body, w, m, a, b, line, motion, met, vx[m], vy[m])
+                t, u = met[0], 1.0 - met[0]
                 for axis in range(2):
                     one, other = (1.0, 0.0) if axis == 0 else (0.0, 1.0)
-                    by_m = change_of_pair(body, w, m, a, b, met, rate, (one, other, 0.0, 0.0), g, definite)
-                    by_e = change_of_pair(body, w, m, a, b, met, rate, (0.0, 0.0, one, other), g, definite)
+                    by_m = change_of_pair(body, pair, (one, other, 0.0, 0.0), g, definite)
+                    by_e = change_of_pair(body, pair, (0.0, 0.0, one, other), g, definite)
                     for part in range(2):
                         e = 2 * part + axis
                         f, h, fe, he = by_m[part], by_m[2 + part], by_e[part], by_e[2 + part]
@@ -149,13 +155,17 @@ def add_contact_damping(body, w, q, v, z, factor, out):
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         a, b = body.spring_a[s], body.spring_b[s]
+        line, motion = segment(x, y, a, b), moving(vx, vy, a, b)
         for p in range(first, behind):
             m = contact.member[p]
-            met = meeting(x, y, m, a, b)
+            met = meeting(line, x[m], y[m])
             if met[1] * met[1] + met[2] * met[2] < near:
-                rate, d, t = rates(vx, vy, m, a, b, met[0]), rates(zx, zy, m, a, b, met[0]), met[0]
-                px, py, gx, gy = drag_of_pair(body, w, m, a, b, met, rate, d)
-                wm, wa, wb, u = factor * w[m], factor * w[a], factor * w[b], 1.0 - t
+                pair = _pair(body, w, m, a, b, line, motion, met, vx[m], vy[m])
+                t, u = met[0], 1.0 - met[0]
+                ex, ey = zx[b] - zx[a], zy[b] - zy[a]
+                d = (zx[m] - zx[a] - t * ex, zy[m] - zy[a] - t * ey, ex, ey)
+                px, py, gx, gy = drag_of_pair(body, pair, d)
+                wm, wa, wb = factor * w[m], factor * w[a], factor * w[b]
                 out[m] += wm * px
                 out[slots + m] += wm * py
                 out[a] -= wa * (u * px + gx)
@@ -248,19 +258,20 @@ def _couple(body, matrix, z, out):
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
         a, b = body.spring_a[s], body.spring_b[s]
+        line, motion = segment(x, y, a, b), moving(vx, vy, a, b)
         for p in range(first, behind):
             m = contact.member[p]
-            met = meeting(x, y, m, a, b)
+            met = meeting(line, x[m], y[m])
             if met[1] * met[1] + met[2] * met[2] < near:
-                rate, t = rates(vx, vy, m, a, b, met[0]), met[0]
-                u = 1.0 - t
+                pair = _pair(body, w, m, a, b, line, motion, met, vx[m], vy[m])
+                t, u = met[0], 1.0 - met[0]
                 ax, ay, bx, by = z[a], z[slots + a], z[b], z[slots + b]
                 d = (-u * ax - t * bx, -u * ay - t * by, bx - ax, by - ay)
-                fx, fy, _, _ = change_of_pair(body, w, m, a, b, met, rate, d, g, definite)
+                fx, fy, _, _ = change_of_pair(body, pair, d, g, definite)
                 out[m] -= w[m] * fx
                 out[slots + m] -= w[m] * fy
                 d = (z[m], z[slots + m], 0.0, 0.0)
-                fx, fy, gx, gy = change_of_pair(body, w, m, a, b, met, rate, d, g, definite)
+                fx, fy, gx, gy = change_of_pair(body, pair, d, g, definite)
                 out[a] += w[a] * (u * fx + gx)
                 out[slots + a] += w[a] * (u * fy + gy)
                 out[b] -= w[b] * (gx - t * fx)
