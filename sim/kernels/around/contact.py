@@ -149,7 +149,7 @@ def power_of_contact(body, w, x, y, vx, vy):
     return power
 
 
-@kernel(internal=True, fastmath=FUSED)
+@kernel(fastmath=FUSED)
 def stays_apart(body, q, to_q):
     """Whether in a step from q to to_q no mass can have passed through a spring or gone far into one."""
     contact, slots = body.surroundings.contact, q.size // 2
