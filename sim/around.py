@@ -41,7 +41,7 @@ def _push_and_friction(
     h: float,
     across: float | Floats,
     around: float | Floats,
-    depth: Floats,
+    depth: NDArray[np.floating],
     speed: Vectors,
 ) -> tuple[Floats, Floats]:
     """See `kernels.around.bounce`; the speed is outwards + i along."""
@@ -112,8 +112,8 @@ def _energy(filling: Floats, area: float) -> float:
 class Touching:
     """Contact of a body's masses with its springs, see `kernels.around.contact`.
 
-    Pairs that are nearer than the distance of contact plus a margin are kept until some mass has moved by half
-    of the margin.
+    Pairs that are nearer than the distance of contact plus a margin are kept until some mass has moved by
+    half of the margin.
 
     Args:
         around: what surrounds the body.

@@ -33,11 +33,11 @@ def near_pairs(x: Vectors, masses: Indices, ends: Indices, distance: float) -> t
         (k,) the spring and the mass of each pair, in the order of springs and then of masses.
     """
     # Only scenes with contact need this import.
-    from scipy.spatial import cKDTree
+    from scipy.spatial import KDTree
 
     a, b = x[ends[:, 0]], x[ends[:, 1]]
     middle = 0.5 * (a + b)
-    tree = cKDTree(np.column_stack((x[masses].real, x[masses].imag)))
+    tree = KDTree(np.column_stack((x[masses].real, x[masses].imag)))
     around = tree.query_ball_point(
         np.column_stack((middle.real, middle.imag)), 0.5 * abs(b - a) + distance, return_sorted=True
     )

@@ -82,7 +82,7 @@ class Physics:
         self._ends = np.concatenate((self.b, self.a))
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """(slots,) the forces of springs, fillings, walls and contact at positions x (px) and velocities v (px/s)."""
+        """(slots,) the forces of springs and surroundings at positions x (px) and velocities v (px/s)."""
         spring, rate = x[self.b] - x[self.a], v[self.b] - v[self.a]
         square = np.maximum(abs(spring), SHORTEST) ** 2
         # Of a spring with the vector L: -stiffness (|L| - rest) L/|L| - damping (L . dL/dt) L/|L|².

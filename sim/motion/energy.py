@@ -27,10 +27,10 @@ class EnergyBook:
     """The energies, and what has changed their sum since the balance was opened, in kg px²/s².
 
     Attributes:
-        kinetic, linear, angular, gravity, walls, fillings, contact: energies of the free masses' motion, the linear
-            springs, the angular springs, the free masses' height above 0 and their depth in walls, the gases
-            and liquids, and what touches. Under the force law "tutorial" the angular
-            energy is that of the conservative law.
+        kinetic, linear, angular, gravity, walls, fillings, contact: energies of the free masses' motion, the
+            linear springs, the angular springs, the free masses' height above 0 and their depth in walls, the
+            gases and liquids, and what touches. Under the force law "tutorial" the angular energy is that of
+            the conservative law.
         anchors: work done on the body by moved anchors. Grabbing a mass removes its kinetic energy and that
             of its height; releasing it adds that of its height at that moment.
         damping, air, friction: work of the damping of springs, of air friction, and of walls and contact by

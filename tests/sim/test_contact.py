@@ -153,9 +153,7 @@ def scattered(seed: int) -> Arrays:
     rng = np.random.default_rng(seed)
     at = rng.normal(0.0, 60.0, (70, 2)) + np.where(rng.random((70, 1)) < 0.1, 1e5, -40.0)
     at[:20] *= 4.0
-    lines = tuple(
-        sim.LinearSpring(a=2 * i, b=2 * i + 1, stiffness=1.0, rest_length=1.0) for i in range(30)
-    )
+    lines = tuple(sim.LinearSpring(a=2 * i, b=2 * i + 1, stiffness=1.0, rest_length=1.0) for i in range(30))
     scene = Scene(
         name="scattered",
         masses=tuple(Mass(position=(x, y)) for x, y in rng.uniform(-1e4, 1e4, (70, 2)).tolist()),
@@ -279,7 +277,7 @@ def test_a_system_whose_iteration_does_not_converge_has_no_solution() -> None:
 def test_steps_go_on_where_iterations_do_not_converge(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = crumpled("cloth", 2)
     expected = run(scene, 0.05, "rodas4", tolerance=1e-3)
-    monkeypatch.setattr("sim.body.sparsity._KRYLOV", 2)
+    monkeypatch.setattr("sim.body.sparsity._KRYLOV", 1)
     short = run(scene, 0.05, "rodas4", tolerance=1e-3)
     assert solver_of(short).stats().rejected > solver_of(expected).stats().rejected
     assert np.abs(short.positions - expected.positions).max() <= 1e-2
@@ -339,9 +337,7 @@ def test_a_rope_that_falls_on_itself_lies_on_itself() -> None:
 def test_a_ring_inside_another_bounces_off_and_stays_in(method: Method) -> None:
     inner, outer = ring((0.0, 0.0), 15.0, 10, (400.0, 130.0)), ring((0.0, 0.0), 60.0, 24)
     scene = joined(inner, outer, contact=REPLACE(HARD, friction=0.1, bounciness=0.9))
-    simulation = Simulation(
-        REPLACE(scene, integrator=Integrator(method=method, dt=2e-4, tolerance=0.01))
-    )
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=2e-4, tolerance=0.01)))
     simulation.energy()
     approaching = []
     for _ in range(100):

@@ -1,14 +1,14 @@
 """The push and the friction of whatever is entered: a wall, or the surroundings of a spring.
 
-At the depth d, entered with the speed s, the push is k d² (1 + c s), and the friction mu N tanh(u / u0), where
-N is the push and u the speed along the surface. The push is continuously differentiable at the surface, so that
-methods with error control keep their order. Its energy is k d³ / 3; the rest is dissipated. After Hunt &
-Crossley, "Coefficient of restitution interpreted as damping in vibroimpact" (1975).
+At the depth d, entered with the speed s, the push is k d² (1 + c s), and the friction mu N tanh(u / u0),
+where N is the push and u the speed along the surface. The push is continuously differentiable at the surface,
+so that methods with error control keep their order. Its energy is k d³ / 3; the rest is dissipated. After
+Hunt & Crossley, "Coefficient of restitution interpreted as damping in vibroimpact" (1975).
 
 Methods of first order take both as a step of the linearly implicit Euler method would, so that a mass that is
-deep inside, or pressed on a rough surface, does not explode at the step of the scene: with the mobility w (the
-acceleration by a force of one), the push is divided by 1 + h w (c k d² + 2 h k d), and friction needs the
-speed mu N h w more. Both vanish with the step.
+deep inside, or pressed on a rough surface, does not explode at the step of the scene: with the mobility w
+(the acceleration by a force of one), the push is divided by 1 + h w (c k d² + 2 h k d), and friction needs
+the speed mu N h w more. Both vanish with the step.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """The list of the masses that may touch each spring, found with a uniform grid in a hash table.
 
 The list holds all pairs that are nearer than the distance of contact plus a margin. As long as no mass has
-moved by more than half of the margin, apart from what all move together, no other pair can touch (Verlet 1967),
-so it is made anew only then.
-That takes a time in proportion to the number of masses and springs, if springs are about equally long.
+moved by more than half of the margin, apart from what all move together, no other pair can touch (Verlet
+1967), so it is made anew only then. That takes a time in proportion to the number of masses and springs, if
+springs are about equally long.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def segment(x, y, a, b):
 
 @kernel(forceinline=True, fastmath=FUSED)
 def meeting(line, x, y):
-    """How a point lies to a segment: the nearest point as a fraction of the way, and the vector from there."""
+    """How a point lies to a segment: where the nearest point is, as a fraction, and the vector from there."""
     ax, ay, ex, ey, inverse = line
     dx, dy = x - ax, y - ay
     t = min(max((dx * ex + dy * ey) * inverse, 0.0), 1.0)
@@ -140,8 +140,14 @@ def _gather(body, s, first):
     near, per_px = reach * reach, 1.0 / contact.cell
     line = segment(at[:slots], at[slots:], body.spring_a[s], body.spring_b[s])
     ax, ay, ex, ey, _ = line
-    left, right = math.floor((ax + min(ex, 0.0) - reach) * per_px), math.floor((ax + max(ex, 0.0) + reach) * per_px)
-    low, high = math.floor((ay + min(ey, 0.0) - reach) * per_px), math.floor((ay + max(ey, 0.0) + reach) * per_px)
+    left, right = (
+        math.floor((ax + min(ex, 0.0) - reach) * per_px),
+        math.floor((ax + max(ex, 0.0) + reach) * per_px),
+    )
+    low, high = (
+        math.floor((ay + min(ey, 0.0) - reach) * per_px),
+        math.floor((ay + max(ey, 0.0) + reach) * per_px),
+    )
     behind = first
     if float(right - left + 1) * float(high - low + 1) > body.masses:
         for m in range(1, body.masses + 1):

@@ -1,15 +1,15 @@
 """Contact of masses with linear springs, for which see also `bounce` and `broad_phase`.
 
-Let p = (1 - t) a + t b be the point of a spring that is nearest to a mass, e = b - a the spring's vector, r the
-distance, n the unit vector from p to the mass, and tau the one across. Where r is less than the distance of
-contact, the mass is pushed along n, and the masses a and b get the opposite force in the shares 1 - t and t.
-The push depends on r and its rate.
+Let p = (1 - t) a + t b be the point of a spring that is nearest to a mass, e = b - a the spring's vector, r
+the distance, n the unit vector from p to the mass, and tau the one across. Where r is less than the distance
+of contact, the mass is pushed along n, and the masses a and b get the opposite force in the shares 1 - t and
+t. The push depends on r and its rate.
 
-The speed of sliding is that relative to the spring, which turns: tau . v - r (e x e')/|e|², with the velocity v
-of the mass relative to p. It is zero where everything turns like a rigid body. Friction acts along its gradient
-by the velocities, which takes energy whenever anything slides, and has neither a sum nor a torque: besides the
-force on the mass there is a couple on the spring. A spring shorter than the distance of contact could not bear
-that, so friction decreases with the square of its length there.
+The speed of sliding is that relative to the spring, which turns: tau . v - r (e x e')/|e|², with the velocity
+v of the mass relative to p. It is zero where everything turns like a rigid body. Friction acts along its
+gradient by the velocities, which takes energy whenever anything slides, and has neither a sum nor a torque:
+besides the force on the mass there is a couple on the spring. A spring shorter than the distance of contact
+could not bear that, so friction decreases with the square of its length there.
 
 A pair's forces are w_i F + c_i G with the weights w = (1, t - 1, -t) and c = (0, -1, 1) of the mass, a and b.
 """
@@ -19,12 +19,13 @@ from __future__ import annotations
 import math
 
 from ..core.jit import FUSED, kernel
-from .bounce import push_and_friction, slopes_of_push
+from .bounce import push_and_friction
 from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
 
 _SURE = 0.5
 """Movement of a mass relative to a spring in a step, as a fraction of the distance of contact, that is
 harmless."""
+
 
 @kernel(forceinline=True, fastmath=FUSED)
 def moving(vx, vy, a, b):

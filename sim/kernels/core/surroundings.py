@@ -1,4 +1,4 @@
-"""The table of what acts on a body besides springs and gravity: walls, wind, fillings of closed loops, contact."""
+"""The table of what acts on a body besides springs and gravity: walls, wind, fillings, contact."""
 
 from __future__ import annotations
 

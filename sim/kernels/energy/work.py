@@ -132,7 +132,7 @@ def _add_powers(problem, drive, t, h, q, v, still):
 
 @kernel(fastmath=FAST)
 def _internal_forces(body, state, scratch, x, y, vx, vy):
-    """The forces of springs, joints, fillings and contact on all masses, into `scratch.fx` and `scratch.fy`."""
+    """The forces of springs, joints, fillings and contact on all masses, into `fx` and `fy` of `scratch`."""
     spring_forces(body, state, scratch, x, y, vx, vy)
     if body.surroundings.present:
         press_from_inside(body.surroundings, x, y, scratch.fx, scratch.fy)

@@ -1,10 +1,11 @@
 """Contact in the matrix of an implicit step.
 
-Which masses touch which springs changes all the time, so the blocks that join them are not in the pattern. What
-contact adds to the blocks of a mass with itself and of the two ends of a spring is, and is factorised with the
-rest. With that matrix A and the other blocks R, a system (A + R) x = b is solved as x + A^-1 R x = A^-1 b by
-GMRES (Saad & Schultz 1986). Few iterations suffice, about as many as there are directions in which things
-touch, or fewer where the step is short. If they do not, the result is infinite, and the step is refused.
+Which masses touch which springs changes all the time, so the blocks that join them are not in the pattern.
+What contact adds to the blocks of a mass with itself and of the two ends of a spring is, and is factorised
+with the rest. With that matrix A and the other blocks R, a system (A + R) x = b is solved as x + A^-1 R x =
+A^-1 b by GMRES (Saad & Schultz 1986). Few iterations suffice, about as many as there are directions in which
+things touch, or fewer where the step is short. If they do not, the result is infinite, and the step is
+refused.
 """
 
 from __future__ import annotations
