@@ -77,10 +77,12 @@ class Physics:
         self.rest_angle = state.torque_rest[joints]  # (J,) radians
         self.state = state
         self.surroundings = body.surroundings
+        ends = np.stack((self.a, self.b), 1)
+        self.touching = around.Touching(body.surroundings, state.inverse_mass, body.masses, ends)
         self._ends = np.concatenate((self.b, self.a))
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """(slots,) the forces of springs, fillings and walls at positions x (px) and velocities v (px/s)."""
+        """(slots,) the forces of springs and surroundings at positions x (px) and velocities v (px/s)."""
         spring, rate = x[self.b] - x[self.a], v[self.b] - v[self.a]
         square = np.maximum(abs(spring), SHORTEST) ** 2
         # Of a spring with the vector L: -stiffness (|L| - rest) L/|L| - damping (L . dL/dt) L/|L|².
@@ -104,6 +106,8 @@ class Physics:
         if self.surroundings.present:
             forces += around.filling_forces(self.surroundings, x)
             forces += self.surroundings.mass * around.wall_accelerations(self.surroundings, x, v)
+            if self.surroundings.contact.present:
+                forces += self.touching.forces(x, v)
         return forces
 
     def accelerations(self, x: Vectors, v: Vectors) -> Vectors:
@@ -121,7 +125,7 @@ class Physics:
     def energies(self, x: Vectors) -> tuple[float, float]:
         """Energies of linear and of angular springs, kg px²/s²; the tutorial's law uses the sine law's.
 
-        Those of walls and fillings are in `sim.around`.
+        Those of walls, fillings and contact are in `sim.around`.
         """
         spring = x[self.b] - x[self.a]
         pulls = self.stiffness > 0.0

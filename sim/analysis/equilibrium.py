@@ -11,6 +11,7 @@ from ..body.sparsity import new_matrix
 from ..body.system import build_system, new_scratch, new_state, refresh
 from ..errors import InputError
 from ..kernels.around.around import accelerations_around
+from ..kernels.around.contact import stays_apart
 from ..kernels.core.tables import Floats
 from ..kernels.forces.forces import accelerations
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
@@ -68,7 +69,9 @@ def equilibrium(scene: Scene) -> Pose:
     A step may not be so long that the matrix is indefinite, so the body leaves an unstable balance. Where no
     step converges, a step is taken with the positive definite matrix and a line search.
 
-    The wind is the mean wind, without gusts. Friction on walls holds nothing that is at rest, see `Wall`.
+    The wind is the mean wind, without gusts. Friction on walls and in contact holds nothing that is at rest,
+    see `Wall`. In contact, whether a balance is stable is judged without what it does between different
+    bodies.
 
     Args:
         scene: a valid scene. If no spring forces can balance gravity, there is no equilibrium.
@@ -162,8 +165,9 @@ class _Resting:
     """
 
     def __init__(self, scene: Scene, balanced: bool) -> None:
-        # A method with a fixed step, for which springs are not softened.
-        exact = Integrator(method="symplectic_euler")
+        # A method with a fixed step, for which springs are not softened, and not of first order, for which
+        # walls are.
+        exact = Integrator(method="rk4")
         wind = scene.wind and msgspec.structs.replace(scene.wind, turbulence=0.0)
         self.system = build_system(msgspec.structs.replace(validate(scene), integrator=exact, wind=wind))
         body = self.tables = self.system.body
@@ -196,8 +200,8 @@ class _Resting:
         return np.where(at_mass[1:] > 0.0, at_mass[1:], max(1.0, float(at_mass.max())))
 
     def refuse_falling(self) -> None:
-        """Refuse a body with a part that is connected to no held mass, unless there are walls to fall on."""
-        if self.tables.surroundings.walls.size:
+        """Refuse a body with a part that is connected to no held mass, unless it may fall on something."""
+        if self.tables.surroundings.walls.size or self.tables.surroundings.contact.present:
             return
         held, parent = self.system.held, self.matrix.parent
         for m in self.matrix.walk.tolist():
@@ -218,7 +222,8 @@ class _Resting:
         Without pivoting between blocks, a matrix that is symmetric apart from the masses is positive definite
         if and only if all its pivots are. (Under the tutorial's law it is slightly unsymmetric.) Fillings add
         products of vectors to it, which make as many of its eigenvalues positive as their own small matrix
-        has negative ones (Haynsworth 1968).
+        has negative ones (Haynsworth 1968). The blocks that join a mass to a spring that it touches are not
+        among the pivots, and are ignored here.
         """
         matrix, n = self.matrix, self.tables.masses
         kernel = factorise_surrounded if self.surrounded else factorise_matrix
@@ -256,6 +261,10 @@ class _Resting:
             return 0.0
         lengths = np.maximum(np.hypot(*self.vectors(q)), 1e-3 * self.typical)
         return float((np.hypot(*self.vectors(move)) / lengths).max())
+
+    def stays_apart(self, q: Floats, to_q: Floats) -> bool:
+        """Whether no mass can have passed through a spring that it touches, on the way from q to to_q."""
+        return not self.tables.surroundings.contact.present or bool(stays_apart(self.tables, q, to_q))
 
     def nudge(self, q: Floats, size: float) -> Floats:
         """The positions with every free mass displaced at random by up to `size` typical lengths."""
@@ -334,6 +343,8 @@ def _continuation(body: _Resting) -> Floats:
             turned = body.turn(q, move)
             if turned <= _TURN:
                 ratio, to_q = _settle(body, q, move, shift)
+                if not body.stays_apart(q, to_q):
+                    ratio = np.inf
         if ratio < np.inf:
             q, a = to_q, body.accelerations(to_q)
             if not np.abs(q).max() <= MAX_COORDINATE:
@@ -409,7 +420,7 @@ def _search(body: _Resting, q: Floats, a: Floats) -> tuple[float, Floats, Floats
     for _ in range(_HALVINGS):
         to_q = q + part * move
         to_a = body.accelerations(to_q)
-        if float(to_a @ along) >= -0.5 * power:
+        if float(to_a @ along) >= -0.5 * power and body.stays_apart(q, to_q):
             break
         part *= 0.5
     return shift, to_q, to_a

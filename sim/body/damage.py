@@ -69,7 +69,10 @@ def without_broken(system: System, broken: Floats) -> System:
     }
     for table in tables.values():
         table.setflags(write=False)
-    return dataclasses.replace(system, body=body.replaced(**tables))
+    around = body.surroundings
+    if around.contact.present:
+        around = around.replaced(contact=around.contact.replaced(broken=broken.copy()))
+    return dataclasses.replace(system, body=body.replaced(**tables, surroundings=around))
 
 
 def _limit(value: float | None) -> float:

@@ -30,9 +30,18 @@ NO_MATRIX = Matrix(
     loop_target=_NOWHERE,
     borders=np.zeros((0, 0)),
     corrections=np.zeros((0, 0)),
+    of_mass=_NOWHERE,
+    touching=_NONE,
+    touched=np.zeros((0, 0)),
+    krylov=np.zeros((0, 0)),
+    hessenberg=np.zeros((0, 0)),
     straight=False,
 )
 """An empty matrix, for methods that solve no linear systems."""
+
+
+_KRYLOV = 40
+"""Largest dimension of a Krylov space for the parts of contact that are not in the pattern."""
 
 
 def new_matrix(body: Body, held: np.ndarray) -> Matrix:
@@ -82,6 +91,12 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     ux, uy, inverse, damping = springs
     fillings = body.surroundings.fillings.shape[0]
     walk, parent = trees
+    diagonal = np.searchsorted(keys, np.arange(n) * n + np.arange(n))
+    wide, of_mass = 2 * slots_of(body), np.zeros(0, np.int64)
+    krylov = 0
+    if body.surroundings.contact.present:
+        krylov, of_mass = _KRYLOV + 3, np.zeros(wide // 2, np.int64)
+        of_mass[1 : n + 1] = diagonal[position]
     return Matrix(
         blocks=np.zeros(4 * column.size),
         parts=np.zeros(0),
@@ -94,13 +109,18 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
         order=order + 1,
         row_start=row_start,
         column=column,
-        diagonal=np.searchsorted(keys, np.arange(n) * n + np.arange(n)),
+        diagonal=diagonal,
         slot=np.zeros(n, np.int64),
         spring_target=targets(spring_pairs),
         joint_target=targets(joint_pairs),
         loop_target=targets(loop_pairs),
         borders=np.zeros((2 * fillings, 2 * slots_of(body) if fillings else 0)),
         corrections=np.zeros((fillings + 1, fillings)),
+        of_mass=of_mass,
+        touching=np.zeros(3 if krylov else 0),
+        touched=np.zeros((3 if krylov else 0, wide)),
+        krylov=np.zeros((krylov, wide)),
+        hessenberg=np.zeros((_KRYLOV + 4 if krylov else 0, _KRYLOV + 1)),
         straight=False,
     )
 

@@ -11,6 +11,7 @@ from ..kernels.core.tables import Floats, Indices
 from ..methods.registry import METHODS
 from ..scene.surroundings import Gas, Liquid, Wall, Wind
 from ..scene.types import Scene, is_surrounded
+from .contact import new_contacts
 
 REFERENCE_SPEED = 1000.0
 """Speed, px/s, at which a mass hits a wall to leave it with the bounciness of the wall."""
@@ -23,12 +24,13 @@ _TURN = math.pi * (3.0 - math.sqrt(5.0))
 """Angle between the directions of one wave and the next: the golden angle spreads any number evenly."""
 
 
-def new_surroundings(scene: Scene, mass_index: Indices, slots: int) -> Surroundings:
+def new_surroundings(scene: Scene, mass_index: Indices, ends: Indices, slots: int) -> Surroundings:
     """The table of a valid scene.
 
     Args:
         scene: the scene.
         mass_index: (n,) the slot of each of its masses.
+        ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
         slots: number of slots of a state.
     """
     mass = np.zeros(slots)
@@ -51,6 +53,9 @@ def new_surroundings(scene: Scene, mass_index: Indices, slots: int) -> Surroundi
         fillings=np.array(
             [_filling(f, area) for f, (_, area) in zip(scene.fillings, loops, strict=True)], float
         ).reshape(-1, FILLING_ROW),
+        contact=new_contacts(
+            scene, mass_index, ends, slots, loss_of(scene.contact.bounciness) if scene.contact else 0.0
+        ),
     )
     for _, array in around.arrays():
         array.setflags(write=False)

@@ -311,7 +311,9 @@ def _body(
         more_spring_mass=more_spring_mass,
         more_spring_sign=more_spring_sign,
         strength=new_strength(scene, np.array(spring_order, np.int64), joint_order),
-        surroundings=new_surroundings(scene, mass_index, _slots_for(n, room if in_order else 0)),
+        surroundings=new_surroundings(
+            scene, mass_index, np.stack((spring_a, spring_b), 1), _slots_for(n, room if in_order else 0)
+        ),
     )
     for _, array in body.arrays():
         array.setflags(write=False)

@@ -24,10 +24,12 @@ import numba
 from numba import types
 
 from ..kernels.around.around import accelerations_around
+from ..kernels.around.contact import stays_apart
 from ..kernels.core.jit import cache_folder, module_of
 from ..kernels.core.shared import (
     ACCELERATIONS,
     ACCUMULATE,
+    APART,
     FACTORISE,
     FLOATS,
     OVERSTRAINED,
@@ -107,10 +109,11 @@ def _entry_points() -> dict[str, EntryPoint]:
         *((method.label, method.kernel, run) for method in methods if method.kernel is not None),
         ("the work done in a step", accumulate_work, ACCUMULATE.args),
         ("energies", energies, (Body.numba_type, State.numba_type, FLOATS, _FLOAT, _FLOAT, *[FLOATS] * 3)),
-        ("forces of walls, wind and fillings", accelerations_around, ACCELERATIONS.args),
-        ("matrices with walls, wind and fillings", factorise_surrounded, FACTORISE.args),
-        ("linear systems with fillings", solve_surrounded, SOLVE.args),
-        ("damping by walls and wind", add_surrounding_damping, RESISTANCE.args),
+        ("forces of walls, wind, fillings and contact", accelerations_around, ACCELERATIONS.args),
+        ("matrices with walls, wind, fillings and contact", factorise_surrounded, FACTORISE.args),
+        ("linear systems with fillings and contact", solve_surrounded, SOLVE.args),
+        ("damping by walls, wind and contact", add_surrounding_damping, RESISTANCE.args),
+        ("steps with contact", stays_apart, APART.args),
         ("limits of springs", overstrained, OVERSTRAINED.args),
         ("yielding and breaking", settle, SETTLE.args),
     ]
@@ -129,7 +132,7 @@ _AROUND = {
     "factorise_matrix": "factorise_surrounded",
     "solve_matrix": "solve_surrounded",
 }
-"""What takes the place of an entry point for a body with walls, wind or fillings."""
+"""What takes the place of an entry point for a body with walls, wind, fillings or contact."""
 
 FOR_ENERGY = ("energies", "accumulate_work")
 """Entry points that the energy balance needs."""
@@ -141,7 +144,7 @@ FOR_DAMAGE = ("overstrained", "settle")
 def needed_by(method: str, surrounded: bool) -> tuple[str, ...]:
     """Names of the entry points that a method needs; for `auto`, those that it needs to start.
 
-    `surrounded`: whether the body has walls, wind or fillings, see `Surroundings.present`.
+    `surrounded`: whether the body has walls, wind, fillings or contact, see `Surroundings.present`.
     """
     info = METHODS[method]
     if info.kernel is None:

@@ -28,14 +28,14 @@ class EnergyBook:
     """The energies, and what has changed their sum since the balance was opened, in kg px²/s².
 
     Attributes:
-        kinetic, linear, angular, gravity, walls, fillings: energies of the free masses' motion, the linear
-            springs, the angular springs, the free masses' height above 0 and their depth in walls, and the
-            gases and liquids. Under the force law "tutorial" the angular
-            energy is that of the conservative law.
+        kinetic, linear, angular, gravity, walls, fillings, contact: energies of the free masses' motion, the
+            linear springs, the angular springs, the free masses' height above 0 and their depth in walls, the
+            gases and liquids, and what touches. Under the force law "tutorial" the angular energy is that of
+            the conservative law.
         anchors: work done on the body by moved anchors. Grabbing a mass removes its kinetic energy and that
             of its height; releasing it adds that of its height at that moment.
-        damping, air, friction: work of the damping of springs, of air friction, and of walls by friction and
-            in bouncing, which is negative; but wind can do work on a body.
+        damping, air, friction: work of the damping of springs, of air friction, and of walls and contact by
+            friction and in bouncing, which is negative; but wind can do work on a body.
         plastic, broken: energy lost in yielding, and with springs and joints that broke, which is negative.
         law: work of a force law that is not the gradient of an energy.
         keys: work of keys that change rest lengths and rest angles.
@@ -51,6 +51,7 @@ class EnergyBook:
     gravity: float
     walls: float
     fillings: float
+    contact: float
     anchors: float
     damping: float
     air: float
@@ -65,8 +66,8 @@ class EnergyBook:
 
     @property
     def total(self) -> float:
-        """The sum of the six energies."""
-        return self.kinetic + self.linear + self.angular + self.gravity + self.walls + self.fillings
+        """The sum of the seven energies."""
+        return sum(getattr(self, name) for name in ENERGY_FIELDS[:ENERGIES])
 
 
 ENERGY_FIELDS = tuple(field.name for field in fields(EnergyBook))

@@ -11,9 +11,11 @@ from ..body.sparsity import NO_MATRIX, new_matrix
 from ..body.system import System, refresh, slab
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, fetch, for_fallback, is_ready, needed_by
 from ..kernels.around.around import accelerations_around
+from ..kernels.around.contact import stays_apart
 from ..kernels.core.shared import (
     ACCELERATIONS,
     ACCUMULATE,
+    APART,
     FACTORISE,
     OVERSTRAINED,
     RESISTANCE,
@@ -104,6 +106,9 @@ _ADAMS_LOW = 0.5
 _ADAMS_HIGH = 1.6
 """The same for smaller tolerances. Found by experiment, so that about the same share of random bodies ends
 within large and within small tolerances."""
+
+_ITERATIONS = 10.0
+"""Iterations for a linear system with contact, as far as `auto` expects."""
 
 FALLBACK_STEP = 1e-3
 """Length of a fallback step, s."""
@@ -313,6 +318,7 @@ class Solver:
             overstrained=address_of(overstrained, OVERSTRAINED) if damageable else 0,
             settle=address_of(settle, SETTLE) if damageable else 0,
             resistance=address_of(add_surrounding_damping, RESISTANCE) if implicit and around else 0,
+            apart=address_of(stays_apart, APART) if self.system.body.surroundings.contact.present else 0,
             fixed=0.0 if info.adaptive else integrator.dt,
             near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,
             explicit=own if isinstance(own, Tableau) else RK4,
@@ -354,11 +360,15 @@ class Solver:
         blocks = 1.8 * n
         if not (body.chain or body.ring):
             force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
+        touching = 20.0 * body.springs if body.surroundings.contact.present else 0.0
+        force += touching
         if not body.chain:
             later = matrix.row_start[1:] - matrix.diagonal - 1
             products = float((later * (later + 1)).sum())
             factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * products
             blocks = float(matrix.column.size)
+        if touching:  # each solution takes some iterations, see `linear.contact`
+            blocks = _ITERATIONS * (blocks + 2.0 * touching)
         stages = 6 if low else 8
         costs = np.zeros(ARMS)
         costs[ARM_VERLET] = 60.0 + force

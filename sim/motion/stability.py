@@ -48,6 +48,7 @@ Cause = Literal[
     "air friction",
     "walls",
     "fillings",
+    "contact",
 ]
 """What limits the time step."""
 
@@ -107,7 +108,7 @@ class StabilityMeter:
         here = self._here
         weight = self._rule.damping
         free = state.inverse_mass[here] > 0.0
-        for field in ("q", "v", "controls", "clock"):
+        for field in ("q", "v", "controls", "clock", "inverse_mass"):
             getattr(probe, field)[:] = getattr(state, field)
         refresh(body, probe)
         physics = Physics(body, probe)
@@ -152,9 +153,9 @@ class StabilityMeter:
         return self._difference(lambda step: physics.forces(x + step, v), w)
 
     def _by_velocities(self, physics: Physics, w: Floats) -> Floats:
-        """C w without air friction, likewise; damping forces are linear in the velocities, but for walls."""
-        body = self._system.body
-        if not (body.damped or body.joint_damped or body.surroundings.walls.size):
+        """C w without air friction, likewise; only damping forces of springs are linear in the velocities."""
+        body, around = self._system.body, self._system.body.surroundings
+        if not (body.damped or body.joint_damped or around.walls.size or around.contact.present):
             return np.zeros_like(w)
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
         return self._difference(lambda step: physics.forces(x, v + step), w)
@@ -177,19 +178,20 @@ class StabilityMeter:
         """Which property contributes most to the stiffest motion."""
         assert self._rule is not None
         rate = self._rule.damping * limit
-        linear, springs, unfilled = copy.copy(physics), copy.copy(physics), copy.copy(physics)
+        linear, springs, unfilled, alone = (copy.copy(physics) for _ in range(4))
         linear.joint_stiffness = np.zeros_like(physics.joint_stiffness)
         linear.joint_damping = np.zeros_like(physics.joint_damping)
         around = self._system.body.surroundings
-        unfilled.surroundings = around.replaced(
+        alone.surroundings = around.replaced(contact=around.contact.replaced(present=False))
+        unfilled.surroundings = alone.surroundings.replaced(
             fillings=around.fillings[:0], loop_start=around.loop_start[:1], loop=around.loop[:0]
         )
         linear.surroundings = springs.surroundings = around.replaced(present=False)
-        kinds = (physics, unfilled, springs, linear)
-        whole, no_filling, stiffness, linear_stiffness = (
+        kinds = (physics, alone, unfilled, springs, linear)
+        whole, no_contact, no_filling, stiffness, linear_stiffness = (
             float((w * self._by_positions(kind, w)).sum()) for kind in kinds
         )
-        whole_damping, _, damping, linear_damping = (
+        whole_damping, no_contact_damping, _, damping, linear_damping = (
             float((w * self._by_velocities(kind, w)).sum()) for kind in kinds
         )
         parts: dict[Cause, float] = {
@@ -198,8 +200,9 @@ class StabilityMeter:
             "linear damping": rate * linear_damping,
             "angular damping": rate * (damping - linear_damping),
             "air friction": rate * float((w * air * w).sum()),
-            "walls": limit * limit * (no_filling - stiffness) + rate * (whole_damping - damping),
-            "fillings": limit * limit * (whole - no_filling),
+            "walls": limit * limit * (no_filling - stiffness) + rate * (no_contact_damping - damping),
+            "fillings": limit * limit * (no_contact - no_filling),
+            "contact": limit * limit * (whole - no_contact) + rate * (whole_damping - no_contact_damping),
         }
         return max(parts, key=lambda cause: parts[cause])
 
@@ -215,10 +218,16 @@ def quick_limit(system: System) -> float:
 
 
 def damped_limit(system: System) -> float:
-    """Like `quick_limit`, for velocity Verlet with damping: the smallest root of dt² k + 4 dt c = 4, s."""
+    """Like `quick_limit`, for velocity Verlet with damping, and with contact: the smallest root of
+    dt² k + 4 dt c = 4, s."""
     body = system.body
     k = _row_sums(system, body.stiffness, body.joint_stiffness)
     c = _row_sums(system, body.damping, body.torque_damping[1 : body.joints + 1])
+    contact = body.surroundings.contact
+    if contact.present:  # of a mass that is on a spring, as deep as it can be
+        free = np.where(system.held, 0.0, system.inverse_mass)
+        k += 4.0 * contact.stiffness * contact.distance * free
+        c += 2.0 * contact.loss * contact.stiffness * contact.distance**2 * free
     with np.errstate(divide="ignore"):
         return float((2.0 / (c + np.sqrt(c * c + k))).min())
 

@@ -215,7 +215,8 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 
 def is_surrounded(scene: Scene) -> bool:
     """Whether anything acts on a scene's masses besides springs, still air and gravity."""
-    return bool(scene.walls or scene.fillings or (scene.wind and scene.air_friction > 0.0))
+    touches = scene.contact is not None and scene.contact.distance > 0.0 and bool(scene.linear_springs)
+    return bool(scene.walls or scene.fillings or touches or (scene.wind and scene.air_friction > 0.0))
 
 
 def is_damageable(scene: Scene) -> bool:

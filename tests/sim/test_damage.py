@@ -289,3 +289,28 @@ def test_whatever_breaks_and_yields_numbers_stay_good(seed: int, method: Method,
         assert np.isfinite(simulation.energy().residual)
     damage = simulation.damage
     assert damage is None or list(damage.broken) == sorted(set(damage.broken))
+
+
+def test_a_broken_spring_is_no_obstacle() -> None:
+    # A mass falls on a spring between two held masses, which breaks under another load or holds.
+    scene = Scene(
+        name="bar",
+        masses=(
+            *(Mass(position=(x, 0.0)) for x in (0.0, 200.0)),
+            Mass(position=(100.0, -50.0), velocity=(0.0, 300.0), mass=0.1),
+        ),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=1000.0, rest_length=100.0, strength=2e5),),
+        anchors=(Anchor(mass=0), Anchor(mass=1)),
+        contact=sim.Contact(distance=10.0),
+        integrator=Integrator(method="auto", dt=1e-3),
+    )
+    whole = Simulation(scene)
+    whole.advance(0.5)
+    assert whole.positions[2, 1] < 0.0
+    weak = (REPLACE(scene.linear_springs[0], strength=5e4),)  # it is pulled with 1e5
+    broken = Simulation(REPLACE(scene, linear_springs=weak))
+    broken.advance(0.5)
+    assert broken.damage is not None
+    assert broken.positions[2, 1] > 50.0
+    broken.reset()
+    broken.step(1)

@@ -1,14 +1,6 @@
-"""Walls, which push back the masses that have entered them.
+"""Walls, which push back the masses that have entered them, see `bounce`.
 
-A mass m at the depth d, which goes deeper with the speed s, is pushed out with m H d² (1 + c s), and slowed
-along the wall with mu N tanh(u / u0), where N is that push and u its speed along the wall. The push is
-continuously differentiable at the surface, so that methods with error control keep their order. Its energy is
-m H d³ / 3; the rest is dissipated. After Hunt & Crossley, "Coefficient of restitution interpreted as damping
-in vibroimpact" (1975).
-
-Methods of first order take walls as a step of the linearly implicit Euler method would, so that a mass that
-is deep inside, or pressed on a rough wall, does not explode at the step of the scene: their push is divided
-by 1 + h c H d² + 2 h² H d, and friction needs the speed mu N h more. Both vanish with the step.
+A mass m that has entered with the depth d is pushed out with m H d², with the hardness H.
 """
 
 from __future__ import annotations
@@ -26,6 +18,7 @@ from ..core.surroundings import (
     WALL_X,
     WALL_Y,
 )
+from .bounce import push_and_friction, slopes_of_push
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -45,12 +38,11 @@ def wall_terms(wall, h, depth, vx, vy):
         vx, vy: its velocity, px/s.
     """
     nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]
-    hardness, loss, rough = wall[WALL_HARDNESS], wall[WALL_LOSS], wall[WALL_FRICTION]
-    elastic = hardness * depth * depth
-    push = max(elastic * (1.0 - loss * (vx * nx + vy * ny)), 0.0)
-    push /= 1.0 + h * (loss * elastic + 2.0 * h * hardness * depth)
     along = vy * nx - vx * ny
-    friction = rough * push * math.tanh(along / (wall[WALL_SLIP] + h * rough * push))
+    push, friction, elastic = push_and_friction(
+        wall[WALL_HARDNESS], wall[WALL_LOSS], wall[WALL_FRICTION], wall[WALL_SLIP],
+        h, 1.0, 1.0, depth, vx * nx + vy * ny, along,
+    )  # fmt: skip
     return push, friction, elastic, along
 
 
@@ -106,14 +98,12 @@ def derivatives_at_wall(wall, depth, vx, vy, definite):
     leaves out what could make the matrix of an implicit step indefinite.
     """
     nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]
-    hardness, loss, rough, slip = wall[WALL_HARDNESS], wall[WALL_LOSS], wall[WALL_FRICTION], wall[WALL_SLIP]
-    push, _, elastic, along = wall_terms(wall, 0.0, depth, vx, vy)
+    rough, slip = wall[WALL_FRICTION], wall[WALL_SLIP]
+    push, _, _, along = wall_terms(wall, 0.0, depth, vx, vy)
     held = math.tanh(along / slip)
     stuck = rough * push * (1.0 - held * held) / slip
-    gain = 1.0 - loss * (vx * nx + vy * ny)
-    by_depth, by_speed = -2.0 * hardness * depth * gain, -loss * elastic  # of the push, along the normal
-    if gain <= 0.0:
-        by_depth, by_speed = 0.0, 0.0
+    rise, by_speed = slopes_of_push(wall[WALL_HARDNESS], wall[WALL_LOSS], depth, vx * nx + vy * ny)
+    by_depth = -rise  # of the push, along the normal
     # The force is push * (n - rough * held * t), with t = (-ny, nx).
     fx, fy = nx + rough * held * ny, ny - rough * held * nx
     if definite:

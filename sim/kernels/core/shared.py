@@ -28,9 +28,10 @@ FACTORISE = types.boolean(
 )
 SOLVE = types.void(Body.numba_type, Matrix.numba_type, FLOATS)
 RESISTANCE = types.void(Body.numba_type, State.numba_type, FLOATS, FLOATS, FLOATS, _F8, FLOATS)
+APART = types.boolean(Body.numba_type, FLOATS, FLOATS)
 OVERSTRAINED = types.boolean(Problem.numba_type, FLOATS, _F8)
 SETTLE = types.void(Problem.numba_type, FLOATS)
-"""This and the six above: signatures of the kernels that are called through their addresses."""
+"""This and the seven above: signatures of the kernels that are called through their addresses."""
 
 
 def address_of(kernel: Any, signature: Any) -> int:
@@ -90,6 +91,11 @@ def _call_resistance(_context, address, body, state, q, v, z, factor, out):
 
 
 @_shared
+def _call_apart(_context, address, body, q, to_q):
+    return _typed(APART), _caller(APART)
+
+
+@_shared
 def _call_overstrained(_context, address, problem, q, tolerance):
     return _typed(OVERSTRAINED), _caller(OVERSTRAINED)
 
@@ -129,6 +135,12 @@ def solve(problem, b):
 def add_damping_around(problem, v, z, factor, out):
     """`linear.surrounded.add_surrounding_damping` at the positions of the problem's state."""
     _call_resistance(problem.resistance, problem.body, problem.state, problem.state.q, v, z, factor, out)
+
+
+@kernel(inline="always")
+def keeps_apart(problem, q, to_q):
+    """`around.contact.stays_apart`, where there is contact."""
+    return problem.apart == 0 or _call_apart(problem.apart, problem.body, q, to_q)
 
 
 @kernel(inline="always")

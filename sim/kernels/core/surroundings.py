@@ -1,7 +1,8 @@
-"""The table of what acts on a body besides springs and gravity: walls, wind, and fillings of closed loops."""
+"""The table of what acts on a body besides springs and gravity: walls, wind, fillings, contact."""
 
 from __future__ import annotations
 
+from .contacts import Contacts
 from .table import Floats, Indices, Rows, Table
 
 
@@ -22,6 +23,7 @@ class Surroundings(Table):
     loop_start: Indices  # (L + 1,) where the masses of each loop start in `loop`
     loop: Indices  # slots of the masses of all loops, each in the order in which its area is positive
     fillings: Rows  # (L, 4), see the FILLING_ constants
+    contact: Contacts
 
 
 WALL_X, WALL_Y, WALL_NORMAL_X, WALL_NORMAL_Y = 0, 1, 2, 3

@@ -190,6 +190,12 @@ class Matrix(Table):
     # For the products of gradients of L fillings, see `linear.surrounded`.
     borders: Rows  # (2 L, 2 slots)
     corrections: Rows  # (L + 1, L)
+    # For contact, see `linear.contact`; empty where there is none.
+    of_mass: Indices  # (slots,) block of each mass on the diagonal
+    touching: Floats  # (3,), see the TOUCHING_ constants there
+    touched: Rows  # (3, 2 slots) positions, velocities and inverse masses for which the matrix was built
+    krylov: Rows  # (K + 3, 2 slots) basis of a Krylov space, and scratch
+    hessenberg: Rows  # (K + 4, K + 1) scratch of GMRES
     straight: bool  # the parent of every mass that has one is in the slot before it
 
 
@@ -389,7 +395,7 @@ WORK_KEYS = 4
 WORK_FALLBACK = 5
 """In `EnergyBalance.work`: energy added by fallback steps, which is negative or zero."""
 WORK_WALLS = 6
-"""In `EnergyBalance.work`: work of friction on walls and of bouncing, which is negative."""
+"""In `EnergyBalance.work`: work of friction on walls and in contact, and of bouncing, which is negative."""
 WORK_PLASTIC = 7
 """In `EnergyBalance.work`: energy lost in yielding, which is negative."""
 WORK_BROKEN = 8
@@ -413,6 +419,7 @@ class Problem(Table):
     factorise: int
     solve: int
     resistance: int
+    apart: int
     overstrained: int
     settle: int
     fixed: float  # the step, s, or 0 for error control

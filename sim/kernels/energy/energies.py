@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import math
 
+from ..around.contact import energy_of_contact
 from ..around.fillings import energy_of_fillings
 from ..around.walls import energy_in_walls
 from ..core.jit import FAST, kernel
 from ..core.vectors import deflection, from_to, length_of
 from ..forces.laws import is_sine, terms
 
-KINETIC, LINEAR, ANGULAR, GRAVITY, WALLS, FILLINGS = 0, 1, 2, 3, 4, 5
+KINETIC, LINEAR, ANGULAR, GRAVITY, WALLS, FILLINGS, CONTACT = 0, 1, 2, 3, 4, 5, 6
 """Indices of the energies in what `energies` writes."""
-ENERGIES = 6
+ENERGIES = 7
 """Their number."""
 
 
 @kernel(fastmath=FAST)
 def energies(body, state, mass, gravity_x, gravity_y, q, v, out):
-    """Write the energies of motion, linear springs, angular springs, gravity, walls and fillings, kg px²/s²,
-    into `out`, and return their sum.
+    """Write the energies of motion, linear springs, angular springs, gravity, walls, fillings and contact,
+    kg px²/s², into `out`, and return their sum.
 
     The energy of gravity is counted from height 0. Held masses have neither kinetic energy nor that of
     gravity and walls. Under the tutorial's law, the angular energy is that of the conservative law.
@@ -45,13 +46,15 @@ def energies(body, state, mass, gravity_x, gravity_y, q, v, out):
         angular += body.torque_size[j + 1] * angular_energy(
             body.law, ax, ay, bx, by, state.torque_rest[j + 1], soft
         )
-    walls, fillings = 0.0, 0.0
+    walls, fillings, contact = 0.0, 0.0, 0.0
     if body.surroundings.present:
         walls = energy_in_walls(body, state.inverse_mass, q[:slots], q[slots:])
         fillings = energy_of_fillings(body.surroundings, q[:slots], q[slots:])
+        if body.surroundings.contact.present:
+            contact = energy_of_contact(body, q[:slots], q[slots:])
     out[KINETIC], out[LINEAR], out[ANGULAR], out[GRAVITY] = kinetic, linear, angular, height
-    out[WALLS], out[FILLINGS] = walls, fillings
-    return kinetic + linear + angular + height + walls + fillings
+    out[WALLS], out[FILLINGS], out[CONTACT] = walls, fillings, contact
+    return kinetic + linear + angular + height + walls + fillings + contact
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from ..around.contact import power_of_contact, push_apart
 from ..around.fillings import press_from_inside
 from ..around.walls import power_of_walls
 from ..around.wind import power_of_wind
@@ -97,7 +98,7 @@ def _add_powers(problem, drive, t, h, q, v, still):
     x, y, vx, vy = q[:slots], q[slots:], v[:slots], v[slots:]
     sums, mass = balance.work, balance.mass
     fx, fy, free = scratch.fx, scratch.fy, state.inverse_mass
-    # The force of springs, joints and fillings, and then that of the dampers alone, which is linear in v.
+    # The force of springs, joints, fillings and contact, and then that of the dampers, friction and bouncing.
     _internal_forces(body, state, scratch, x, y, still[:slots], still[slots:])
     for i in range(drive.mass.size):
         m = drive.mass[i]
@@ -112,7 +113,10 @@ def _add_powers(problem, drive, t, h, q, v, still):
     if body.surroundings.present:
         sums[WORK_WALLS] += h * power_of_walls(body, free, x, y, vx, vy)
         sums[WORK_AIR] += h * power_of_wind(body, state, x, y, vx, vy)
-    if (body.damped or body.joint_damped) and drive.mass.size > 0:
+        if body.surroundings.contact.present:
+            sums[WORK_WALLS] += h * power_of_contact(body, free, x, y, vx, vy)
+    damped = body.damped or body.joint_damped or body.surroundings.contact.present
+    if damped and drive.mass.size > 0:
         for i in range(drive.mass.size):
             m = drive.mass[i]
             sums[WORK_ANCHORS] += h * (fx[m] * vx[m] + fy[m] * vy[m])
@@ -128,10 +132,12 @@ def _add_powers(problem, drive, t, h, q, v, still):
 
 @kernel(fastmath=FAST)
 def _internal_forces(body, state, scratch, x, y, vx, vy):
-    """The forces of springs, joints and fillings on all masses, into `scratch.fx` and `scratch.fy`."""
+    """The forces of springs, joints, fillings and contact on all masses, into `fx` and `fy` of `scratch`."""
     spring_forces(body, state, scratch, x, y, vx, vy)
     if body.surroundings.present:
         press_from_inside(body.surroundings, x, y, scratch.fx, scratch.fy)
+        if body.surroundings.contact.present:
+            push_apart(body, state.inverse_mass, x, y, vx, vy, scratch.fx, scratch.fy)
 
 
 @kernel(fastmath=FAST)

@@ -15,7 +15,7 @@ import math
 from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate, bears, settle
+from ..core.shared import accelerate, accumulate, bears, keeps_apart, settle
 from ..core.tables import (
     CONTROLLER_DEGREE,
     CONTROLLER_HEAD,
@@ -155,6 +155,7 @@ def run_adams(problem, drive, end, tolerance, attempts):
         if turns or not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, integrator, to_q, to_v, step < WORTH_SHORTENING)
         good = good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest)
+        good = good and keeps_apart(problem, q, to_q)
         if good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance)):
             if degree == most and since % _WEIGHED == _WEIGHED - 1:
                 most, error = _best_degree(past, head, known, method, degree, top, scale, error, to_a)

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from ..core.jit import FAST, kernel
-from ..core.shared import accelerate, accumulate, bears, factorise, settle, solve
+from ..core.shared import accelerate, accumulate, bears, factorise, keeps_apart, settle, solve
 from ..core.tables import (
     CONTROLLER_BEGUN,
     CONTROLLER_CONTRACTION,
@@ -202,7 +202,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
                 error = (1.0 if calming else part) * max_abs_difference(to_q, guess) / (_SPAN * tolerance)
         good = error <= 1.5 and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if good and fixed == 0.0:
-            good = is_gentle(body, state, q, to_q, step)
+            good = is_gentle(body, state, q, to_q, step) and keeps_apart(problem, q, to_q)
             good = good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance))
         if good:
             if balance.active:

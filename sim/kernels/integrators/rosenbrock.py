@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate, bears, factorise, settle, solve
+from ..core.shared import accelerate, accumulate, bears, factorise, keeps_apart, settle, solve
 from ..core.tables import (
     ARM_ALPHA,
     AUTO_STEP,
@@ -113,7 +113,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
             and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         )
         if good and fixed == 0.0:
-            good = is_gentle(body, state, q, to_q, step)
+            good = is_gentle(body, state, q, to_q, step) and keeps_apart(problem, q, to_q)
             good = good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance))
         if good:
             if balance.active:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate, bears, settle
+from ..core.shared import accelerate, accumulate, bears, keeps_apart, settle
 from ..core.tables import (
     CONTROLLER_CAP,
     CONTROLLER_HELD,
@@ -124,6 +124,7 @@ def run_verlet(problem, drive, end, tolerance, attempts):
         good = error <= 1.0
         if good and fixed == 0.0:
             good = stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest)
+            good = good and keeps_apart(problem, q, to_q)
             good = good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance))
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)

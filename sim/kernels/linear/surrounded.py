@@ -4,7 +4,7 @@ Walls and wind add to the blocks on the diagonal. The pressure of a filling adds
 its loop, and, since it depends on the area, a product of two vectors: with c, minus the derivative of the
 pressure by the area, and the area's gradient g, the matrix gets c M^-1 g gᵀ. That is full, so it is not
 stored. The sparse part is factorised without it, and the Sherman-Morrison-Woodbury formula corrects each
-solution.
+solution. Contact is in `contact`.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ from ..around.fillings import area_of, neighbours, pressure_at
 from ..around.walls import depth_in, derivatives_at_wall
 from ..around.wind import wind_at
 from ..core.jit import FAST, kernel
-from .sparse import assemble, eliminate, solve_sparse
+from .contact import add_contact, add_contact_damping, solve_with_contact
+from .sparse import assemble, eliminate
 
 
 @kernel(fastmath=FAST)
@@ -22,6 +23,8 @@ def factorise_surrounded(body, state, matrix, q, v, a, g, definite):
     assemble(body, state, matrix, q, v, g, definite)
     _add_walls(body, state.inverse_mass, matrix, q, v, g, definite)
     _add_wind(body, state, matrix, q, v, g, definite)
+    if body.surroundings.contact.present:
+        add_contact(body, state, matrix, q, v, g, definite)
     if not definite:  # the turning of a pressure's direction is indefinite
         _add_pressures(body, matrix, q)
     regular = eliminate(body, state, matrix, v, a, g)
@@ -31,7 +34,7 @@ def factorise_surrounded(body, state, matrix, q, v, a, g, definite):
 @kernel(fastmath=FAST)
 def solve_surrounded(body, matrix, b):
     """`implicit.solve_matrix` of a body in surroundings."""
-    solve_sparse(body, matrix, b)
+    solve_with_contact(body, matrix, b)
     fillings = body.surroundings.fillings.shape[0]
     for k in range(fillings):
         along = 0.0
@@ -65,6 +68,8 @@ def add_surrounding_damping(body, state, q, v, z, factor, out):
             drag = 2.0 * factor * around.air_friction * w[m]
             out[m] -= drag * abs(v[m] - ux) * z[m]
             out[slots + m] -= drag * abs(v[slots + m] - uy) * z[slots + m]
+    if around.contact.present:
+        add_contact_damping(body, w, q, v, z, factor, out)
 
 
 @kernel(fastmath=FAST)
@@ -138,7 +143,7 @@ def _border(body, state, matrix, q):
             m = around.loop[i]
             solved[m] = -slope * w[m] * gradient[m]
             solved[slots + m] = -slope * w[m] * gradient[slots + m]
-        solve_sparse(body, matrix, solved)
+        solve_with_contact(body, matrix, solved)
     for i in range(count):
         for k in range(count):
             dot = 1.0 if i == k else 0.0

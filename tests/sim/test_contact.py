@@ -1,0 +1,441 @@
+"""Contact: its forces, derivatives and energies, which pairs are found, and motion by every method."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import sim
+from sim import Integrator, Mass, Scene, Simulation
+from sim.body.system import build_system
+from sim.kernels.around.contact import stays_apart
+from sim.methods.registry import METHODS
+from sim.motion.stability import damped_limit
+from sim.physics import Physics
+from sim.scene.surroundings import Contact, Wall
+from sim.scene.types import Method
+from tests.sim.arrays import Arrays, Floats
+from tests.sim.inside import same_state, solver_of, system_of
+from tests.sim.surrounded import KINDS
+from tests.sim.touching import REPLACE, SMOOTH, SOFT, crumpled, joined, line, ring
+
+HARD = Contact(distance=6.0, stiffness=500.0, friction=0.4, bounciness=0.3)
+Pairs = set[tuple[int, int]]
+
+
+def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
+    integrator = Integrator(**{"method": method, "dt": 1e-3, "tolerance": 1e-6, **numbers})
+    simulation = Simulation(REPLACE(scene, integrator=integrator))
+    simulation.advance(seconds)
+    return simulation
+
+
+def contact_force(scene: Scene) -> tuple[Floats, Floats]:
+    """(n, 2) positions, and the forces of contact."""
+    with_it, without = Arrays(scene), Arrays(REPLACE(scene, contact=None))
+    forces = [
+        arrays.pairs_of(arrays.weight * arrays.accelerations(arrays.q, arrays.v))
+        for arrays in (with_it, without)
+    ]
+    return with_it.pairs(with_it.q), forces[0] - forces[1]
+
+
+# ------------------------------------------------------------------------- forces
+@pytest.mark.parametrize("method", ["rk4", "symplectic_euler"])
+@pytest.mark.parametrize("shape", ["girder", "cloth", "ring", "chain"])
+def test_the_kernels_do_what_the_physics_in_numpy_says(shape: str, method: Method) -> None:
+    for seed in range(3):
+        scene = REPLACE(crumpled(shape, seed, held=(1,)), integrator=Integrator(method=method, dt=1e-3))
+        arrays = Arrays(scene)
+        expected = Physics(arrays.body, arrays.state).accelerations(
+            arrays.state.x + 1j * arrays.state.y, arrays.state.vx + 1j * arrays.state.vy
+        )
+        flat = np.concatenate((expected.real, expected.imag))[arrays.here]
+        found = arrays.accelerations(arrays.q, arrays.v)
+        assert np.abs(found - flat).max() <= 1e-12 * np.abs(flat).max()
+
+
+@pytest.mark.parametrize("shape", ["girder", "cloth", "ring"])
+def test_contact_pushes_and_turns_nothing_as_a_whole(shape: str) -> None:
+    for seed in range(3):
+        # Rough and in motion: friction has no torque either.
+        at, force = contact_force(
+            crumpled(shape, seed, REPLACE(SOFT, friction=3.0), joints=False, damping=0.0, air=0.0,
+                     gravity=(0.0, 0.0))
+        )  # fmt: skip
+        size = float(np.abs(force).sum())
+        assert size > 1000.0
+        assert np.abs(force.sum(0)).max() <= 1e-13 * size
+        torque = float((at[:, 0] * force[:, 1] - at[:, 1] * force[:, 0]).sum())
+        assert abs(torque) <= 1e-13 * size * float(np.abs(at).max())
+
+
+@pytest.mark.parametrize("shape", ["girder", "cloth", "ring"])
+def test_the_force_is_the_gradient_of_the_energy(shape: str) -> None:
+    arrays = Arrays(crumpled(shape, 1, SMOOTH, damping=0.0, twist=0.0, air=0.0))
+    without = Arrays(crumpled(shape, 1, REPLACE(SMOOTH, distance=0.0), damping=0.0, twist=0.0, air=0.0))
+    gradient = []
+    for j in arrays.here:
+        ends = []
+        for size in (1e-3, -1e-3, 2e-3, -2e-3):
+            q = arrays.q.copy()
+            q[j] += size
+            ends.append(arrays.potential(q))
+        gradient.append((8.0 * (ends[0] - ends[1]) - (ends[2] - ends[3])) / 12e-3)
+    force = arrays.weight * arrays.accelerations(arrays.q, 0.0 * arrays.v)
+    assert np.abs(force + gradient).max() <= 1e-7 * np.abs(force).max()
+    assert arrays.potential(arrays.q) > without.potential(without.q) + 100.0
+
+
+def test_the_push_on_a_mass_beside_a_spring() -> None:
+    # 2 px deep, a quarter of the way along the spring, which is still; the mass slides along it at 40 px/s.
+    beside = Scene(name="one", masses=(Mass(position=(25.0, 10.0), velocity=(40.0, 0.0)),))
+    scene = joined(
+        line((0.0, 0.0), (100.0, 0.0), 2, ()), beside, integrator=Integrator(method="rk4"),
+        contact=REPLACE(SOFT, bounciness=1.0),
+    )  # fmt: skip
+    _, force = contact_force(scene)
+    push = 50.0 * 2.0**2
+    friction = 0.7 * push * np.tanh(40.0 / 80.0)
+    assert force[2] == pytest.approx((-friction, push))
+    # A quarter, and the couple that balances the friction, which acts 10 px beside the spring.
+    assert force[1] == pytest.approx((0.25 * friction, -0.25 * push - friction * 10.0 / 100.0))
+    assert force[0] == pytest.approx(-force[1] - force[2])
+
+
+def test_friction_is_still_where_everything_turns_as_a_whole() -> None:
+    at = np.array([(0.0, 0.0), (100.0, 0.0), (25.0, 10.0), (104.0, -5.0)])
+    masses = tuple(Mass(position=(x, y), velocity=(-3.0 * y, 3.0 * x)) for x, y in at.tolist())
+    body = line((0.0, 0.0), (100.0, 0.0), 2, ())
+    scene = REPLACE(body, masses=masses, contact=REPLACE(SOFT, friction=10.0, bounciness=0.0))
+    scene = REPLACE(scene, integrator=Integrator(method="rk4"))
+    _, rough = contact_force(scene)
+    _, smooth = contact_force(REPLACE(scene, contact=SMOOTH))
+    assert np.abs(smooth).max() > 100.0
+    assert np.abs(rough - smooth).max() <= 1e-11 * np.abs(smooth).max()
+
+
+# ------------------------------------------------------------------------- pairs
+def test_a_body_does_not_touch_itself_as_it_is_built() -> None:
+    for shape in ("girder", "cloth", "ring", "chain"):
+        scene = crumpled(shape, contact=REPLACE(SOFT, distance=70.0))  # far more than a spring is long
+        _, force = contact_force(REPLACE(scene, pose=None))
+        assert np.abs(force).max() <= 1e-8
+    ropes = [line((0.0, y), (10.0, 0.0), 5, ()) for y in (0.0, 3.0)]
+    _, force = contact_force(joined(*ropes, contact=SOFT))
+    assert (force[:5, 1] < 0.0).all() and (force[5:, 1] > 0.0).all()  # but other bodies
+
+
+def listed(arrays: Arrays) -> Pairs:
+    contact = arrays.body.surroundings.contact
+    springs = np.repeat(np.arange(arrays.body.springs), np.diff(contact.start))
+    return set(zip(springs.tolist(), contact.member[: contact.start[-1]].tolist(), strict=True))
+
+
+def nearer(arrays: Arrays, q: Floats, distance: float) -> Pairs:
+    """All pairs nearer than a distance that may touch, one by one."""
+    body, slots = arrays.body, arrays.slots
+    contact = body.surroundings.contact
+    found = set()
+    for s in range(body.springs):
+        a, b = (np.array((q[m], q[slots + m])) for m in (body.spring_a[s], body.spring_b[s]))
+        never = contact.apart[contact.apart_start[s] : contact.apart_start[s + 1]]
+        for m in range(1, body.masses + 1):
+            point, way = np.array((q[m], q[slots + m])), b - a
+            t = np.clip((point - a) @ way / max(way @ way, 1e-300), 0.0, 1.0)
+            if np.hypot(*(point - a - t * way)) <= distance and m not in never:
+                found.add((s, m))
+    return found
+
+
+def scattered(seed: int) -> Arrays:
+    """Long and short springs here and there, some far out, one of no length, and masses without any."""
+    rng = np.random.default_rng(seed)
+    at = rng.normal(0.0, 60.0, (70, 2)) + np.where(rng.random((70, 1)) < 0.1, 1e5, -40.0)
+    at[:20] *= 4.0
+    lines = tuple(sim.LinearSpring(a=2 * i, b=2 * i + 1, stiffness=1.0, rest_length=1.0) for i in range(30))
+    scene = Scene(
+        name="scattered",
+        masses=tuple(Mass(position=(x, y)) for x, y in rng.uniform(-1e4, 1e4, (70, 2)).tolist()),
+        linear_springs=lines,
+        contact=Contact(distance=float(rng.uniform(2.0, 40.0)), stiffness=1.0),
+        pose=sim.Pose(positions=tuple(map(tuple, at.tolist())), velocities=((0.0, 0.0),) * 70),
+    )
+    arrays = Arrays(scene)
+    one, other = (int(arrays.system.mass_index[mass]) for mass in (30, 31))
+    for half in (0, arrays.slots):
+        arrays.q[half + other] = arrays.q[half + one]
+    return arrays
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_list_has_all_pairs_that_are_near(seed: int) -> None:
+    arrays = scattered(seed)
+    contact = arrays.body.surroundings.contact
+    arrays.accelerations(arrays.q, arrays.v)
+    expected = nearer(arrays, arrays.q, contact.distance + contact.margin)
+    assert listed(arrays) == expected
+    assert len(expected) > 20
+    rng = np.random.default_rng(seed)
+    q = arrays.q.copy()
+    for _ in range(8):  # now and then, the list is made anew
+        q[arrays.here] += rng.uniform(-0.1, 0.1, arrays.here.size) * contact.margin
+        arrays.accelerations(q, arrays.v)
+        assert nearer(arrays, q, contact.distance) <= listed(arrays)
+
+
+def test_forces_do_not_depend_on_the_list_by_a_single_bit() -> None:
+    arrays = Arrays(crumpled("cloth", 2))
+    contact = arrays.body.surroundings.contact
+    crowded = arrays.body.surroundings.replaced(
+        contact=contact.replaced(
+            member=contact.member[: arrays.body.masses + 7].copy(), crowded=contact.crowded.copy(),
+            number=contact.number.copy(), at=contact.at.copy(), start=contact.start.copy(),
+        )
+    )  # fmt: skip
+    q = arrays.q.copy()
+    arrays.accelerations(q, arrays.v)
+    before, number = contact.at.copy(), contact.start[-1]
+    q[arrays.here] += np.random.default_rng(1).uniform(-0.3, 0.3, arrays.here.size) * contact.margin
+    kept = arrays.accelerations(q, arrays.v)
+    assert np.array_equal(contact.at, before)
+    contact.number[0] = -1.0
+    anew = arrays.accelerations(q, arrays.v)
+    assert contact.start[-1] != number
+    body = arrays.body
+    arrays.body = body.replaced(surroundings=crowded)
+    without_room = arrays.accelerations(q, arrays.v)
+    assert crowded.contact.crowded[0] == 1
+    assert np.array_equal(kept, anew)
+    assert np.array_equal(kept, without_room)
+
+
+def test_a_state_that_has_run_away_has_no_pairs() -> None:
+    arrays = Arrays(crumpled("girder"))
+    for bad in (np.nan, np.inf, 1e200):
+        q = arrays.q.copy()
+        q[3] = bad
+        arrays.accelerations(q, arrays.v)
+        assert listed(arrays) == set()
+    arrays.accelerations(arrays.q, arrays.v)
+    assert listed(arrays)
+
+
+def test_a_step_through_a_spring_is_seen() -> None:
+    over = Scene(name="one", masses=(Mass(position=(40.0, -50.0)),))
+    arrays = Arrays(joined(line((0.0, 0.0), (100.0, 0.0), 2, ()), over, contact=HARD))
+    ball = arrays.slots + int(arrays.system.mass_index[2])
+
+    def apart(way: float, of: Floats) -> bool:
+        to_q = arrays.q + way * of
+        return bool(stays_apart(arrays.body, arrays.q, to_q))
+
+    falling = np.zeros_like(arrays.q)
+    falling[ball] = 1.0
+    assert apart(40.0, falling)  # not there yet
+    assert not apart(60.0, falling)
+    assert not apart(5000.0, falling)
+    everything = np.zeros_like(arrays.q)
+    everything[arrays.here[3:]] = 1.0
+    assert apart(5000.0, everything)
+
+
+# ------------------------------------------------------------------------- derivatives
+@pytest.mark.parametrize(("shape", "kind"), [("girder", "all"), ("cloth", ""), ("ring", "")])
+def test_the_matrix_is_that_of_the_forces(shape: str, kind: str) -> None:
+    scene = REPLACE(crumpled(shape, 1, held=(1,)), **KINDS.get(kind, {}))
+    arrays, g = Arrays(scene), 150.0
+    by_place = arrays.derivative(by_velocity=False, step=1e-3)
+    by_speed = arrays.derivative(by_velocity=True, step=0.01)
+    expected = g * g * np.eye(len(by_place)) - g * by_speed - by_place
+    found = np.linalg.inv(arrays.inverse(g * g, g))
+    assert np.abs(found - expected).max() <= 1e-8 * np.abs(expected).max()
+    start, z = np.random.default_rng(1).normal(size=(2, arrays.here.size)) * 100.0
+    change = 0.7 * by_speed @ z
+    assert np.abs(arrays.resistance(z, 0.7, start) - start - change).max() <= 1e-7 * np.abs(change).max()
+
+
+@pytest.mark.parametrize("shape", ["girder", "cloth", "ring"])
+def test_the_definite_matrix_is_one(shape: str) -> None:
+    arrays = Arrays(crumpled(shape, 2))
+    whole = np.linalg.inv(arrays.inverse(1e-3, 150.0, definite=True))
+    stiffness = arrays.weight[:, None] * whole
+    size = np.abs(stiffness).max()
+    assert np.abs(stiffness - stiffness.T).max() <= 1e-9 * size
+    assert np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T))[0] >= -1e-9 * size
+
+
+def test_a_system_whose_iteration_does_not_converge_has_no_solution() -> None:
+    arrays = Arrays(crumpled("cloth", 2))
+    arrays.factorise(1e3, 10.0)
+    assert np.isfinite(arrays.solve(np.ones(arrays.here.size))).all()
+    matrix = arrays.matrix
+    arrays.matrix = matrix.replaced(krylov=matrix.krylov[:4].copy(), hessenberg=np.zeros((5, 2)))
+    assert np.isinf(arrays.solve(np.ones(arrays.here.size))).all()
+
+
+def test_steps_go_on_where_iterations_do_not_converge(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = crumpled("cloth", 2)
+    expected = run(scene, 0.05, "rodas4", tolerance=1e-3)
+    monkeypatch.setattr("sim.body.sparsity._KRYLOV", 1)
+    short = run(scene, 0.05, "rodas4", tolerance=1e-3)
+    assert solver_of(short).stats().rejected > solver_of(expected).stats().rejected
+    assert np.abs(short.positions - expected.positions).max() <= 1e-2
+
+
+# ------------------------------------------------------------------------- motion
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_comes_to_the_same_place(method: Method) -> None:
+    scene = crumpled("girder", 3)
+    reference = run(scene, 0.1, "rodas5p", tolerance=1e-9).positions
+    numbers = {"dt": 2e-5 if METHODS[method].order == 1 else 1e-4, "tolerance": 1e-4}
+    off = np.abs(run(scene, 0.1, method, **numbers).positions - reference).max()
+    assert off <= (1.0 if METHODS[method].order == 1 else 0.1)
+    without = run(REPLACE(scene, contact=None), 0.1, "rodas5p").positions
+    assert np.abs(without - reference).max() > 5.0
+
+
+@pytest.mark.parametrize("method", [name for name in METHODS if METHODS[name].adaptive])
+def test_nothing_that_falls_passes_a_held_spring(method: Method) -> None:
+    # In free fall nothing else limits the steps: they would be as long as a call.
+    falling = tuple(
+        Mass(position=(30.0 + 4.0 * i, -300.0 - 3.7 * i), mass=0.1, velocity=(0.0, 1500.0)) for i in range(10)
+    )
+    scene = joined(
+        line((0.0, 0.0), (100.0, 0.0), 2, (0, 1)),
+        Scene(name="masses", masses=falling),
+        contact=REPLACE(HARD, stiffness=5000.0, friction=0.0),
+    )
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=1 / 60, tolerance=1.0)))
+    simulation.step(60)
+    assert simulation.divergence is None
+    assert (simulation.velocities[2:, 1] < 0.0).all()
+    assert (simulation.positions[2:, 1] < 0.0).all()
+
+
+def test_a_ring_stays_on_a_held_rope() -> None:
+    rope = line((0.0, 0.0), (20.0, 0.0), 8, (0, 7))
+    scene = joined(rope, ring((70.0, -100.0), 12.0, 8), contact=HARD, gravity=(0.0, 1000.0))
+    simulation = run(scene, 3.0, dt=0.1, tolerance=0.5)
+    at = simulation.positions
+    x, y = at[8:].mean(0)
+    assert 0.0 < np.interp(x, at[:8, 0], at[:8, 1]) - y < 20.0
+
+
+def test_a_rope_that_falls_on_itself_lies_on_itself() -> None:
+    rope = line((0.0, -15.0), (0.0, -10.0), 16, ())
+    masses = tuple(
+        REPLACE(mass, position=(mass.position[0] + 0.5 * (i % 3), mass.position[1]))
+        for i, mass in enumerate(rope.masses)
+    )
+    floor = Wall(point=(0.0, 0.0), normal=(0.0, -1.0), bounciness=0.0)
+    scene = REPLACE(rope, masses=masses, gravity=(0.0, 1000.0), walls=(floor,), contact=HARD)
+    simulation = run(scene, 2.0, "auto", tolerance=0.1)
+    assert simulation.divergence is None
+    arrays = Arrays(REPLACE(scene, pose=simulation.scene.pose))
+    index = arrays.system.mass_index
+    q = np.zeros_like(arrays.q)
+    q[index], q[arrays.slots + index] = simulation.positions.T
+    assert nearer(arrays, q, 6.0)
+    assert not nearer(arrays, q, 2.0)
+    assert np.abs(simulation.velocities).max() < 300.0
+
+
+@pytest.mark.parametrize("method", ["auto", "rk4", "generalized_alpha"])
+def test_a_ring_inside_another_bounces_off_and_stays_in(method: Method) -> None:
+    inner, outer = ring((0.0, 0.0), 15.0, 10, (400.0, 130.0)), ring((0.0, 0.0), 60.0, 24)
+    scene = joined(inner, outer, contact=REPLACE(HARD, friction=0.1, bounciness=0.9))
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=2e-4, tolerance=0.01)))
+    simulation.energy()
+    approaching = []
+    for _ in range(100):
+        simulation.advance(0.01)
+        at, speed = simulation.positions, simulation.velocities
+        assert np.hypot(*(at[:10].mean(0) - at[10:].mean(0))) < 60.0
+        gap = at[:10].mean(0) - at[10:].mean(0)
+        approaching.append(gap @ (speed[:10].mean(0) - speed[10:].mean(0)) > 0.0)
+    assert np.diff(np.array(approaching, int)).tolist().count(-1) >= 2  # it leaves where it has been pushed
+    book = simulation.energy()
+    assert abs(book.residual) <= 0.01 * (abs(book.friction) + book.kinetic)
+
+
+@pytest.mark.parametrize("method", ["auto", "symplectic_euler", "velocity_verlet", "rodas5p"])
+def test_very_rough_bodies_stay_finite(method: Method) -> None:
+    rope = line((-60.0, 30.0), (15.0, 0.0), 9, (0, 8))
+    scene = joined(
+        ring((0.0, 0.0), 15.0, 10, (300.0, 200.0)), rope, gravity=(0.0, 1000.0),
+        contact=REPLACE(HARD, friction=10.0, slip_speed=1.0),
+    )  # fmt: skip
+    simulation = run(scene, 1.0, method, dt=1e-4, tolerance=0.1)
+    assert simulation.divergence is None
+    assert simulation.time == pytest.approx(1.0)
+    assert np.abs(simulation.velocities).max() < 2000.0
+
+
+@pytest.mark.parametrize("method", ["auto", "adams", "rodas5p", "rk4", "velocity_verlet"])
+def test_the_books_balance(method: Method) -> None:
+    scene = crumpled("girder", 5, held=(2,))
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=2e-5, tolerance=1e-8)))
+    simulation.energy()
+    x, y = scene.pose.positions[2] if scene.pose else (0.0, 0.0)
+    worst = 0.0
+    for i in range(10):
+        simulation.lead(2, (x + i, y - 2.0 * i))
+        simulation.step(250)
+        worst = max(worst, abs(simulation.energy().residual))
+    book = simulation.energy()
+    assert worst <= 1e-4 * (abs(book.kinetic) + abs(book.linear) + abs(book.damping))
+    assert book.contact > 0.0
+    assert book.friction < -100.0
+    assert abs(book.anchors) > 100.0
+
+
+def test_the_same_bits_again_and_after_going_back() -> None:
+    scene = crumpled("cloth", 6)
+    one, other = run(scene, 0.2, tolerance=1e-3), run(scene, 0.2, tolerance=1e-3)
+    assert same_state(one, other)
+    moment = one.capture()
+    ends = []
+    for _ in range(2):
+        one.restore(moment)
+        one.advance(0.1)
+        ends.append(one.positions)
+        one.energy()
+    assert np.array_equal(*ends)
+
+
+# ------------------------------------------------------------------------- beside the kernels
+def test_where_nothing_touches_there_is_nothing_to_pay_for() -> None:
+    for scene in (sim.load_scene("ring"), REPLACE(sim.load_scene("ring"), contact=Contact(distance=0.0))):
+        simulation = Simulation(scene)
+        simulation.step()
+        around = system_of(simulation).body.surroundings
+        assert not around.present
+        assert max(array.size for _, array in around.contact.arrays()) <= 17
+        problem = solver_of(simulation)._problem
+        assert problem is not None and problem.apart == 0
+        matrix = solver_of(simulation).matrix
+        assert all(
+            array.size == 0
+            for array in (matrix.of_mass, matrix.touching, matrix.touched, matrix.krylov, matrix.hessenberg)
+        )
+
+
+def test_numpy_moves_bodies_that_touch_until_kernels_are_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sim.motion.simulation.is_ready", lambda names: False)
+    scene = crumpled("girder", 3)
+    plain = Simulation(scene, wait=False)
+    plain.advance(0.05)
+    assert plain.plain
+    monkeypatch.undo()
+    assert np.abs(plain.positions - run(scene, 0.05, "rodas5p").positions).max() <= 0.1
+
+
+def test_the_stability_meter_sees_contact() -> None:
+    scene = crumpled("girder", 1, REPLACE(SOFT, stiffness=1e4))
+    scene = REPLACE(scene, integrator=Integrator(method="symplectic_euler", dt=1e-6))
+    estimate = Simulation(scene).stability()
+    assert estimate.cause == "contact"
+    bare = REPLACE(scene, contact=None)
+    assert estimate.limit < 0.5 * Simulation(bare).stability().limit
+    assert damped_limit(build_system(scene)) < 0.5 * damped_limit(build_system(bare))

@@ -1,0 +1,90 @@
+"""Bodies that touch each other and themselves."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
+from sim.scene.surroundings import Contact
+from tests.sim.bodies import body
+
+REPLACE = msgspec.structs.replace
+SOFT = Contact(distance=12.0, stiffness=50.0, friction=0.7, slip_speed=80.0, bounciness=0.6)
+SMOOTH = REPLACE(SOFT, friction=0.0, bounciness=1.0)
+
+
+def crumpled(shape: str, seed: int = 0, contact: Contact = SOFT, **changes: Any) -> Scene:
+    """A body of `tests.sim.bodies`, crumpled so that many of its parts touch; `changes` are of `body`."""
+    scene = body(shape, seed=seed, **changes)
+    rng = np.random.default_rng(seed)
+    at = np.array([mass.position for mass in scene.masses])
+    at, speed = 0.5 * at + rng.uniform(-25.0, 25.0, at.shape), rng.normal(0.0, 100.0, at.shape)
+    pose = Pose(positions=tuple(map(tuple, at.tolist())), velocities=tuple(map(tuple, speed.tolist())))
+    # Not the method of first order that bodies have: for that, contact is softened.
+    exact = Integrator(method="rk4", dt=1e-4)
+    return REPLACE(scene, integrator=exact, contact=contact, pose=pose)
+
+
+def joined(*scenes: Scene, **fields: Any) -> Scene:
+    """Several bodies as one scene."""
+    masses: list[Mass] = []
+    springs: list[LinearSpring] = []
+    joints: list[AngularSpring] = []
+    anchors: list[Anchor] = []
+    for scene in scenes:
+        n, s = len(masses), len(springs)
+        masses += scene.masses
+        springs += [REPLACE(spring, a=spring.a + n, b=spring.b + n) for spring in scene.linear_springs]
+        joints += [REPLACE(joint, a=joint.a + s, b=joint.b + s) for joint in scene.angular_springs]
+        anchors += [REPLACE(anchor, mass=anchor.mass + n) for anchor in scene.anchors]
+    return Scene(
+        name="bodies",
+        masses=tuple(masses),
+        linear_springs=tuple(springs),
+        angular_springs=tuple(joints),
+        anchors=tuple(anchors),
+        **fields,
+    )
+
+
+def ring(
+    centre: tuple[float, float], radius: float, count: int, velocity: tuple[float, float] = (0.0, 0.0)
+) -> Scene:
+    """A ring of masses of 0.1 kg, as one body."""
+    turns = [math.tau * i / count for i in range(count)]
+    edge = 2.0 * radius * math.sin(math.pi / count)
+    x, y = centre
+    return Scene(
+        name="ring",
+        masses=tuple(
+            Mass(position=(x + radius * math.cos(v), y + radius * math.sin(v)), velocity=velocity, mass=0.1)
+            for v in turns
+        ),
+        linear_springs=tuple(
+            LinearSpring(a=i, b=(i + 1) % count, stiffness=3000.0, damping=0.5, rest_length=edge)
+            for i in range(count)
+        ),
+        angular_springs=tuple(
+            AngularSpring(a=i, b=(i + 1) % count, stiffness=2000.0, rest_angle=360.0 / count)
+            for i in range(count)
+        ),
+    )
+
+
+def line(start: tuple[float, float], step: tuple[float, float], count: int, held: tuple[int, ...]) -> Scene:
+    """A rope of masses of 0.1 kg in a straight line."""
+    return Scene(
+        name="line",
+        masses=tuple(
+            Mass(position=(start[0] + step[0] * i, start[1] + step[1] * i), mass=0.1) for i in range(count)
+        ),
+        linear_springs=tuple(
+            LinearSpring(a=i, b=i + 1, stiffness=4000.0, damping=2.0, rest_length=math.hypot(*step))
+            for i in range(count - 1)
+        ),
+        anchors=tuple(Anchor(mass=mass) for mass in held),
+    )
