@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene
+from sim.body.surroundings import new_surroundings
+from sim.scene.types import is_surrounded
 
 from .colors import Palette, sent
 from .shapes import COILS
@@ -69,6 +71,7 @@ class Sketch:
         mapping: px to world.
         palette: the colours.
         radius: (n,) of each mass in the world.
+        around: the table of what surrounds the body, its masses by their index; None where nothing does.
     """
 
     def __init__(self, scene: Scene, palette: Palette) -> None:
@@ -90,6 +93,7 @@ class Sketch:
         leaves = (ends_b[:, :1] == ends_a).any(1)
         self.joint_mass = np.where(leaves, ends_b[:, 0], ends_b[:, 1])
         self.joint_sense = np.where(leaves, 1.0, -1.0)
+        self.around = new_surroundings(scene, np.arange(n), n) if is_surrounded(scene) else None
         self.thickness = self._spring_thickness()
         self.spring_shape = self._spring_shape()
 

@@ -334,9 +334,9 @@ class Panel:
                 element.content = content
         self._solver.refresh_readouts()
 
-    def set_state(self, scene: str, playing: bool, at_rest: bool = False) -> None:
+    def set_state(self, scene: str, playing: bool, at_rest: bool = False, broken: int = 0) -> None:
         """Tell the page's script what it has to know, see `script.told`."""
-        told = script.told(_id(self.channel), scene, self._session, playing, at_rest)
+        told = script.told(_id(self.channel), scene, self._session, playing, at_rest, broken)
         if told != self._told:
             self._told = told
             self._state.content = script.told_html(told)
