@@ -6,6 +6,7 @@ after their length, and one for each frame; `static/plan.js` reads both.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from sim import Scene, Simulation
 from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE, Surroundings
 from sim.scene.types import Damage
+from sim.settings import STILL_AIR
 
 from .colors import blend, sent
 from .drawing import Floats, Sketch
@@ -171,7 +173,7 @@ def _surroundings(around: Surroundings) -> tuple[ArrayLike, ...]:
     for k, filling in enumerate(around.fillings):
         loop = around.loop[around.loop_start[k] : around.loop_start[k + 1]]
         loops += [filling[FILLING_GAS], len(loop), *loop]
-    blows = around.wind_x != 0.0 or around.wind_y != 0.0
+    blows = math.hypot(around.wind_x, around.wind_y) >= STILL_AIR
     wind = (around.wind_x, around.wind_y, *around.waves[:, :WAVE_RATE].ravel()) if blows else ()
     return around.walls[:, : WALL_NORMAL_Y + 1], loops, wind
 

@@ -66,11 +66,11 @@ export function addUnderlay() {
   const draw = () => {
     const { plan, frame } = shown();
     const canvas = viser()?.canvas;
-    const seen = surrounded() ? sight(before?.generation === plan?.generation ? before : frame) : null;
-    if (!canvas || !seen) {
-      if (!surrounded()) svg.remove();
-      return;
-    }
+    if (!surrounded()) svg.remove();
+    // The first picture of a new body may still be on its way.
+    if (!canvas || !surrounded() || plan?.generation !== frame?.generation) return;
+    const seen = sight(before?.generation === plan?.generation ? before : frame);
+    if (!seen) return;
     if (canvas.previousSibling !== svg) canvas.before(svg);
     const { left, top, width, height } = seen.box;
     set(svg, "viewBox", `${left} ${top} ${width} ${height}`);
