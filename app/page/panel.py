@@ -25,7 +25,10 @@ from .slider_box import SliderBox
 from .solver_panel import SolverPanel
 
 PANEL_WIDTH = 348
-FOREMOST = ("rest_angle", "template", "angular_stiffness", "linear_stiffness", "gravity")
+FOREMOST = (
+    "wind_speed", "gas_pressure", "liquid_stiffness", "strength", "yield_force", "rest_angle", "template",
+    "angular_stiffness", "linear_stiffness", "gravity",
+)  # fmt: skip
 """Settings that make most of a scene, in order; the Play tab has the first two that there is a use for."""
 
 LAST = 1e6

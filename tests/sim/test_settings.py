@@ -12,6 +12,7 @@ from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_valu
 from sim.body.system import joint_stiffness
 from sim.methods.registry import METHODS
 from sim.scene.surroundings import Gas, Liquid, Wall, Wind
+from sim.scene.types import Damage
 from sim.settings import (
     CHOICES,
     SETTINGS,
@@ -205,7 +206,7 @@ def test_a_change_of_the_surroundings_lets_the_motion_go_on() -> None:
     simulation = Simulation(scene)
     simulation.step(40)
     moment = simulation.capture()
-    worn = REPLACE(scene, pose=REPLACE(simulation.pose(), damage=sim.scene.types.Damage(broken=(1,))))
+    worn = REPLACE(scene, pose=REPLACE(simulation.pose(), damage=Damage(broken=(1,))))
     simulation = Simulation(worn)
     for key, value in (
         ("wall_friction", 0.1),
