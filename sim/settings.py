@@ -410,7 +410,7 @@ _ALL = (
         _largest_of("walls", Wall, "bounciness"), _scaled_of("walls", Wall, "bounciness"), _has_walls,
     ),
     _setting(
-        "gas_pressure", "Gas pressure", (1.0, 1e5), number_range(Gas, "pressure"),
+        "gas_pressure", "Gas pressure", (1.0, 1e4), number_range(Gas, "pressure"),
         _largest_of("fillings", Gas, "pressure"), _scaled_of("fillings", Gas, "pressure"),
         _has_filling(Gas), logarithmic=True,
     ),
@@ -420,12 +420,12 @@ _ALL = (
         _has_filling(Liquid), logarithmic=True,
     ),
     _setting(
-        "strength", "Strength of springs", (100.0, 1e7), number_range(LinearSpring, "strength"),
+        "strength", "Strength of springs", (100.0, 1e6), number_range(LinearSpring, "strength"),
         _largest_of("linear_springs", LinearSpring, "strength"),
         _scaled_of("linear_springs", LinearSpring, "strength"), _has_limit("strength"), logarithmic=True,
     ),
     _setting(
-        "yield_force", "Yield force", (100.0, 1e7), number_range(LinearSpring, "yield_force"),
+        "yield_force", "Yield force", (100.0, 1e6), number_range(LinearSpring, "yield_force"),
         _largest_of("linear_springs", LinearSpring, "yield_force"),
         _scaled_of("linear_springs", LinearSpring, "yield_force"), _has_limit("yield_force"),
         logarithmic=True,

@@ -219,3 +219,5 @@ def test_a_runaway_by_surroundings_is_explained(cause: str) -> None:
     divergence = sim.Divergence(0, 1, "position", 1e6, 0.01, StabilityEstimate(0.004, cause))  # type: ignore[arg-type]
     text = runaway(divergence, balloon()).text
     assert f"the stiffness of the {cause}" in text
+    assert "choose the integrator Auto" in text
+    assert str(divergence).endswith(f"which the {cause} set")

@@ -12,8 +12,10 @@ import { viser } from "./viser.js";
 
 /** Milliseconds between two pictures of the wind around a body at rest, of which no frames come. */
 const DRIFT_EVERY = 40;
+/** Pixels by which streaks may have drifted before they are made anew. */
+const MARGIN = 150;
 /** From the back to the front. */
-const KINDS = /** @type {const} */ (["grid", "major", "wall", "hatch", "surface", "gas", "liquid", "wind"]);
+const KINDS = /** @type {const} */ (["grid", "major", "wall", "hatch", "surface", "gas", "liquid"]);
 
 /** @typedef {Record<typeof KINDS[number], string>} Outlines */
 
@@ -25,12 +27,11 @@ function surrounded() {
 
 /**
  * @param {import("./overlay.js").Sight} seen
- * @param {number} time of the wind, s
  * @returns {Outlines}
  */
-function outlines({ plan, on, places, box }, time) {
+function outlines({ plan, on, places, box }) {
   const size = Math.max(Number(told().width), Number(told().height)) / plan.scale;
-  const found = { wall: "", hatch: "", surface: "", gas: "", liquid: "", wind: "", ...gridLines(plan, size, on, box) };
+  const found = { wall: "", hatch: "", surface: "", gas: "", liquid: "", ...gridLines(plan, size, on, box) };
   const walls = Array.from({ length: plan.walls.length / 4 }, (_, i) => wallInView(plan, i, on, box));
   for (const wall of walls) {
     found.wall += outline(wall.corners);
@@ -42,24 +43,52 @@ function outlines({ plan, on, places, box }, time) {
     found.gas = loops(plan, places, true);
     found.liquid = loops(plan, places, false);
   }
-  if (plan.wind.length) found.wind = streaks(plan, time, on, box);
   return found;
 }
 
 /** @param {Element} element @param {string} name @param {string} value */
 const set = (element, name, value) => element.getAttribute(name) === value || element.setAttribute(name, value);
 
+/**
+ * The streaks of the wind: gusts only drift, so the same streaks are moved along for a while. What is returned draws
+ * them at a time, s.
+ *
+ * @param {Element} path
+ */
+function windMark(path) {
+  let [made, since] = ["", 0];
+  /** @param {import("./overlay.js").Sight} seen @param {number} time */
+  return ({ plan, on, box }, time) => {
+    const view = [plan.generation, on.x, on.y, on.step, box.width, box.height].join(" ");
+    const [u, v] = plan.wind;
+    const drift = plan.scale * on.step * (time - since);
+    if (view !== made || !(Math.hypot(u, v) * Math.abs(drift) < MARGIN)) {
+      const { left, right, top, bottom } = box;
+      const more = { left: left - MARGIN, right: right + MARGIN, top: top - MARGIN, bottom: bottom + MARGIN };
+      set(path, "d", streaks(plan, time, on, more));
+      path.removeAttribute("transform");
+      [made, since] = [view, time];
+    } else {
+      set(path, "transform", `translate(${(u * drift).toFixed(2)} ${(-v * plan.flip * drift).toFixed(2)})`);
+    }
+  };
+}
+
 /** Begins to draw. */
 export function addUnderlay() {
   const svg = document.createElementNS(SVG, "svg");
   svg.classList.add("softrod-underlay");
   svg.setAttribute("aria-hidden", "true");
-  const paths = KINDS.map((kind) => {
+  /** @param {string} kind */
+  const add = (kind) => {
     const path = document.createElementNS(SVG, "path");
     path.classList.add(`softrod-${kind}`);
     svg.append(path);
     return path;
-  });
+  };
+  const paths = KINDS.map(add);
+  const wind = add("wind");
+  const blow = windMark(wind);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** The picture that there was when viser drew last. @type {import("./plan.js").Frame | null} */
   let before = null;
@@ -74,8 +103,10 @@ export function addUnderlay() {
     if (canvas.previousSibling !== svg) canvas.before(svg);
     const { left, top, width, height } = seen.box;
     set(svg, "viewBox", `${left} ${top} ${width} ${height}`);
-    const found = outlines(seen, still.matches ? 0 : timeNow());
+    const found = outlines(seen);
     KINDS.forEach((kind, i) => set(paths[i], "d", found[kind]));
+    if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
+    else set(wind, "d", "");
   };
   // As viser draws, so that all is seen from the same place. Its nodes are then as the picture before had them: they
   // take over what is new right after that, to be drawn the next time.
