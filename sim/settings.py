@@ -14,6 +14,14 @@ from typing import Any, get_args
 
 import msgspec
 
+from .around_settings import (
+    largest_of,
+    scaled_of,
+    wind_direction,
+    wind_speed,
+    with_turbulence,
+    with_wind,
+)
 from .body.system import joint_stiffness
 from .errors import SceneError, SettingError
 from .kernels.forces.laws import LAWS
@@ -230,66 +238,6 @@ def _write_template(scene: Scene, value: float) -> Scene:
     return msgspec.structs.replace(scene, template=template)
 
 
-def _neat(value: float) -> float:
-    """A number without the rounding of what it was made from."""
-    return float(f"{value:.12g}")
-
-
-STILL_AIR = 1e-6
-"""px/s below which there is no wind; a little is left of it, so that its direction is kept."""
-
-
-def _wind_speed(scene: Scene) -> float:
-    speed = math.hypot(*scene.wind.velocity) if scene.wind else 0.0
-    return _neat(speed) if speed >= STILL_AIR else 0.0
-
-
-def _wind_direction(scene: Scene) -> float:
-    """The direction to which it blows on the screen: degrees, 0 to the right, 90 upwards."""
-    x, y = scene.wind.velocity if scene.wind else (0.0, 0.0)
-    return _neat(math.degrees(math.atan2(-y if scene.view.y_down else y, x))) + 0.0  # without a sign of zero
-
-
-def _with_wind(scene: Scene, speed: float, direction: float) -> Scene:
-    assert scene.wind is not None
-    angle = math.radians(direction if not scene.view.y_down else -direction)
-    size = speed if speed >= STILL_AIR else 0.5 * STILL_AIR
-    wind = msgspec.structs.replace(scene.wind, velocity=(size * math.cos(angle), size * math.sin(angle)))
-    return msgspec.structs.replace(scene, wind=wind)
-
-
-def _with_turbulence(scene: Scene, value: float) -> Scene:
-    assert scene.wind is not None
-    return msgspec.structs.replace(scene, wind=msgspec.structs.replace(scene.wind, turbulence=value))
-
-
-def _largest_of(parts: str, kind: type, field: str) -> Callable[[Scene], float]:
-    """The largest of a number of those parts of a scene that are of a kind and have the number."""
-
-    def read(scene: Scene) -> float:
-        numbers = [getattr(part, field) for part in getattr(scene, parts) if isinstance(part, kind)]
-        return max((number for number in numbers if number is not None), default=0.0)
-
-    return read
-
-
-def _scaled_of(parts: str, kind: type, field: str) -> Callable[[Scene, float], Scene]:
-    """Set the largest to the value and scale the others in proportion; if all were zero, set all."""
-
-    def write(scene: Scene, value: float) -> Scene:
-        old = _largest_of(parts, kind, field)(scene)
-
-        def changed(part: Any) -> Any:
-            number = getattr(part, field) if isinstance(part, kind) else None
-            if number is None:
-                return part
-            return msgspec.structs.replace(part, **{field: value * (number / old) if old else value})
-
-        return msgspec.structs.replace(scene, **{parts: tuple(map(changed, getattr(scene, parts)))})
-
-    return write
-
-
 def _replace(field: str) -> Callable[[Scene, Any], Scene]:
     return lambda scene, value: msgspec.structs.replace(scene, **{field: value})
 
@@ -390,44 +338,44 @@ _ALL = (
         lambda scene: scene.air_friction, _replace("air_friction"), moves,
     ),
     _setting(
-        "wind_speed", "Wind speed", (0.0, 3000.0), (0.0, 1e6, "px/s"), _wind_speed,
-        lambda scene, speed: _with_wind(scene, speed, _wind_direction(scene)), _has_wind,
+        "wind_speed", "Wind speed", (0.0, 3000.0), (0.0, 1e6, "px/s"), wind_speed,
+        lambda scene, speed: with_wind(scene, speed, wind_direction(scene)), _has_wind,
     ),
     _setting(
-        "wind_direction", "Wind direction", (-180.0, 180.0), (-180.0, 180.0, "°"), _wind_direction,
-        lambda scene, angle: _with_wind(scene, _wind_speed(scene), angle), _has_wind,
+        "wind_direction", "Wind direction", (-180.0, 180.0), (-180.0, 180.0, "°"), wind_direction,
+        lambda scene, angle: with_wind(scene, wind_speed(scene), angle), _has_wind,
     ),
     _setting(
         "turbulence", "Turbulence", (0.0, 1.0), number_range(Wind, "turbulence"),
-        lambda scene: scene.wind.turbulence if scene.wind else 0.0, _with_turbulence, _has_wind,
+        lambda scene: scene.wind.turbulence if scene.wind else 0.0, with_turbulence, _has_wind,
     ),
     _setting(
         "wall_friction", "Friction of walls", (0.0, 2.0), number_range(Wall, "friction"),
-        _largest_of("walls", Wall, "friction"), _scaled_of("walls", Wall, "friction"), _has_walls,
+        largest_of("walls", Wall, "friction"), scaled_of("walls", Wall, "friction"), _has_walls,
     ),
     _setting(
         "bounciness", "Bounciness of walls", (0.0, 1.0), number_range(Wall, "bounciness"),
-        _largest_of("walls", Wall, "bounciness"), _scaled_of("walls", Wall, "bounciness"), _has_walls,
+        largest_of("walls", Wall, "bounciness"), scaled_of("walls", Wall, "bounciness"), _has_walls,
     ),
     _setting(
         "gas_pressure", "Gas pressure", (1.0, 1e4), number_range(Gas, "pressure"),
-        _largest_of("fillings", Gas, "pressure"), _scaled_of("fillings", Gas, "pressure"),
+        largest_of("fillings", Gas, "pressure"), scaled_of("fillings", Gas, "pressure"),
         _has_filling(Gas), logarithmic=True,
     ),
     _setting(
         "liquid_stiffness", "Liquid stiffness", (10.0, 1e6), number_range(Liquid, "bulk_modulus"),
-        _largest_of("fillings", Liquid, "bulk_modulus"), _scaled_of("fillings", Liquid, "bulk_modulus"),
+        largest_of("fillings", Liquid, "bulk_modulus"), scaled_of("fillings", Liquid, "bulk_modulus"),
         _has_filling(Liquid), logarithmic=True,
     ),
     _setting(
         "strength", "Strength of springs", (100.0, 1e6), number_range(LinearSpring, "strength"),
-        _largest_of("linear_springs", LinearSpring, "strength"),
-        _scaled_of("linear_springs", LinearSpring, "strength"), _has_limit("strength"), logarithmic=True,
+        largest_of("linear_springs", LinearSpring, "strength"),
+        scaled_of("linear_springs", LinearSpring, "strength"), _has_limit("strength"), logarithmic=True,
     ),
     _setting(
         "yield_force", "Yield force", (100.0, 1e6), number_range(LinearSpring, "yield_force"),
-        _largest_of("linear_springs", LinearSpring, "yield_force"),
-        _scaled_of("linear_springs", LinearSpring, "yield_force"), _has_limit("yield_force"),
+        largest_of("linear_springs", LinearSpring, "yield_force"),
+        scaled_of("linear_springs", LinearSpring, "yield_force"), _has_limit("yield_force"),
         logarithmic=True,
     ),
     _setting(

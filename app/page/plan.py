@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sim import Scene, Simulation
+from sim.around_settings import STILL_AIR
 from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE, Surroundings
 from sim.scene.types import Damage
-from sim.settings import STILL_AIR
 
 from .colors import blend, sent
 from .drawing import Floats, Sketch
