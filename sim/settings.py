@@ -14,12 +14,21 @@ from typing import Any, get_args
 
 import msgspec
 
+from .around_settings import (
+    largest_of,
+    scaled_of,
+    wind_direction,
+    wind_speed,
+    with_turbulence,
+    with_wind,
+)
 from .body.system import joint_stiffness
 from .errors import SceneError, SettingError
 from .kernels.forces.laws import LAWS
 from .methods.registry import METHODS
 from .recipe_settings import Setting, recipe_settings, scaled, turned
 from .scene.recipes.assembly import wrapped
+from .scene.surroundings import Gas, Liquid, Wall, Wind
 from .scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template, rebuilt
 from .scene.validate import number_range, validate
 
@@ -243,6 +252,30 @@ def _has_rest_angle(scene: Scene) -> bool:
     return _has_joints(scene) and (not scene.bodies or bool(_all_ropes(scene)))
 
 
+def _has_wind(scene: Scene) -> bool:
+    return moves(scene) and scene.wind is not None
+
+
+def _has_walls(scene: Scene) -> bool:
+    return moves(scene) and bool(scene.walls)
+
+
+def _has_filling(kind: type) -> Callable[[Scene], bool]:
+    """Whether a scene has a filling of a kind that is not a recipe's, which has its own setting for it."""
+    return lambda scene: (
+        moves(scene) and not scene.bodies and any(isinstance(filling, kind) for filling in scene.fillings)
+    )
+
+
+def _has_limit(field: str) -> Callable[[Scene], bool]:
+    """Whether any spring has a limit to what it bears that is not a recipe's."""
+    return lambda scene: (
+        moves(scene)
+        and not scene.bodies
+        and any(getattr(spring, field) is not None for spring in scene.linear_springs)
+    )
+
+
 def _setting(
     key: str,
     label: str,
@@ -296,6 +329,47 @@ _ALL = (
     _setting(
         "air_friction", "Air friction", (0.0, 0.05), number_range(Scene, "air_friction"),
         lambda scene: scene.air_friction, _replace("air_friction"), moves,
+    ),
+    _setting(
+        "wind_speed", "Wind speed", (0.0, 3000.0), (0.0, 1e6, "px/s"), wind_speed,
+        lambda scene, speed: with_wind(scene, speed, wind_direction(scene)), _has_wind,
+    ),
+    _setting(
+        "wind_direction", "Wind direction", (-180.0, 180.0), (-180.0, 180.0, "°"), wind_direction,
+        lambda scene, angle: with_wind(scene, wind_speed(scene), angle), _has_wind,
+    ),
+    _setting(
+        "turbulence", "Turbulence", (0.0, 1.0), number_range(Wind, "turbulence"),
+        lambda scene: scene.wind.turbulence if scene.wind else 0.0, with_turbulence, _has_wind,
+    ),
+    _setting(
+        "wall_friction", "Friction of walls", (0.0, 2.0), number_range(Wall, "friction"),
+        largest_of("walls", Wall, "friction"), scaled_of("walls", Wall, "friction"), _has_walls,
+    ),
+    _setting(
+        "bounciness", "Bounciness of walls", (0.0, 1.0), number_range(Wall, "bounciness"),
+        largest_of("walls", Wall, "bounciness"), scaled_of("walls", Wall, "bounciness"), _has_walls,
+    ),
+    _setting(
+        "gas_pressure", "Gas pressure", (1.0, 1e4), number_range(Gas, "pressure"),
+        largest_of("fillings", Gas, "pressure"), scaled_of("fillings", Gas, "pressure"),
+        _has_filling(Gas), logarithmic=True,
+    ),
+    _setting(
+        "liquid_stiffness", "Liquid stiffness", (10.0, 1e6), number_range(Liquid, "bulk_modulus"),
+        largest_of("fillings", Liquid, "bulk_modulus"), scaled_of("fillings", Liquid, "bulk_modulus"),
+        _has_filling(Liquid), logarithmic=True,
+    ),
+    _setting(
+        "strength", "Strength of springs", (100.0, 1e6), number_range(LinearSpring, "strength"),
+        largest_of("linear_springs", LinearSpring, "strength"),
+        scaled_of("linear_springs", LinearSpring, "strength"), _has_limit("strength"), logarithmic=True,
+    ),
+    _setting(
+        "yield_force", "Yield force", (100.0, 1e6), number_range(LinearSpring, "yield_force"),
+        largest_of("linear_springs", LinearSpring, "yield_force"),
+        scaled_of("linear_springs", LinearSpring, "yield_force"), _has_limit("yield_force"),
+        logarithmic=True,
     ),
     _setting(
         "dt", "Time step", (1e-4, 0.01), number_range(Integrator, "dt"),

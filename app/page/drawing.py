@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene
+from sim.body.surroundings import new_surroundings
+from sim.scene.types import is_surrounded
 
 from .colors import Palette, sent
 from .shapes import COILS
@@ -69,6 +72,7 @@ class Sketch:
         mapping: px to world.
         palette: the colours.
         radius: (n,) of each mass in the world.
+        around: the table of what surrounds the body, its masses by their index; None where nothing does.
     """
 
     def __init__(self, scene: Scene, palette: Palette) -> None:
@@ -90,6 +94,11 @@ class Sketch:
         leaves = (ends_b[:, :1] == ends_a).any(1)
         self.joint_mass = np.where(leaves, ends_b[:, 0], ends_b[:, 1])
         self.joint_sense = np.where(leaves, 1.0, -1.0)
+        self.around = None
+        if is_surrounded(scene):
+            # Contact is not drawn.
+            drawn = msgspec.structs.replace(scene, contact=None)
+            self.around = new_surroundings(drawn, np.arange(n), self.springs, n)
         self.thickness = self._spring_thickness()
         self.spring_shape = self._spring_shape()
 

@@ -25,7 +25,10 @@ from .slider_box import SliderBox
 from .solver_panel import SolverPanel
 
 PANEL_WIDTH = 348
-FOREMOST = ("rest_angle", "template", "bend", "load", "angular_stiffness", "linear_stiffness", "gravity")
+FOREMOST = (
+    "wind_speed", "gas_pressure", "pressure", "liquid_stiffness", "bulk_modulus", "load", "strength",
+    "yield_force", "rest_angle", "template", "bend", "angular_stiffness", "linear_stiffness", "gravity",
+)  # fmt: skip
 """Settings that make most of a scene, in order; the Play tab has the first two that there is a use for."""
 
 LAST = 1e6
@@ -334,9 +337,9 @@ class Panel:
                 element.content = content
         self._solver.refresh_readouts()
 
-    def set_state(self, scene: str, playing: bool, at_rest: bool = False) -> None:
+    def set_state(self, scene: str, playing: bool, at_rest: bool = False, broken: int = 0) -> None:
         """Tell the page's script what it has to know, see `script.told`."""
-        told = script.told(_id(self.channel), scene, self._session, playing, at_rest)
+        told = script.told(_id(self.channel), scene, self._session, playing, at_rest, broken)
         if told != self._told:
             self._told = told
             self._state.content = script.told_html(told)

@@ -6,12 +6,16 @@ after their length, and one for each frame; `static/plan.js` reads both.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from sim import Scene, Simulation
+from sim.around_settings import STILL_AIR
+from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE, Surroundings
+from sim.scene.types import Damage
 
 from .colors import blend, sent
 from .drawing import Floats, Sketch
@@ -40,6 +44,8 @@ class Picture:
         rest_length_scale: factor of the rest lengths.
         rest_angle_shift: degrees added to all rest angles.
         ghost: (n, 2) px, where the masses of a second body are, or None.
+        damage: what has yielded and broken, or None.
+        ghost_broken: indices of the springs of the second body that are broken.
     """
 
     positions: Floats
@@ -47,23 +53,35 @@ class Picture:
     rest_length_scale: float = 1.0
     rest_angle_shift: float = 0.0
     ghost: Floats | None = None
+    damage: Damage | None = None
+    ghost_broken: tuple[int, ...] = ()
 
     @staticmethod
-    def of(simulation: Simulation, ghost: Floats | None = None) -> Picture:
-        """The present state, and where the masses of a second body are."""
+    def of(
+        simulation: Simulation, ghost: Floats | None = None, ghost_damage: Damage | None = None
+    ) -> Picture:
+        """The present state, and where the masses of a second body are, and what is broken of it."""
         return Picture(
             simulation.positions,
             simulation.time,
             simulation.rest_length_scale,
             simulation.rest_angle_shift,
             ghost,
+            simulation.damage,
+            broken_of(ghost_damage),
         )
 
     @staticmethod
     def at_start(scene: Scene) -> Picture:
         """The start of a scene, when there is no simulation yet."""
         starts = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
-        return Picture(np.array(starts, float), rest_length_scale=scene.rest_length_scale)
+        damage = scene.pose.damage if scene.pose else None
+        return Picture(np.array(starts, float), rest_length_scale=scene.rest_length_scale, damage=damage)
+
+
+def broken_of(damage: Damage | None) -> tuple[int, ...]:
+    """Indices of the springs that are broken."""
+    return damage.broken if damage is not None else ()
 
 
 def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray[np.float32]:
@@ -99,8 +117,7 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         _turn_colors(sketch),
         sketch.ink_colors(),
     )
-    flat = [np.asarray(section, np.float32).ravel() for section in sections]
-    return np.concatenate([part for section in flat for part in ([len(section)], section)], dtype=np.float32)
+    return _joined(*sections, *(_surroundings(sketch.around) if sketch.around is not None else ()))
 
 
 def encode_frame(generation: int, wall: float, picture: Picture) -> NDArray[np.float32]:
@@ -127,6 +144,38 @@ def encode_frame(generation: int, wall: float, picture: Picture) -> NDArray[np.f
     if picture.ghost is not None:
         frame[len(head) + size :] = picture.ghost.ravel()
     return frame
+
+
+def encode_damage(generation: int, picture: Picture) -> NDArray[np.float32]:
+    """What has yielded and broken of a body; sent only when it changes.
+
+    Args:
+        generation: of the plan.
+        picture: what is drawn.
+    """
+    damage = picture.damage or Damage()
+    return _joined([generation], damage.broken, damage.set_lengths, damage.set_angles, picture.ghost_broken)
+
+
+def _joined(*sections: ArrayLike) -> NDArray[np.float32]:
+    """Sections, each after its length."""
+    flat = [np.asarray(section, np.float32).ravel() for section in sections]
+    return np.concatenate([part for section in flat for part in ([len(section)], section)], dtype=np.float32)
+
+
+def _surroundings(around: Surroundings) -> tuple[ArrayLike, ...]:
+    """Walls, fillings and wind.
+
+    Of each wall a point (px) and its normal; of each filling whether it is a gas, how many masses its loop
+    has, and which; of wind its mean velocity (px/s), and wave vector, amplitude and phase of each wave.
+    """
+    loops: list[float] = []
+    for k, filling in enumerate(around.fillings):
+        loop = around.loop[around.loop_start[k] : around.loop_start[k + 1]]
+        loops += [filling[FILLING_GAS], len(loop), *loop]
+    blows = math.hypot(around.wind_x, around.wind_y) >= STILL_AIR
+    wind = (around.wind_x, around.wind_y, *around.waves[:, :WAVE_RATE].ravel()) if blows else ()
+    return around.walls[:, : WALL_NORMAL_Y + 1], loops, wind
 
 
 def _strain_colors(sketch: Sketch) -> NDArray[np.uint8]:

@@ -10,6 +10,7 @@ from sim.methods.registry import METHODS
 
 from ..session.session import Session
 from .colors import Palette
+from .plan import broken_of
 
 _NAMES = {
     "sine": "sine",
@@ -46,6 +47,8 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
     """
     state = _state(session, at_rest)
     lines = [f"<b>{state}</b>"] if state else []
+    if broken := len(broken_of(session.simulation.damage)):
+        lines.append(f"{broken} {'spring' if broken == 1 else 'springs'} broken")
     rates = session.pacer.rates(session.now())
     if rates.losing > 0.05:
         lines.append(
@@ -160,15 +163,24 @@ _ENERGY_NAMES = {
     "linear": "linear springs",
     "angular": "angular springs",
     "gravity": "height",
+    "walls": "depth in walls",
+    "fillings": "gases and liquids",
     "anchors": "work of your hand",
     "damping": "lost to damping",
     "air": "lost to air",
+    "friction": "lost to walls",
+    "plastic": "lost in yielding",
+    "broken": "lost in breaking",
     "law": "made by the tutorial's law",
     "keys": "work of the keys",
     "changes": "changes of settings",
     "fallbacks": "lost in fallback steps",
     "residual": "residual: the method's error",
 }
+
+
+_LOSSES = ("damping", "air", "friction", "plastic", "broken", "fallbacks")
+"""What the table shows with the other sign: as a loss."""
 
 
 def energy(value: float, largest: float) -> str:
@@ -189,7 +201,7 @@ def energy_table(session: Session) -> str:
     largest = max(abs(getattr(book, key)) for key in _ENERGY_NAMES)
     for key, name in _ENERGY_NAMES.items():
         value = getattr(book, key)
-        if key in ("damping", "air", "fallbacks"):
+        if key in _LOSSES:
             value = -value
         if value or key in ("kinetic", "residual"):
             rows[name] = energy(value, largest)

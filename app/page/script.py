@@ -62,6 +62,7 @@ def style_html(
     root = {
         "text": colors.css("text"),
         "line": colors.css("grid_major"),
+        "grid": colors.css("grid"),
         "brand": colors.css("driven"),
         "on-brand": "#0b1020" if dark else "#ffffff",
         "paper": colors.css("paper"),
@@ -83,7 +84,9 @@ def style_html(
     return f"<style>:root{{{variables}}}{rules}</style>"
 
 
-def told(channel: str, scene: str, session: Session, playing: bool, at_rest: bool) -> dict[str, object]:
+def told(
+    channel: str, scene: str, session: Session, playing: bool, at_rest: bool, broken: int = 0
+) -> dict[str, object]:
     """What the script has to know.
 
     Args:
@@ -92,6 +95,7 @@ def told(channel: str, scene: str, session: Session, playing: bool, at_rest: boo
         session: whose history and switches they are.
         playing: whether the clock runs, or will as soon as a heavy step is done.
         at_rest: whether the body stands while the clock runs, so that no pictures come.
+        broken: how many springs are broken.
     """
     frame, history = session.scene.view.frame, session.history
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
@@ -114,6 +118,7 @@ def told(channel: str, scene: str, session: Session, playing: bool, at_rest: boo
         "speed": session.pacer.speed,
         "offer": int(session.offer_back),
         "future": int(session.old_future is not None),
+        **({"broken": broken} if broken else {}),
     }
 
 

@@ -11,6 +11,7 @@ from collections import deque
 from concurrent.futures import Future
 from typing import Any, Literal, Protocol
 
+import numpy as np
 import viser
 
 import sim
@@ -25,7 +26,7 @@ from . import keeping, readouts, script, shelf
 from .drawing import Mapping
 from .files_panel import FilesPanel
 from .panel import Panel, set_theme
-from .plan import Picture
+from .plan import Picture, broken_of
 from .view import Canvas, Touch
 
 READOUTS_EVERY = 0.1
@@ -77,6 +78,7 @@ class Tab:
         self._readouts_due = 0.0
         self._moved_at = 0.0
         self._was_at_rest = False
+        self._broken = 0
         self._last_revision = -1
         self._was_playing = True
         self._wanted = ""
@@ -124,7 +126,7 @@ class Tab:
         if self._under_way is not None:
             if not self._under_way.done():
                 if session is not None:
-                    self._panel.set_state(self._shown_as, session.will_play)
+                    self._panel.set_state(self._shown_as, session.will_play, broken=self._broken)
                 return
             done, self._under_way = self._under_way, None
             made = done.result()
@@ -219,7 +221,11 @@ class Tab:
         simulation = session.simulation
         self._planned = session.revision
         self._mapping = Mapping.of(session.scene)
-        self._view.build(session.scene, self._dark, simulation.rest_angles - simulation.rest_angle_shift)
+        rest_angles = simulation.rest_angles - simulation.rest_angle_shift
+        damage = simulation.damage
+        if damage is not None and damage.set_angles:
+            rest_angles = rest_angles - np.array(damage.set_angles)  # of which the page is told apart
+        self._view.build(session.scene, self._dark, rest_angles)
 
     def _show(self, session: Session) -> None:
         """Send the picture, the texts and the controls, as far as they changed."""
@@ -228,10 +234,12 @@ class Tab:
         # A change of the controls, or the end of a run, is drawn exactly; a moving body only when it shows.
         changed = session.revision != self._last_revision or running != self._was_playing
         self._last_revision, self._was_playing = session.revision, running
-        if self._view.draw(self._picture(session), now, force=changed or not running):
+        picture = self._picture(session)
+        if self._view.draw(picture, now, force=changed or not running):
             self._moved_at = now
         at_rest = now - self._moved_at > RESTING_AFTER
-        self._panel.set_state(self._shown_as, session.playing, at_rest and running)
+        self._broken = len(broken_of(picture.damage))
+        self._panel.set_state(self._shown_as, session.playing, at_rest and running, self._broken)
         still = at_rest and self._was_at_rest and not self._panel.unsettled
         if changed or (now >= self._readouts_due and not still):
             self._readouts_due = now + READOUTS_EVERY
@@ -249,12 +257,13 @@ class Tab:
     def _picture(session: Session) -> Picture:
         """The body, and the ghost or, without one, what would have come had the user not gone back."""
         simulation, ghost, future = session.simulation, session.ghost, session.old_future
-        other = None
+        other = damage = None
         if ghost is not None:
-            other = None if ghost.waits else ghost.simulation.positions
+            if not ghost.waits:
+                other, damage = ghost.simulation.positions, ghost.simulation.damage
         elif future is not None:
-            other = future.positions_at(simulation.time)
-        return Picture.of(simulation, other)
+            other, damage = future.positions_at(simulation.time), future.damage_at(simulation.time)
+        return Picture.of(simulation, other, damage)
 
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""

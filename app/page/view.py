@@ -18,7 +18,7 @@ from sim import Scene
 
 from .colors import palette
 from .drawing import Z_GIZMO, Floats, Sketch
-from .plan import Picture, encode_frame, encode_plan
+from .plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
 from .shapes import meshes
 
 STILL = 0.1
@@ -28,6 +28,7 @@ MAX_GIZMOS = 12
 """Gizmos are one node each; held masses beyond so many are dragged by themselves."""
 
 PLAN, FRAME, KEEPSAKE = "/softrod/plan", "/softrod/frame", "/softrod/keepsake"
+DAMAGE = "/softrod/damage"
 """Nodes that only carry arrays to the page's script (static/canvas.js)."""
 
 # Ambient light only and no shadows: every mesh shows its own colour, and software rendering is twice as fast.
@@ -61,6 +62,7 @@ class Canvas:
         self._plan: NDArray[np.float32] | None = None
         self._plan_number = 0
         self._drawn: Picture | None = None
+        self._damaged: Picture | None = None  # the picture whose damage was sent last
         self._gizmo_in_hand: int | None = None
         self.sketch: Sketch | None = None
 
@@ -73,7 +75,8 @@ class Canvas:
             rest_angles: (J,) degrees without the arrow keys' shift; None for the scene's own.
         """
         self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
-        shape = (scene.view, dark, *self._kinds(sketch), *sketch.held.tolist())
+        surrounded = sketch.around is not None
+        shape = (scene.view, dark, surrounded, *self._kinds(sketch), *sketch.held.tolist())
         if rest_angles is None:
             rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])
         with self._client.atomic():
@@ -86,7 +89,7 @@ class Canvas:
                 self._plan = plan
                 self._plan_number += 1
                 self._nodes[PLAN].points = encode_plan(self._plan_number, sketch, rest_angles)
-                self._drawn = None
+                self._drawn = self._damaged = None
 
     @staticmethod
     def _kinds(sketch: Sketch) -> tuple[Any, ...]:
@@ -101,13 +104,11 @@ class Canvas:
     def _add_nodes(self, scene: Scene, sketch: Sketch) -> None:
         # The page's script takes these for itself; viser never sees them.
         for name in (PLAN, FRAME, KEEPSAKE):
-            self._nodes[name] = self._client.scene.add_point_cloud(
-                name, np.zeros((1, 3)), (0, 0, 0), precision="float32", visible=False
-            )
+            self._add_carrier(name)
         self._plan = None
         springs, joints, pins, driven = self._kinds(sketch)
-        positions, angles, scales, colors = sketch.grid(scene)
-        self._add("/paper", "bar", positions, angles, scales, colors)
+        if sketch.around is None:  # or the page draws it, below what surrounds the body
+            self._add("/paper", "bar", *sketch.grid(scene))
         for name, mesh in (
             ("springs", springs),
             ("wedges", "slice" if joints else ""),
@@ -141,6 +142,8 @@ class Canvas:
         self._drawn = picture
         with self._client.atomic():
             self._show_ghost(picture.ghost is not None)
+            if not self._same_damage(picture, exactly=force):
+                self._show_damage(picture)
             self._nodes[FRAME].points = encode_frame(self._plan_number, now, picture)
             for mass, gizmo in self._gizmos:
                 # While a gizmo is dragged it belongs to the pointer.
@@ -155,6 +158,32 @@ class Canvas:
         self._nodes[KEEPSAKE].colors = np.frombuffer(data, np.uint8)
 
     # --------------------------------------------------------------------- inside
+    def _add_carrier(self, name: str) -> None:
+        """A node that only carries an array."""
+        self._nodes[name] = self._client.scene.add_point_cloud(
+            name, np.zeros((1, 3)), (0, 0, 0), precision="float32", visible=False
+        )
+
+    def _show_damage(self, picture: Picture) -> None:
+        """Tell the page what has yielded and broken."""
+        self._damaged = picture
+        if DAMAGE not in self._nodes:
+            self._add_carrier(DAMAGE)
+        self._nodes[DAMAGE].points = encode_damage(self._plan_number, picture)
+
+    def _same_damage(self, picture: Picture, exactly: bool) -> bool:
+        """Whether the page knows what has yielded and broken, to what can be seen or exactly."""
+        known = self._damaged.damage if self._damaged is not None else None
+        ghost = self._damaged.ghost_broken if self._damaged is not None else ()
+        if ghost != picture.ghost_broken or broken_of(known) != broken_of(picture.damage):
+            return False
+        if exactly or known is None or picture.damage is None or self.sketch is None:
+            return known == picture.damage
+        pixel = 1.0 / (100.0 * self.sketch.mapping.scale)
+        return _near(known.set_lengths, picture.damage.set_lengths, STILL * pixel) and _near(
+            known.set_angles, picture.damage.set_angles, 0.5
+        )
+
     def _show_ghost(self, wanted: bool) -> None:
         """A second body is there only while it is compared with."""
         if wanted and "/body/ghost" not in self._nodes:
@@ -167,6 +196,8 @@ class Canvas:
         drawn = self._drawn
         if drawn is None or (drawn.ghost is None) != (picture.ghost is None):
             return False
+        if not self._same_damage(picture, exactly=True):
+            return False
         ghosts = picture.ghost is None or np.array_equal(drawn.ghost, picture.ghost)  # type: ignore[arg-type]
         numbers, before = ((p.time, p.rest_length_scale, p.rest_angle_shift) for p in (picture, drawn))
         return ghosts and numbers == before and np.array_equal(drawn.positions, picture.positions)
@@ -176,6 +207,8 @@ class Canvas:
         if drawn is None or sketch is None or drawn.positions.shape != picture.positions.shape:
             return False
         if (drawn.ghost is None) != (picture.ghost is None):
+            return False
+        if not self._same_damage(picture, exactly=False):
             return False
         pixel = 1.0 / (100.0 * sketch.mapping.scale)  # the frame is 6 units, or 600 pixels, long
         moved = np.abs(picture.positions - drawn.positions).max(initial=0.0)
@@ -190,7 +223,7 @@ class Canvas:
             node.remove()
         self._nodes.clear()
         self._remove_gizmos()
-        self._drawn = None
+        self._drawn = self._damaged = None
 
     def _remove_gizmos(self) -> None:
         for _, gizmo in self._gizmos:
@@ -246,3 +279,12 @@ class Canvas:
             self._gizmo_in_hand = None if event.phase == "end" else mass
             x, y = self.sketch.mapping.to_scene(*(float(c) for c in event.target.position[:2]))
             self._on_touch(Touch(event.phase, mass, x, y))
+
+
+def _near(before: tuple[float, ...], now: tuple[float, ...], most: float) -> bool:
+    """Whether numbers, which are all zero where there are none, differ by no more than that."""
+    if before is now:
+        return True
+    size = max(len(before), len(now))
+    one, two = (np.array(numbers or (0.0,) * size) for numbers in (before, now))
+    return bool(np.abs(one - two).max(initial=0.0) <= most)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from bisect import bisect_left
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sim import Moment
+from sim.scene.types import Damage
 
 from .ghost import GhostMoment
 
@@ -23,6 +25,9 @@ _OVERHEAD = 400
 
 _PER_PART = 250
 """Bytes of one mass or spring of a scene, about: moments share it until somebody moves a slider."""
+
+_PER_NUMBER = 32
+"""Bytes of a number of what has yielded and broken; moments share these, too, while nothing changes."""
 
 BEFORE_RUNAWAY = 0.5
 """Simulated seconds before a runaway began, to which a user is taken."""
@@ -117,9 +122,13 @@ class History:
         frames = self._frames
         while frames and frames[-1].moment.time >= moment.time:
             self._drop_last()
+        before = frames[-1] if frames else None
+        moment = _sharing(moment, before.moment if before else None)
+        if ghost is not None and before is not None and before.ghost is not None:
+            ghost = ghost._replace(moment=_sharing(ghost.moment, before.ghost.moment))
         self._number += 1
         frame = _Frame(self._number, moment, ghost)
-        self._bytes += _size(frame, frames[-1] if frames else None)
+        self._bytes += _size(frame, before)
         frames.append(frame)
         if len(frames) > SPAN or frames[0].number <= self._number - SPAN:
             self._drop_first()
@@ -221,10 +230,21 @@ class OldFuture:
         """(n, 2) positions, px, at a time, s, between two moments in a straight line; None outside them."""
         if not self.start <= time <= self.end:
             return None
-        at = max(1, bisect_left(self._moments, time, key=lambda moment: moment.time))
+        at = self._after(time)
         before, after = self._moments[at - 1], self._moments[at]
         share = (time - before.time) / (after.time - before.time)
         return (before.positions + share * (after.positions - before.positions)).copy()
+
+    def damage_at(self, time: float) -> Damage | None:
+        """What had yielded and broken by a time, s; None where nothing had, and outside the moments."""
+        if not self.start <= time <= self.end:
+            return None
+        at = self._after(time)
+        return self._moments[at if self._moments[at].time <= time else at - 1].damage
+
+    def _after(self, time: float) -> int:
+        """Index of the first moment at or after a time, but of one that has another before it."""
+        return max(1, bisect_left(self._moments, time, key=lambda moment: moment.time))
 
 
 def _size(frame: _Frame, before: _Frame | None) -> int:
@@ -241,4 +261,15 @@ def _size_of(moment: Moment, before: Moment | None) -> int:
     if before is None or scene is not before.scene:
         parts = len(scene.masses) + len(scene.linear_springs) + len(scene.angular_springs)
         size += _PER_PART * parts
+    damage = moment.damage
+    if damage is not None and (before is None or damage is not before.damage):
+        numbers = damage.broken, damage.set_lengths, damage.hardened, damage.set_angles
+        size += _PER_NUMBER * sum(map(len, numbers))
     return size
+
+
+def _sharing(moment: Moment, before: Moment | None) -> Moment:
+    """A moment that keeps no damage of its own where that is as in the one before."""
+    if before is None or moment.damage is None or moment.damage != before.damage:
+        return moment
+    return replace(moment, damage=before.damage)

@@ -32,10 +32,10 @@ def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
     if cause is not None and divergence.dt > limit:
         setting = SETTINGS.get(cause.replace(" ", "_"))
         value = f"{cause} {setting.read(scene):g}" if setting else f"the stiffness of the {cause}"
+        remedy = "lower either of them" if setting else "lower it or choose the integrator Auto"
         text = (
             f"Time step {divergence.dt:.3g} s is above the stability limit {limit:.2g} s at {value}. "
-            "The last good state is shown. Go back to just before it, lower either of them, and "
-            "go on; or press Reset."
+            f"The last good state is shown. Go back to just before it, {remedy}, and go on; or press Reset."
         )
     else:
         text = (

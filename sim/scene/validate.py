@@ -74,9 +74,10 @@ def plain(scene: Scene) -> dict[str, Any]:
 
 def number_range(kind: type, field: str) -> tuple[float, float, str]:
     """(lowest, highest, unit) of a numeric field of one of the scene's types, from its annotation."""
-    meta = next(
-        m for m in get_args(get_type_hints(kind, include_extras=True)[field]) if isinstance(m, msgspec.Meta)
-    )
+    parts = get_args(get_type_hints(kind, include_extras=True)[field])
+    if type(None) in parts:  # a number that may be left out
+        parts = get_args(parts[0])
+    meta = next(part for part in parts if isinstance(part, msgspec.Meta))
     low, high = (
         (meta.ge if meta.ge is not None else -math.inf),
         (meta.le if meta.le is not None else math.inf),

@@ -229,8 +229,14 @@ class Desk:
     # --------------------------------------------------------------------- what the page shows
     def instances(self, name: str) -> NDArray[np.float64]:
         """(n, 3) places of a node's instances, in the page's world; (0, 3) if there is no such node."""
-        data = self.page.evaluate(_INSTANCES, name)
-        return np.array(data or [], float).reshape(-1, 16)[:, 12:15]
+        return self._matrices(name)[:, 12:15]
+
+    def lengths(self, name: str) -> NDArray[np.float64]:
+        """(n,) lengths of a node's instances, in the page's world."""
+        return np.hypot(*self._matrices(name)[:, :2].T)
+
+    def _matrices(self, name: str) -> NDArray[np.float64]:
+        return np.array(self.page.evaluate(_INSTANCES, name) or [], float).reshape(-1, 16)
 
     def masses(self) -> NDArray[np.float64]:
         """(n, 2) places of the masses in the page, in px of the scene."""

@@ -1,7 +1,8 @@
-// Reads lines {plan, frame} from standard input and writes, for each, what the page would draw.
+// Reads lines {plan, frame, damage} from standard input and writes, for each, what the page would draw.
 import { createInterface } from "node:readline";
 import * as draw from "../../app/page/static/draw.js";
-import { readFrame, readPlan } from "../../app/page/static/plan.js";
+import { airAt, loops, outline, wallInView } from "../../app/page/static/around.js";
+import { readDamage, readFrame, readPlan } from "../../app/page/static/plan.js";
 
 const plain = (instances) =>
   Object.fromEntries(Object.entries(instances).map(([name, array]) => [name.replace("batched_", ""), [...array]]));
@@ -9,16 +10,28 @@ const plain = (instances) =>
 for await (const line of createInterface({ input: process.stdin })) {
   const data = JSON.parse(line);
   const [plan, frame] = [readPlan(new Float32Array(data.plan)), readFrame(new Float32Array(data.frame))];
+  const damage = readDamage(new Float32Array(data.damage));
   const world = draw.toWorld(plan, frame.positions);
+  // A screen whose pixels are px of the scene, for outlines.
+  const on = { x: plan.x, y: plan.y, step: 1 / plan.scale };
+  const places = Float64Array.from(frame.positions, (value, i) => (i % 2 ? plan.y - (value - plan.y) * plan.flip : value));
+  const view = { left: 0, right: 600, top: 0, bottom: 600 };
   console.log(
     JSON.stringify({
-      springs: plain(draw.springs(plan, frame, world)),
-      wedges: plain(draw.wedges(plan, frame, world)),
+      springs: plain(draw.springs(plan, frame, world, damage)),
+      wedges: plain(draw.wedges(plan, frame, world, damage)),
       masses: plain(draw.masses(plan, world)),
       pins: plain(draw.pins(plan, world)),
       ring: plan.driven < 0 ? null : plain(draw.ring(plan, world)),
-      ghost: frame.ghost ? plain(draw.ghost(plan, draw.toWorld(plan, frame.ghost))) : null,
-      deviations: [...draw.deviations(plan, frame.positions, frame.angleShift)],
+      ghost: frame.ghost ? plain(draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage)) : null,
+      deviations: [...draw.deviations(plan, frame.positions, frame.angleShift, damage)],
+      sizes: [plan.walls.length, plan.fillings.length, plan.wind.length],
+      outlines: {
+        wall: plan.walls.length ? outline(wallInView(plan, 0, on, view).corners) : "",
+        gas: loops(plan, places, true),
+        liquid: loops(plan, places, false),
+      },
+      air: plan.wind.length ? Object.values(airAt(plan.wind, 120, 250)) : [],
     }),
   );
 }

@@ -16,6 +16,9 @@ const FAR = 5;
 /** @type {Record<string, [number, number]>} */
 const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 
+/** @param {number} count of broken springs */
+const brokenText = (count) => `${count || "No"} ${count === 1 ? "spring" : "springs"} broken`;
+
 /** Puts up the stop and the live region. */
 export function addBodyKeys() {
   const stop = document.createElement("div");
@@ -89,8 +92,11 @@ export function addBodyKeys() {
     const now = told();
     stop.ariaLabel = `Body of ${shown().plan?.radius.length ?? 0} masses`;
     if (before.scene !== undefined && now.scene !== before.scene) letGo();
-    if (now.offer === "1" && before.offer !== "1") say("The simulation ran away and is stopped");
-    else if (before.playing !== undefined && now.playing !== before.playing) say(now.playing === "1" ? "Running" : "Paused");
+    const news = [];
+    if (now.offer === "1" && before.offer !== "1") news.push("The simulation ran away and is stopped");
+    else if (before.playing !== undefined && now.playing !== before.playing) news.push(now.playing === "1" ? "Running" : "Paused");
+    if (before.scene === now.scene && now.broken !== before.broken) news.push(brokenText(Number(now.broken ?? 0)));
+    if (news.length) say(news.join(". "));
     before = now;
   });
 }

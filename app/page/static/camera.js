@@ -10,6 +10,8 @@ import { viser } from "./viser.js";
 const MARGIN = 1.04;
 /** How many times larger than the scene's frame a view may be; a body farther away is left out. */
 const LARGEST = 20;
+/** How near to the scene's frame a wall is shown with it, and how deep, as parts of its size. */
+const [NEAR, STRIP] = [0.2, 0.05];
 /** Milliseconds between two looks at the size of the canvas, and at whether viser has its way with the camera. */
 const LOOK_EVERY = 100;
 
@@ -64,6 +66,25 @@ function covered(canvas, box) {
 }
 
 /**
+ * Makes room for the surfaces of walls that would be just beyond the edge.
+ *
+ * @param {{left: number, right: number, low: number, high: number}} seen is changed
+ * @param {import("./plan.js").Plan} plan
+ */
+export function showWalls(seen, { walls, scale, x, y, flip }) {
+  const size = Math.max(seen.right - seen.left, seen.high - seen.low);
+  for (let i = 0; i < walls.length; i += 4) {
+    const [px, py, nx, ny] = [(walls[i] - x) * scale, (walls[i + 1] - y) * scale * flip, walls[i + 2], walls[i + 3] * flip];
+    // From the surface to the nearest corner.
+    const free = ((nx > 0 ? seen.left : seen.right) - px) * nx + ((ny > 0 ? seen.low : seen.high) - py) * ny;
+    const missing = free + STRIP * size;
+    if (missing <= 0 || free > NEAR * size) continue;
+    if (Math.abs(nx) > Math.abs(ny)) seen[nx > 0 ? "left" : "right"] -= missing / nx;
+    else seen[ny > 0 ? "low" : "high"] -= missing / ny;
+  }
+}
+
+/**
  * What is to be seen, in the page's world.
  *
  * @param {number} width of the scene's frame, whose middle is the origin
@@ -73,6 +94,7 @@ function covered(canvas, box) {
 function bounds(width, height, withBody) {
   const { plan, frame } = shown();
   const all = { left: -width / 2, right: width / 2, low: -height / 2, high: height / 2 };
+  if (plan) showWalls(all, plan);
   if (!withBody || !plan || !frame) return all;
   const world = toWorld(plan, frame.positions);
   const whole = { ...all };

@@ -1,6 +1,7 @@
 // @ts-check
 /**
- * Draws the body: takes the plan and the frames out of viser's queue, and puts in what they mean for its nodes.
+ * Draws the body: takes the plan, the frames and the damage out of viser's queue, and puts in what they mean for its
+ * nodes.
  *
  * @typedef {import("./viser.js").Message} Message
  * @typedef {import("./viser.js").Viser} Viser
@@ -11,16 +12,19 @@
 import * as draw from "./draw.js";
 import { Glide } from "./glide.js";
 import { keep } from "./keep.js";
-import { readFrame, readPlan } from "./plan.js";
+import { readDamage, readFrame, readPlan, UNHARMED } from "./plan.js";
 
 const PLAN = "/softrod/plan";
 const FRAME = "/softrod/frame";
+const DAMAGE = "/softrod/damage";
 const KEEPSAKE = "/softrod/keepsake";
 const BODY = "/body/";
 
 const state = {
   /** @type {Plan | null} */
   plan: null,
+  /** What has yielded and broken. */
+  damage: UNHARMED,
   /** The picture that is shown. @type {Frame | null} */
   frame: null,
   /** When it was shown, ms of the screen's clock. */
@@ -63,7 +67,7 @@ function paint() {
   if (frame && plan && frame.generation === plan.generation) {
     state.frame = frame;
     state.since = performance.now();
-    show(plan, frame);
+    show(plan, frame, state.damage.generation === plan.generation ? state.damage : UNHARMED);
     state.drawn += 1;
     page?.requestRender();
     for (const listener of listeners) listener(frame, plan);
@@ -71,15 +75,15 @@ function paint() {
   if (glide.busy) ask();
 }
 
-/** @param {Plan} plan @param {Frame} frame */
-function show(plan, frame) {
+/** @param {Plan} plan @param {Frame} frame @param {import("./plan.js").Damage} damage */
+function show(plan, frame, damage) {
   const world = draw.toWorld(plan, frame.positions);
-  put("springs", draw.springs(plan, frame, world));
-  put("wedges", draw.wedges(plan, frame, world));
+  put("springs", draw.springs(plan, frame, world, damage));
+  put("wedges", draw.wedges(plan, frame, world, damage));
   if (plan.pinned.length) put("pins", draw.pins(plan, world));
   if (plan.driven >= 0) put("ring", draw.ring(plan, world));
   put("masses", draw.masses(plan, world));
-  if (frame.ghost) put("ghost", draw.ghost(plan, draw.toWorld(plan, frame.ghost)));
+  if (frame.ghost) put("ghost", draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage));
 }
 
 /** Fills a node with its instances; colours only when they changed. @param {string} name @param {Instances} instances */
@@ -95,12 +99,15 @@ function put(name, instances) {
   pass({ type: "SceneNodeUpdateMessage", name: node, owner: owners.get(node), updates });
 }
 
-/** Takes a plan or a frame, if a message has one. @param {string} name @param {Float32Array | undefined} data */
+/** Takes a plan, a frame or damage, if a message has one. @param {string} name @param {Float32Array | undefined} data */
 function take(name, data) {
   if (!data) return;
   if (name === PLAN) {
     state.plan = readPlan(data);
     colors.clear();
+  } else if (name === DAMAGE) {
+    state.damage = readDamage(data);
+    glide.last = null; // the picture that is shown is no longer right
   } else {
     glide.take(readFrame(data), seconds());
   }
@@ -128,7 +135,7 @@ export function drawBody(viser, heard) {
   /** @param {Message} message */
   const sort = (message) => {
     const { name = "", props, updates } = message;
-    if (name === PLAN || name === FRAME) {
+    if (name === PLAN || name === FRAME || name === DAMAGE) {
       take(name, props?.points ?? updates?.points);
     } else if (name === KEEPSAKE) {
       if (updates?.colors) keep(updates.colors);

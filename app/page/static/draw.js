@@ -5,12 +5,14 @@
  *
  * @typedef {import("./plan.js").Plan} Plan
  * @typedef {import("./plan.js").Frame} Frame
+ * @typedef {import("./plan.js").Damage} Damage
  * @typedef {object} Instances
  * @property {Float32Array} batched_positions three each
  * @property {Float32Array} batched_wxyzs four each
  * @property {Float32Array} batched_scales three each
  * @property {Uint8Array} [batched_colors] three each
  */
+import { UNHARMED } from "./plan.js";
 
 // Depths: what is nearer is drawn over the rest.
 const Z = { pin: -0.15, spring: -0.12, wedge: -0.06, ring: 0.0, rim: 0.02, mass: 0.03, shine: 0.04, ghost: 0.06 };
@@ -22,6 +24,8 @@ const FULL_DEVIATION = 30;
 const GHOST_WIDTH = 0.025;
 /** Radii in those of the mass. */
 const [FILL, SHINE, RING, PIN, WEDGE] = [0.8, 0.22, 1.75, 2.0, 2.6];
+/** Size of what is not to be seen: an instance that is left out would be another one's. */
+const VANISHED = 1e-6;
 /** Radians beyond which half a wedge's triangle would become a needle. */
 const WIDEST = 1.2;
 
@@ -73,8 +77,9 @@ export function toWorld(plan, positions) {
  * @param {Plan} plan
  * @param {Float32Array} positions px
  * @param {number} shift degrees added to all rest angles
+ * @param {Damage} damage
  */
-export function deviations(plan, positions, shift) {
+export function deviations(plan, positions, shift, damage = UNHARMED) {
   const { springs, joints, restAngle } = plan;
   const result = new Float64Array(restAngle.length);
   /** @param {number} spring @returns {[number, number]} */
@@ -86,7 +91,7 @@ export function deviations(plan, positions, shift) {
     const [ax, ay] = vector(joints[4 * j]);
     const [bx, by] = vector(joints[4 * j + 1]);
     const angle = (Math.atan2(ax * by - ay * bx, ax * bx + ay * by) * 180) / Math.PI;
-    result[j] = wrapped(angle - restAngle[j] - shift);
+    result[j] = wrapped(angle - restAngle[j] - shift - (damage.setAngle[j] ?? 0));
   }
   return result;
 }
@@ -129,9 +134,10 @@ function inked(plan, ink, count) {
  * @param {Plan} plan
  * @param {Frame} frame
  * @param {Float64Array} world
+ * @param {Damage} damage
  * @returns {Instances}
  */
-export function springs(plan, frame, world) {
+export function springs(plan, frame, world, damage = UNHARMED) {
   const count = plan.restLength.length;
   const result = instances(count);
   const strain = new Float64Array(count);
@@ -139,11 +145,13 @@ export function springs(plan, frame, world) {
     const [a, b] = [2 * plan.springs[2 * i], 2 * plan.springs[2 * i + 1]];
     const [dx, dy] = [world[b] - world[a], world[b + 1] - world[a + 1]];
     const length = Math.hypot(dx, dy);
-    const rest = Math.max(plan.restLength[i] * frame.lengthScale * plan.scale, 1e-9);
+    const restLength = plan.restLength[i] * frame.lengthScale + (damage.setLength[i] ?? 0);
+    const rest = Math.max(restLength * plan.scale, 1e-9);
     strain[i] = (length / rest - 1) / FULL_STRAIN;
     // A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
     const part = plan.many ? 1 : Math.min(1.2, Math.max(0.5, Math.sqrt(rest / length)));
-    put(result, i, world[a], world[a + 1], Z.spring, Math.atan2(dy, dx), length, part * plan.thickness[i]);
+    const [long, wide] = damage.broken.has(i) ? [VANISHED, VANISHED] : [length, part * plan.thickness[i]];
+    put(result, i, world[a], world[a + 1], Z.spring, Math.atan2(dy, dx), long, wide);
   }
   return { ...result, batched_colors: colored(plan.strainColors, strain, 1) };
 }
@@ -154,11 +162,12 @@ export function springs(plan, frame, world) {
  * @param {Plan} plan
  * @param {Frame} frame
  * @param {Float64Array} world
+ * @param {Damage} damage
  * @returns {Instances}
  */
-export function wedges(plan, frame, world) {
+export function wedges(plan, frame, world, damage = UNHARMED) {
   const { slices, joints, springs } = plan;
-  const off = deviations(plan, frame.positions, frame.angleShift);
+  const off = deviations(plan, frame.positions, frame.angleShift, damage);
   const result = instances(off.length * slices);
   for (let j = 0; j < off.length; j++) {
     const [spring, tip, sense] = [joints[4 * j + 1], joints[4 * j + 2], joints[4 * j + 3]];
@@ -166,7 +175,8 @@ export function wedges(plan, frame, world) {
     const present = Math.atan2((world[b + 1] - world[a + 1]) * sense, (world[b] - world[a]) * sense);
     const turn = ((off[j] * Math.PI) / 180) * plan.flip;
     const half = Math.min(Math.min(Math.abs(turn) / slices, 3) / 2, WIDEST);
-    const radius = WEDGE * plan.radius[tip];
+    const gone = damage.broken.has(spring) || damage.broken.has(joints[4 * j]);
+    const radius = gone ? VANISHED : WEDGE * plan.radius[tip];
     const reach = slices === 1 ? radius * Math.cos(half) : radius;
     for (let k = 0; k < slices; k++) {
       const middle = present - turn * (1 - (k + 0.5) / slices);
@@ -229,15 +239,17 @@ export function ring(plan, world) {
  *
  * @param {Plan} plan
  * @param {Float64Array} world
+ * @param {Damage} damage
  * @returns {Instances}
  */
-export function ghost(plan, world) {
+export function ghost(plan, world, damage = UNHARMED) {
   const count = plan.restLength.length;
   const result = instances(count);
   for (let i = 0; i < count; i++) {
     const [a, b] = [2 * plan.springs[2 * i], 2 * plan.springs[2 * i + 1]];
     const [dx, dy] = [world[b] - world[a], world[b + 1] - world[a + 1]];
-    put(result, i, world[a], world[a + 1], Z.ghost, Math.atan2(dy, dx), Math.hypot(dx, dy), GHOST_WIDTH);
+    const [long, wide] = damage.ghostBroken.has(i) ? [VANISHED, VANISHED] : [Math.hypot(dx, dy), GHOST_WIDTH];
+    put(result, i, world[a], world[a + 1], Z.ghost, Math.atan2(dy, dx), long, wide);
   }
   return { ...result, batched_colors: inked(plan, 2, count) };
 }

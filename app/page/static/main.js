@@ -16,6 +16,7 @@ import { mindNumbers } from "./numbers.js";
 import { addOverlay } from "./overlay.js";
 import { listenToPointer } from "./pointer.js";
 import { addHeading } from "./paper.js";
+import { addUnderlay } from "./underlay.js";
 import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
 
@@ -50,6 +51,7 @@ whenViser((viser) => {
   restoreLooks();
   addTransport();
   addOverlay();
+  addUnderlay();
   addHeading();
   addBodyKeys();
   nameControls();

@@ -29,7 +29,7 @@ const BAR = 70;
 /** Milliseconds for which the camera may go on moving after the last event. */
 const CAMERA_MOVES = 1000;
 
-const SVG = "http://www.w3.org/2000/svg";
+export const SVG = "http://www.w3.org/2000/svg";
 /** The mass that the keys have chosen, or -1. */
 let chosen = -1;
 
@@ -61,9 +61,15 @@ export function frameMarks(on) {
   }
 }
 
-/** What is on the screen now. @returns {Sight | null} */
-function sight() {
-  const { plan, frame } = shown();
+/**
+ * What is on the screen now; null while it is on its way to paper.
+ *
+ * @param {Frame | null} frame the picture
+ * @returns {Sight | null}
+ */
+export function sight(frame = shown().frame) {
+  if (printing || matchMedia("print").matches) return null;
+  const { plan } = shown();
   const [on, canvas] = [screen(), viser()?.canvas];
   if (!plan || !frame || !on || !canvas) return null;
   return { plan, frame, on, places: onScreen(plan, frame.positions, on), box: canvas.getBoundingClientRect() };
@@ -120,12 +126,11 @@ export function addOverlay() {
     svg.append(element);
     return element;
   };
-  const onPaper = matchMedia("print");
   const marks = [jointMark(add), chosenMark(add), hintMark(add), scaleMark(add)];
   document.body.append(svg);
   const point = addEdgeArrow();
   redraw = () => {
-    const seen = printing || onPaper.matches ? null : sight();
+    const seen = sight();
     if (!seen) return;
     drawnOver = seen.box;
     for (const mark of marks) mark(seen);

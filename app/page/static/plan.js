@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * What the server sends of a body: once, what it is made of (a plan), and then where its masses are (frames).
- * Both are written by plan.py.
+ * What the server sends of a body: once, what it is made of and what surrounds it (a plan), then where its masses
+ * are (frames), and what has yielded and broken of it (damage) when that changes. All are written by plan.py.
  */
 
 /** Numbers at the beginning of a frame, before the positions. */
@@ -30,6 +30,9 @@ export const CLOCK_PERIOD = 1024;
  * @property {Float32Array} strainColors a table, from full compression to full stretch
  * @property {Float32Array} turnColors a table, from the full negative deviation to the full positive one
  * @property {Float32Array} inkColors of pins, ring and ghost
+ * @property {Float32Array} walls of each a point of the surface, px, and the unit vector to the free side
+ * @property {Float32Array} fillings of each whether it is a gas, how many masses its loop has, and which
+ * @property {Float32Array} wind velocity, px/s; of each wave of its gusts wave vector, amplitude and phase; or nothing
  */
 
 /**
@@ -37,21 +40,54 @@ export const CLOCK_PERIOD = 1024;
  * @returns {Plan}
  */
 export function readPlan(data) {
-  let at = 0;
-  const take = () => {
-    const length = data[at];
-    const section = data.subarray(at + 1, at + 1 + length);
-    at += 1 + length;
-    return section;
-  };
+  const take = sections(data);
   const [generation, scale, x, y, flip, many, slices, driven] = take();
   return {
     generation, scale, x, y, flip, many: many === 1, slices, driven,
     radius: take(), springs: take(), restLength: take(), thickness: take(), joints: take(),
     restAngle: take(), pinned: take(), massColors: take(), strainColors: take(), turnColors: take(),
-    inkColors: take(),
+    inkColors: take(), walls: take(), fillings: take(), wind: take(),
   };
 }
+
+/**
+ * Reads one section after the other; what a body does not have is left out at the end.
+ *
+ * @param {Float32Array} data sections, each after its length
+ */
+function sections(data) {
+  let at = 0;
+  return () => {
+    const length = data[at] ?? 0;
+    const section = data.subarray(at + 1, at + 1 + length);
+    at += 1 + length;
+    return section;
+  };
+}
+
+/**
+ * @typedef {object} Damage
+ * @property {number} generation of the body
+ * @property {Set<number>} broken the springs that are broken
+ * @property {Float32Array} setLength px by which each rest length has moved for good; empty if none has
+ * @property {Float32Array} setAngle degrees by which each rest angle has moved for good; empty if none has
+ * @property {Set<number>} ghostBroken the springs of a second body that are broken
+ */
+
+/**
+ * @param {Float32Array} data sections, each after its length
+ * @returns {Damage}
+ */
+export function readDamage(data) {
+  const take = sections(data);
+  const [generation] = take();
+  return {
+    generation, broken: new Set(take()), setLength: take(), setAngle: take(), ghostBroken: new Set(take()),
+  };
+}
+
+/** Nothing has yielded or broken. */
+export const UNHARMED = readDamage(new Float32Array([1, -1]));
 
 /**
  * @typedef {object} Frame

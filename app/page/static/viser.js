@@ -16,6 +16,7 @@
  *   updates?: Record<string, any>, [key: string]: any}} Message
  * @typedef {object} Viser
  * @property {HTMLCanvasElement | null} canvas
+ * @property {{onBeforeRender: () => void} | null} scene called whenever it is about to be drawn
  * @property {Camera | null} camera
  * @property {Controls | null} cameraControl
  * @property {Record<string, {matrixWorld: Matrix} | undefined>} nodeRefFromName

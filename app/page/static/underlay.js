@@ -1,0 +1,127 @@
+// @ts-check
+/**
+ * Behind the body: walls, what fills its loops, the wind, and below them the grid, which viser draws for scenes that
+ * have none of these.
+ */
+import { gridLines, hatching, loops, outline, streaks, uncovered, wallInView } from "./around.js";
+import { onPicture, shown } from "./canvas.js";
+import { onTold, told } from "./channel.js";
+import { SVG, sight } from "./overlay.js";
+import { timeNow } from "./transport.js";
+import { viser } from "./viser.js";
+
+/** Milliseconds between two pictures of the wind around a body at rest, of which no frames come. */
+const DRIFT_EVERY = 40;
+/** Pixels by which streaks may have drifted before they are made anew. */
+const MARGIN = 150;
+/** From the back to the front. */
+const KINDS = /** @type {const} */ (["grid", "major", "wall", "hatch", "surface", "gas", "liquid"]);
+
+/** @typedef {Record<typeof KINDS[number], string>} Outlines */
+
+/** Whether there is anything to draw. */
+function surrounded() {
+  const { plan } = shown();
+  return plan !== null && plan.walls.length + plan.fillings.length + plan.wind.length > 0;
+}
+
+/**
+ * @param {import("./overlay.js").Sight} seen
+ * @returns {Outlines}
+ */
+function outlines({ plan, on, places, box }) {
+  const size = Math.max(Number(told().width), Number(told().height)) / plan.scale;
+  const found = { wall: "", hatch: "", surface: "", gas: "", liquid: "", ...gridLines(plan, size, on, box) };
+  const walls = Array.from({ length: plan.walls.length / 4 }, (_, i) => wallInView(plan, i, on, box));
+  for (const wall of walls) {
+    found.wall += outline(wall.corners);
+    const surface = uncovered(wall, walls.filter((other) => other !== wall));
+    found.hatch += hatching({ ...wall, surface }, plan.scale * on.step);
+    found.surface += outline(surface);
+  }
+  if (plan.fillings.length) {
+    found.gas = loops(plan, places, true);
+    found.liquid = loops(plan, places, false);
+  }
+  return found;
+}
+
+/** @param {Element} element @param {string} name @param {string} value */
+const set = (element, name, value) => element.getAttribute(name) === value || element.setAttribute(name, value);
+
+/**
+ * The streaks of the wind: gusts only drift, so the same streaks are moved along for a while. What is returned draws
+ * them at a time, s.
+ *
+ * @param {Element} path
+ */
+function windMark(path) {
+  let [made, since] = ["", 0];
+  /** @param {import("./overlay.js").Sight} seen @param {number} time */
+  return ({ plan, on, box }, time) => {
+    const view = [plan.generation, on.x, on.y, on.step, box.width, box.height].join(" ");
+    const [u, v] = plan.wind;
+    const drift = plan.scale * on.step * (time - since);
+    if (view !== made || !(Math.hypot(u, v) * Math.abs(drift) < MARGIN)) {
+      const { left, right, top, bottom } = box;
+      const more = { left: left - MARGIN, right: right + MARGIN, top: top - MARGIN, bottom: bottom + MARGIN };
+      set(path, "d", streaks(plan, time, on, more));
+      path.removeAttribute("transform");
+      [made, since] = [view, time];
+    } else {
+      set(path, "transform", `translate(${(u * drift).toFixed(2)} ${(-v * plan.flip * drift).toFixed(2)})`);
+    }
+  };
+}
+
+/** Begins to draw. */
+export function addUnderlay() {
+  const svg = document.createElementNS(SVG, "svg");
+  svg.classList.add("softrod-underlay");
+  svg.setAttribute("aria-hidden", "true");
+  /** @param {string} kind */
+  const add = (kind) => {
+    const path = document.createElementNS(SVG, "path");
+    path.classList.add(`softrod-${kind}`);
+    svg.append(path);
+    return path;
+  };
+  const paths = KINDS.map(add);
+  const wind = add("wind");
+  const blow = windMark(wind);
+  const still = matchMedia("(prefers-reduced-motion: reduce)");
+  /** The picture that there was when viser drew last. @type {import("./plan.js").Frame | null} */
+  let before = null;
+  const draw = () => {
+    const { plan, frame } = shown();
+    const canvas = viser()?.canvas;
+    if (!surrounded()) svg.remove();
+    // The first picture of a new body may still be on its way.
+    if (!canvas || !surrounded() || plan?.generation !== frame?.generation) return;
+    const seen = sight(before?.generation === plan?.generation ? before : frame);
+    if (!seen) return;
+    if (canvas.previousSibling !== svg) canvas.before(svg);
+    const { left, top, width, height } = seen.box;
+    set(svg, "viewBox", `${left} ${top} ${width} ${height}`);
+    const found = outlines(seen);
+    KINDS.forEach((kind, i) => set(paths[i], "d", found[kind]));
+    if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
+    else set(wind, "d", "");
+  };
+  // As viser draws, so that all is seen from the same place. Its nodes are then as the picture before had them: they
+  // take over what is new right after that, to be drawn the next time.
+  const drawn = () => {
+    draw();
+    before = shown().frame;
+  };
+  const listen = () => {
+    const scene = viser()?.scene;
+    if (scene && surrounded()) scene.onBeforeRender = drawn;
+    else draw();
+  };
+  onPicture(listen);
+  onTold(listen);
+  setInterval(() => {
+    if (told().rest === "1" && shown().plan?.wind.length && !still.matches) draw();
+  }, DRIFT_EVERY);
+}

@@ -1,0 +1,73 @@
+"""Reading and writing the numbers of a scene's surroundings, and of what springs bear, for `sim.settings`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+
+from .scene.types import Scene
+
+STILL_AIR = 1e-6
+"""px/s below which there is no wind; a little is left of it, so that its direction is kept."""
+
+
+def _neat(value: float) -> float:
+    """A number without the rounding of what it was made from."""
+    return float(f"{value:.12g}")
+
+
+def wind_speed(scene: Scene) -> float:
+    """px/s; 0 without wind."""
+    speed = math.hypot(*scene.wind.velocity) if scene.wind else 0.0
+    return _neat(speed) if speed >= STILL_AIR else 0.0
+
+
+def wind_direction(scene: Scene) -> float:
+    """The direction to which it blows on the screen: degrees, 0 to the right, 90 upwards."""
+    x, y = scene.wind.velocity if scene.wind else (0.0, 0.0)
+    return _neat(math.degrees(math.atan2(-y if scene.view.y_down else y, x))) + 0.0  # without a sign of zero
+
+
+def with_wind(scene: Scene, speed: float, direction: float) -> Scene:
+    """The scene, which has wind, with one of another speed, px/s, and direction, degrees."""
+    assert scene.wind is not None
+    angle = math.radians(direction if not scene.view.y_down else -direction)
+    size = speed if speed >= STILL_AIR else 0.5 * STILL_AIR
+    wind = msgspec.structs.replace(scene.wind, velocity=(size * math.cos(angle), size * math.sin(angle)))
+    return msgspec.structs.replace(scene, wind=wind)
+
+
+def with_turbulence(scene: Scene, value: float) -> Scene:
+    """The scene, which has wind, with other gusts."""
+    assert scene.wind is not None
+    return msgspec.structs.replace(scene, wind=msgspec.structs.replace(scene.wind, turbulence=value))
+
+
+def largest_of(parts: str, kind: type, field: str) -> Callable[[Scene], float]:
+    """The largest of a number of those parts of a scene that are of a kind and have the number."""
+
+    def read(scene: Scene) -> float:
+        numbers = [getattr(part, field) for part in getattr(scene, parts) if isinstance(part, kind)]
+        return max((number for number in numbers if number is not None), default=0.0)
+
+    return read
+
+
+def scaled_of(parts: str, kind: type, field: str) -> Callable[[Scene, float], Scene]:
+    """Set the largest to the value and scale the others in proportion; if all were zero, set all."""
+
+    def write(scene: Scene, value: float) -> Scene:
+        old = largest_of(parts, kind, field)(scene)
+
+        def changed(part: Any) -> Any:
+            number = getattr(part, field) if isinstance(part, kind) else None
+            if number is None:
+                return part
+            return msgspec.structs.replace(part, **{field: value * (number / old) if old else value})
+
+        return msgspec.structs.replace(scene, **{parts: tuple(map(changed, getattr(scene, parts)))})
+
+    return write

@@ -1,0 +1,223 @@
+"""What the page is told and draws of surroundings and of damage, without a browser."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from unittest.mock import MagicMock
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from app.page import readouts
+from app.page.colors import sent
+from app.page.plan import Picture, encode_plan
+from app.page.view import DAMAGE, Canvas
+from app.session import commands
+from app.session.history import History
+from app.session.notices import runaway
+from sim.around import wind
+from sim.body.system import build_system
+from sim.motion.stability import StabilityEstimate
+from sim.scene.surroundings import Wall
+from sim.scene.types import Damage
+from tests.app.page_script import drawn, sketch_of
+from tests.app.pages import SessionPage
+from tests.app.worlds import GUSTS, balloon, chain_under_load
+
+HURT = Damage(broken=(1,), set_lengths=(0.0, 0.0, 30.0, 0.0), set_angles=(0.0, 0.0, 25.0))
+
+
+def points(outline: str) -> np.ndarray:
+    """The corners of a path of straight lines."""
+    return np.array([list(map(float, pair.split())) for pair in re.findall(r"[-\d.]+ [-\d.]+", outline)])
+
+
+def inside(corners: np.ndarray, x: float, y: float) -> bool:
+    """Whether a polygon covers a point: a line from there crosses its edges an odd number of times."""
+    after = np.roll(corners, -1, 0)
+    spans = (corners[:, 1] > y) != (after[:, 1] > y)
+    a, b = corners[spans], after[spans]
+    return bool(((a[:, 0] + (y - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 0] - a[:, 0])) > x).sum() % 2)
+
+
+# ------------------------------------------------------------------------- surroundings
+def test_a_scene_without_surroundings_is_told_nothing_of_them() -> None:
+    scene = sim.rope(6)
+    assert drawn(scene, Picture.at_start(scene))["sizes"].tolist() == [0, 0, 0]
+    # Not even that there are none: its plan has just the sections of the body.
+    plan, at, sections = encode_plan(1, sketch_of(scene), np.zeros(4)), 0, 0
+    while at < len(plan):
+        at, sections = at + 1 + int(plan[at]), sections + 1
+    assert (at, sections) == (len(plan), 12)
+
+
+def test_a_floor_is_filled_below_its_surface() -> None:
+    scene = chain_under_load()
+    corners = points(drawn(scene, Picture.at_start(scene))["outlines"]["wall"])
+    assert inside(corners, 300.0, 581.0)
+    assert not inside(corners, 300.0, 579.0)
+
+
+@pytest.mark.parametrize("y_down", [True, False])
+def test_a_slope_is_on_the_side_that_its_normal_does_not_point_to(y_down: bool) -> None:
+    slope = Wall(point=(300.0, 300.0), normal=(1.0, 1.0))
+    scene = balloon(walls=(slope,), view=sim.View(y_down=y_down))
+    corners = points(drawn(scene, Picture.at_start(scene))["outlines"]["wall"])
+    for x, y in ((290.0, 290.0), (150.0, 400.0), (310.0, 310.0), (450.0, 200.0)):
+        on_screen = y if y_down else 600.0 - y
+        assert inside(corners, x, on_screen) == (x + y < 600.0)
+
+
+@pytest.mark.parametrize("liquid", [True, False])
+def test_a_filling_is_where_its_loop_is_however_that_is_bent(liquid: bool) -> None:
+    scene = balloon(liquid)
+    bent = Picture.at_start(scene).positions
+    bent[0] = (230.0, 300.0)  # far inside: no longer convex
+    outlines = drawn(scene, Picture(bent))["outlines"]
+    assert outlines["gas" if liquid else "liquid"] == ""
+    corners = points(outlines["liquid" if liquid else "gas"])
+    order = np.lexsort(corners.round(1).T), np.lexsort(bent.round(1).T)
+    assert corners[order[0]] == pytest.approx(bent[order[1]], abs=0.06)
+    assert inside(corners, 225.0, 300.0)
+    assert not inside(corners, 260.0, 300.0)
+
+
+def test_the_wind_that_is_drawn_is_that_which_blows() -> None:
+    scene = balloon(wind=GUSTS, air_friction=0.01)
+    air = drawn(scene, Picture.at_start(scene))["air"]
+    around = build_system(scene).body.surroundings
+    for t in (0.0, 1.7):
+        # Gusts stand still for who moves with the mean wind.
+        there = 120.0 + 250.0j + t * complex(*GUSTS.velocity)
+        blows = wind(around, np.array([there]), t)[0]
+        assert air == pytest.approx([blows.real, blows.imag], abs=0.05)
+
+
+def test_there_is_no_wind_to_draw_where_it_does_nothing_or_is_calm() -> None:
+    for scene in (
+        balloon(wind=GUSTS),
+        sim.set_value(balloon(wind=GUSTS, air_friction=0.01), "wind_speed", 0.0),
+    ):
+        assert drawn(scene, Picture.at_start(scene))["sizes"][2] == 0
+
+
+# ------------------------------------------------------------------------- damage
+def test_broken_springs_and_their_wedges_vanish_of_the_ghost_too() -> None:
+    scene = chain_under_load()
+    picture = Picture.at_start(scene)
+    picture = replace(picture, damage=HURT, ghost=picture.positions, ghost_broken=(0, 3))
+    nodes, slices = drawn(scene, picture), sketch_of(scene).slices
+    assert (nodes["springs"]["scales"][:, 0] < 1e-5).tolist() == [False, True, False, False]
+    assert (nodes["ghost"]["scales"][:, 0] < 1e-5).tolist() == [True, False, False, True]
+    gone = (nodes["wedges"]["scales"][:, 0] < 1e-5).reshape(-1, slices)
+    assert gone.all(1).tolist() == [True, True, False]
+    assert gone.any(1).tolist() == [True, True, False]
+
+
+def test_colours_and_wedges_go_by_the_present_rest_lengths_and_angles() -> None:
+    scene = chain_under_load()
+    colors = sketch_of(scene).palette
+    places = Picture.at_start(scene).positions
+    places[3:, 1] += 30.0  # spring 2 is as long as it has become
+    nodes = drawn(scene, Picture(places, damage=HURT))
+    assert (nodes["springs"]["colors"][2] == sent(colors.rest)).all()
+    assert nodes["deviations"] == pytest.approx([0.0, 0.0, -25.0])
+    assert (drawn(scene, Picture(places))["springs"]["colors"][2] == sent(colors.pulled)).all()
+
+
+def told(client: MagicMock) -> list[str]:
+    """The nodes that carry arrays."""
+    return [call.args[0] for call in client.scene.add_point_cloud.call_args_list]
+
+
+def test_damage_is_sent_when_it_changes_and_only_then() -> None:
+    scene, client = chain_under_load(), MagicMock()
+    view = Canvas(client, lambda touch: None)
+    view.build(scene, dark=False)
+    still = Picture.at_start(scene)
+    assert view.draw(still, 0.0)
+    assert DAMAGE not in told(client)
+    assert view.draw(replace(still, damage=HURT), 0.0)
+    assert DAMAGE in told(client)
+    assert not view.draw(replace(still, damage=HURT), 0.0)
+    # A little more is not seen, but by those who look closely.
+    more = msgspec.structs.replace(HURT, set_lengths=(0.0, 0.0, 30.05, 0.0))
+    assert not view.draw(replace(still, damage=more), 0.0)
+    assert view.draw(replace(still, damage=more), 0.0, force=True)
+    much = msgspec.structs.replace(HURT, set_lengths=(0.0, 0.0, 31.0, 0.0))
+    assert view.draw(replace(still, damage=much), 0.0)
+    assert view.draw(still, 0.0)  # all is whole again
+    assert view.draw(replace(still, ghost=still.positions), 0.0)
+    assert view.draw(replace(still, ghost=still.positions, ghost_broken=(1,)), 0.0)
+
+
+# ------------------------------------------------------------------------- in time
+def broken(page: SessionPage) -> int:
+    damage = page.session.simulation.damage
+    return len(damage.broken) if damage else 0
+
+
+def test_going_back_brings_springs_back_in_body_ghost_and_old_future() -> None:
+    page = SessionPage(chain_under_load())
+    session = page.session
+    page.frames(1, commands.Compare("rk4", ""))
+    page.frames(60)
+    assert broken(page) == 1
+    ghost = session.ghost
+    assert ghost is not None
+    assert ghost.simulation.damage is not None
+    page.frames(1, commands.GoTo(0.05))
+    assert broken(page) == 0
+    assert ghost.simulation.damage is None
+    page.frames(1, commands.SetValue("strength", 1e6))
+    assert "broken" not in readouts.hud(session, sketch_of(session.scene).palette, False)
+    page.frames(40, commands.Play(True))
+    assert broken(page) == 0
+    future = session.old_future
+    assert future is not None
+    late = future.damage_at(0.6)
+    assert late is not None
+    assert late.broken == (1,)
+    assert future.damage_at(0.06) is None
+    assert future.damage_at(99.0) is None
+
+
+def test_the_head_up_display_counts_broken_springs() -> None:
+    page = SessionPage(chain_under_load())
+    page.frames(60)
+    assert "1 spring broken" in readouts.hud(page.session, sketch_of(page.session.scene).palette, False)
+
+
+def test_moments_share_damage_that_does_not_change() -> None:
+    ring, simulation = History(), sim.Simulation(chain_under_load())
+    for _ in range(60):
+        simulation.step(8)
+        ring.add(simulation.capture())
+    assert ring[ring.last].damage is not None
+    assert ring[ring.last].damage is ring[ring.last - 1].damage
+
+
+def test_energies_of_surroundings_and_losses_have_names() -> None:
+    page = SessionPage(chain_under_load())
+    page.frames(80, commands.KeepBooks(True))
+    table = readouts.energy_table(page.session)
+    for name in ("lost in breaking", "lost to walls", "residual"):
+        assert name in table
+    assert "gases" not in table
+    page = SessionPage(balloon())
+    page.frames(5, commands.KeepBooks(True))
+    table = readouts.energy_table(page.session)
+    assert "gases and liquids" in table
+    assert "breaking" not in table
+
+
+@pytest.mark.parametrize("cause", ["walls", "fillings"])
+def test_a_runaway_by_surroundings_is_explained(cause: str) -> None:
+    divergence = sim.Divergence(0, 1, "position", 1e6, 0.01, StabilityEstimate(0.004, cause))  # type: ignore[arg-type]
+    text = runaway(divergence, balloon()).text
+    assert f"the stiffness of the {cause}" in text
+    assert "choose the integrator Auto" in text
+    assert str(divergence).endswith(f"which the {cause} set")

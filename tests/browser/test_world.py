@@ -1,0 +1,109 @@
+"""Walls, fillings, wind and broken springs in the page."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import sim
+from app.session import commands
+from tests.app.worlds import GUSTS, balloon, chain_under_load
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk
+
+UNDERLAY = ".softrod-underlay"
+
+
+def path(desk: Desk, kind: str) -> str:
+    """The outline of a kind of thing behind the body."""
+    return desk.page.locator(f"{UNDERLAY} .softrod-{kind}").get_attribute("d") or ""
+
+
+def wind(desk: Desk) -> tuple[str, str]:
+    """The streaks of the wind, and how far they have drifted."""
+    moved = desk.page.locator(f"{UNDERLAY} .softrod-wind").get_attribute("transform") or ""
+    return path(desk, "wind"), moved
+
+
+def live(desk: Desk) -> str:
+    """What screen readers were told last."""
+    return desk.page.locator(".softrod-live").text_content() or ""
+
+
+def color(desk: Desk, place: tuple[float, float]) -> np.ndarray:
+    """The colour that most of the surroundings of a place of the scene have."""
+    x, y = (round(float(c)) for c in desk.at([place])[0])
+    return np.median(desk.picture(marks=False)[y - 6 : y + 7, x - 6 : x + 7].reshape(-1, 3), axis=0)
+
+
+def test_a_spring_that_breaks_vanishes_and_comes_back_with_the_past(open_page: OpenPage) -> None:
+    desk = open_page()
+    assert desk.page.locator(UNDERLAY).count() == 0  # that scene has nothing around it
+    desk.tell(commands.Play(False), commands.Open(chain_under_load()))
+    desk.until(lambda: len(desk.lengths("/body/springs")) == 4, "the chain is drawn")
+    assert "broken" not in desk.hud()
+    desk.tell(commands.Play(True))
+    desk.until(lambda: "1 spring broken" in desk.hud(), "the load breaks it")
+    desk.until(lambda: "1 spring broken" in live(desk), "screen readers are told")
+    desk.until(lambda: desk.lengths("/body/springs")[1] < 1e-5, "it is no longer drawn")
+    assert (desk.lengths("/body/springs")[[0, 2, 3]] > 0.1).all()
+
+    desk.tell(commands.GoTo(0.02))
+    desk.until(lambda: (desk.lengths("/body/springs") > 0.1).all(), "it is there again")
+    desk.until(lambda: "broken" not in desk.hud(), "none is counted")
+    assert "No springs broken" in live(desk)
+
+
+def test_floor_and_filling_are_behind_the_body_at_any_zoom(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False), commands.Open(balloon(liquid=True)))
+    desk.until(lambda: path(desk, "wall") and path(desk, "liquid"), "floor and liquid are drawn")
+    desk.wait_drawn()
+    paper = color(desk, (500.0, 450.0))
+    water, ground = color(desk, (305.0, 305.0)), color(desk, (300.0, 592.0))
+    assert paper.min() > 230.0
+    assert water[2] - water[0] > 40.0  # blue
+    assert paper.min() - ground.max() > 8.0
+    before = path(desk, "liquid")
+    desk.tell(commands.DoSteps(40))
+    desk.until(lambda: path(desk, "liquid") != before, "the liquid falls with its loop")
+    desk.page.mouse.move(400.0, 300.0)
+    seen, drawn = desk.camera(), path(desk, "wall")
+    desk.page.mouse.wheel(0.0, 400.0)
+    desk.until(lambda: not desk.camera().same(seen), "the view is wider")
+    desk.until(lambda: path(desk, "wall") != drawn, "the floor is still over all of it")
+    desk.tell(commands.Open(sim.load_scene("ring")))
+    desk.until(lambda: desk.page.locator(UNDERLAY).count() == 0, "a ring has nothing around it")
+
+
+def test_the_wind_drifts_with_the_clock_and_stands_for_those_who_want_it_so(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False), commands.Open(balloon(wind=GUSTS, air_friction=0.01)))
+    desk.until(lambda: path(desk, "wind"), "the wind is drawn")
+    desk.wait_drawn()
+    before = wind(desk)
+    desk.pause(0.3)
+    assert wind(desk) == before  # the clock stands
+    desk.tell(commands.DoSteps(20))
+    desk.until(lambda: wind(desk) != before, "the wind goes on with the clock")
+    desk.page.emulate_media(reduced_motion="reduce")
+    desk.tell(commands.DoSteps(1))
+    desk.wait_drawn()
+    before = wind(desk)
+    desk.tell(commands.DoSteps(20))
+    desk.wait_drawn()
+    assert wind(desk) == before
+
+
+def test_the_panel_has_sliders_only_for_what_there_is(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.show("Body")
+    assert desk.page.get_by_text("Wind speed").count() == 0
+    desk.tell(commands.Open(balloon(wind=GUSTS, air_friction=0.01)))
+    desk.until(lambda: desk.row("Wind direction").is_visible(), "there are sliders for the wind")
+    for name in ("Wind speed", "Turbulence", "Friction of walls", "Bounciness of walls", "Gas pressure"):
+        assert desk.row(name).is_visible()
+    assert desk.page.get_by_text("Strength of springs").count() == 0
+    time = desk.simulation.time
+    desk.type_in("Wind speed", "50")
+    desk.until(lambda: sim.settings.SETTINGS["wind_speed"].read(desk.session.scene) == 50.0, "it is set")
+    assert desk.simulation.time >= time  # the motion has gone on
