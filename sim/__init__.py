@@ -16,7 +16,27 @@ from .motion.energy import EnergyBook
 from .motion.moment import Moment
 from .motion.simulation import Divergence, Simulation
 from .scene.files import list_scenes, load_scene, save_scene
+from .scene.makers import (
+    air_balloon,
+    box,
+    bridge,
+    cloth,
+    flag_pole,
+    girder,
+    hair_tuft,
+    jelly,
+    polygon,
+    rod,
+    tree,
+    water_balloon,
+)
+from .scene.recipes.outlines import AirBalloon, Box, Polygon, WaterBalloon
+from .scene.recipes.plants import HairTuft, Tree
+from .scene.recipes.rods import Rod
+from .scene.recipes.sheets import Cloth, FlagPole, Jelly
+from .scene.recipes.trusses import Bridge, Girder
 from .scene.rope import rope
+from .scene.surroundings import Contact, Gas, Liquid, Wall, Wind
 from .scene.types import (
     Anchor,
     AngularSpring,
@@ -34,32 +54,61 @@ from .scene.validate import validate
 from .settings import set_choice, set_value
 
 __all__ = [
+    "AirBalloon",
     "Anchor",
     "AngularSpring",
     "ArrowKeys",
+    "Box",
+    "Bridge",
     "Circle",
+    "Cloth",
+    "Contact",
     "Divergence",
     "EnergyBook",
+    "FlagPole",
+    "Gas",
+    "Girder",
+    "HairTuft",
     "InputError",
     "Integrator",
+    "Jelly",
     "LinearSpring",
+    "Liquid",
     "Mass",
     "Moment",
+    "Polygon",
     "Pose",
+    "Rod",
     "Rope",
     "Scene",
     "SceneError",
     "SettingError",
     "Simulation",
+    "Tree",
     "Vibrations",
     "View",
+    "Wall",
+    "WaterBalloon",
+    "Wind",
+    "air_balloon",
+    "box",
+    "bridge",
+    "cloth",
     "equilibrium",
+    "flag_pole",
+    "girder",
+    "hair_tuft",
+    "jelly",
     "list_scenes",
     "load_scene",
+    "polygon",
+    "rod",
     "rope",
     "save_scene",
     "set_choice",
     "set_value",
+    "tree",
     "validate",
     "vibrations",
+    "water_balloon",
 ]

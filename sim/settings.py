@@ -26,47 +26,34 @@ from .body.system import joint_stiffness
 from .errors import SceneError, SettingError
 from .kernels.forces.laws import LAWS
 from .methods.registry import METHODS
-from .scene.rope import with_rope
+from .recipe_settings import Setting, recipe_settings, scaled, turned
+from .scene.recipes.assembly import wrapped
 from .scene.surroundings import Gas, Liquid, Wall, Wind
-from .scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template
+from .scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template, rebuilt
 from .scene.validate import number_range, validate
 
 TEMPLATES: tuple[int, ...] = get_args(Template)
 """The tutorial's eight rest angles, degrees."""
 
 
-@dataclass(frozen=True)
-class Setting:
-    """One number of a scene that can be set by name.
-
-    Attributes:
-        key, label, unit: its name in commands, its name for people, and its unit ("px" stands for the
-            scene's own length unit).
-        low, high: the allowed range.
-        slider: the range of its slider.
-        read: returns the number in a scene.
-        write: returns the scene with another number, not yet validated.
-        applies: whether the setting has any effect on a scene.
-        logarithmic: whether its slider is logarithmic.
-        integer: whether it takes whole numbers only.
-    """
-
-    key: str
-    label: str
-    unit: str
-    low: float
-    high: float
-    slider: tuple[float, float]
-    read: Callable[[Scene], float]
-    write: Callable[[Scene, float], Scene]
-    applies: Callable[[Scene], bool]
-    logarithmic: bool = False
-    integer: bool = False
-
-
 def settings_of(scene: Scene) -> list[Setting]:
-    """The settings that apply to the scene, in the order of the panel."""
-    return [setting for setting in SETTINGS.values() if setting.applies(scene)]
+    """The settings that apply to the scene, in the order of the panel; those of its recipes come last."""
+    return [setting for setting in SETTINGS.values() if setting.applies(scene)] + recipe_settings(scene)
+
+
+def setting_of(scene: Scene, key: str) -> Setting:
+    """The setting of that name.
+
+    Raises:
+        SettingError: there is none, or it has no effect on the scene.
+    """
+    applying = {setting.key: setting for setting in settings_of(scene)}
+    if key in applying:
+        return applying[key]
+    if key in SETTINGS:
+        raise SettingError(f"{key}: the scene {scene.name!r} has no use for it")
+    known = ", ".join(applying) or "none for this scene"
+    raise SettingError(f"{key}: there is no such setting; there are {known}")
 
 
 @dataclass(frozen=True)
@@ -112,11 +99,7 @@ def set_value(scene: Scene, key: str, value: float) -> Scene:
     Raises:
         SettingError: there is no such setting, it does not apply to the scene, or the value is out of range.
     """
-    setting = SETTINGS.get(key)
-    if setting is None:
-        raise SettingError(f"{key}: there is no such setting; there are {', '.join(SETTINGS)}")
-    if not setting.applies(scene):
-        raise SettingError(f"{key}: the scene {scene.name!r} has no use for it")
+    setting = setting_of(scene, key)
     if key == "template" and value not in TEMPLATES:
         raise SettingError(f"template: {value:g} is not one of {', '.join(map(str, TEMPLATES))}")
     if not setting.low <= value <= setting.high:
@@ -158,18 +141,10 @@ def shift_rest_angles(scene: Scene, degrees: float) -> Scene:
     A scene with one of the eight templates becomes one without; its joints keep the template's stiffness.
     """
     stiffness = joint_stiffness(scene)
-
-    def turned(angle: float) -> float:
-        angle += degrees
-        return angle - 360.0 if angle > 180.0 else angle + 360.0 if angle <= -180.0 else angle
-
-    if scene.rope is not None:
-        changes: dict[str, object] = {"rest_angle": turned(scene.rope.rest_angle)}
-        if stiffness:
-            changes["angular_stiffness"] = stiffness[0]
-        return msgspec.structs.replace(with_rope(scene, **changes), template=None)
+    if scene.bodies:
+        return turned(scene, degrees, stiffness)
     joints = tuple(
-        msgspec.structs.replace(joint, rest_angle=turned(joint.rest_angle), stiffness=k)
+        msgspec.structs.replace(joint, rest_angle=wrapped(joint.rest_angle + degrees), stiffness=k)
         for joint, k in zip(scene.angular_springs, stiffness, strict=True)
     )
     return msgspec.structs.replace(scene, angular_springs=joints, template=None)
@@ -180,13 +155,13 @@ def _largest(field: str, springs: str) -> Callable[[Scene], float]:
     return lambda scene: max((getattr(s, field) for s in getattr(scene, springs)), default=0.0)
 
 
-def _scaled(field: str, springs: str, of_rope: str) -> Callable[[Scene, float], Scene]:
+def _scaled(field: str, springs: str) -> Callable[[Scene, float], Scene]:
     """Set the largest to the value and scale the others in proportion; if all were zero, set all."""
 
     def write(scene: Scene, value: float) -> Scene:
-        if scene.rope is not None:
-            return with_rope(scene, **{of_rope: value})
         old = _largest(field, springs)(scene)
+        if scene.bodies:
+            return scaled(scene, springs, field, value, old)
         changed = tuple(
             msgspec.structs.replace(s, **{field: value * (getattr(s, field) / old) if old else value})
             for s in getattr(scene, springs)
@@ -204,10 +179,17 @@ def _write_rest_angle(scene: Scene, value: float) -> Scene:
     turn = value - _read_rest_angle(scene)
     scene = shift_rest_angles(scene, turn)
     # The sum above rounds; the first joint gets exactly the given value.
-    if scene.rope is not None:
-        return with_rope(scene, rest_angle=value)
+    if scene.bodies:
+        ropes = _all_ropes(scene)
+        return rebuilt(scene, bodies=(msgspec.structs.replace(ropes[0], rest_angle=value), *ropes[1:]))
     first = msgspec.structs.replace(scene.angular_springs[0], rest_angle=value)
     return msgspec.structs.replace(scene, angular_springs=(first, *scene.angular_springs[1:]))
+
+
+def _all_ropes(scene: Scene) -> list[Rope]:
+    """The scene's recipes if all are ropes, which have one rest angle each; otherwise none."""
+    ropes = [body for body in scene.bodies if isinstance(body, Rope)]
+    return ropes if len(ropes) == len(scene.bodies) else []
 
 
 def _read_gravity(scene: Scene) -> float:
@@ -230,8 +212,9 @@ def _write_gravity(scene: Scene, value: float) -> Scene:
 
 def _write_template(scene: Scene, value: float) -> Scene:
     template = int(value)
-    if scene.rope is not None:
-        scene = with_rope(scene, rest_angle=float(template))
+    if scene.bodies:
+        ropes = [msgspec.structs.replace(rope, rest_angle=float(template)) for rope in _all_ropes(scene)]
+        scene = rebuilt(msgspec.structs.replace(scene, template=None), bodies=tuple(ropes))
     else:
         joints = tuple(msgspec.structs.replace(j, rest_angle=float(template)) for j in scene.angular_springs)
         scene = msgspec.structs.replace(scene, angular_springs=joints)
@@ -273,14 +256,24 @@ def _has_walls(scene: Scene) -> bool:
 
 
 def _has_filling(kind: type) -> Callable[[Scene], bool]:
-    return lambda scene: moves(scene) and any(isinstance(filling, kind) for filling in scene.fillings)
+    """Whether a loop is filled so; recipes have settings of their own for what fills them."""
+    return lambda scene: (
+        moves(scene) and not scene.bodies and any(isinstance(filling, kind) for filling in scene.fillings)
+    )
 
 
 def _has_limit(field: str) -> Callable[[Scene], bool]:
-    """Whether any spring has a limit to what it bears."""
+    """Whether any spring has a limit to what it bears; recipes have settings of their own for that."""
     return lambda scene: (
-        moves(scene) and any(getattr(spring, field) is not None for spring in scene.linear_springs)
+        moves(scene)
+        and not scene.bodies
+        and any(getattr(spring, field) is not None for spring in scene.linear_springs)
     )
+
+
+def _has_rest_angle(scene: Scene) -> bool:
+    """Whether all rest angles can be set by that of the first; most recipes have a bend instead."""
+    return _has_joints(scene) and (not scene.bodies or bool(_all_ropes(scene)))
 
 
 def _setting(
@@ -300,21 +293,21 @@ def _setting(
 _ALL = (
     _setting(
         "linear_stiffness", "Linear stiffness", (100.0, 1e6), number_range(LinearSpring, "stiffness"),
-        _largest("stiffness", "linear_springs"), _scaled("stiffness", "linear_springs", "stiffness"),
+        _largest("stiffness", "linear_springs"), _scaled("stiffness", "linear_springs"),
         _has_springs, logarithmic=True,
     ),
     _setting(
         "linear_damping", "Linear damping", (0.0, 200.0), number_range(LinearSpring, "damping"),
-        _largest("damping", "linear_springs"), _scaled("damping", "linear_springs", "damping"), _has_springs,
+        _largest("damping", "linear_springs"), _scaled("damping", "linear_springs"), _has_springs,
     ),
     _setting(
         "angular_stiffness", "Angular stiffness", (10.0, 1e6), number_range(AngularSpring, "stiffness"),
         _largest("stiffness", "angular_springs"),
-        _scaled("stiffness", "angular_springs", "angular_stiffness"), _has_joints, logarithmic=True,
+        _scaled("stiffness", "angular_springs"), _has_joints, logarithmic=True,
     ),
     _setting(
         "angular_damping", "Angular damping", (0.0, 200.0), number_range(AngularSpring, "damping"),
-        _largest("damping", "angular_springs"), _scaled("damping", "angular_springs", "angular_damping"),
+        _largest("damping", "angular_springs"), _scaled("damping", "angular_springs"),
         _has_joints,
     ),
     _setting(
@@ -323,7 +316,7 @@ _ALL = (
     ),
     _setting(
         "rest_angle", "Rest angle", (-180.0, 180.0), number_range(AngularSpring, "rest_angle"),
-        _read_rest_angle, _write_rest_angle, _has_joints,
+        _read_rest_angle, _write_rest_angle, _has_rest_angle,
     ),
     _setting(
         "template", "Template", (-180.0, 180.0), (-180.0, 180.0, "°"),
@@ -379,11 +372,6 @@ _ALL = (
         logarithmic=True,
     ),
     _setting(
-        "masses", "Number of masses", (3, 60), number_range(Rope, "masses"),
-        lambda scene: float(len(scene.masses)), lambda scene, n: with_rope(scene, masses=int(n)),
-        lambda scene: moves(scene) and scene.rope is not None, integer=True,
-    ),
-    _setting(
         "dt", "Time step", (1e-4, 0.01), number_range(Integrator, "dt"),
         lambda scene: scene.integrator.dt, _of_integrator("dt"), moves, logarithmic=True,
     ),
@@ -395,7 +383,7 @@ _ALL = (
 )  # fmt: skip
 
 SETTINGS: dict[str, Setting] = {setting.key: setting for setting in _ALL}
-"""The settings, by their keys."""
+"""The settings that any scene may have, by their keys; see `settings_of` for those of its recipes."""
 
 CHOICES: dict[str, Choice] = {
     "force_law": Choice(

@@ -26,8 +26,8 @@ from .solver_panel import SolverPanel
 
 PANEL_WIDTH = 348
 FOREMOST = (
-    "wind_speed", "gas_pressure", "liquid_stiffness", "strength", "yield_force", "rest_angle", "template",
-    "angular_stiffness", "linear_stiffness", "gravity",
+    "wind_speed", "gas_pressure", "pressure", "liquid_stiffness", "bulk_modulus", "load", "strength",
+    "yield_force", "rest_angle", "template", "bend", "angular_stiffness", "linear_stiffness", "gravity",
 )  # fmt: skip
 """Settings that make most of a scene, in order; the Play tab has the first two that there is a use for."""
 

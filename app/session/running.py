@@ -12,7 +12,7 @@ import msgspec
 import sim
 from sim.body.system import same_topology
 from sim.motion.stability import StabilityEstimate
-from sim.settings import SETTINGS
+from sim.settings import settings_of
 
 from .ghost import Ghost, GhostMoment
 from .hand import Body, PointerHand
@@ -111,7 +111,7 @@ class Running:
         self.hand.let_go(self._following)
 
     def _set(self, key: str, value: float) -> None:
-        setting = SETTINGS.get(key)
+        setting = next((s for s in settings_of(self.simulation.scene) if s.key == key), None)
         if setting is None or not math.isfinite(value):
             return
         self._change(lambda: self.recorder.set_value(key, min(max(value, setting.low), setting.high)))

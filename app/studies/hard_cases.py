@@ -43,7 +43,7 @@ def placed(scene: Scene, positions: list[tuple[float, float]]) -> Scene:
 def weighted(scene: Scene, masses: list[float]) -> Scene:
     """The rope with masses of its own."""
     changed = tuple(REPLACE(m, mass=kg) for m, kg in zip(scene.masses, masses, strict=True))
-    return REPLACE(scene, rope=None, masses=changed)
+    return REPLACE(scene, bodies=(), masses=changed)
 
 
 def _folded(noise: float) -> list[tuple[float, float]]:

@@ -11,8 +11,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from sim.errors import InputError, SceneError
-from sim.scene.rope import with_rope
-from sim.scene.types import Mass, Rope, Scene, expand_rope
+from sim.scene.types import Mass, Rope, Scene, rebuilt
 from sim.scene.validate import validate
 from sim.settings import SETTINGS
 
@@ -74,13 +73,13 @@ def _of_setting(
 def _alternate(scene: Scene, ratio: float) -> Scene:
     """Every second mass lighter by a factor."""
     masses = tuple(replace(m, mass=m.mass / ratio) if i % 2 else m for i, m in enumerate(scene.masses))
-    return replace(scene, rope=None, masses=masses)
+    return replace(scene, bodies=(), masses=masses)
 
 
 def _resampled(scene: Scene, masses: float) -> Scene:
     recipe = rope_of(scene)
     assert recipe is not None, "asked before"
-    return with_rope(replace(scene, rope=recipe), masses=int(masses))
+    return rebuilt(scene, bodies=(replace(recipe, masses=int(masses)),))
 
 
 def _masses_problem(scene: Scene) -> str | None:
@@ -91,8 +90,8 @@ def _masses_problem(scene: Scene) -> str | None:
 
 def rope_of(scene: Scene) -> Rope | None:
     """The recipe that a scene's body could have been made by, or None where there is none."""
-    if scene.rope is not None:
-        return scene.rope
+    if len(scene.bodies) == 1 and isinstance(scene.bodies[0], Rope):
+        return scene.bodies[0]
     masses, springs, joints = scene.masses, scene.linear_springs, scene.angular_springs
     if len(masses) < 2 or not springs:
         return None
@@ -113,7 +112,7 @@ def rope_of(scene: Scene) -> Rope | None:
         radius=masses[0].radius,
         held=tuple(anchor.mass for anchor in scene.anchors),
     )
-    made, linear, angular, _ = expand_rope(recipe)
+    made, linear, angular, *_ = recipe.expand()
     straight = len(made) == len(masses) and all(_same(a, b) for a, b in zip(made, masses, strict=True))
     even = len(linear) == len(springs) and all(
         (a.a, a.b, a.stiffness, a.damping) == (b.a, b.b, b.stiffness, b.damping)
@@ -155,7 +154,7 @@ def released(scene: Scene) -> Scene:
         return scene
     if len(scene.masses) < 2:
         raise InputError(f"the scene {scene.name!r} has no mass that could move")
-    return replace(scene, rope=None, anchors=scene.anchors[:1])
+    return replace(scene, bodies=(), anchors=scene.anchors[:1])
 
 
 def in_cell(scene: Scene, values: dict[str, float]) -> Scene:
@@ -180,7 +179,7 @@ def in_cell(scene: Scene, values: dict[str, float]) -> Scene:
     if scene.pose is not None:
         return validate(replace(scene, pose=replace(scene.pose, velocities=tuple(kicks))))
     masses = tuple(replace(m, velocity=kick) for m, kick in zip(scene.masses, kicks, strict=True))
-    return validate(replace(scene, rope=None, masses=masses))
+    return validate(replace(scene, bodies=(), masses=masses))
 
 
 def extent(scene: Scene) -> float:

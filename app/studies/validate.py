@@ -6,11 +6,11 @@ from pathlib import Path
 
 from rich.console import Console
 
-from . import energy, motion, report, statics
+from . import energy, motion, report, statics, trusses
 from .output import Watch, make_folder, write_figures, write_page, write_table
 from .results import Case, Result
 
-CASES: tuple[Case, ...] = (*statics.CASES, *motion.CASES, *energy.CASES)
+CASES: tuple[Case, ...] = (*statics.CASES, *trusses.CASES, *motion.CASES, *energy.CASES)
 
 
 def validate(out: Path | None, fast: bool, console: Console, cases: tuple[Case, ...] = CASES) -> int:

@@ -70,14 +70,14 @@ def user_folder() -> Path:
 
 # ------------------------------------------------------------------------- bytes and scenes
 def encode_scene(scene: Scene) -> bytes:
-    """The scene as an indented JSON file. If it has a recipe, the body that follows from that is left out.
+    """The scene as an indented JSON file. If it has recipes, the body that follows from them is left out.
 
     Raises:
         SceneError: the scene is not valid.
     """
     validate(scene)
     fields = plain(scene)
-    if scene.rope is not None:
+    if scene.bodies:
         for field in BODY_FIELDS:
             fields.pop(field, None)
     text = msgspec.json.format(msgspec.json.encode({**fields, "format": FORMAT_VERSION}), indent=2) + b"\n"
@@ -118,6 +118,11 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
         )
     if version == 1 and not isinstance(version, bool):
         raw = _from_format_1(raw)
+    one_rope = raw.get("format", 2) == 2 and "rope" in raw and "bodies" not in raw
+    if raw.get("format") == 2:
+        raw = {**raw, "format": FORMAT_VERSION}
+    if one_rope:
+        raw = _from_format_2(raw)
     raw = _with_present_method(raw)
     try:
         return consistent(msgspec.convert(raw, Scene))
@@ -126,6 +131,8 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
         reason = " ".join(sentence(error, raw).split())
     except SceneError as error:
         reason = str(error)
+    if one_rope:
+        reason = re.sub(r"^bodies(\[0\])?(?=[.:])", "rope", reason)
     path = re.match(r"\w[\w.\[\]]*(?=: )", reason)
     place = place_of(data, path[0]) if path and places else ""
     raise SceneError(f"{source}: {reason} ({place})" if place else f"{source}: {reason}")
@@ -141,11 +148,20 @@ RETIRED = {"dopri5": "adams", "dop853": "adams"}
 
 
 def _from_format_1(raw: dict[str, Any]) -> dict[str, Any]:
-    """Add the fields that format 1 lacked: it had only the tutorial's force law and symplectic Euler."""
+    """Make a file of format 2 of one of format 1, which had only the tutorial's law and symplectic Euler."""
     integrator = raw.get("integrator", {})
     if isinstance(integrator, dict):
         integrator = {"method": "symplectic_euler", **integrator}
-    return {"force_law": "tutorial", **raw, "format": FORMAT_VERSION, "integrator": integrator}
+    return {"force_law": "tutorial", **raw, "format": 2, "integrator": integrator}
+
+
+def _from_format_2(raw: dict[str, Any]) -> dict[str, Any]:
+    """Make a recipe among `bodies` of the field `rope`, which held the only one; it may be null."""
+    rope = raw["rope"]
+    rest = {field: value for field, value in raw.items() if field != "rope"}
+    if isinstance(rope, dict):
+        rope = {"recipe": "rope", **rope}
+    return {**rest, "bodies": [] if rope is None else [rope]}
 
 
 def _with_present_method(raw: dict[str, Any]) -> dict[str, Any]:

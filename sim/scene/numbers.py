@@ -5,7 +5,7 @@ Validation, error messages, sliders and the JSON Schema are derived from these a
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from msgspec import Meta
 
@@ -22,9 +22,21 @@ RUNAWAY_SPEED = 1e6
 """Speed (px/s) at which a body under a method without error control counts as having run away."""
 
 
-def bounded(low: float, high: float, unit: str, what: str) -> Meta:
-    """The annotation of a number: its range, its unit, and what it is."""
-    return Meta(ge=low, le=high, description=f"{what} ({unit})" if unit else what, extra={"unit": unit})
+def bounded(
+    low: float,
+    high: float,
+    unit: str,
+    what: str,
+    slider: tuple[float, float] | None = None,
+    logarithmic: bool = False,
+) -> Meta:
+    """The annotation of a number: its range, its unit, what it is, and the range of its slider, if any."""
+    return Meta(
+        ge=low,
+        le=high,
+        description=f"{what} ({unit})" if unit else what,
+        extra={"unit": unit, "label": what, "slider": slider, "logarithmic": logarithmic},
+    )
 
 
 # The ranges are wide enough for any body that one would draw, and narrow enough that no product of two of
@@ -41,3 +53,8 @@ Radius = Annotated[float, bounded(1e-3, 1e4, "px", "The radius a mass is drawn w
 Index = Annotated[int, Meta(ge=0, lt=MAX_SPRINGS)]
 Name = Annotated[str, Meta(min_length=1, max_length=60)]
 Vector = tuple[Coordinate, Coordinate]
+
+
+def of_python(value: Any) -> Any:
+    """A NumPy number as one of Python's; of any other value the name of its type, which msgspec refuses."""
+    return next((kind(value) for kind in (float, int, str) if isinstance(value, kind)), type(value).__name__)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import msgspec
-
 from .numbers import Vector
 from .types import ArrowKeys, Circle, ForceLaw, Integrator, Rope, Scene, View
 from .validate import validate
@@ -40,7 +38,7 @@ def rope(
 ) -> Scene:
     """A scene with one straight rope; the defaults are the tutorial's constants.
 
-    The parameters up to `circle` are those of `sim.scene.Rope`, the others those of `sim.scene.Scene`;
+    The parameters up to `circle` are those of `sim.Rope`, the others those of `sim.Scene`;
     units and ranges are given there. The rope hangs down the screen unless `direction` says otherwise.
 
     Raises:
@@ -68,7 +66,7 @@ def rope(
         Scene(
             name=name,
             description=description,
-            rope=recipe,
+            bodies=(recipe,),
             gravity=gravity,
             air_friction=air_friction,
             force_law=force_law,
@@ -97,16 +95,3 @@ def fine_rope(masses: int, **changes: Any) -> Scene:
         "air_friction": 0.002 * 12.0 / masses,
     }
     return rope(masses, **(numbers | changes))
-
-
-def with_rope(scene: Scene, **changes: object) -> Scene:
-    """The scene with some numbers of its recipe changed and the body rebuilt, not yet validated.
-
-    A saved pose is kept unless the number of masses changes.
-    """
-    assert scene.rope is not None, "only a scene with a recipe can be rebuilt"
-    recipe = msgspec.structs.replace(scene.rope, **changes)
-    pose = scene.pose if recipe.masses == scene.rope.masses else None
-    return msgspec.structs.replace(
-        scene, rope=recipe, masses=(), linear_springs=(), angular_springs=(), anchors=(), pose=pose
-    )

@@ -66,12 +66,16 @@ def sentence(error: msgspec.ValidationError, found: Any) -> str:
     """
     reason, _, path = str(error).rpartition(" - at `$")
     where = path.rstrip("`").lstrip(".") if reason else ""
-    value, kind, meta, at = found, Scene, None, ""
+    value: Any = found
+    kind, meta, at = Scene, None, ""
     for field, index in re.findall(r"(\w+)|\[(\d+)\]", where):
         if hasattr(value, "__struct_fields__") and type(value) is not kind:
             return _expected(at, kind, value)  # a struct of another type
         try:
-            if field:
+            if field and get_origin(kind) is Union:
+                # No struct of the union has the tag that the value has.
+                at, wanted, value = f"{at}.{field}", Literal[_tags(kind)], value[field]
+            elif field:
                 at, wanted = f"{at}.{field}".lstrip("."), get_type_hints(kind, include_extras=True)[field]
                 value = value[field] if isinstance(value, dict) else getattr(value, field)
             else:
@@ -80,7 +84,7 @@ def sentence(error: msgspec.ValidationError, found: Any) -> str:
                 wanted = first if Ellipsis in others else (first, *others)[int(index)]
         except (AttributeError, LookupError, TypeError):
             break  # a field's name in the file may look like a path
-        kind, meta = _split(wanted)
+        kind, meta = _split(wanted, value)
     else:
         if where and (kind in _A or get_origin(kind) is Literal or isinstance(found, Scene)):
             return _about(where, value, kind, meta, found)
@@ -128,6 +132,9 @@ def _expected(where: str, kind: Any, value: Any, found: Any = None) -> str:
     """The sentence for a value of another type; `found` as for `sentence`."""
     if get_origin(kind) is tuple and Ellipsis not in get_args(kind):
         return f"{where}: {len(get_args(kind))} numbers are expected, as in a tuple"
+    if get_origin(kind) is Union:
+        names = ", ".join(struct.__name__ for struct in get_args(kind))
+        return f"{where}: one of {names} is expected, not {_shown(value, found)}"
     name = (get_origin(kind) or kind).__name__
     a = _A.get(kind) or f"{'an' if name[0] in 'AEIO' else 'a'} {name}"
     return f"{where}: {a} is expected, not {_shown(value, found)}"
@@ -145,13 +152,33 @@ def _shown(value: Any, found: Any) -> str:
     return _JSON.get(type(value), type(value).__name__) if in_file else type(value).__name__
 
 
-def _split(kind: Any) -> tuple[Any, msgspec.Meta | None]:
-    """The type of an annotation, without None, and its range, if it has one."""
+def _split(kind: Any, value: Any) -> tuple[Any, msgspec.Meta | None]:
+    """The type of an annotation, without None, and its range, if it has one.
+
+    Of several structs it is the one that the value is, by its type or by its tag.
+    """
     meta = None
     while get_origin(kind) in (Annotated, Union, UnionType):
         if get_origin(kind) is Annotated:
             kind, *extras = get_args(kind)
             meta = next((extra for extra in extras if isinstance(extra, msgspec.Meta)), None)
         else:
-            (kind,) = (option for option in get_args(kind) if option is not NoneType)
+            options = [option for option in get_args(kind) if option is not NoneType]
+            if len(options) > 1:
+                return _tagged(options, value), None
+            (kind,) = options
     return kind, meta
+
+
+def _tags(union: Any) -> tuple[str, ...]:
+    """The tags of the structs of a union."""
+    return tuple(struct.__struct_config__.tag for struct in get_args(union))
+
+
+def _tagged(structs: list[Any], value: Any) -> Any:
+    """The struct of a tagged union that a value is, or the whole union if it is none of them."""
+    for struct in structs:
+        config = struct.__struct_config__
+        if type(value) is struct or (isinstance(value, dict) and value.get(config.tag_field) == config.tag):
+            return struct
+    return Union[tuple(structs)]  # noqa: UP007  the types are known at run time only

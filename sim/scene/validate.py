@@ -14,9 +14,11 @@ from typing import Any, get_args, get_type_hints
 import msgspec
 
 from ..errors import SceneError
-from .numbers import MAX_MASSES, MAX_SPRINGS
+from .numbers import MAX_MASSES, MAX_SPRINGS, of_python
+from .recipes.assembly import TooLarge, loop_area
+from .recipes.recipe import expand
 from .sentences import difference, sentence, unit_of
-from .types import BODY_FIELDS, FORMAT_VERSION, Pose, Rope, Scene, expand_rope
+from .types import BODY_FIELDS, FORMAT_VERSION, Pose, Scene
 
 _SHORTEST = 1e-9
 """Distance, px, below which the ends of a spring count as coincident: the spring would have no direction."""
@@ -67,12 +69,7 @@ def consistent_pose(pose: Pose, scene: Scene) -> Pose:
 
 def plain(scene: Scene) -> dict[str, Any]:
     """The scene as dicts, tuples, numbers and strings."""
-    return msgspec.to_builtins(scene, enc_hook=_plain)
-
-
-def _plain(value: Any) -> Any:
-    """A NumPy number as one of Python's; of any other value the name of its type, which msgspec refuses."""
-    return next((kind(value) for kind in (float, int, str) if isinstance(value, kind)), type(value).__name__)
+    return msgspec.to_builtins(scene, enc_hook=of_python)
 
 
 def number_range(kind: type, field: str) -> tuple[float, float, str]:
@@ -104,11 +101,10 @@ def _problems(scene: Scene) -> Iterator[str]:
     ):
         if _HALF.search(text):
             yield f"{field}: it has characters that cannot be written to a file"
-    if scene.rope is not None:
-        yield from _rope_problems(scene, scene.rope)
+    yield from _recipe_problems(scene)
     n, springs = len(scene.masses), len(scene.linear_springs)
     if n == 0:
-        yield "masses: a scene needs at least one mass, or a rope"
+        yield "masses: a scene needs at least one mass, or a recipe in bodies"
     if n > MAX_MASSES:
         yield f"masses: {n} masses are more than {MAX_MASSES}"
     for field in ("linear_springs", "angular_springs"):
@@ -116,6 +112,11 @@ def _problems(scene: Scene) -> Iterator[str]:
             yield f"{field}: {len(getattr(scene, field))} springs are more than {MAX_SPRINGS}"
     yield from _linear_problems(scene, n)
     yield from _angular_problems(scene, springs)
+    yield from _limit_problems(scene)
+    yield from _filling_problems(scene, n)
+    for w, wall in enumerate(scene.walls):
+        if not any(wall.normal):
+            yield f"walls[{w}].normal: a normal of (0, 0) points nowhere"
     yield from _anchor_problems(scene, n)
     xmin, ymin, xmax, ymax = scene.view.frame
     if not (xmax - xmin > 1e-3 and ymax - ymin > 1e-3):
@@ -123,12 +124,35 @@ def _problems(scene: Scene) -> Iterator[str]:
     yield from _pose_problems(scene, scene.pose)
 
 
-def _rope_problems(scene: Scene, rope: Rope) -> Iterator[str]:
-    if not any(rope.direction):
-        yield "rope.direction: a direction of (0, 0) points nowhere"
+def _recipe_problems(scene: Scene) -> Iterator[str]:
+    if not scene.bodies:
+        if scene.links:
+            yield "links: they join the bodies, and this scene has none; its springs are its linear_springs"
         return
-    if any(getattr(scene, field) != part for field, part in zip(BODY_FIELDS, expand_rope(rope), strict=True)):
-        yield "rope: a scene has either a rope or masses, springs and anchors of its own, not both"
+    driven = None
+    for i, body in enumerate(scene.bodies):
+        if not any(getattr(body, "direction", (1.0, 0.0))):
+            yield f"bodies[{i}].direction: a direction of (0, 0) points nowhere"
+            return
+        if body.driven is not None:
+            if driven is not None:
+                yield f"bodies[{i}].driven: bodies[{driven}] has a driven mass already, and only one can be"
+            driven = i
+    try:
+        parts = expand(scene.bodies, scene.links)
+    except TooLarge as error:
+        yield f"bodies: they have {error}"
+        return
+    n = len(parts.masses)
+    for i, link in enumerate(scene.links):
+        for end in ("a", "b"):
+            if getattr(link, end) >= n:
+                yield f"links[{i}].{end}: mass {getattr(link, end)} does not exist ({_span(n)})"
+                return
+    if any(getattr(scene, field) != part for field, part in zip(BODY_FIELDS, parts, strict=True)):
+        yield (
+            "bodies: a scene has either recipes or masses, springs, anchors and fillings of its own, not both"
+        )
 
 
 def _linear_problems(scene: Scene, n: int) -> Iterator[str]:
@@ -178,6 +202,41 @@ def _angular_problems(scene: Scene, springs: int) -> Iterator[str]:
                 f"angular_springs[{j}].rest_angle: {joint.rest_angle:g} is not the scene's template, "
                 f"{scene.template}"
             )
+
+
+def _limit_problems(scene: Scene) -> Iterator[str]:
+    """What is wrong with the forces and torques at which springs break or yield."""
+    for s, spring in enumerate(scene.linear_springs):
+        yields = spring.yield_force
+        if yields is None:
+            if spring.hardening:
+                yield f"linear_springs[{s}].hardening: it has no effect on a spring without a yield_force"
+            continue
+        if spring.stiffness == 0.0:
+            yield f"linear_springs[{s}].yield_force: a spring whose stiffness is 0 never yields"
+        if spring.strength is not None and spring.strength < yields:
+            yield (
+                f"linear_springs[{s}].strength: {spring.strength:g} is below the yield_force {yields:g}, so "
+                "the spring breaks before it yields"
+            )
+    for j, joint in enumerate(scene.angular_springs):
+        if joint.yield_torque is not None and joint.stiffness == 0.0:
+            yield f"angular_springs[{j}].yield_torque: an angular spring whose stiffness is 0 never yields"
+
+
+def _filling_problems(scene: Scene, n: int) -> Iterator[str]:
+    for f, filling in enumerate(scene.fillings):
+        where, loop = f"fillings[{f}].masses", filling.masses
+        missing = next((i for i in loop if i >= n), None)
+        if len(loop) < 3:
+            yield f"{where}: a loop has at least three masses, not {len(loop)}"
+        elif missing is not None:
+            yield f"{where}[{loop.index(missing)}]: mass {missing} does not exist ({_span(n)})"
+        elif len(set(loop)) < len(loop):
+            twice = next(k for k, i in enumerate(loop) if i in loop[:k])
+            yield f"{where}[{twice}]: mass {loop[twice]} is in the loop already"
+        elif filling.area is None and loop_area([scene.masses[i].position for i in loop]) < 1e-6:
+            yield f"{where}: the loop has no area, so its filling has none either"
 
 
 def _anchor_problems(scene: Scene, n: int) -> Iterator[str]:

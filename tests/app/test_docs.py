@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
 from app.cli import main
 from sim.scene.files import read_scene
+from sim.scene.recipes.recipe import AnyRecipe
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -57,7 +60,7 @@ def test_the_python_example_of_the_readme_runs(capsys: pytest.CaptureFixture[str
 
 def test_the_scenes_of_the_reference_are_valid(tmp_path: Path) -> None:
     examples = blocks(DOCS / "scene-files.md", "json")
-    assert len(examples) == 2
+    assert len(examples) == 3
     for example in examples:
         file = tmp_path / "example.json"
         file.write_text(example)
@@ -72,3 +75,19 @@ def test_the_input_log_of_the_reference_is_accepted(tmp_path: Path) -> None:
         main(["run", "tutorial-3.3", "--steps", "300", "--inputs", str(log), "--out", str(out)])
     assert ended.value.code == 0
     assert len(out.read_text().splitlines()) == 301
+
+
+@pytest.mark.parametrize("kind", get_args(AnyRecipe), ids=lambda kind: kind.__name__)
+def test_the_reference_has_every_number_of_every_recipe(kind: type[AnyRecipe]) -> None:
+    tag = kind.__struct_config__.tag
+    own, common = re.findall(rf"^\| `{tag}` \| (.*) \|$", (DOCS / "scene-files.md").read_text(), re.MULTILINE)
+    recipe = kind()
+    shown = re.split(r" *\| *", common)
+    columns = ("stiffness", "damping", "angular_stiffness", "mass", "radius")
+    for field, text in zip(columns, shown, strict=True):
+        assert float(text or "nan") == pytest.approx(getattr(recipe, field, math.nan), nan_ok=True)
+    elsewhere = {*columns, "angular_damping", "bend", "driven"}
+    for field in set(kind.__struct_fields__) - elsewhere:
+        assert f"`{field}`" in own, field
+    for field, default in re.findall(r"`(\w+)` (-?[\d.]+)", own):
+        assert getattr(recipe, field) == float(default), field

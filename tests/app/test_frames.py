@@ -17,7 +17,7 @@ def test_the_rod_is_the_same_in_more_pieces() -> None:
     coarse, fine = (
         msgspec.structs.replace(
             scene,
-            rope=None,
+            bodies=(),
             anchors=(msgspec.structs.replace(scene.anchors[0], circle=None),),
             gravity=(0.0, 20.0),
         )

@@ -12,11 +12,20 @@ from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
 SCRIPT = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
+CALM = """async () => {
+  const moving = () => document.getAnimations().some(
+    (each) => each.playState === "running" && each.effect?.getComputedTiming().iterations !== Infinity);
+  for (let calm = 0; calm < 10; ) {
+    await new Promise(requestAnimationFrame);
+    calm = moving() ? 0 : calm + 1;
+  }
+}"""
 TABS = ("Play", "Body", "Solver", "Files", "View")
 
 
 def judged(desk: Desk) -> list[dict[str, Any]]:
-    """Each visible text with its contrast and the least that it needs."""
+    """Each visible text with its contrast and the least that it needs, when all has faded in."""
+    desk.page.evaluate(CALM)
     return desk.page.evaluate(SCRIPT)
 
 
@@ -36,25 +45,20 @@ def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
         desk.show("View")
         desk.control("Dark").click()
         desk.until(lambda: desk.tab._dark, "it is dark")
-        desk.pause(0.5)  # the colours fade into one another
     pale: list[tuple[str, dict[str, Any]]] = []
     for tab in TABS:
         desk.show(tab)
-        desk.pause(0.3)
         pale += poor(desk, tab)
     desk.page.keyboard.press("Control+k")
     desk.page.get_by_placeholder("Search").wait_for()
-    desk.pause(0.8)  # it fades in
     pale += poor(desk, "all commands")
     desk.page.keyboard.press("Escape")
     desk.tell(commands.SetValue("angular_stiffness", 1e8), commands.SetValue("rest_angle", 10.0))
     desk.until(lambda: desk.notices(), "it runs away")
-    desk.pause(0.5)
     pale += poor(desk, "a notice, and a way back")
     desk.show("Play")
     desk.button("Help").click()
     desk.page.get_by_role("dialog").wait_for()
-    desk.pause(0.5)
     pale += poor(desk, "help")
     assert not pale, pale
 

@@ -98,7 +98,7 @@ def test_it_starts_without_a_jerk(method: Method) -> None:
 def test_a_circle_without_turns_stands_still(method: Method) -> None:
     for circle in (Circle(radius=50.0, frequency=0.0), Circle(radius=0.0, frequency=5.0)):
         turning, still = Simulation(rope(method, circle)), Simulation(sim.rope(masses=5))
-        still.replace(REPLACE(turning.scene, rope=None, anchors=(Anchor(mass=0, driven=True),)))
+        still.replace(REPLACE(turning.scene, bodies=(), anchors=(Anchor(mass=0, driven=True),)))
         for simulation in (turning, still):
             simulation.step(100)
             assert np.array_equal(simulation.positions[0], START)
@@ -130,7 +130,7 @@ def test_new_settings_do_not_make_it_jump(method: Method) -> None:
 
 @pytest.mark.parametrize("method", METHODS)
 def test_where_everything_is_held_it_still_goes_round(method: Method) -> None:
-    scene = REPLACE(rope(method), rope=None)
+    scene = REPLACE(rope(method), bodies=())
     anchors = (scene.anchors[0], *(Anchor(mass=i) for i in range(1, 5)))
     simulation = Simulation(REPLACE(scene, anchors=anchors))
     before = simulation.positions
@@ -143,7 +143,7 @@ def test_where_everything_is_held_it_still_goes_round(method: Method) -> None:
 def test_several_anchors_go_their_own_ways(method: Method) -> None:
     other = Circle(radius=10.0, frequency=-0.9, ramp=0.5)
     scene = REPLACE(
-        rope(method), rope=None, anchors=(Anchor(mass=4, circle=other), Anchor(mass=0, circle=CIRCLE))
+        rope(method), bodies=(), anchors=(Anchor(mass=4, circle=other), Anchor(mass=0, circle=CIRCLE))
     )
     simulation = Simulation(scene)
     end = simulation.positions[4]

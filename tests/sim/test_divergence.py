@@ -22,7 +22,7 @@ def too_stiff(stiffness: float = 60_000.0) -> Scene:
     scene = sim.set_value(sim.load_scene("tutorial-3.3"), "angular_stiffness", stiffness)
     return REPLACE(
         scene,
-        rope=None,
+        bodies=(),
         masses=tuple(
             REPLACE(mass, position=(mass.position[0] + i % 2, mass.position[1]))
             for i, mass in enumerate(scene.masses)

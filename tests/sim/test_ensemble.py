@@ -36,7 +36,7 @@ def ropes(count: int, law: ForceLaw, seed: int = 0) -> list[Member]:
         weights = rng.uniform(0.5, 2.0, len(scene.masses))
         masses = tuple(REPLACE(m, mass=float(w)) for m, w in zip(scene.masses, weights, strict=True))
         dt = float(rng.uniform(2e-4, 2e-3))
-        scene = REPLACE(scene, rope=None, masses=masses, rest_length_scale=float(rng.uniform(0.8, 1.2)))
+        scene = REPLACE(scene, bodies=(), masses=masses, rest_length_scale=float(rng.uniform(0.8, 1.2)))
         found.append(Member(scene, dt, marks(0.2, dt, 4)))
     return found
 

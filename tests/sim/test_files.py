@@ -127,9 +127,9 @@ def test_brackets_in_a_text_are_left_alone() -> None:
 
 def test_a_recipe_stays_a_recipe_in_its_file() -> None:
     raw = json.loads(encode_scene(sim.rope(masses=500)))
-    assert raw["rope"]["masses"] == 500
+    assert [(body["recipe"], body["masses"]) for body in raw["bodies"]] == [("rope", 500)]
     assert not {"masses", "linear_springs", "angular_springs", "anchors"} & set(raw)
-    assert raw["format"] == 2
+    assert raw["format"] == 3
 
 
 def test_files_are_readable_json_with_vectors_on_one_line() -> None:
@@ -183,9 +183,9 @@ def test_files_that_are_no_json_object(data: bytes, sentence: str) -> None:
 @pytest.mark.parametrize(
     ("raw", "field"),
     [
-        (minimal(format=3), "format: version 3 is newer than 2"),
+        (minimal(format=4), "format: version 4 is newer than 3"),
         (minimal(format=10**30), "format: version"),
-        (minimal(format=3, unheard_of={"of": "later"}), "format: version 3 is newer"),
+        (minimal(format=4, unheard_of={"of": "later"}), "format: version 4 is newer"),
         (minimal(format=0), "format: 0 is not in the range 1"),
         (minimal(format=True), "format: "),
         (minimal(format="1"), "format: "),
@@ -203,7 +203,7 @@ def test_files_that_are_no_json_object(data: bytes, sentence: str) -> None:
         (minimal(masses=None), "masses: "),
         (minimal(anchors=[{"mass": 1}]), "anchors[0].mass: mass 1 does not exist (0..0)"),
         (minimal(anchors=[{"mass": -1}]), "anchors[0].mass: -1 is not in the range 0..99999"),
-        (minimal(rope={"masses": 3}), "rope: a scene has either a rope or masses"),
+        (minimal(rope={"masses": 3}), "rope: a scene has either recipes or masses"),
         ({"name": "a", "rope": {"masses": 1}}, "rope.masses: 1 is not in the range 2..20000"),
         ({"name": "a", "rope": {"direction": [0, 0]}}, "rope.direction: "),
         (minimal(template=30), "template: "),
@@ -251,7 +251,7 @@ def test_files_that_are_too_large_are_refused_unread(tmp_path: Path) -> None:
         load_scene(path)
     assert "are more than" in refused(b" " * (MAX_FILE_BYTES + 1))
     with pytest.raises(SceneError, match="more than"):
-        save_scene(REPLACE(sim.rope(masses=20_000, joints=False), rope=None), tmp_path / "out.json")
+        save_scene(REPLACE(sim.rope(masses=20_000, joints=False), bodies=()), tmp_path / "out.json")
     assert not (tmp_path / "out.json").exists()
 
 

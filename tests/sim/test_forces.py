@@ -211,7 +211,7 @@ def with_idle_joints(scene: Scene) -> Scene:
 
 
 def bodies() -> list[Scene]:
-    rope = REPLACE(sim.load_scene("tutorial-3.3"), rope=None)
+    rope = REPLACE(sim.load_scene("tutorial-3.3"), bodies=())
     lying = [(300.0 + 25.0 * i, 200.0 + 8.0 * (i % 3)) for i in range(len(rope.masses))]
     masses = tuple(REPLACE(m, position=p) for m, p in zip(rope.masses, lying, strict=True))
     return [

@@ -18,7 +18,7 @@ STEP = 1e-3
 
 def rope(masses: int, held: tuple[int, ...] = ()) -> sim.Scene:
     anchors = tuple(Anchor(mass=m) for m in held)
-    return msgspec.structs.replace(sim.rope(masses), rope=None, anchors=anchors)
+    return msgspec.structs.replace(sim.rope(masses), bodies=(), anchors=anchors)
 
 
 def turned(arrays: Arrays, spring: int, degrees: float) -> np.ndarray:

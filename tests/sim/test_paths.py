@@ -31,7 +31,7 @@ def shuffled(scene: Scene, seed: int) -> tuple[Scene, list[int]]:
     joints = [scene.angular_springs[i] for i in angular]
     changed = REPLACE(
         scene,
-        rope=None,
+        bodies=(),
         pose=None,
         masses=tuple(scene.masses[i] for i in masses),
         linear_springs=tuple(REPLACE(s, a=new_index[s.a], b=new_index[s.b]) for s in springs),
@@ -46,7 +46,7 @@ def test_a_chain_is_a_chain_in_whatever_order_it_is_listed(seed: int) -> None:
     scene = sim.set_value(sim.load_scene("tutorial-3.2"), "template", 45)
     # Each angular spring gets a stiffness of its own, so that a mix-up shows.
     joints = tuple(REPLACE(j, stiffness=5000.0 + 900.0 * i) for i, j in enumerate(scene.angular_springs))
-    scene = REPLACE(scene, rope=None, angular_springs=joints)
+    scene = REPLACE(scene, bodies=(), angular_springs=joints)
     changed, new_index = shuffled(scene, seed)
     one, other = Simulation(scene), Simulation(changed)
     assert is_chain(one)
@@ -59,7 +59,7 @@ def test_a_chain_is_a_chain_in_whatever_order_it_is_listed(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", range(4))
 def test_angles_are_told_in_the_order_of_the_scenes_joints(seed: int) -> None:
-    scene = REPLACE(sim.load_scene("tutorial-3.3"), rope=None)
+    scene = REPLACE(sim.load_scene("tutorial-3.3"), bodies=())
     joints = tuple(REPLACE(j, rest_angle=7.0 * i) for i, j in enumerate(scene.angular_springs))
     changed, _ = shuffled(REPLACE(scene, angular_springs=joints), seed)
     simulation = Simulation(changed)
@@ -72,7 +72,7 @@ def test_angles_are_told_in_the_order_of_the_scenes_joints(seed: int) -> None:
 
 
 def test_what_is_not_one_chain_takes_the_general_path() -> None:
-    scene = REPLACE(sim.load_scene("tutorial-3.3"), rope=None)
+    scene = REPLACE(sim.load_scene("tutorial-3.3"), bodies=())
     springs, joints = scene.linear_springs, scene.angular_springs
     assert is_chain(Simulation(REPLACE(scene, angular_springs=joints[:3] + joints[4:])))
     others = [
@@ -103,7 +103,7 @@ def test_a_chain_moves_like_any_other_body(method: Method, held: tuple[int, ...]
         force_law="conservative",
         integrator=Integrator(method=method, dt=0.005, tolerance=1e-8),
     )
-    scene = REPLACE(scene, rope=None, anchors=tuple(Anchor(mass=m) for m in held))
+    scene = REPLACE(scene, bodies=(), anchors=tuple(Anchor(mass=m) for m in held))
     one, other = Simulation(scene), general(Simulation(scene))
     assert is_chain(one)
     assert not is_chain(other)

@@ -69,7 +69,7 @@ def test_lead_is_over_after_one_call(rope: Simulation) -> None:
 @pytest.mark.parametrize("method", METHODS)
 def test_what_is_led_arrives_and_stays_there(method: Method, law: ForceLaw) -> None:
     scene = REPLACE(
-        askew(), rope=None, anchors=(Anchor(mass=0), Anchor(mass=11)), force_law=law,
+        askew(), bodies=(), anchors=(Anchor(mass=0), Anchor(mass=11)), force_law=law,
         integrator=Integrator(method=method, dt=5e-4),
     )  # fmt: skip
     simulation = Simulation(scene)

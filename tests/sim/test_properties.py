@@ -156,12 +156,12 @@ surroundings: st.SearchStrategy[dict[str, Any]] = st.fixed_dictionaries(
 @st.composite
 def scenes(draw: st.DrawFn) -> Scene:
     """Scenes of which a good part is valid, and the rest wrong in one thing or two."""
-    body: dict[str, Any] = draw(st.one_of(bodies(), st.fixed_dictionaries({"rope": ropes})))
+    body: dict[str, Any] = draw(st.one_of(bodies(), st.fixed_dictionaries({"bodies": st.tuples(ropes)})))
     scene = Scene(**body, **draw(surroundings))
     if draw(st.integers(0, 3)) == 0:
         template = draw(st.sampled_from(TEMPLATES))
         joints = tuple(msgspec.structs.replace(j, rest_angle=float(template)) for j in scene.angular_springs)
-        scene = msgspec.structs.replace(scene, rope=None, angular_springs=joints, template=template)
+        scene = msgspec.structs.replace(scene, bodies=(), angular_springs=joints, template=template)
     if draw(st.integers(0, 3)) == 0:
         n = len(scene.masses)
         positions, velocities = (draw(st.lists(vectors, min_size=n, max_size=n)) for _ in range(2))

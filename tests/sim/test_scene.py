@@ -48,7 +48,24 @@ BODY = Scene(
 )
 """A scene with something in every field but the recipe."""
 
-ROPE = Scene(name="rope", rope=Rope(masses=4, driven=0, circle=Circle(radius=5.0)))
+ROPE = Scene(name="rope", bodies=(Rope(masses=4, driven=0, circle=Circle(radius=5.0)),))
+
+
+AROUND = REPLACE(
+    BODY,
+    fillings=(
+        sim.Gas(masses=(0, 1, 2), pressure=5.0, area=3.0),
+        sim.Liquid(masses=(2, 1, 0), bulk_modulus=2.0),
+    ),
+    wind=sim.Wind(velocity=(10.0, 0.0), turbulence=0.2),
+    walls=(sim.Wall(point=(0.0, 50.0), normal=(0.0, -1.0)),),
+    contact=sim.Contact(distance=2.0),
+    linear_springs=tuple(
+        REPLACE(spring, strength=9.0, yield_force=8.0, hardening=1.0) for spring in BODY.linear_springs
+    ),
+    angular_springs=(REPLACE(BODY.angular_springs[0], yield_torque=50.0),),
+)
+"""A scene with surroundings, and with springs that break and yield."""
 
 
 def refused(scene: Any) -> str:
@@ -67,18 +84,30 @@ def changed(route: str, value: Any, scene: Scene = BODY) -> Scene:
 
 
 def rope_with(**changes: Any) -> Scene:
-    return Scene(name="rope", rope=Rope(**{"masses": 4, **changes}))
+    return Scene(name="rope", bodies=(Rope(**{"masses": 4, **changes}),))
 
 
 def test_valid_scenes_are_returned_as_they_are() -> None:
-    for scene in (BODY, ROPE):
+    for scene in (BODY, ROPE, AROUND):
         assert validate(scene) is scene
 
 
 # ------------------------------------------------------------------------- what belongs together
 RULES: list[tuple[Scene, str]] = [
-    (REPLACE(BODY, format=3), r"format: .*version 3, newer than 2"),
-    (Scene(name="none"), r"masses: a scene needs at least one mass, or a rope"),
+    (changed("fillings.0.masses", (0, 1), AROUND), r"fillings\[0\]\.masses: .*at least three masses, not 2"),
+    (changed("fillings.1.masses", (0, 1, 3), AROUND), r"fillings\[1\]\.masses\[2\]: mass 3 does not exist"),
+    (changed("fillings.0.masses", (0, 1, 0, 2), AROUND), r"fillings\[0\]\.masses\[2\]: mass 0 .*already"),
+    (
+        changed("masses.2.position", (30.0, 0.0), AROUND),
+        r"fillings\[1\]\.masses: the loop has no area",  # the gas has one of its own
+    ),
+    (changed("walls.0.normal", (0.0, 0.0), AROUND), r"walls\[0\]\.normal: a normal of \(0, 0\)"),
+    (changed("linear_springs.1.stiffness", 0.0, AROUND), r"linear_springs\[1\]\.yield_force: .*is 0 never"),
+    (changed("linear_springs.0.strength", 7.0, AROUND), r"linear_springs\[0\]\.strength: 7 is below .* 8,"),
+    (changed("linear_springs.0.yield_force", None, AROUND), r"linear_springs\[0\]\.hardening: .*no effect"),
+    (changed("angular_springs.0.stiffness", 0.0, AROUND), r"angular_springs\[0\]\.yield_torque: .*never"),
+    (REPLACE(BODY, format=4), r"format: .*version 4, newer than 3"),
+    (Scene(name="none"), r"masses: a scene needs at least one mass, or a recipe in bodies"),
     (changed("linear_springs.1.b", 3), r"linear_springs\[1\]\.b: mass 3 does not exist \(0\.\.2\)"),
     (changed("linear_springs.0.a", 7), r"linear_springs\[0\]\.a: mass 7 does not exist"),
     (changed("linear_springs.1.b", 1), r"linear_springs\[1\]\.b: .*mass 1 with itself"),
@@ -119,12 +148,12 @@ RULES: list[tuple[Scene, str]] = [
     (changed("view.frame", (0.0, 600.0, 600.0, 0.0)), r"view\.frame: "),
     (changed("pose.positions", ((0.0, 0.0), (1.0, 0.0))), r"pose\.positions: 2 entries .* 3"),
     (changed("pose.velocities", ()), r"pose\.velocities: 0 entries do not match the 3 masses"),
-    (rope_with(direction=(0.0, 0.0)), r"rope\.direction: "),
-    (rope_with(masses=1), r"rope\.masses: 1 is not in the range 2\.\.20000"),
-    (rope_with(masses=20_001), r"rope\.masses: 20001 is not in the range"),
-    (rope_with(length=0.0), r"rope\.length: 0 is not in the range 0\.001\.\."),
-    (REPLACE(ROPE, masses=BODY.masses), r"rope: .*either a rope or masses"),
-    (REPLACE(ROPE, anchors=()), r"rope: .*either a rope or masses"),
+    (rope_with(direction=(0.0, 0.0)), r"bodies\[0\]\.direction: "),
+    (rope_with(masses=1), r"bodies\[0\]\.masses: 1 is not in the range 2\.\.20000"),
+    (rope_with(masses=20_001), r"bodies\[0\]\.masses: 20001 is not in the range"),
+    (rope_with(length=0.0), r"bodies\[0\]\.length: 0 is not in the range 0\.001\.\."),
+    (REPLACE(ROPE, masses=BODY.masses), r"bodies: .*either recipes or masses"),
+    (REPLACE(ROPE, anchors=()), r"bodies: .*either recipes or masses"),
 ]  # fmt: skip
 
 
@@ -188,9 +217,16 @@ def test_what_is_no_scene_is_refused() -> None:
         assert "a Scene is expected" in refused(thing)
 
 
-FLOATS = [(BODY, route) for route in routes(BODY, float)] + [
-    (ROPE, route) for route in routes(ROPE, float) if route[0] == "rope"
-]
+FLOATS = (
+    [(BODY, route) for route in routes(BODY, float)]
+    + [
+        (AROUND, route)
+        for route in routes(AROUND, float)
+        if route[0] in ("fillings", "wind", "walls", "contact")
+        or route[-1] in ("strength", "yield_force", "hardening", "yield_torque")
+    ]
+    + [(ROPE, route) for route in routes(ROPE, float) if route[0] == "bodies"]
+)
 
 
 def test_the_walk_finds_the_numbers() -> None:
@@ -198,16 +234,20 @@ def test_the_walk_finds_the_numbers() -> None:
     found = {spelled(route) for _, route in FLOATS}
     assert {
         "gravity[1]", "masses[0].mass", "linear_springs[0].damping", "angular_springs[0].rest_angle",
-        "integrator.dt", "arrow_keys.interval", "view.frame[3]", "pose.velocities[0][1]", "rope.offset",
-        "rope.direction[0]", "rope.circle.ramp", "anchors[0].circle.frequency", "integrator.tolerance",
+        "integrator.dt", "arrow_keys.interval", "view.frame[3]", "pose.velocities[0][1]", "bodies[0].offset",
+        "fillings[0].pressure", "fillings[0].area", "walls[0].normal[1]", "wind.velocity[0]",
+        "contact.distance", "linear_springs[0].strength", "linear_springs[0].yield_force",
+        "angular_springs[0].yield_torque",
+        "bodies[0].direction[0]", "bodies[0].circle.ramp", "anchors[0].circle.frequency",
+        "integrator.tolerance",
     } <= found  # fmt: skip
     assert len(found) >= 47
 
 
 def with_number(scene: Scene, route: Route, value: Any) -> Scene:
     """The scene with another value there; a recipe is expanded anew, as it is when a file is read."""
-    if route[0] == "rope":
-        return Scene(name="rope", rope=with_value(scene.rope, route[1:], value))
+    if route[0] == "bodies":
+        return Scene(name="rope", bodies=with_value(scene.bodies, route[1:], value))
     return with_value(scene, route, value)
 
 
@@ -229,7 +269,7 @@ def test_what_is_no_number_is_refused_everywhere_in_a_body() -> None:
 
 def test_what_is_no_number_is_refused_everywhere_in_a_recipe() -> None:
     # A recipe is expanded as the scene is made, so it must bear anything until it is looked at.
-    for route in (route for route in routes(ROPE, float) if route[0] == "rope"):
+    for route in (route for route in routes(ROPE, float) if route[0] == "bodies"):
         for value in ("1", None, True, (1.0,)):
             assert refused(with_number(ROPE, route, value)).startswith(spelled(route) + ": ")
 
@@ -298,7 +338,7 @@ def test_a_recipe_hands_on_its_angular_damping_and_the_circle_of_its_first_mass(
 
 def test_a_scene_says_nothing_of_laws_and_methods_and_gets_the_usual_ones() -> None:
     scene = validate(Scene(name="one", masses=(Mass(position=(0.0, 0.0)),)))
-    assert (scene.format, scene.force_law, scene.integrator.method) == (2, "conservative", "auto")
+    assert (scene.format, scene.force_law, scene.integrator.method) == (3, "conservative", "auto")
     assert sim.rope().force_law == "conservative"
 
 
@@ -319,7 +359,7 @@ def test_rope_makes_a_valid_scene_of_the_tutorials_constants() -> None:
     assert len(scene.masses) == 12
     assert scene.masses[0].position == (300.0, 150.0)
     assert scene.masses[-1].position == pytest.approx((300.0, 450.0))
-    with pytest.raises(SceneError, match=r"rope\.length"):
+    with pytest.raises(SceneError, match=r"bodies\[0\]\.length"):
         sim.rope(length=-1.0)
     with pytest.raises(SceneError, match=r"air_friction"):
         sim.rope(air_friction=math.nan)

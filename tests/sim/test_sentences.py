@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sim import View, validate
+from sim import Gas, View, validate
 from sim.scene.files import decode_scene, encode_scene
 from tests.sim.test_files import minimal
 from tests.sim.test_files import refused as refused_file
 from tests.sim.test_scene import BODY, changed, refused
+
+WRONG: dict[str, Any] = {"masses": [0], "pressure": 1.0}
 
 
 @pytest.mark.parametrize(
@@ -39,6 +41,10 @@ from tests.sim.test_scene import BODY, changed, refused
         ("force_law", "x" * 500, f"force_law: '{'x' * 60}…' is not one of tutorial, conservative, angle"),
         ("name", "", "name: it must not be empty"),
         ("view.unit", "centimetre", "view.unit: 10 characters are more than 8"),
+        ("fillings", (BODY.masses[0],), "fillings[0]: one of Gas, Liquid is expected, not Mass"),
+        ("fillings", (Gas(masses=(0,), pressure=math.nan),),
+         "fillings[0].pressure: nan is not a finite number"),
+        ("fillings", (Gas(**WRONG),), "fillings[0].masses: a tuple is expected, not list"),
     ],
 )  # fmt: skip
 def test_the_sentence_says_what_is_expected(route: str, value: Any, sentence: str) -> None:
@@ -74,11 +80,29 @@ def test_numbers_and_texts_of_numpy_are_good_and_can_be_saved() -> None:
         (minimal(anchors=[{"mass": {}}]), "anchors[0].mass: a whole number is expected, not an object"),
         (minimal(air_friction=10**400), "air_friction: a whole number as large as this is not allowed"),
         (minimal(masses=None), "masses: an array is expected, not null"),
+        ({"name": "a", "bodies": [{"recipe": "rod", "length": 0}]},
+         "bodies[0].length: 0 is not in the range 0.001..1e+06 px"),
+        ({"name": "a", "bodies": [{"recipe": "rod", "sides": 3}]}, "bodies[0]: there is no field `sides`"),
+        ({"name": "a", "bodies": [{"recipe": "girder", "truss": "howe"}]},
+         "bodies[0].truss: 'howe' is not one of warren, pratt"),
+        ({"name": "a", "bodies": [{"recipe": "girder", "strength": -2}]},
+         "bodies[0].strength: -2 is not in the range 0..1e+15 kg px/s²"),
+        ({"name": "a", "bodies": [{"recipe": "rope"}, {}]}, "bodies[1]: the field `recipe` is missing"),
+        ({"name": "a", "bodies": [7]}, "bodies[0]: an object is expected, not a whole number"),
+        ({"name": "a", "bodies": [{"recipe": "raft"}]},
+         "bodies[0].recipe: 'raft' is not one of rope, rod, box, polygon, hair_tuft, flag_pole, tree, "
+         "air_balloon, water_balloon, cloth, girder, jelly, bridge"),
+        (minimal(fillings=[{"kind": "foam", "masses": [0]}]),
+         "fillings[0].kind: 'foam' is not one of gas, liquid"),
+        (minimal(fillings=[{"kind": "gas", "masses": [0], "pressure": -1}]),
+         "fillings[0].pressure: -1 is not in the range 0..1e+09 kg/s²"),
+        (minimal(fillings=[{"kind": "liquid", "masses": [0], "pressure": 1}]),
+         "fillings[0]: there is no field `pressure`"),
         (
             minimal(masses=[{"position": [0, 0], "x - at `$.masses[0].position": 1}]),
             "masses[0]: there is no field `x - at `$.masses[0].position`",
         ),
     ],
-)
+)  # fmt: skip
 def test_files_with_a_wrong_field_say_what_is_expected(raw: dict[str, Any], sentence: str) -> None:
     assert re.sub(r" \(line \d+, column \d+\)$", "", refused_file(raw)) == sentence

@@ -11,8 +11,6 @@ import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
 from sim.body.system import joint_stiffness
 from sim.methods.registry import METHODS
-from sim.scene.surroundings import Gas, Liquid, Wall, Wind
-from sim.scene.types import Damage
 from sim.settings import (
     CHOICES,
     SETTINGS,
@@ -23,6 +21,7 @@ from sim.settings import (
     settings_of,
     shift_rest_angles,
 )
+from tests.sim.around_everything import OF_STRENGTH, OF_SURROUNDINGS, with_everything
 from tests.sim.builders import PRESETS, chain, row, star, tangle
 
 REPLACE = msgspec.structs.replace
@@ -33,12 +32,6 @@ DYNAMIC = {
 }  # fmt: skip
 OF_JOINTS = {"angular_stiffness", "angular_damping", "rest_angle"}
 
-OF_SURROUNDINGS = {
-    "wind_speed", "wind_direction", "turbulence", "wall_friction", "bounciness", "gas_pressure",
-    "liquid_stiffness",
-}  # fmt: skip
-OF_STRENGTH = {"strength", "yield_force"}
-
 PAIRS = [(p, s) for p in PRESETS for s in settings_of(load_scene(p))]
 
 
@@ -46,36 +39,18 @@ def keys_of(scene: Scene) -> set[str]:
     return {setting.key for setting in settings_of(scene)}
 
 
-def with_everything() -> Scene:
-    """A tangle in gusts, among walls, with fillings, some of whose springs break or yield."""
-    scene = tangle(4)
-    springs = list(scene.linear_springs)
-    springs[0] = REPLACE(springs[0], strength=800.0, yield_force=300.0)
-    springs[1] = REPLACE(springs[1], strength=400.0)
-    return REPLACE(
-        scene,
-        linear_springs=tuple(springs),
-        air_friction=0.01,
-        wind=Wind(velocity=(300.0, -400.0), turbulence=0.2),
-        walls=(
-            Wall(point=(0.0, 900.0), normal=(0.0, -1.0), friction=0.4, bounciness=0.6),
-            Wall(point=(-500.0, 0.0), normal=(1.0, 0.0), friction=0.2, bounciness=0.3),
-        ),
-        fillings=(
-            Gas(masses=(0, 1, 2), pressure=50.0, area=500.0),
-            Gas(masses=(2, 1, 3), pressure=20.0, area=500.0),
-            Liquid(masses=(0, 2, 3), bulk_modulus=90.0, area=500.0),
-        ),
-    )
-
-
 # ------------------------------------------------------------------------- which apply
 def test_each_example_has_its_settings() -> None:
     assert keys_of(load_scene("tutorial-3.1")) == set()
     assert keys_of(load_scene("tutorial-3.2")) == DYNAMIC | {"template", "masses"}
     assert keys_of(load_scene("tutorial-3.3")) == DYNAMIC | {"masses"}
-    for preset in ("ring", "box", "hair-tuft", "flag-pole"):
-        assert keys_of(load_scene(preset)) == DYNAMIC | {"tolerance"}  # their method is `auto`
+    assert keys_of(load_scene("ring")) == DYNAMIC | {"tolerance"}  # its method is `auto`
+    bent = (DYNAMIC | {"tolerance", "bend"}) - {"rest_angle"}
+    assert keys_of(load_scene("box")) == bent | {"width", "height", "per_side"}
+    assert keys_of(load_scene("hair-tuft")) == bent | {"hairs", "masses", "length", "spread", "taper"}
+    assert keys_of(load_scene("girder")) == (DYNAMIC | {"tolerance"}) - OF_JOINTS | {
+        "panels", "depth", "load", "strength",
+    }  # fmt: skip
 
 
 def test_a_body_without_joints_or_springs_has_fewer() -> None:
@@ -96,26 +71,15 @@ def test_a_setting_without_use_is_refused() -> None:
             set_value(load_scene("tutorial-3.1"), key, 1.0)
 
 
-def test_what_surrounds_a_body_and_what_breaks_has_settings_only_where_it_is() -> None:
-    whole = with_everything()
-    assert keys_of(whole) - keys_of(tangle(4)) == OF_SURROUNDINGS | OF_STRENGTH
-    assert keys_of(whole) - keys_of(REPLACE(whole, wind=None)) == {
-        "wind_speed",
-        "wind_direction",
-        "turbulence",
-    }
-    assert keys_of(whole) - keys_of(REPLACE(whole, walls=())) == {"wall_friction", "bounciness"}
-    assert keys_of(whole) - keys_of(REPLACE(whole, fillings=whole.fillings[:2])) == {"liquid_stiffness"}
-    assert keys_of(whole) - keys_of(REPLACE(whole, fillings=whole.fillings[2:])) == {"gas_pressure"}
-
-
 # ------------------------------------------------------------------------- reading back
 def samples(setting: Setting) -> list[float]:
     if setting.key == "template":
         return [float(t) for t in TEMPLATES]
-    if setting.key == "masses":
-        return [3, 4, 17, 60]
     low, high = setting.slider
+    if setting.integer:
+        return [low, low + 1, (low + high) // 2, high]
+    if setting.key not in SETTINGS:  # of a recipe, whose widest range is not for every body
+        return [low, high, low + 0.1234567 * (high - low)]
     return [low, high, low + 0.1234567 * (high - low), setting.low, setting.high]
 
 
@@ -139,6 +103,9 @@ def test_setting_one_leaves_the_others(preset: str, setting: Setting) -> None:
     if setting.key in ("template", "rest_angle"):
         # They set the same angles, and the general law takes over the stiffness of a template.
         touched |= {"template", "rest_angle", "angular_stiffness"}
+    if setting.key in ("linear_stiffness", "shear_stiffness"):
+        # The one scales the other, and the stiffest spring may be a diagonal.
+        touched |= {"linear_stiffness", "shear_stiffness"}
     for other in settings_of(scene):
         if other.key not in touched:
             assert other.read(changed) == other.read(scene)
@@ -156,70 +123,6 @@ def test_values_out_of_range_are_refused(setting: Setting) -> None:
         with pytest.raises(SettingError, match=f"^{setting.key}: ") as caught:
             set_value(scene, setting.key, value)
         assert "\n" not in str(caught.value)
-
-
-@pytest.mark.parametrize("key", sorted(OF_SURROUNDINGS | OF_STRENGTH))
-def test_numbers_of_the_surroundings_are_read_back(key: str) -> None:
-    scene, setting = with_everything(), SETTINGS[key]
-    before = {other.key: other.read(scene) for other in settings_of(scene)}
-    for value in samples(setting):
-        changed = set_value(scene, key, value)
-        assert setting.read(changed) == value
-        assert set_value(changed, key, value) == changed
-        Simulation(changed)
-        after = {other.key: other.read(changed) for other in settings_of(changed)}
-        assert after == before | {key: value}
-
-
-def test_proportions_of_walls_fillings_and_strengths_are_kept() -> None:
-    scene = with_everything()
-    assert [w.friction for w in set_value(scene, "wall_friction", 0.8).walls] == pytest.approx([0.8, 0.4])
-    fillings = set_value(scene, "gas_pressure", 5.0).fillings
-    assert [f.pressure for f in fillings if isinstance(f, Gas)] == pytest.approx([5.0, 2.0])
-    assert fillings[2] == scene.fillings[2]
-    springs = set_value(scene, "strength", 1600.0).linear_springs
-    assert [s.strength for s in springs[:3]] == [1600.0, 800.0, None]
-    assert springs[0].yield_force == 300.0
-
-
-def test_wind_keeps_its_direction_in_a_calm() -> None:
-    calm = set_value(with_everything(), "wind_speed", 0.0)
-    assert calm.wind is not None
-    assert math.hypot(*calm.wind.velocity) < 1e-6
-    again = set_value(calm, "wind_speed", 500.0).wind
-    assert again is not None
-    assert again.velocity == pytest.approx((300.0, -400.0))
-
-
-@pytest.mark.parametrize("y_down", [True, False])
-def test_wind_of_ninety_degrees_blows_up_the_screen(y_down: bool) -> None:
-    scene = with_everything()
-    scene = REPLACE(scene, view=REPLACE(scene.view, y_down=y_down))
-    wind = set_value(scene, "wind_direction", 90.0).wind
-    assert wind is not None
-    assert wind.velocity == pytest.approx((0.0, -500.0 if y_down else 500.0))
-
-
-def test_a_change_of_the_surroundings_lets_the_motion_go_on() -> None:
-    """What has broken stays broken."""
-    scene = with_everything()
-    simulation = Simulation(scene)
-    simulation.step(40)
-    moment = simulation.capture()
-    worn = REPLACE(scene, pose=REPLACE(simulation.pose(), damage=Damage(broken=(1,))))
-    simulation = Simulation(worn)
-    for key, value in (
-        ("wall_friction", 0.1),
-        ("wind_speed", 900.0),
-        ("gas_pressure", 10.0),
-        ("strength", 9e3),
-    ):
-        simulation.replace(set_value(simulation.scene, key, value))
-        damage = simulation.damage
-        assert damage is not None
-        assert damage.broken == (1,)
-        assert (simulation.positions == moment.positions).all()
-        assert (simulation.velocities == moment.velocities).all()
 
 
 def test_whole_numbers_and_templates() -> None:
@@ -321,13 +224,69 @@ def test_gravity_may_point_up_in_any_scene() -> None:
 
 
 # ------------------------------------------------------------------------- recipes and templates
+def several() -> Scene:
+    link = sim.LinearSpring(a=9, b=10, stiffness=500.0, damping=1.0, rest_length=30.0)
+    return validate(
+        Scene(name="several", bodies=(sim.Rod(), sim.FlagPole(driven=None), sim.Girder()), links=(link,))
+    )
+
+
+def test_numbers_of_several_bodies_have_the_place_of_their_body() -> None:
+    scene = several()
+    keys = [setting.key for setting in settings_of(scene)]
+    assert len(set(keys)) == len(keys)
+    assert {"bodies[0].length", "bodies[1].length", "bodies[2].load"} <= set(keys)
+    assert "length" not in keys
+    assert "bodies[2].strength" not in keys  # it has none
+    (label,) = (setting.label for setting in settings_of(scene) if setting.key == "bodies[1].length")
+    assert label == "FlagPole 2: Length of the flag"
+    # Links refer to masses by index, so without them only may the number of masses change.
+    assert "bodies[0].masses" not in keys
+    scene = REPLACE(scene, links=(), masses=())
+    changed = apply_assignments(scene, ["bodies[1].length=50", "bodies[0].masses=4"])
+    assert changed.bodies == (sim.Rod(masses=4), sim.FlagPole(driven=None, length=50.0), sim.Girder())
+    assert len(changed.masses) == len(scene.masses) - 6
+    for key in ("bodies[3].length", "bodies[0].sides", "length"):
+        with pytest.raises(SettingError, match="there is no such setting; there are linear_stiffness"):
+            set_value(scene, key, 3.0)
+
+
+def test_what_stays_of_a_panel_is_the_same_setting() -> None:
+    # The page keeps a slider as long as its setting is equal to that before.
+    scene = several()
+    assert settings_of(scene) == settings_of(set_value(scene, "bodies[0].length", 99.0))
+    assert settings_of(scene) != settings_of(REPLACE(scene, bodies=scene.bodies[:1], masses=(), links=()))
+
+
+def test_all_springs_of_all_recipes_keep_their_proportion() -> None:
+    scene = several()
+    for key, springs in (("linear_stiffness", "linear_springs"), ("angular_stiffness", "angular_springs")):
+        before = [spring.stiffness for spring in getattr(scene, springs)]
+        changed = set_value(scene, key, 77.0)
+        after = [spring.stiffness for spring in getattr(changed, springs)]
+        assert max(after) == 77.0
+        assert after == pytest.approx([77.0 * value / max(before) for value in before])
+        assert len(set(after)) > 2
+    assert set_value(scene, "linear_stiffness", 0.0).links[0].stiffness == 0.0
+    again = set_value(set_value(scene, "linear_stiffness", 0.0), "linear_stiffness", 5.0)
+    assert max(spring.stiffness for spring in again.linear_springs) == 5.0
+
+
+def test_keys_bend_recipes() -> None:
+    scene = REPLACE(several(), arrow_keys=ArrowKeys())
+    turned = validate(shift_rest_angles(scene, 100.0))
+    assert [getattr(body, "bend", None) for body in turned.bodies] == [100.0, 100.0, None]
+    assert shift_rest_angles(turned, 100.0).bodies[0] == REPLACE(sim.Rod(), bend=-160.0)
+
+
 def test_masses_rebuild_the_rope() -> None:
     scene = set_value(load_scene("tutorial-3.3"), "masses", 21)
     assert (len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)) == (21, 20, 19)
     assert {s.rest_length for s in scene.linear_springs} == {15.0}
     assert [a.mass for a in scene.anchors if a.driven] == [0]
-    assert scene.rope is not None
-    assert scene.rope.length == 300.0
+    (rope,) = scene.bodies
+    assert isinstance(rope, sim.Rope)
+    assert rope.length == 300.0
     # The tip stays where the tutorial's recipe puts it: one spring below the start, plus the length.
     assert scene.masses[-1].position[1] == pytest.approx(149.0 + 15.0 + 300.0)
 
@@ -349,7 +308,7 @@ def test_a_template_sets_the_angle_and_its_stiffness(template: int) -> None:
     assert {j.stiffness for j in scene.angular_springs} == {10_000.0}
     factor = math.sqrt(2.0) if template in (135, 45, -45, -135) else 1.0
     assert joint_stiffness(scene) == [pytest.approx(factor * 10_000.0)] * 6
-    plain = REPLACE(scene, rope=None)
+    plain = REPLACE(scene, bodies=())
     assert set_value(plain, "template", 45).angular_springs[2].rest_angle == 45.0
 
 
@@ -357,13 +316,13 @@ def test_a_template_sets_the_angle_and_its_stiffness(template: int) -> None:
 @pytest.mark.parametrize("template", TEMPLATES)
 def test_turning_a_template_scene_keeps_its_strength(template: int, as_recipe: bool) -> None:
     scene = set_value(load_scene("tutorial-3.2"), "template", template)
-    scene = scene if as_recipe else REPLACE(scene, rope=None)
+    scene = scene if as_recipe else REPLACE(scene, bodies=())
     turned = validate(shift_rest_angles(scene, 30.0))
     assert turned.template is None
     assert joint_stiffness(turned) == pytest.approx(joint_stiffness(scene))
     expected = template + 30.0 - (360.0 if template + 30.0 > 180.0 else 0.0)
     assert {j.rest_angle for j in turned.angular_springs} == {expected}
-    assert (turned.rope is not None) == as_recipe
+    assert bool(turned.bodies) == as_recipe
     again = set_value(scene, "rest_angle", expected)
     assert joint_stiffness(again) == pytest.approx(joint_stiffness(scene))
 

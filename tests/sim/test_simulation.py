@@ -183,7 +183,7 @@ def test_replace_goes_on_where_the_topology_is_the_same(rope: Simulation) -> Non
 
 def test_replace_takes_hold_of_new_anchors(rope: Simulation) -> None:
     rope.step(50)
-    scene = REPLACE(rope.scene, rope=None, anchors=(Anchor(mass=11),))
+    scene = REPLACE(rope.scene, bodies=(), anchors=(Anchor(mass=11),))
     rope.replace(scene)
     assert not rope.velocities[11].any()
     before = rope.positions
@@ -197,7 +197,7 @@ def test_replace_restarts_where_springs_join_something_else(rope: Simulation, pa
     rope.step(100)
     first, *others = getattr(rope.scene, part)
     turned = (REPLACE(first, a=first.b, b=first.a), *others)
-    scene = REPLACE(rope.scene, rope=None, **{part: turned})
+    scene = REPLACE(rope.scene, bodies=(), **{part: turned})
     rope.replace(scene)
     assert rope.step_count == 0
     assert same_state(rope, Simulation(scene))

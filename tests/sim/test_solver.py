@@ -42,7 +42,7 @@ def test_methods_and_books_may_be_changed_on_the_way() -> None:
 @pytest.mark.parametrize("masses", [7, 8, 9, 15, 16, 17, LONG])
 def test_books_see_the_hand_at_the_end_of_a_rope_of_any_length(masses: int) -> None:
     scene = sim.rope(masses, driven=None, integrator=Integrator(tolerance=1e-5))
-    scene = REPLACE(scene, rope=None, anchors=(Anchor(mass=0), Anchor(mass=masses - 1, driven=True)))
+    scene = REPLACE(scene, bodies=(), anchors=(Anchor(mass=0), Anchor(mass=masses - 1, driven=True)))
     simulation = Simulation(scene)
     simulation.energy()
     x, y = simulation.positions[masses - 1]
@@ -141,13 +141,13 @@ def test_attempts_that_end_in_a_dead_end_only_delay(method: Method, attempts: in
 def test_what_goes_round_starts_anew_from_where_it_is_put() -> None:
     scene = sim.rope(5)
     circle = Circle(radius=30.0, frequency=2.0, ramp=0.05)
-    simulation = Simulation(REPLACE(scene, rope=None, anchors=(Anchor(mass=0, driven=True, circle=circle),)))
+    simulation = Simulation(REPLACE(scene, bodies=(), anchors=(Anchor(mass=0, driven=True, circle=circle),)))
     simulation.step(40)
     away = simulation.positions[0]
     simulation.move(0, (float(away[0]) + 50.0, float(away[1])))
     simulation.step(40)
     moved = simulation.positions[0]
-    other = Simulation(REPLACE(scene, rope=None, anchors=(Anchor(mass=0, driven=True, circle=circle),)))
+    other = Simulation(REPLACE(scene, bodies=(), anchors=(Anchor(mass=0, driven=True, circle=circle),)))
     other.step(80)
     assert moved - other.positions[0] == pytest.approx(np.array([50.0, 0.0]), abs=1e-9)
     simulation.reset()

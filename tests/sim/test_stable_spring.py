@@ -52,7 +52,7 @@ def shaken(
     off = rng.uniform(-size, size, (len(scene.masses), 2)).tolist()
     return REPLACE(
         scene,
-        rope=None,
+        bodies=(),
         masses=tuple(
             REPLACE(
                 mass,

@@ -20,7 +20,8 @@ def routes(value: Any, wanted: type, kind: Any = None, before: Route = ()) -> It
         yield from routes(value, wanted, get_args(kind)[0], before)
     elif origin in (Union, UnionType):
         if value is not None:
-            (inner,) = (a for a in get_args(kind) if a is not type(None))
+            inners = [a for a in get_args(kind) if a is not type(None)]
+            (inner,) = inners if len(inners) == 1 else [type(value)]  # of tagged structs, the one it is
             yield from routes(value, wanted, inner, before)
     elif origin is tuple:
         arguments = get_args(kind)

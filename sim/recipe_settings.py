@@ -1,0 +1,147 @@
+"""Settings of the recipes in a scene, derived from the annotations of their fields; changes of all recipes.
+
+A number of a recipe can be set if its annotation has the range of a slider. Its key is its field; in a scene
+with several bodies, also where it stands, as in `bodies[1].length`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, get_args, get_type_hints
+
+import msgspec
+
+from .scene.recipes.assembly import Jointed, wrapped
+from .scene.recipes.recipe import AnyRecipe
+from .scene.types import Rope, Scene, rebuilt
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One number of a scene that can be set by name.
+
+    Attributes:
+        key, label, unit: its name in commands, its name for people, and its unit ("px" stands for the
+            scene's own length unit).
+        low, high: the allowed range.
+        slider: the range of its slider.
+        read: returns the number in a scene.
+        write: returns the scene with another number, not yet validated.
+        applies: whether the setting has any effect on a scene.
+        logarithmic: whether its slider is logarithmic.
+        integer: whether it takes whole numbers only.
+    """
+
+    key: str
+    label: str
+    unit: str
+    low: float
+    high: float
+    slider: tuple[float, float]
+    read: Callable[[Scene], float]
+    write: Callable[[Scene, float], Scene]
+    applies: Callable[[Scene], bool]
+    logarithmic: bool = False
+    integer: bool = False
+
+
+def recipe_settings(scene: Scene) -> list[Setting]:
+    """The settings of the recipes in a scene that have an effect, in the order of bodies and fields."""
+    alone = len(scene.bodies) == 1
+    every = [s for i, body in enumerate(scene.bodies) for s in _settings(type(body), i, alone)]
+    return [setting for setting in every if setting.applies(scene)]
+
+
+@cache  # so that a panel can tell that the settings are the same as before
+def _settings(kind: type[AnyRecipe], body: int, alone: bool) -> list[Setting]:
+    hints = get_type_hints(kind, include_extras=True)
+    fields = [(field, *_meta(hints[field])) for field in kind.__struct_fields__]
+    before = "" if alone else f"{kind.__name__} {body + 1}: "
+    return [
+        _setting(field, meta, body, before, integer)
+        for field, meta, integer in fields
+        if meta is not None and (meta.extra or {}).get("slider")
+    ]
+
+
+def _setting(field: str, meta: msgspec.Meta, body: int, before: str, integer: bool) -> Setting:
+    extra = meta.extra or {}
+
+    def write(scene: Scene, value: float) -> Scene:
+        recipe = msgspec.structs.replace(scene.bodies[body], **{field: value})
+        return rebuilt(scene, bodies=(*scene.bodies[:body], recipe, *scene.bodies[body + 1 :]))
+
+    return Setting(
+        key=f"bodies[{body}].{field}" if before else field,
+        label=f"{before}{extra['label']}",
+        unit=extra["unit"],
+        low=float(meta.ge or 0),
+        high=float(meta.le or 0),
+        slider=extra["slider"],
+        read=lambda scene: float(getattr(scene.bodies[body], field)),
+        write=write,
+        # Links refer to masses by index, so with links the numbers of masses stay.
+        applies=lambda scene: (
+            len(scene.anchors) < len(scene.masses)
+            and getattr(scene.bodies[body], field) is not None
+            and not (integer and scene.links)
+        ),
+        logarithmic=extra["logarithmic"],
+        integer=integer,
+    )
+
+
+def _meta(kind: Any) -> tuple[msgspec.Meta | None, bool]:
+    """The annotation of a number, None for what is no number, and whether it is a whole one."""
+    found = next((inner for inner in get_args(kind) if get_args(inner)), kind)  # a number or None
+    meta = next((m for m in getattr(found, "__metadata__", ()) if isinstance(m, msgspec.Meta)), None)
+    return meta, meta is not None and get_args(found)[0] is int
+
+
+# ------------------------------------------------------------------------- changes of all recipes
+def scaled(scene: Scene, springs: str, field: str, value: float, old: float) -> Scene:
+    """The scene with the stiffnesses or dampings of all recipes and links multiplied by value / old.
+
+    Args:
+        springs: "linear_springs" or "angular_springs".
+        field: "stiffness" or "damping".
+        value: what the largest is to be.
+        old: the largest now; if it is 0, all springs but those of special fields get the value.
+    """
+    angular = springs == "angular_springs"
+
+    def change(part: Any, names: list[str]) -> Any:
+        # Written so that the largest is exactly the value.
+        numbers = {n: value * (getattr(part, n) / old) if old else value for n in names}
+        return msgspec.structs.replace(part, **numbers)
+
+    bodies = []
+    for body in scene.bodies:
+        names = [n for n in body.__struct_fields__ if n.endswith(field) and ("angular" in n) == angular]
+        if not old:
+            names = [n for n in names if n in (field, f"angular_{field}")]
+        bodies.append(change(body, names))
+    links = scene.links if angular else tuple(change(link, [field]) for link in scene.links)
+    return rebuilt(scene, bodies=tuple(bodies), links=links)
+
+
+def turned(scene: Scene, degrees: float, stiffness: list[float]) -> Scene:
+    """The scene with the rest angles of all recipes shifted by |degrees| <= 360, without a template.
+
+    Args:
+        stiffness: of every angular spring, that of the template included, which ropes keep.
+    """
+    bodies, joint = [], 0
+    for body in scene.bodies:
+        changes: dict[str, float] = {}
+        if isinstance(body, Rope):
+            changes["rest_angle"] = wrapped(body.rest_angle + degrees)
+            if body.joints and body.masses > 2:
+                changes["angular_stiffness"] = stiffness[joint]
+        elif isinstance(body, Jointed):
+            changes["bend"] = wrapped(body.bend + degrees)
+        bodies.append(msgspec.structs.replace(body, **changes))
+        joint += len(body.expand().angular_springs)
+    return msgspec.structs.replace(rebuilt(scene, bodies=tuple(bodies)), template=None)

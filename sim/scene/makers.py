@@ -1,0 +1,91 @@
+"""`rod(...)`, `box(...)` and the like: a scene with one body, from a few numbers."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from typing import Any
+
+from ..errors import SceneError
+from .recipes.outlines import AirBalloon, Box, Polygon, WaterBalloon
+from .recipes.plants import HairTuft, Tree
+from .recipes.recipe import AnyRecipe
+from .recipes.rods import Rod
+from .recipes.sheets import Cloth, FlagPole, Jelly
+from .recipes.trusses import Bridge, Girder
+from .surroundings import Wall, Wind
+from .types import ArrowKeys, Scene
+from .validate import validate
+
+_OF_SCENES = (
+    "name", "title", "description", "gravity", "air_friction", "wind", "walls", "contact",
+    "rest_length_scale", "force_law", "integrator", "arrow_keys", "view", "pose",
+)  # fmt: skip
+"""The fields of a scene that its maker takes."""
+
+_FLOOR = (Wall(point=(300.0, 500.0), normal=(0.0, -1.0)),)
+_FALLING: dict[str, Any] = {"gravity": (0.0, 1000.0), "air_friction": 0.0, "walls": _FLOOR}
+
+
+def _maker(recipe: type[AnyRecipe], **usual: Any) -> Callable[..., Scene]:
+    """The function that makes scenes with a recipe.
+
+    Args:
+        usual: what its scenes have where its caller says nothing else.
+    """
+    name = str(recipe.__struct_config__.tag)
+
+    def make(**numbers: Any) -> Scene:
+        of_recipe = {field: numbers[field] for field in recipe.__struct_fields__ if field in numbers}
+        others = {field: value for field, value in numbers.items() if field not in of_recipe}
+        unknown = next((field for field in others if field not in _OF_SCENES), None)
+        if unknown is not None:
+            known = ", ".join((*recipe.__struct_fields__, *_OF_SCENES))
+            raise SceneError(f"{unknown}: {name} has no such number; there are {known}")
+        return validate(Scene(**{"name": name, **usual, **others, "bodies": (recipe(**of_recipe),)}))
+
+    make.__name__ = make.__qualname__ = name
+    make.__doc__ = f"""A scene with one `sim.{recipe.__name__}`.
+
+    Args:
+        numbers: those of `sim.{recipe.__name__}`, which gives their units, ranges and defaults, and those of
+            `sim.Scene` but its body.
+
+    Raises:
+        SceneError: a number is unknown or out of range; the sentence names it.
+    """
+    # What help() and editors show. The annotations, which are long, are those of the types.
+    defaults = {field: p.default for field, p in inspect.signature(recipe).parameters.items()}
+    of_scene = inspect.signature(Scene).parameters
+    defaults |= {field: of_scene[field].default for field in _OF_SCENES} | {"name": name} | usual
+    make.__signature__ = inspect.Signature(  # type: ignore[attr-defined]
+        [
+            inspect.Parameter(field, inspect.Parameter.KEYWORD_ONLY, default=d)
+            for field, d in defaults.items()
+        ],
+        return_annotation=Scene,
+    )
+    return make
+
+
+_KEYS = ArrowKeys()
+
+rod = _maker(Rod, gravity=(0.0, 1000.0), air_friction=0.002, arrow_keys=_KEYS)
+box = _maker(Box, gravity=(0.0, 1000.0), air_friction=0.002, arrow_keys=_KEYS)
+polygon = _maker(Polygon, gravity=(0.0, 1000.0), air_friction=0.002, arrow_keys=_KEYS)
+hair_tuft = _maker(HairTuft, gravity=(0.0, 400.0), air_friction=0.0005, arrow_keys=_KEYS)
+flag_pole = _maker(
+    FlagPole,
+    gravity=(0.0, 600.0),
+    air_friction=0.0005,
+    wind=Wind(velocity=(500.0, 0.0), turbulence=0.4, length_scale=200.0),
+)
+tree = _maker(
+    Tree, gravity=(0.0, 400.0), air_friction=0.0005, wind=Wind(velocity=(350.0, 0.0), turbulence=0.5)
+)
+air_balloon = _maker(AirBalloon, **_FALLING)
+water_balloon = _maker(WaterBalloon, **_FALLING)
+cloth = _maker(Cloth, gravity=(0.0, 1000.0), air_friction=0.0005)
+girder = _maker(Girder, gravity=(0.0, 1000.0))
+jelly = _maker(Jelly, **_FALLING)
+bridge = _maker(Bridge, gravity=(0.0, 1000.0))

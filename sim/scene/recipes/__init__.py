@@ -1,0 +1,1 @@
+"""Recipes: a body from a few numbers. Each family has a module; `recipe` has them all."""

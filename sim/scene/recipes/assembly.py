@@ -1,0 +1,195 @@
+"""What recipes have in common: a body while it is made, and the numbers that most bodies have."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from typing import Annotated, NamedTuple
+
+import msgspec
+
+from ..numbers import (
+    MAX_MASSES,
+    MAX_SPRINGS,
+    Damping,
+    Index,
+    Kilograms,
+    Radius,
+    Stiffness,
+    Vector,
+    bounded,
+)
+from ..parts import Anchor, AngularSpring, LinearSpring, Mass
+from ..surroundings import Gas, Liquid
+
+Size = Annotated[float, bounded(1e-3, 1e6, "px", "A length")]
+BulkModulus = Annotated[
+    float, bounded(0.0, 1e9, "kg/s²", "Bulk modulus", slider=(10.0, 1e5), logarithmic=True)
+]
+Bend = Annotated[float, bounded(-180.0, 180.0, "°", "Bend of every joint", slider=(-60.0, 60.0))]
+
+
+class Parts(NamedTuple):
+    """A body's masses, springs, anchors and fillings, which refer to one another by index."""
+
+    masses: tuple[Mass, ...]
+    linear_springs: tuple[LinearSpring, ...]
+    angular_springs: tuple[AngularSpring, ...]
+    anchors: tuple[Anchor, ...]
+    fillings: tuple[Gas | Liquid, ...]
+
+
+class TooLarge(ValueError):
+    """A recipe makes more masses or springs than a scene may have; the message says how many it may."""
+
+
+def _snake(name: str) -> str:
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
+
+
+class Recipe(
+    msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, tag_field="recipe", tag=_snake
+):
+    """A body of a certain shape; in a file, the field `recipe` has its name, such as "air_balloon".
+
+    A recipe is expanded when a scene is made, and makes the same body each time.
+    """
+
+    def expand(self) -> Parts:
+        """The body, its indices counted from 0.
+
+        Raises:
+            TooLarge: it would have too many masses or springs.
+            ArithmeticError: its numbers make no body, as a direction of (0, 0).
+        """
+        raise NotImplementedError
+
+
+class Sprung(Recipe, frozen=True, kw_only=True):
+    """Numbers of every body of masses and linear springs.
+
+    Attributes:
+        stiffness, damping: of every linear spring, 0..1e15 kg/s² and 0..1e6 kg/s.
+        mass, radius: of every mass, 1e-6..1e6 kg and 1e-3..1e4 px.
+        driven: index of a mass that is held and that the pointer drives, or None.
+    """
+
+    stiffness: Stiffness = 10_000.0
+    damping: Damping = 20.0
+    mass: Kilograms = 1.0
+    radius: Radius = 6.0
+    driven: Index | None = None
+
+
+class Jointed(Sprung, frozen=True, kw_only=True):
+    """Numbers of every body that has angular springs, too.
+
+    Attributes:
+        angular_stiffness, angular_damping: of every angular spring, 0..1e15 kg/s² and 0..1e6 kg/s.
+        bend: -180..180 °, added to every rest angle; a body with a bend is not at rest where it starts.
+    """
+
+    angular_stiffness: Stiffness = 10_000.0
+    angular_damping: Damping = 0.0
+    bend: Bend = 0.0
+
+
+class Assembly:
+    """A body while it is made: every part that is added gets the next index."""
+
+    def __init__(self) -> None:
+        self._masses: list[Mass] = []
+        self._linear: list[LinearSpring] = []
+        self._angular: list[AngularSpring] = []
+        self._anchors: list[Anchor] = []
+        self._fillings: list[Gas | Liquid] = []
+
+    def mass(self, position: Vector, mass: float, radius: float) -> int:
+        """Add a mass; its index.
+
+        Raises:
+            TooLarge: there are `MAX_MASSES` already.
+        """
+        if len(self._masses) == MAX_MASSES:
+            raise TooLarge(f"more than {MAX_MASSES} masses")
+        self._masses.append(Mass(position=position, mass=mass, radius=radius))
+        return len(self._masses) - 1
+
+    def spring(
+        self, a: int, b: int, stiffness: float, damping: float, rest_length: float | None = None
+    ) -> int:
+        """Add a linear spring; its index. It rests as long as it is, unless a rest length is given."""
+        if rest_length is None:
+            rest_length = self.distance(a, b)
+        return self.add_spring(
+            LinearSpring(a=a, b=b, stiffness=stiffness, damping=damping, rest_length=rest_length)
+        )
+
+    def add_spring(self, spring: LinearSpring) -> int:
+        """Add a linear spring as it is; its index.
+
+        Raises:
+            TooLarge: there are `MAX_SPRINGS` already.
+        """
+        if len(self._linear) == MAX_SPRINGS:
+            raise TooLarge(f"more than {MAX_SPRINGS} linear springs")
+        self._linear.append(spring)
+        return len(self._linear) - 1
+
+    def joint(self, a: int, b: int, rest_angle: float, body: Jointed, stiffness: float | None = None) -> None:
+        """Add an angular spring between two linear ones; the body's bend is added to the rest angle.
+
+        Raises:
+            TooLarge: there are `MAX_SPRINGS` already.
+        """
+        if len(self._angular) == MAX_SPRINGS:
+            raise TooLarge(f"more than {MAX_SPRINGS} angular springs")
+        angle = AngularSpring(
+            a=a,
+            b=b,
+            stiffness=body.angular_stiffness if stiffness is None else stiffness,
+            damping=body.angular_damping,
+            rest_angle=wrapped(rest_angle + body.bend),
+        )
+        self._angular.append(angle)
+
+    def fill(self, filling: Gas | Liquid) -> None:
+        """Add a filling."""
+        self._fillings.append(filling)
+
+    def hold(self, held: tuple[int, ...], driven: int | None) -> None:
+        """Hold some masses and the driven one, as far as there are such: a recipe may get fewer masses."""
+        every = {i for i in (*held, *([] if driven is None else [driven])) if i < len(self._masses)}
+        self._anchors += [Anchor(mass=i, driven=i == driven) for i in sorted(every)]
+
+    def distance(self, a: int, b: int) -> float:
+        """Distance of two masses, px."""
+        return math.dist(self._masses[a].position, self._masses[b].position)
+
+    def area(self, loop: tuple[int, ...]) -> float:
+        """Area inside a loop of masses, px²."""
+        return loop_area([self._masses[i].position for i in loop])
+
+    def parts(self) -> Parts:
+        """The body."""
+        return Parts(
+            tuple(self._masses),
+            tuple(self._linear),
+            tuple(self._angular),
+            tuple(self._anchors),
+            tuple(self._fillings),
+        )
+
+
+def loop_area(points: Sequence[Vector]) -> float:
+    """Area inside a closed loop of points, px²."""
+    # About one of them, so that it is exact far from the origin, too.
+    x, y = points[0]
+    at = [(p[0] - x, p[1] - y) for p in points]
+    return abs(math.fsum(p[0] * q[1] - p[1] * q[0] for p, q in zip(at, at[1:] + at[:1], strict=True))) / 2.0
+
+
+def wrapped(angle: float) -> float:
+    """An angle between -360 and 360 °, wrapped into (-180, 180]."""
+    return angle - 360.0 if angle > 180.0 else angle + 360.0 if angle <= -180.0 else angle

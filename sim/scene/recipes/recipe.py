@@ -1,0 +1,47 @@
+"""All recipes, and a scene's body made from some of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import msgspec
+
+from ..numbers import MAX_MASSES, MAX_SPRINGS
+from ..parts import LinearSpring
+from .assembly import Parts, TooLarge
+from .outlines import AirBalloon, Box, Polygon, WaterBalloon
+from .plants import HairTuft, Tree
+from .rods import Rod, Rope
+from .sheets import Cloth, FlagPole, Jelly
+from .trusses import Bridge, Girder
+
+AnyRecipe = (
+    Rope | Rod | Box | Polygon | HairTuft | FlagPole | Tree | AirBalloon | WaterBalloon | Cloth | Girder
+    | Jelly | Bridge
+)  # fmt: skip
+"""The recipes that a scene's `bodies` may have."""
+
+
+def expand(bodies: Sequence[AnyRecipe], links: Sequence[LinearSpring]) -> Parts:
+    """The parts of all bodies, one after the other, and the links after their springs.
+
+    Raises:
+        TooLarge: the bodies have too many masses or springs.
+        ArithmeticError: a body's numbers make none, as a direction of (0, 0).
+    """
+    replace = msgspec.structs.replace
+    masses, linear, angular, anchors, fillings = [], [], [], [], []
+    for recipe in bodies:
+        parts = recipe.expand()
+        m, s = len(masses), len(linear)
+        masses += parts.masses
+        linear += [replace(spring, a=spring.a + m, b=spring.b + m) for spring in parts.linear_springs]
+        angular += [replace(joint, a=joint.a + s, b=joint.b + s) for joint in parts.angular_springs]
+        anchors += [replace(anchor, mass=anchor.mass + m) for anchor in parts.anchors]
+        fillings += [replace(f, masses=tuple(i + m for i in f.masses)) for f in parts.fillings]
+        # Before a short file with many bodies takes all memory.
+        if len(masses) > MAX_MASSES:
+            raise TooLarge(f"more than {MAX_MASSES} masses")
+        if max(len(linear), len(angular)) > MAX_SPRINGS:
+            raise TooLarge(f"more than {MAX_SPRINGS} springs of a kind")
+    return Parts(tuple(masses), (*linear, *links), tuple(angular), tuple(anchors), tuple(fillings))

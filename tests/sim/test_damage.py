@@ -1,0 +1,291 @@
+"""Springs that break and yield, and joints that yield, by every method."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import sim
+from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene, SceneError, Simulation
+from sim.methods.registry import METHODS
+from sim.scene.types import Damage, ForceLaw, Method
+from tests.sim.bodies import LAWS, body
+from tests.sim.inside import same_state, solver_of
+
+REPLACE = msgspec.structs.replace
+ADAPTIVE = [name for name, method in METHODS.items() if method.adaptive]
+
+
+def flung(speed: float = 1000.0, method: Method = "auto", **spring: Any) -> Scene:
+    """A mass of 1 kg that flies away from a held one, at the end of a spring of 1000 kg/s² at rest."""
+    return Scene(
+        name="flung",
+        masses=(Mass(position=(0.0, 0.0)), Mass(position=(100.0, 0.0), velocity=(speed, 0.0))),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=1000.0, rest_length=100.0, **spring),),
+        anchors=(Anchor(mass=0),),
+        integrator=Integrator(method=method, dt=1e-3, tolerance=1e-3),
+    )
+
+
+def bent(law: ForceLaw, method: Method = "auto", speed: float = 3000.0, **joint: Any) -> Scene:
+    """A held spring and a free one in line, whose joint is bent by the speed of the last mass."""
+    return Scene(
+        name="bent",
+        masses=tuple(
+            Mass(position=(100.0 * i, 0.0), velocity=(0.0, speed if i == 2 else 0.0)) for i in range(3)
+        ),
+        linear_springs=tuple(
+            LinearSpring(a=i, b=i + 1, stiffness=1e6, rest_length=100.0, damping=10.0) for i in range(2)
+        ),
+        angular_springs=(AngularSpring(a=0, b=1, stiffness=1000.0, **joint),),
+        anchors=(Anchor(mass=0), Anchor(mass=1)),
+        force_law=law,
+        integrator=Integrator(method=method, dt=1e-4, tolerance=1e-3),
+    )
+
+
+# ------------------------------------------------------------------------- breaking
+@pytest.mark.parametrize("method", METHODS)
+def test_a_spring_breaks_at_its_strength(method: Method) -> None:
+    simulation = Simulation(flung(method=method, strength=20_000.0))
+    simulation.energy()
+    simulation.advance(0.5)
+    assert simulation.damage == Damage(broken=(0,), set_lengths=(0.0,), hardened=(0.0,))
+    # It flies on with what the spring has not taken: strength² / 2k.
+    taken = 20_000.0**2 / 2000.0
+    tolerated = 1e-5 if METHODS[method].adaptive else 0.1
+    book = simulation.energy()
+    assert book.broken == pytest.approx(-taken, rel=3e-3 if METHODS[method].adaptive else 0.1)
+    assert book.kinetic == pytest.approx(500_000.0 + book.broken, rel=tolerated)
+    assert book.linear == 0.0
+    assert abs(book.residual) <= (1e-5 if METHODS[method].adaptive else 0.05) * 500_000.0
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_spring_that_is_strong_enough_does_not_break(method: Method) -> None:
+    # Its largest force is sqrt(2 k E) = 31623.
+    whole, plain = Simulation(flung(method=method, strength=33_000.0)), Simulation(flung(method=method))
+    for simulation in (whole, plain):
+        simulation.advance(0.5)
+    assert whole.damage is None
+    assert np.abs(whole.positions - plain.positions).max() <= 0.05
+
+
+@pytest.mark.parametrize("method", ADAPTIVE)
+def test_the_moment_of_breaking_is_found_to_the_tolerance(method: Method) -> None:
+    # x = v/w sin(w t) reaches 20 px; from then on it goes straight on.
+    w = math.sqrt(1000.0)
+    t = math.asin(20.0 * w / 1000.0) / w
+    expected = 120.0 + math.sqrt(500_000.0 * 2.0 - 400_000.0) * (0.3 - t)
+    for dt in (1e-3, 0.05):  # the same, whatever the frames
+        scene = flung(method=method, strength=20_000.0)
+        simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=dt, tolerance=1e-3)))
+        simulation.step(round(0.3 / dt))
+        assert simulation.time == pytest.approx(0.3)
+        assert simulation.positions[1, 0] == pytest.approx(
+            expected, abs=0.2
+        )  # as its strength, to a thousandth
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_joints_break_with_their_springs(law: ForceLaw) -> None:
+    scene = body("girder", law, 2)
+    strong = tuple(REPLACE(spring, strength=1e12) for spring in scene.linear_springs)
+    weak = (REPLACE(strong[0], strength=1.0), *strong[1:])
+    integrator = Integrator(method="rodas5p", dt=1e-3, tolerance=1e-6)
+    broken = Simulation(REPLACE(scene, linear_springs=weak, integrator=integrator))
+    broken.energy()
+    broken.advance(0.1)
+    assert broken.damage is not None and broken.damage.broken == (0,)
+    assert abs(broken.energy().residual) <= 1e-3 * broken.energy().kinetic
+    # From where it broke it moves as a body that never had them. A spring without stiffness is still one.
+    gone = [j for j, joint in enumerate(scene.angular_springs) if 0 in (joint.a, joint.b)]
+    assert gone
+    without = REPLACE(
+        scene,
+        linear_springs=(REPLACE(strong[0], stiffness=0.0, damping=0.0), *strong[1:]),
+        angular_springs=tuple(
+            REPLACE(joint, stiffness=0.0, damping=0.0) if j in gone else joint
+            for j, joint in enumerate(scene.angular_springs)
+        ),
+        integrator=integrator,
+        pose=REPLACE(broken.pose(), damage=None),
+    )
+    other = Simulation(without)
+    for simulation in (broken, other):
+        simulation.advance(0.05)
+    assert np.abs(broken.positions - other.positions).max() <= 1e-2
+
+
+# ------------------------------------------------------------------------- yielding
+@pytest.mark.parametrize("hardening", [0.0, 700.0])
+@pytest.mark.parametrize("method", METHODS)
+def test_a_spring_yields_by_what_its_energy_says(method: Method, hardening: float) -> None:
+    simulation = Simulation(flung(method=method, yield_force=10_000.0, hardening=hardening))
+    simulation.energy()
+    simulation.advance(0.12)  # out, and not so far back that it could yield again
+    damage, book = simulation.damage, simulation.energy()
+    assert damage is not None and not damage.broken
+    # At the turning point all energy is elastic, (Y + H s)² / 2k, or went into yielding, Y s + H s² / 2.
+    a, b, c = 0.5 * hardening * (1.0 + hardening / 1000.0), 10_000.0 * (1.0 + hardening / 1000.0), -450_000.0
+    way = -c / b if hardening == 0.0 else (-b + math.sqrt(b * b - 4.0 * a * c)) / (2.0 * a)
+    tolerated = 0.005 if METHODS[method].adaptive else 0.04
+    assert damage.set_lengths[0] == pytest.approx(way, rel=tolerated)
+    assert damage.hardened[0] == pytest.approx(hardening * damage.set_lengths[0], rel=1e-9)
+    lost = 10_000.0 * way + 0.5 * hardening * way * way
+    assert book.plastic == pytest.approx(-lost, rel=tolerated)
+    assert abs(book.residual) <= 0.03 * 500_000.0
+
+
+def test_yielding_is_of_first_order_and_its_books_are_of_the_methods() -> None:
+    ways, residuals = [], []
+    for dt in (4e-4, 2e-4, 1e-4):
+        scene = flung(method="rk4", yield_force=10_000.0)
+        scene = REPLACE(scene, integrator=Integrator(method="rk4", dt=dt))
+        simulation = Simulation(scene)
+        simulation.energy()
+        simulation.advance(0.12)
+        assert simulation.damage is not None
+        ways.append(abs(simulation.damage.set_lengths[0] - 45.0))
+        residuals.append(abs(simulation.energy().residual))
+    assert 1.6 <= ways[0] / ways[1] <= 2.4 and 1.6 <= ways[1] / ways[2] <= 2.4
+    assert residuals[2] <= residuals[0] / 16.0
+
+
+def test_a_squeezed_spring_keeps_some_length() -> None:
+    simulation = Simulation(flung(speed=-1500.0, yield_force=100.0))
+    simulation.advance(2.0)
+    assert simulation.damage is not None
+    assert -99.0 <= simulation.damage.set_lengths[0] <= 1e4
+    assert np.isfinite(simulation.positions).all()
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("method", METHODS)
+def test_a_joint_yields_and_stays_bent(method: Method, law: ForceLaw) -> None:
+    # At 3000 px/s its energy is 4.5e6; its torque at a right angle would be 1e7.
+    scene = bent(law, method, yield_torque=2e6, damping=2.0)
+    simulation = Simulation(scene)
+    simulation.energy()
+    simulation.advance(1.0)
+    damage, book = simulation.damage, simulation.energy()
+    assert damage is not None
+    # Its elastic deflection is asin(0.2), or 0.2 under the law of the angle; the rest of the way is for good.
+    assert abs(damage.set_angles[0]) > 10.0
+    assert simulation.rest_angles[0] == pytest.approx(damage.set_angles[0])
+    assert book.plastic < -1e5
+    tolerated = 0.1 if METHODS[method].order == 1 else 0.02
+    assert abs(book.residual) <= tolerated * 4.5e6
+    weaker = Simulation(bent(law, method, yield_torque=1e6, damping=2.0))
+    weaker.advance(1.0)
+    assert weaker.damage is not None
+    assert abs(weaker.damage.set_angles[0]) > abs(damage.set_angles[0])
+
+
+def test_a_joint_that_does_not_reach_its_yield_torque_does_not_yield() -> None:
+    simulation = Simulation(bent("conservative", yield_torque=9.99e6, speed=1000.0))
+    simulation.advance(1.0)
+    assert simulation.damage is None
+
+
+# ------------------------------------------------------------------------- what is kept
+def fragile(seed: int = 0, method: Method = "auto") -> Scene:
+    """A body of which some springs break, and some yield, soon."""
+    scene = body("girder", seed=seed, air=0.0)
+    springs = tuple(
+        REPLACE(
+            spring, strength=6e4 if s % 3 else None, yield_force=2e4 if s % 2 else None, hardening=10.0 * s
+        )
+        for s, spring in enumerate(scene.linear_springs)
+    )
+    joints = tuple(REPLACE(joint, yield_torque=3e5) for joint in scene.angular_springs)
+    return REPLACE(
+        scene,
+        linear_springs=springs,
+        angular_springs=joints,
+        integrator=Integrator(method=method, dt=1e-3, tolerance=0.01),
+    )
+
+
+def test_going_back_undoes_damage_and_going_on_does_the_same_again() -> None:
+    simulation = Simulation(fragile())
+    simulation.advance(0.05)
+    moment = simulation.capture()
+    ends = []
+    for _ in range(2):
+        simulation.restore(moment)
+        assert simulation.damage == moment.damage
+        simulation.advance(0.3)
+        ends.append((simulation.positions.tolist(), simulation.damage))
+    assert ends[0] == ends[1]
+    assert ends[0][1] is not None and ends[0][1] != moment.damage and ends[0][1].broken
+    simulation.reset()
+    assert simulation.damage is None
+    fresh = Simulation(fragile())
+    for each in (simulation, fresh):
+        each.advance(0.2)
+    assert same_state(simulation, fresh)
+
+
+def test_a_saved_pose_has_the_damage_and_settings_keep_it(tmp_path: Any) -> None:
+    simulation = Simulation(fragile())
+    simulation.advance(0.3)
+    saved = REPLACE(simulation.scene, pose=simulation.pose())
+    sim.save_scene(saved, tmp_path / "worn.json")
+    opened = Simulation(sim.load_scene(tmp_path / "worn.json"))
+    assert opened.damage == simulation.damage
+    assert np.array_equal(
+        solver_of(opened).system.body.stiffness, solver_of(simulation).system.body.stiffness
+    )
+    simulation.replace(REPLACE(simulation.scene, gravity=(0.0, 100.0)))
+    assert simulation.damage == opened.damage
+    other = Simulation(simulation.scene)
+    other.take_state(simulation)
+    assert other.damage == simulation.damage
+
+
+@pytest.mark.parametrize(
+    ("damage", "sentence"),
+    [
+        (Damage(broken=(99,)), r"pose\.damage\.broken\[0\]: spring 99 does not exist \(0\.\.0\)"),
+        (Damage(set_lengths=(1.0, 2.0)), r"pose\.damage\.set_lengths: 2 entries do not match the 1 linear"),
+        (Damage(set_angles=(1.0,)), r"pose\.damage\.set_angles: 1 entries do not match the 0 angular"),
+        (Damage(hardened=(math.nan,)), r"pose\.damage\.hardened\[0\]: nan is not a finite number"),
+    ],
+)
+def test_damage_that_does_not_fit_is_refused(damage: Damage, sentence: str) -> None:
+    pose = Pose(positions=((0.0, 0.0), (100.0, 0.0)), velocities=((0.0, 0.0),) * 2, damage=damage)
+    with pytest.raises(SceneError, match=sentence):
+        sim.validate(REPLACE(flung(), pose=pose))
+
+
+def test_where_nothing_yields_or_breaks_there_is_nothing_to_pay_for() -> None:
+    simulation = Simulation(sim.load_scene("ring"))
+    state = simulation._state
+    assert not simulation._body.strength.present
+    assert all(state.__dict__[name].size == 0 for name in ("set_length", "set_angle", "hardened", "broken"))
+    assert simulation.capture().damage is None
+
+
+@given(seed=st.integers(0, 10_000), method=st.sampled_from(sorted(METHODS)), strength=st.floats(0.0, 1e5))
+@settings(max_examples=30, deadline=None)
+def test_whatever_breaks_and_yields_numbers_stay_good(seed: int, method: Method, strength: float) -> None:
+    scene = fragile(seed % 7, method)
+    springs = tuple(
+        REPLACE(spring, strength=strength, yield_force=0.3 * strength) for spring in scene.linear_springs
+    )
+    integrator = Integrator(method=method, dt=1e-3, tolerance=1.0)
+    simulation = Simulation(REPLACE(scene, linear_springs=springs, integrator=integrator))
+    simulation.energy()
+    for _ in range(5):
+        simulation.step(20, attempts=2000)
+        assert np.isfinite(simulation.positions).all()
+        assert np.isfinite(simulation.energy().residual)
+    damage = simulation.damage
+    assert damage is None or list(damage.broken) == sorted(set(damage.broken))

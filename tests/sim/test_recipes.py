@@ -1,0 +1,335 @@
+"""Recipes: what they make, that it is at rest as it is made, and that it sags as the formulas say."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from typing import Any, get_args, get_origin, get_type_hints
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import sim
+from sim import LinearSpring, Scene, SceneError, Simulation, validate
+from sim.analysis.equilibrium import equilibrium
+from sim.scene.files import decode_scene, encode_scene
+from sim.scene.numbers import MAX_MASSES
+from sim.scene.recipes.recipe import AnyRecipe
+from tests.sim.inside import forces_of
+
+REPLACE = msgspec.structs.replace
+RECIPES: tuple[type[AnyRecipe], ...] = get_args(AnyRecipe)
+MAKERS = (
+    sim.rope, sim.rod, sim.box, sim.polygon, sim.hair_tuft, sim.flag_pole, sim.tree, sim.air_balloon,
+    sim.water_balloon, sim.cloth, sim.girder, sim.jelly, sim.bridge,
+)  # fmt: skip
+NAMES = [kind.__name__ for kind in RECIPES]
+
+
+def scene_of(*bodies: AnyRecipe, **fields: Any) -> Scene:
+    return Scene(name="bodies", bodies=bodies, **fields)
+
+
+def refused(scene: Scene) -> str:
+    with pytest.raises(SceneError) as caught:
+        validate(scene)
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def numbers_of(kind: Any) -> st.SearchStrategy[Any] | None:
+    """Numbers in the range of an annotation, usual ones and its ends; None if it is no number."""
+    if get_origin(kind) is tuple:
+        return None
+    inner = next((option for option in get_args(kind) if get_args(option)), kind)
+    meta = next((m for m in getattr(inner, "__metadata__", ()) if isinstance(m, msgspec.Meta)), None)
+    if meta is None or meta.ge is None or meta.le is None:
+        return None
+    low, high = (meta.extra or {}).get("slider") or (meta.ge, min(meta.le, 1e4))
+    if get_args(inner)[0] is int:
+        return st.integers(int(meta.ge), int(min(high, meta.ge + 3)))
+    return st.floats(low, high) | st.sampled_from([float(meta.ge), float(meta.le)])
+
+
+@st.composite
+def recipes(draw: st.DrawFn) -> AnyRecipe:
+    """A recipe with some numbers that are in range, the others being its own."""
+    kind = draw(st.sampled_from(RECIPES))
+    hints = get_type_hints(kind, include_extras=True)
+    strategies = {field: numbers_of(hints[field]) for field in kind.__struct_fields__}
+    able = [field for field, strategy in strategies.items() if strategy is not None]
+    chosen = draw(st.lists(st.sampled_from(able), unique=True, max_size=5))
+    return kind(**{field: draw(strategies[field]) for field in chosen})  # type: ignore[arg-type]
+
+
+# ------------------------------------------------------------------------- any numbers
+@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(st.lists(recipes(), min_size=1, max_size=2))
+def test_recipes_in_range_make_a_valid_scene_or_one_sentence(bodies: list[AnyRecipe]) -> None:
+    scene = scene_of(*bodies)
+    assert scene.masses
+    try:
+        validate(scene)
+    except SceneError as error:
+        assert "\n" not in str(error)
+        assert ": " in str(error)
+        return
+    data = encode_scene(scene)
+    assert len(data) < 4000
+    again = decode_scene(data, "scene")
+    assert again == scene
+    assert encode_scene(again) == data
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.sampled_from(RECIPES), st.data())
+def test_numbers_out_of_range_are_named(kind: type[AnyRecipe], data: st.DataObject) -> None:
+    hints = get_type_hints(kind, include_extras=True)
+    able = [field for field in kind.__struct_fields__ if numbers_of(hints[field]) is not None]
+    field = data.draw(st.sampled_from(able))
+    wrong = data.draw(st.sampled_from([math.nan, -1e30, 1e30, "1", (2.0,)]))
+    numbers: dict[str, Any] = {field: wrong}
+    assert refused(scene_of(kind(**numbers))).startswith(f"bodies[0].{field}: ")
+
+
+# ------------------------------------------------------------------------- what they make
+COUNTS = [
+    (sim.Rod(masses=7), (7, 6, 5, 2, 0)),
+    (sim.Box(per_side=3), (12, 12, 12, 0, 0)),
+    (sim.Polygon(sides=5, per_side=2, held=(0, 99)), (10, 10, 10, 1, 0)),
+    (sim.HairTuft(hairs=3, masses=4), (14, 13, 12, 2, 0)),
+    (sim.HairTuft(hairs=1, masses=2), (4, 3, 2, 2, 0)),
+    (sim.FlagPole(masses=6, columns=3, rows=2), (12, 5 + 6 + 3 + 6, 4 + 4, 2, 0)),
+    (sim.Tree(forks=3, branches=3, segments=2), (81, 80, 79, 2, 0)),  # 1 + 2 (1 + 3 + 9 + 27)
+    (sim.Tree(forks=0, segments=1), (2, 1, 0, 2, 0)),
+    (sim.AirBalloon(masses=9), (9, 9, 9, 0, 1)),
+    (sim.WaterBalloon(masses=9), (9, 9, 9, 0, 1)),
+    (sim.Cloth(columns=4, rows=3), (12, 9 + 8 + 12, 6 + 4, 2, 0)),
+    (sim.Cloth(columns=4, rows=3, diagonals=False, held="edge"), (12, 17, 10 + 6, 4, 0)),
+    (sim.Girder(panels=6), (13, 23, 0, 2, 0)),  # 2 n - 3 members: statically determinate but for supports
+    (sim.Girder(panels=6, truss="pratt"), (12, 21, 0, 2, 0)),
+    (sim.Girder(panels=2, truss="pratt"), (4, 5, 0, 2, 0)),
+    (sim.Girder(panels=7, truss="pratt"), (14, 25, 0, 2, 0)),
+    (sim.Jelly(columns=4, rows=3), (12, 9 + 8 + 12, 0, 0, 1)),
+    (sim.Jelly(columns=2, rows=2, bulk_modulus=0.0), (4, 6, 0, 0, 0)),
+    (sim.Bridge(panels=4), (10, 4 + 4 + 5, 3, 4, 0)),
+]
+
+
+@pytest.mark.parametrize(("recipe", "counts"), COUNTS, ids=[type(r).__name__ for r, _ in COUNTS])
+def test_there_are_as_many_parts_as_there_should_be(recipe: AnyRecipe, counts: tuple[int, ...]) -> None:
+    scene = validate(scene_of(recipe))
+    assert tuple(map(len, recipe.expand())) == counts
+    assert len(scene.masses) == counts[0]
+
+
+@pytest.mark.parametrize("make", MAKERS, ids=[make.__name__ for make in MAKERS])
+def test_each_makes_a_scene_that_runs(make: Any) -> None:
+    scene = make()
+    assert scene.name == make.__name__
+    assert validate(scene) is scene
+    assert len(scene.masses) < 300
+    simulation = Simulation(scene)
+    assert simulation.step(100) == 100
+    # Numbers of the recipe and of the scene, by their names.
+    other = make(mass=2.5, gravity=(0.0, 1.0), name="other")
+    assert (other.gravity, other.name, other.bodies[0].mass) == ((0.0, 1.0), "other", 2.5)
+
+
+def test_makers_name_what_they_do_not_know() -> None:
+    with pytest.raises(SceneError, match=r"^hairs: rod has no such number; there are .*length.*gravity"):
+        sim.rod(hairs=3)
+    with pytest.raises(SceneError, match=r"^bodies\[0\]\.masses: 1 is not in the range 3\.\.20000"):
+        sim.rod(masses=1)
+
+
+@pytest.mark.parametrize("kind", RECIPES, ids=NAMES)
+def test_no_spring_pulls_in_the_shape_that_is_made(kind: type[AnyRecipe]) -> None:
+    scene = scene_of(kind())
+    stiffest = max(spring.stiffness for spring in scene.linear_springs)
+    exact = sim.Integrator(method="symplectic_euler")  # whose forces are the law's to the last digit
+    assert np.abs(forces_of(REPLACE(scene, integrator=exact))).max() < 1e-10 * stiffest
+
+
+@pytest.mark.parametrize("kind", [k for k in RECIPES if "bend" in k.__struct_fields__])
+def test_a_bend_shifts_every_rest_angle(kind: type[AnyRecipe]) -> None:
+    straight, bent = scene_of(kind()), validate(scene_of(REPLACE(kind(), bend=100.0)))
+    for before, after in zip(straight.angular_springs, bent.angular_springs, strict=True):
+        assert math.cos(math.radians(after.rest_angle - before.rest_angle - 100.0)) == pytest.approx(1.0)
+        assert -180.0 < after.rest_angle <= 180.0
+
+
+def test_polygons_are_regular_and_boxes_turn() -> None:
+    polygon = sim.Polygon(sides=5, per_side=2, circumradius=50.0, center=(10.0, 20.0)).expand()
+    assert polygon.masses[0].position == pytest.approx((10.0, -30.0))
+    assert polygon.linear_springs[3].rest_length == pytest.approx(50.0 * math.sin(math.pi / 5))
+    assert Counter(joint.rest_angle for joint in polygon.angular_springs) == {0.0: 5, 72.0: 5}
+    box = sim.Box(width=20.0, height=10.0, per_side=1, center=(0.0, 0.0), turn=90.0).expand()
+    assert [m.position for m in box.masses] == [
+        pytest.approx(p) for p in ((5.0, -10.0), (5.0, 10.0), (-5.0, 10.0), (-5.0, -10.0))
+    ]
+
+
+def test_balloons_are_filled_to_the_number_given() -> None:
+    area = 0.5 * 12 * 80.0**2 * math.sin(2.0 * math.pi / 12)
+    (water,) = sim.WaterBalloon(masses=12, fill=1.5, diameter=160.0).expand().fillings
+    assert isinstance(water, sim.Liquid)
+    assert (water.masses, water.bulk_modulus) == (tuple(range(12)), 5000.0)
+    assert water.area == pytest.approx(1.5 * area)
+    (air,) = sim.AirBalloon(masses=12, pressure=70.0, outside=50.0).expand().fillings
+    assert air == sim.Gas(masses=tuple(range(12)), pressure=70.0, outside=50.0)
+    (jelly,) = sim.Jelly(columns=4, rows=3, width=30.0, height=20.0).expand().fillings
+    assert jelly.masses == (0, 1, 2, 3, 7, 11, 10, 9, 8, 4)
+    assert jelly.area == pytest.approx(600.0)
+
+
+def test_a_tree_gets_thinner_and_shorter_at_each_fork() -> None:
+    tree = sim.Tree(forks=2, segments=1, thinning=0.5, shrink=0.8, length=100.0, spread=90.0).expand()
+    assert [m.mass for m in tree.masses] == [1.0, 1.0, *[0.5] * 2, *[0.25] * 4]
+    assert [s.rest_length for s in tree.linear_springs] == pytest.approx([100.0, 80.0, 80.0, *[64.0] * 4])
+    assert [j.stiffness / 30_000.0 for j in tree.angular_springs] == [0.25] * 2 + [0.0625] * 4
+    assert [j.rest_angle for j in tree.angular_springs] == [-45.0, 45.0] * 3
+    # Up the screen, and to both sides.
+    assert tree.masses[1].position == (300.0, 470.0)
+    assert tree.masses[2].position[0] < 300.0 < tree.masses[3].position[0]
+
+
+def test_a_cloth_is_held_where_it_says() -> None:
+    def held(where: Any) -> list[int]:
+        return [a.mass for a in sim.Cloth(columns=4, rows=3, held=where).expand().anchors]
+
+    assert [held(where) for where in ("edge", "corners", "corner", "nothing")] == [
+        [0, 1, 2, 3], [0, 3], [0], [],
+    ]  # fmt: skip
+
+
+# ------------------------------------------------------------------------- several bodies
+TWO = (sim.Rod(masses=4, held=(0,)), sim.Polygon(sides=3, center=(500.0, 300.0)))
+
+
+def test_bodies_come_one_after_the_other_and_links_join_them() -> None:
+    link = LinearSpring(a=3, b=4, stiffness=50.0, rest_length=10.0)
+    scene = validate(scene_of(*TWO, sim.AirBalloon(masses=5), links=(link,)))
+    assert len(scene.masses) == 12
+    assert [(s.a, s.b) for s in scene.linear_springs[3:6]] == [(4, 5), (5, 6), (6, 4)]
+    assert scene.linear_springs[-1] == link
+    assert [(j.a, j.b) for j in scene.angular_springs[2:5]] == [(3, 4), (4, 5), (5, 3)]
+    assert [a.mass for a in scene.anchors] == [0]
+    assert scene.fillings[0].masses == (7, 8, 9, 10, 11)
+    assert decode_scene(encode_scene(scene), "scene") == scene
+    # The link pulls the two together.
+    gaps = []
+    for links in ((), (link,)):
+        simulation = Simulation(scene_of(*TWO, links=links))
+        simulation.step(100)
+        gaps.append(math.dist(*simulation.positions[3:5]))
+    assert gaps[1] < gaps[0] - 10.0
+
+
+@pytest.mark.parametrize(
+    ("scene", "sentence"),
+    [
+        (
+            scene_of(*TWO, links=(LinearSpring(a=0, b=7, stiffness=1.0, rest_length=1.0),)),
+            "links[0].b: mass 7 does not exist (0..6)",
+        ),
+        (
+            Scene(name="a", masses=(sim.Mass(position=(0.0, 0.0)),), links=(TWO[0].expand()[1][0],)),
+            "links: they join the bodies, and this scene has none; its springs are its linear_springs",
+        ),
+        (
+            scene_of(sim.Rod(driven=0), sim.Box(driven=1)),
+            "bodies[1].driven: bodies[0] has a driven mass already, and only one can be",
+        ),
+        (scene_of(sim.Box(), sim.Rod(direction=(0.0, 0.0))), "bodies[1].direction: a direction of (0, 0)"),
+        (scene_of(sim.Tree(forks=12, branches=10)), f"bodies: they have more than {MAX_MASSES} masses"),
+        (scene_of(sim.Cloth(columns=10_000, rows=10_000)), f"bodies: they have more than {MAX_MASSES}"),
+        (scene_of(*[sim.Rope(masses=9000)] * 5000), f"bodies: they have more than {MAX_MASSES} masses"),
+        (scene_of(sim.Mass(position=(0.0, 0.0))), "bodies[0]: one of Rope, Rod, Box, "),  # type: ignore[arg-type]
+        (REPLACE(scene_of(*TWO), masses=TWO[0].expand().masses), "bodies: a scene has either recipes or"),
+        (REPLACE(sim.air_balloon(), fillings=()), "bodies: a scene has either recipes or masses"),
+        (sim.rod, "a Scene is expected, not function"),
+    ],
+    ids=range(11),
+)
+def test_bodies_that_do_not_fit_have_their_sentence(scene: Scene, sentence: str) -> None:
+    assert refused(scene).startswith(sentence)
+
+
+# ------------------------------------------------------------------------- at rest under a load
+def rest(scene: Scene) -> np.ndarray:
+    return np.array(equilibrium(scene).positions)
+
+
+@pytest.mark.parametrize("truss", ["warren", "pratt"])
+@pytest.mark.parametrize("panels", [4, 10])
+def test_a_girder_sags_by_the_sum_of_its_members(truss: Any, panels: int) -> None:
+    # Virtual work: sag = sum N n / k, N under the load and n under a force of 1 there. It is supported by two
+    # pins, so that one more force, that along the lower chord, follows from the members' own stiffness.
+    load = 1.0
+    girder = sim.Girder(truss=truss, panels=panels, stiffness=1e7, mass=1e-6, load=load, depth=70.0)
+    scene = validate(scene_of(girder, gravity=(0.0, 1000.0)))
+    points = np.array([m.position for m in scene.masses])
+    free = [i for i in range(len(points)) if i not in (0, panels)]
+    balance = np.zeros((2 * len(points), len(scene.linear_springs)))  # forces at masses of tensions of 1
+    for s, spring in enumerate(scene.linear_springs):
+        along = points[spring.b] - points[spring.a]
+        along /= np.hypot(*along)
+        balance[2 * spring.a : 2 * spring.a + 2, s] = along
+        balance[2 * spring.b : 2 * spring.b + 2, s] = -along
+    rows = [2 * i + axis for i in free for axis in (0, 1)]
+    middle = rows.index(2 * (panels // 2) + 1)
+    unit = np.zeros(len(rows))
+    unit[middle] = -1.0  # balances a force of 1 along +y
+    some, *_ = np.linalg.lstsq(balance[rows], unit, rcond=None)
+    (redundant,) = np.linalg.svd(balance[rows])[2][len(rows) :]
+    flexibility = 1.0 / np.array([spring.stiffness for spring in scene.linear_springs])
+    assert np.abs(balance[rows] @ some - unit).max() < 1e-12
+    share = (flexibility * some) @ redundant / ((flexibility * redundant) @ redundant)
+    tension = some - share * redundant
+    sag = load * 1000.0 * float(flexibility @ tension**2)
+    assert rest(scene)[panels // 2, 1] - points[panels // 2, 1] == pytest.approx(sag, rel=1e-4)
+
+
+def test_members_of_a_girder_have_one_cross_section() -> None:
+    scene = scene_of(sim.Girder(truss="pratt", depth=30.0, strength=5.0, yield_force=4.0, hardening=3.0))
+    products = [spring.stiffness * spring.rest_length for spring in scene.linear_springs]
+    assert products == pytest.approx([products[0]] * len(products))
+    assert max(spring.stiffness for spring in scene.linear_springs) == 200_000.0
+    assert {(spring.strength, spring.yield_force) for spring in scene.linear_springs} == {(5.0, 4.0)}
+    ratios = [spring.hardening / spring.stiffness for spring in scene.linear_springs]
+    assert ratios == pytest.approx([3.0 / 200_000.0] * len(ratios))
+
+
+def test_a_clamped_rod_sags_as_a_beam() -> None:
+    # Clamped half way between its two held masses, and the last mass stands for half a spacing too much.
+    sags = []
+    for n in (20, 80):
+        rod = sim.Rod(masses=n + 1, length=100.0, mass=1.0 / n, stiffness=1e9, angular_stiffness=1e3 * n**3)
+        scene = validate(scene_of(rod, gravity=(0.0, 1.0)))
+        sag = rest(scene)[-1, 1] - scene.masses[-1].position[1]
+        spacing, bending = 100.0 / n, 1e3 * n**3 * (100.0 / n) ** 3
+        # Each joint turns by the moment of what is beyond it, over K h².
+        turns = [
+            sum((k - i) * spacing / n for k in range(i + 1, n + 1)) * spacing / bending for i in range(1, n)
+        ]
+        exact = sum(turn * (n - i) * spacing for i, turn in zip(range(1, n), turns, strict=True))
+        assert sag == pytest.approx(exact, rel=1e-3)
+        sags.append(sag / (0.01 * 100.0**4 / (8.0 * bending)) - 1.0)
+    assert abs(sags[1]) < 0.02
+    assert abs(sags[1]) < 0.5 * abs(sags[0])
+
+
+@pytest.mark.parametrize("make", [sim.cloth, sim.tree, sim.hair_tuft, sim.bridge, sim.girder])
+def test_nothing_is_left_at_rest(make: Any) -> None:
+    scene = REPLACE(make(), wind=None)
+    forces = forces_of(REPLACE(scene, pose=equilibrium(scene), integrator=sim.Integrator(method="rk4")))
+    forces += np.outer([m.mass for m in scene.masses], scene.gravity)
+    forces[[a.mass for a in scene.anchors]] = 0.0
+    assert np.abs(forces).max() < 1e-6
+    # Gravity has moved it.
+    moved = np.array(equilibrium(scene).positions) - [m.position for m in scene.masses]
+    assert 0.1 < moved[:, 1].max() < 200.0
