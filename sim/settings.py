@@ -247,11 +247,6 @@ def _has_joints(scene: Scene) -> bool:
     return moves(scene) and bool(scene.angular_springs)
 
 
-def _has_rest_angle(scene: Scene) -> bool:
-    """Whether all rest angles can be set by that of the first; most recipes have a bend instead."""
-    return _has_joints(scene) and (not scene.bodies or bool(_all_ropes(scene)))
-
-
 def _has_wind(scene: Scene) -> bool:
     return moves(scene) and scene.wind is not None
 
@@ -261,19 +256,24 @@ def _has_walls(scene: Scene) -> bool:
 
 
 def _has_filling(kind: type) -> Callable[[Scene], bool]:
-    """Whether a scene has a filling of a kind that is not a recipe's, which has its own setting for it."""
+    """Whether a loop is filled so; recipes have settings of their own for what fills them."""
     return lambda scene: (
         moves(scene) and not scene.bodies and any(isinstance(filling, kind) for filling in scene.fillings)
     )
 
 
 def _has_limit(field: str) -> Callable[[Scene], bool]:
-    """Whether any spring has a limit to what it bears that is not a recipe's."""
+    """Whether any spring has a limit to what it bears; recipes have settings of their own for that."""
     return lambda scene: (
         moves(scene)
         and not scene.bodies
         and any(getattr(spring, field) is not None for spring in scene.linear_springs)
     )
+
+
+def _has_rest_angle(scene: Scene) -> bool:
+    """Whether all rest angles can be set by that of the first; most recipes have a bend instead."""
+    return _has_joints(scene) and (not scene.bodies or bool(_all_ropes(scene)))
 
 
 def _setting(

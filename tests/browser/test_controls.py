@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.session import commands
-from sim.settings import SETTINGS
+from sim.settings import setting_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 from tests.browser.looks import assert_shown
@@ -34,7 +34,8 @@ PADS = {"tutorial-3.3": True, "tutorial-3.2": False, "tutorial-3.1": False, "rin
 
 def value(desk: Desk, key: str) -> float:
     """A setting as the solver has it."""
-    return SETTINGS[key].read(desk.session.scene)
+    scene = desk.session.scene
+    return setting_of(scene, key).read(scene)
 
 
 def test_a_slider_and_its_number_box_set_the_solver_and_each_other(open_page: OpenPage) -> None:

@@ -11,8 +11,6 @@ import sim
 from sim import ArrowKeys, Scene, SettingError, Simulation, load_scene, set_value, validate
 from sim.body.system import joint_stiffness
 from sim.methods.registry import METHODS
-from sim.scene.surroundings import Gas, Liquid, Wall, Wind
-from sim.scene.types import Damage
 from sim.settings import (
     CHOICES,
     SETTINGS,
@@ -23,6 +21,7 @@ from sim.settings import (
     settings_of,
     shift_rest_angles,
 )
+from tests.sim.around_everything import OF_STRENGTH, OF_SURROUNDINGS, with_everything
 from tests.sim.builders import PRESETS, chain, row, star, tangle
 
 REPLACE = msgspec.structs.replace
@@ -33,40 +32,11 @@ DYNAMIC = {
 }  # fmt: skip
 OF_JOINTS = {"angular_stiffness", "angular_damping", "rest_angle"}
 
-OF_SURROUNDINGS = {
-    "wind_speed", "wind_direction", "turbulence", "wall_friction", "bounciness", "gas_pressure",
-    "liquid_stiffness",
-}  # fmt: skip
-OF_STRENGTH = {"strength", "yield_force"}
-
 PAIRS = [(p, s) for p in PRESETS for s in settings_of(load_scene(p))]
 
 
 def keys_of(scene: Scene) -> set[str]:
     return {setting.key for setting in settings_of(scene)}
-
-
-def with_everything() -> Scene:
-    """A tangle in gusts, among walls, with fillings, some of whose springs break or yield."""
-    scene = tangle(4)
-    springs = list(scene.linear_springs)
-    springs[0] = REPLACE(springs[0], strength=800.0, yield_force=300.0)
-    springs[1] = REPLACE(springs[1], strength=400.0)
-    return REPLACE(
-        scene,
-        linear_springs=tuple(springs),
-        air_friction=0.01,
-        wind=Wind(velocity=(300.0, -400.0), turbulence=0.2),
-        walls=(
-            Wall(point=(0.0, 900.0), normal=(0.0, -1.0), friction=0.4, bounciness=0.6),
-            Wall(point=(-500.0, 0.0), normal=(1.0, 0.0), friction=0.2, bounciness=0.3),
-        ),
-        fillings=(
-            Gas(masses=(0, 1, 2), pressure=50.0, area=500.0),
-            Gas(masses=(2, 1, 3), pressure=20.0, area=500.0),
-            Liquid(masses=(0, 2, 3), bulk_modulus=90.0, area=500.0),
-        ),
-    )
 
 
 # ------------------------------------------------------------------------- which apply
@@ -99,19 +69,6 @@ def test_a_setting_without_use_is_refused() -> None:
     for key in SETTINGS:
         with pytest.raises(SettingError, match=f"{key}: the scene 'tutorial-3.1' has no use for it"):
             set_value(load_scene("tutorial-3.1"), key, 1.0)
-
-
-def test_what_surrounds_a_body_and_what_breaks_has_settings_only_where_it_is() -> None:
-    whole = with_everything()
-    assert keys_of(whole) - keys_of(tangle(4)) == OF_SURROUNDINGS | OF_STRENGTH
-    assert keys_of(whole) - keys_of(REPLACE(whole, wind=None)) == {
-        "wind_speed",
-        "wind_direction",
-        "turbulence",
-    }
-    assert keys_of(whole) - keys_of(REPLACE(whole, walls=())) == {"wall_friction", "bounciness"}
-    assert keys_of(whole) - keys_of(REPLACE(whole, fillings=whole.fillings[:2])) == {"liquid_stiffness"}
-    assert keys_of(whole) - keys_of(REPLACE(whole, fillings=whole.fillings[2:])) == {"gas_pressure"}
 
 
 # ------------------------------------------------------------------------- reading back
@@ -166,70 +123,6 @@ def test_values_out_of_range_are_refused(setting: Setting) -> None:
         with pytest.raises(SettingError, match=f"^{setting.key}: ") as caught:
             set_value(scene, setting.key, value)
         assert "\n" not in str(caught.value)
-
-
-@pytest.mark.parametrize("key", sorted(OF_SURROUNDINGS | OF_STRENGTH))
-def test_numbers_of_the_surroundings_are_read_back(key: str) -> None:
-    scene, setting = with_everything(), SETTINGS[key]
-    before = {other.key: other.read(scene) for other in settings_of(scene)}
-    for value in samples(setting):
-        changed = set_value(scene, key, value)
-        assert setting.read(changed) == value
-        assert set_value(changed, key, value) == changed
-        Simulation(changed)
-        after = {other.key: other.read(changed) for other in settings_of(changed)}
-        assert after == before | {key: value}
-
-
-def test_proportions_of_walls_fillings_and_strengths_are_kept() -> None:
-    scene = with_everything()
-    assert [w.friction for w in set_value(scene, "wall_friction", 0.8).walls] == pytest.approx([0.8, 0.4])
-    fillings = set_value(scene, "gas_pressure", 5.0).fillings
-    assert [f.pressure for f in fillings if isinstance(f, Gas)] == pytest.approx([5.0, 2.0])
-    assert fillings[2] == scene.fillings[2]
-    springs = set_value(scene, "strength", 1600.0).linear_springs
-    assert [s.strength for s in springs[:3]] == [1600.0, 800.0, None]
-    assert springs[0].yield_force == 300.0
-
-
-def test_wind_keeps_its_direction_in_a_calm() -> None:
-    calm = set_value(with_everything(), "wind_speed", 0.0)
-    assert calm.wind is not None
-    assert math.hypot(*calm.wind.velocity) < 1e-6
-    again = set_value(calm, "wind_speed", 500.0).wind
-    assert again is not None
-    assert again.velocity == pytest.approx((300.0, -400.0))
-
-
-@pytest.mark.parametrize("y_down", [True, False])
-def test_wind_of_ninety_degrees_blows_up_the_screen(y_down: bool) -> None:
-    scene = with_everything()
-    scene = REPLACE(scene, view=REPLACE(scene.view, y_down=y_down))
-    wind = set_value(scene, "wind_direction", 90.0).wind
-    assert wind is not None
-    assert wind.velocity == pytest.approx((0.0, -500.0 if y_down else 500.0))
-
-
-def test_a_change_of_the_surroundings_lets_the_motion_go_on() -> None:
-    """What has broken stays broken."""
-    scene = with_everything()
-    simulation = Simulation(scene)
-    simulation.step(40)
-    moment = simulation.capture()
-    worn = REPLACE(scene, pose=REPLACE(simulation.pose(), damage=Damage(broken=(1,))))
-    simulation = Simulation(worn)
-    for key, value in (
-        ("wall_friction", 0.1),
-        ("wind_speed", 900.0),
-        ("gas_pressure", 10.0),
-        ("strength", 9e3),
-    ):
-        simulation.replace(set_value(simulation.scene, key, value))
-        damage = simulation.damage
-        assert damage is not None
-        assert damage.broken == (1,)
-        assert (simulation.positions == moment.positions).all()
-        assert (simulation.velocities == moment.velocities).all()
 
 
 def test_whole_numbers_and_templates() -> None:
