@@ -405,6 +405,18 @@ def test_the_same_bits_again_and_after_going_back() -> None:
 
 
 # ------------------------------------------------------------------------- beside the kernels
+def test_a_ring_in_equilibrium_rests_on_a_rope() -> None:
+    rope = line((0.0, 0.0), (20.0, 0.0), 8, (0, 7))
+    scene = joined(rope, ring((70.0, -60.0), 12.0, 8), contact=HARD, gravity=(0.0, 1000.0))
+    resting = REPLACE(scene, pose=sim.equilibrium(scene))
+    simulation = run(resting, 0.5, tolerance=1e-4)
+    assert np.abs(simulation.positions - np.array(resting.pose.positions)).max() <= 1e-4
+    arrays = Arrays(resting)
+    assert len(nearer(arrays, arrays.q, HARD.distance)) >= 1
+    # Two masses of the rope that are held carry all weight.
+    assert np.abs(arrays.pairs_of(arrays.accelerations(arrays.q, arrays.v))).max() <= 1e-4
+
+
 def test_where_nothing_touches_there_is_nothing_to_pay_for() -> None:
     for scene in (sim.load_scene("ring"), REPLACE(sim.load_scene("ring"), contact=Contact(distance=0.0))):
         simulation = Simulation(scene)
