@@ -186,13 +186,15 @@ class Bench:
     """Measure softrod on this machine, beside other programs that do the same."""
 
     what: Annotated[
-        Positional[Literal["kernels", "growth", "frames", "matrices", "compile", "start", "page", "tabs"]],
-        arg(metavar="{kernels,growth,frames,matrices,compile,start,page,tabs}"),
+        Positional[
+            Literal["kernels", "growth", "heap", "frames", "matrices", "compile", "start", "page", "tabs"]
+        ],
+        arg(metavar="{kernels,growth,heap,frames,matrices,compile,start,page,tabs}"),
     ]
-    """kernels: the step by several programs; growth: the step as the body grows; frames: time and error of a
-    rod led in a circle, and time of one torn to and fro; matrices: what implicit steps of any topology
-    factorise; compile: processor time of compiling; start: until each preset moves; page: cost and
-    latency; tabs: many pages at once."""
+    """kernels: the step by several programs; growth: the step as the body grows; heap: rings that fall into a
+    heap; frames: time and error of a rod led in a circle, and time of one torn to and fro; matrices: what
+    implicit steps of any topology factorise; compile: processor time of compiling; start: until each preset
+    moves; page: cost and latency; tabs: many pages at once."""
     repeats: int = 5
     """Repeats, of which the fastest counts."""
 
@@ -201,6 +203,7 @@ class Bench:
         from .bench.compiling import bench_compile
         from .bench.frames import bench_frames
         from .bench.growth import bench_growth
+        from .bench.heap import bench_heap
         from .bench.kernels import bench
         from .bench.matrices import bench_matrices
         from .bench.serving import bench_page, bench_start
@@ -211,6 +214,7 @@ class Bench:
         benches = {
             "kernels": bench,
             "growth": bench_growth,
+            "heap": bench_heap,
             "frames": bench_frames,
             "matrices": bench_matrices,
             "compile": bench_compile,

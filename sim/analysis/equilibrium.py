@@ -70,8 +70,7 @@ def equilibrium(scene: Scene) -> Pose:
     step converges, a step is taken with the positive definite matrix and a line search.
 
     The wind is the mean wind, without gusts. Friction on walls and in contact holds nothing that is at rest,
-    see `Wall`. In contact, whether a balance is stable is judged without what it does between different
-    bodies.
+    see `Wall`. Whether a balance is stable is judged without what couples masses and springs that touch.
 
     Args:
         scene: a valid scene. If no spring forces can balance gravity, there is no equilibrium.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..kernels.core.contacts import Contacts
-from ..kernels.core.tables import Floats, Indices, padded
+from ..kernels.core.tables import Indices, padded
 from ..near import near_pairs
 from ..scene.types import Scene
 
@@ -70,11 +70,22 @@ def new_contacts(scene: Scene, mass_index: Indices, ends: Indices, slots: int, l
 
 def _apart(x: np.ndarray, masses: Indices, ends: Indices, distance: float) -> Indices:
     """(2, k) springs and the masses that never touch them, in order."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
     spring, mass = near_pairs(x, masses, ends, distance)
-    links: Floats = np.ones(len(ends))
-    part = connected_components(coo_matrix((links, ends.T), (x.size, x.size)), directed=False)[1]
-    own = part[mass] == part[ends[spring, 0]]
+    body = _bodies(ends, x.size)
+    own = body[mass] == body[ends[spring, 0]]
     return np.stack((spring[own], mass[own]))  # the ends of each spring are among them
+
+
+def _bodies(ends: Indices, slots: int) -> Indices:
+    """(slots,) a number of the body that each mass belongs to."""
+    root = list(range(slots))
+
+    def find(mass: int) -> int:
+        while root[mass] != mass:
+            root[mass] = root[root[mass]]
+            mass = root[mass]
+        return mass
+
+    for a, b in ends.tolist():
+        root[find(a)] = find(b)
+    return np.array([find(mass) for mass in range(slots)], np.int64)

@@ -107,8 +107,9 @@ _ADAMS_HIGH = 1.6
 """The same for smaller tolerances. Found by experiment, so that about the same share of random bodies ends
 within large and within small tolerances."""
 
-_ITERATIONS = 10.0
-"""Iterations for a linear system with contact, as far as `auto` expects."""
+_ITERATIONS = 10.0, 0.05
+"""Iterations for a linear system with contact that `auto` expects, and how many more for each spring: it then
+prefers explicit methods unless their steps are very short."""
 
 FALLBACK_STEP = 1e-3
 """Length of a fallback step, s."""
@@ -368,7 +369,7 @@ class Solver:
             factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * products
             blocks = float(matrix.column.size)
         if touching:  # each solution takes some iterations, see `linear.contact`
-            blocks = _ITERATIONS * (blocks + 2.0 * touching)
+            blocks = (_ITERATIONS[0] + _ITERATIONS[1] * body.springs) * (blocks + 2.0 * touching)
         stages = 6 if low else 8
         costs = np.zeros(ARMS)
         costs[ARM_VERLET] = 60.0 + force

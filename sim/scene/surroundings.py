@@ -99,14 +99,18 @@ class Liquid(
 
 
 class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Contact of bodies with each other and with themselves: no mass passes through a spring.
+    """Contact of bodies with each other and with themselves, so that masses do not pass through springs.
 
-    A mass that comes closer to a linear spring than `distance` is pushed away from it, with a force
+    A mass that comes closer to a linear spring than `distance` is pushed away from it, with the force
     stiffness d² (1 + c s) at the depth d, as by a wall; the spring's two masses get the opposite force, each
-    the more the nearer the contact is to it.
+    the more the nearer the contact is to it. A mass with the kinetic energy stiffness distance³ / 3 passes.
+
+    A mass never touches springs that it is an end of, nor springs of its own body (what springs connect) to
+    which it is nearer than 1.25 times the distance by the positions of the scene's masses. Masses without
+    springs do not touch each other.
 
     Attributes:
-        distance: 0..1e6 px, at which contact begins.
+        distance: 0..1e6 px, at which contact begins; 0 for none.
         stiffness: 1e-3..1e12 kg/(px s²).
         friction, bounciness, slip_speed: as of a `Wall`.
     """

@@ -1,4 +1,4 @@
-"""Contact: its forces, derivatives and energies, which pairs are found, and motion by every method."""
+"""Contact: its forces, derivatives and energies, and motion by every method."""
 
 from __future__ import annotations
 
@@ -8,19 +8,26 @@ import pytest
 import sim
 from sim import Integrator, Mass, Scene, Simulation
 from sim.body.system import build_system
-from sim.kernels.around.contact import stays_apart
 from sim.methods.registry import METHODS
 from sim.motion.stability import damped_limit
 from sim.physics import Physics
 from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Method
-from tests.sim.arrays import Arrays, Floats
+from tests.sim.arrays import Arrays
 from tests.sim.inside import same_state, solver_of, system_of
 from tests.sim.surrounded import KINDS
-from tests.sim.touching import REPLACE, SMOOTH, SOFT, crumpled, joined, line, ring
-
-HARD = Contact(distance=6.0, stiffness=500.0, friction=0.4, bounciness=0.3)
-Pairs = set[tuple[int, int]]
+from tests.sim.touching import (
+    HARD,
+    REPLACE,
+    SMOOTH,
+    SOFT,
+    contact_force,
+    crumpled,
+    joined,
+    line,
+    nearer,
+    ring,
+)
 
 
 def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float) -> Simulation:
@@ -28,16 +35,6 @@ def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float)
     simulation = Simulation(REPLACE(scene, integrator=integrator))
     simulation.advance(seconds)
     return simulation
-
-
-def contact_force(scene: Scene) -> tuple[Floats, Floats]:
-    """(n, 2) positions, and the forces of contact."""
-    with_it, without = Arrays(scene), Arrays(REPLACE(scene, contact=None))
-    forces = [
-        arrays.pairs_of(arrays.weight * arrays.accelerations(arrays.q, arrays.v))
-        for arrays in (with_it, without)
-    ]
-    return with_it.pairs(with_it.q), forces[0] - forces[1]
 
 
 # ------------------------------------------------------------------------- forces
@@ -113,131 +110,6 @@ def test_friction_is_still_where_everything_turns_as_a_whole() -> None:
     _, smooth = contact_force(REPLACE(scene, contact=SMOOTH))
     assert np.abs(smooth).max() > 100.0
     assert np.abs(rough - smooth).max() <= 1e-11 * np.abs(smooth).max()
-
-
-# ------------------------------------------------------------------------- pairs
-def test_a_body_does_not_touch_itself_as_it_is_built() -> None:
-    for shape in ("girder", "cloth", "ring", "chain"):
-        scene = crumpled(shape, contact=REPLACE(SOFT, distance=70.0))  # far more than a spring is long
-        _, force = contact_force(REPLACE(scene, pose=None))
-        assert np.abs(force).max() <= 1e-8
-    ropes = [line((0.0, y), (10.0, 0.0), 5, ()) for y in (0.0, 3.0)]
-    _, force = contact_force(joined(*ropes, contact=SOFT))
-    assert (force[:5, 1] < 0.0).all() and (force[5:, 1] > 0.0).all()  # but other bodies
-
-
-def listed(arrays: Arrays) -> Pairs:
-    contact = arrays.body.surroundings.contact
-    springs = np.repeat(np.arange(arrays.body.springs), np.diff(contact.start))
-    return set(zip(springs.tolist(), contact.member[: contact.start[-1]].tolist(), strict=True))
-
-
-def nearer(arrays: Arrays, q: Floats, distance: float) -> Pairs:
-    """All pairs nearer than a distance that may touch, one by one."""
-    body, slots = arrays.body, arrays.slots
-    contact = body.surroundings.contact
-    found = set()
-    for s in range(body.springs):
-        a, b = (np.array((q[m], q[slots + m])) for m in (body.spring_a[s], body.spring_b[s]))
-        never = contact.apart[contact.apart_start[s] : contact.apart_start[s + 1]]
-        for m in range(1, body.masses + 1):
-            point, way = np.array((q[m], q[slots + m])), b - a
-            t = np.clip((point - a) @ way / max(way @ way, 1e-300), 0.0, 1.0)
-            if np.hypot(*(point - a - t * way)) <= distance and m not in never:
-                found.add((s, m))
-    return found
-
-
-def scattered(seed: int) -> Arrays:
-    """Long and short springs here and there, some far out, one of no length, and masses without any."""
-    rng = np.random.default_rng(seed)
-    at = rng.normal(0.0, 60.0, (70, 2)) + np.where(rng.random((70, 1)) < 0.1, 1e5, -40.0)
-    at[:20] *= 4.0
-    lines = tuple(sim.LinearSpring(a=2 * i, b=2 * i + 1, stiffness=1.0, rest_length=1.0) for i in range(30))
-    scene = Scene(
-        name="scattered",
-        masses=tuple(Mass(position=(x, y)) for x, y in rng.uniform(-1e4, 1e4, (70, 2)).tolist()),
-        linear_springs=lines,
-        contact=Contact(distance=float(rng.uniform(2.0, 40.0)), stiffness=1.0),
-        pose=sim.Pose(positions=tuple(map(tuple, at.tolist())), velocities=((0.0, 0.0),) * 70),
-    )
-    arrays = Arrays(scene)
-    one, other = (int(arrays.system.mass_index[mass]) for mass in (30, 31))
-    for half in (0, arrays.slots):
-        arrays.q[half + other] = arrays.q[half + one]
-    return arrays
-
-
-@pytest.mark.parametrize("seed", range(6))
-def test_the_list_has_all_pairs_that_are_near(seed: int) -> None:
-    arrays = scattered(seed)
-    contact = arrays.body.surroundings.contact
-    arrays.accelerations(arrays.q, arrays.v)
-    expected = nearer(arrays, arrays.q, contact.distance + contact.margin)
-    assert listed(arrays) == expected
-    assert len(expected) > 20
-    rng = np.random.default_rng(seed)
-    q = arrays.q.copy()
-    for _ in range(8):  # now and then, the list is made anew
-        q[arrays.here] += rng.uniform(-0.1, 0.1, arrays.here.size) * contact.margin
-        arrays.accelerations(q, arrays.v)
-        assert nearer(arrays, q, contact.distance) <= listed(arrays)
-
-
-def test_forces_do_not_depend_on_the_list_by_a_single_bit() -> None:
-    arrays = Arrays(crumpled("cloth", 2))
-    contact = arrays.body.surroundings.contact
-    crowded = arrays.body.surroundings.replaced(
-        contact=contact.replaced(
-            member=contact.member[: arrays.body.masses + 7].copy(), crowded=contact.crowded.copy(),
-            number=contact.number.copy(), at=contact.at.copy(), start=contact.start.copy(),
-        )
-    )  # fmt: skip
-    q = arrays.q.copy()
-    arrays.accelerations(q, arrays.v)
-    before, number = contact.at.copy(), contact.start[-1]
-    q[arrays.here] += np.random.default_rng(1).uniform(-0.3, 0.3, arrays.here.size) * contact.margin
-    kept = arrays.accelerations(q, arrays.v)
-    assert np.array_equal(contact.at, before)
-    contact.number[0] = -1.0
-    anew = arrays.accelerations(q, arrays.v)
-    assert contact.start[-1] != number
-    body = arrays.body
-    arrays.body = body.replaced(surroundings=crowded)
-    without_room = arrays.accelerations(q, arrays.v)
-    assert crowded.contact.crowded[0] == 1
-    assert np.array_equal(kept, anew)
-    assert np.array_equal(kept, without_room)
-
-
-def test_a_state_that_has_run_away_has_no_pairs() -> None:
-    arrays = Arrays(crumpled("girder"))
-    for bad in (np.nan, np.inf, 1e200):
-        q = arrays.q.copy()
-        q[3] = bad
-        arrays.accelerations(q, arrays.v)
-        assert listed(arrays) == set()
-    arrays.accelerations(arrays.q, arrays.v)
-    assert listed(arrays)
-
-
-def test_a_step_through_a_spring_is_seen() -> None:
-    over = Scene(name="one", masses=(Mass(position=(40.0, -50.0)),))
-    arrays = Arrays(joined(line((0.0, 0.0), (100.0, 0.0), 2, ()), over, contact=HARD))
-    ball = arrays.slots + int(arrays.system.mass_index[2])
-
-    def apart(way: float, of: Floats) -> bool:
-        to_q = arrays.q + way * of
-        return bool(stays_apart(arrays.body, arrays.q, to_q))
-
-    falling = np.zeros_like(arrays.q)
-    falling[ball] = 1.0
-    assert apart(40.0, falling)  # not there yet
-    assert not apart(60.0, falling)
-    assert not apart(5000.0, falling)
-    everything = np.zeros_like(arrays.q)
-    everything[arrays.here[3:]] = 1.0
-    assert apart(5000.0, everything)
 
 
 # ------------------------------------------------------------------------- derivatives
@@ -405,6 +277,18 @@ def test_the_same_bits_again_and_after_going_back() -> None:
 
 
 # ------------------------------------------------------------------------- beside the kernels
+def test_a_ring_in_equilibrium_rests_on_a_rope() -> None:
+    rope = line((0.0, 0.0), (20.0, 0.0), 8, (0, 7))
+    scene = joined(rope, ring((70.0, -60.0), 12.0, 8), contact=HARD, gravity=(0.0, 1000.0))
+    pose = sim.equilibrium(scene)
+    resting = REPLACE(scene, pose=pose)
+    simulation = run(resting, 0.5, tolerance=1e-4)
+    assert np.abs(simulation.positions - np.array(pose.positions)).max() <= 1e-4
+    arrays = Arrays(resting)
+    assert len(nearer(arrays, arrays.q, HARD.distance)) >= 1
+    assert np.abs(arrays.accelerations(arrays.q, arrays.v)).max() <= 1e-3
+
+
 def test_where_nothing_touches_there_is_nothing_to_pay_for() -> None:
     for scene in (sim.load_scene("ring"), REPLACE(sim.load_scene("ring"), contact=Contact(distance=0.0))):
         simulation = Simulation(scene)

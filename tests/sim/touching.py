@@ -10,11 +10,15 @@ import numpy as np
 
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
 from sim.scene.surroundings import Contact
+from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body
 
 REPLACE = msgspec.structs.replace
 SOFT = Contact(distance=12.0, stiffness=50.0, friction=0.7, slip_speed=80.0, bounciness=0.6)
 SMOOTH = REPLACE(SOFT, friction=0.0, bounciness=1.0)
+HARD = Contact(distance=6.0, stiffness=500.0, friction=0.4, bounciness=0.3)
+Pairs = set[tuple[int, int]]
+"""Springs, and slots of masses."""
 
 
 def crumpled(shape: str, seed: int = 0, contact: Contact = SOFT, **changes: Any) -> Scene:
@@ -88,3 +92,35 @@ def line(start: tuple[float, float], step: tuple[float, float], count: int, held
         ),
         anchors=tuple(Anchor(mass=mass) for mass in held),
     )
+
+
+def contact_force(scene: Scene) -> tuple[Floats, Floats]:
+    """(n, 2) positions, and the forces of contact."""
+    with_it, without = Arrays(scene), Arrays(REPLACE(scene, contact=None))
+    forces = [
+        arrays.pairs_of(arrays.weight * arrays.accelerations(arrays.q, arrays.v))
+        for arrays in (with_it, without)
+    ]
+    return with_it.pairs(with_it.q), forces[0] - forces[1]
+
+
+def listed(arrays: Arrays) -> Pairs:
+    contact = arrays.body.surroundings.contact
+    springs = np.repeat(np.arange(arrays.body.springs), np.diff(contact.start))
+    return set(zip(springs.tolist(), contact.member[: contact.start[-1]].tolist(), strict=True))
+
+
+def nearer(arrays: Arrays, q: Floats, distance: float) -> Pairs:
+    """All pairs nearer than a distance that may touch, one by one."""
+    body, slots = arrays.body, arrays.slots
+    contact = body.surroundings.contact
+    found = set()
+    for s in range(body.springs):
+        a, b = (np.array((q[m], q[slots + m])) for m in (body.spring_a[s], body.spring_b[s]))
+        never = contact.apart[contact.apart_start[s] : contact.apart_start[s + 1]]
+        for m in range(1, body.masses + 1):
+            point, way = np.array((q[m], q[slots + m])), b - a
+            t = np.clip((point - a) @ way / max(way @ way, 1e-300), 0.0, 1.0)
+            if np.hypot(*(point - a - t * way)) <= distance and m not in never:
+                found.add((s, m))
+    return found

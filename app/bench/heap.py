@@ -1,0 +1,102 @@
+"""`softrod bench heap`: rings that fall into a box, onto and beside each other."""
+
+from __future__ import annotations
+
+import math
+import time
+
+import msgspec
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+from sim import AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.scene.surroundings import Contact, Wall
+
+RINGS = (10, 84, 250)
+"""Numbers of rings."""
+FRAME, FRAMES = 1.0 / 60.0, 180
+"""Length of a frame, s, and how many are timed."""
+
+METHODS = {
+    "auto, 0.1 px": Integrator(method="auto", dt=FRAME, tolerance=0.1),
+    "Verlet, 0.26 ms": Integrator(method="velocity_verlet", dt=FRAME / 64.0),
+    "Euler, 0.26 ms": Integrator(method="symplectic_euler", dt=FRAME / 64.0),
+}
+
+_RADIUS, _MASSES = 12.0, 12  # of a ring, px; its masses
+_ABREAST, _HIGH = 10, 8  # least number of rings in a row, and of rows in which the others are
+
+
+def heap(rings: int) -> Scene:
+    """A scene of so many rings of 12 masses above a box that is open at the top."""
+    rng = np.random.default_rng(1)
+    masses: list[Mass] = []
+    springs: list[LinearSpring] = []
+    joints: list[AngularSpring] = []
+    abreast = max(_ABREAST, rings // _HIGH)
+    edge = 2.0 * _RADIUS * math.sin(math.pi / _MASSES)
+    for i in range(rings):
+        x, y = np.array((20.0 + 30.0 * (i % abreast), -20.0 - 32.0 * (i // abreast))) + rng.uniform(
+            -2.0, 2.0, 2
+        )
+        first = len(masses)
+        for k in range(_MASSES):
+            turn = math.tau * k / _MASSES
+            at = (float(x) + _RADIUS * math.cos(turn), float(y) + _RADIUS * math.sin(turn))
+            masses.append(Mass(position=at, mass=0.1))
+            one, other = first + k, first + (k + 1) % _MASSES
+            springs.append(LinearSpring(a=one, b=other, stiffness=3000.0, damping=1.0, rest_length=edge))
+            joints.append(AngularSpring(a=one, b=other, stiffness=2000.0, rest_angle=360.0 / _MASSES))
+    return Scene(
+        name="heap",
+        masses=tuple(masses),
+        linear_springs=tuple(springs),
+        angular_springs=tuple(joints),
+        gravity=(0.0, 1000.0),
+        walls=(
+            Wall(point=(0.0, 0.0), normal=(0.0, -1.0)),
+            Wall(point=(0.0, 0.0), normal=(1.0, 0.0)),
+            Wall(point=(30.0 * abreast + 10.0, 0.0), normal=(-1.0, 0.0)),
+        ),
+        contact=Contact(distance=4.0, stiffness=300.0, friction=0.4, bounciness=0.3),
+    )
+
+
+def times(scene: Scene, frames: int, repeats: int) -> tuple[list[float], int]:
+    """Processor time of each frame, s, the least of all repeats, and the number of steps tried in all."""
+    simulation, steps = Simulation(scene), max(round(FRAME / scene.integrator.dt), 1)
+    simulation.step()  # loads the kernels
+    best, tried = [math.inf] * frames, 0
+    for _ in range(repeats):
+        simulation.reset()
+        simulation.stats()
+        for i in range(frames):
+            began = time.process_time()
+            simulation.step(steps)
+            best[i] = min(best[i], time.process_time() - began)
+        if simulation.divergence is not None:
+            raise RuntimeError(f"the heap ran away: {simulation.divergence}")
+        stats = simulation.stats()
+        tried = stats.steps + stats.rejected
+    return best, tried
+
+
+def bench_heap(console: Console, repeats: int) -> None:
+    """Measure, and print processor time per simulated time: of all, and of the slowest quarter second."""
+    table = Table("masses", "method", "steps per s", "all", "slowest 1/4 s", box=None)
+    quarter = round(0.25 / FRAME)
+    for rings in RINGS:
+        for name, integrator in METHODS.items():
+            scene = msgspec.structs.replace(heap(rings), integrator=integrator)
+            best, tried = times(scene, FRAMES, repeats)
+            parts = [sum(best[i : i + quarter]) for i in range(0, len(best), quarter)]
+            table.add_row(
+                str(len(scene.masses)),
+                name,
+                f"{tried / (FRAME * FRAMES):.0f}",
+                f"{sum(best) / (FRAME * FRAMES):.3f}",
+                f"{max(parts) / (FRAME * quarter):.3f}",
+            )
+    console.print("processor time / simulated time, falling and at rest, 3 s")
+    console.print(table)
