@@ -24,8 +24,6 @@ from ..kernels.core.shared import (
     address_of,
 )
 from ..kernels.core.tables import (
-    ARM_ADAMS,
-    ARM_ALPHA,
     ARM_ROSENBROCK,
     ARM_VERLET,
     ARMS,
@@ -69,10 +67,11 @@ from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..kernels.linear.surrounded import add_surrounding_damping, factorise_surrounded, solve_surrounded
-from ..methods.registry import ARM_METHODS, METHODS, MethodInfo
+from ..methods.registry import ARM_METHODS, METHODS
 from ..methods.tableaux import RK4
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
+from .arms import LONG, LOW_TOLERANCE, costs_of_steps, tolerance_factors
 from .stability import quick_limit
 
 _ROWS, _HISTORY = 24, 4
@@ -80,36 +79,8 @@ _ROWS, _HISTORY = 24, 4
 _NEW = np.array(AUTO_NEW)
 """Initial contents of `IntegratorState.selector`."""
 
-LOW_TOLERANCE = 3e-3
-"""Tolerance, px, below which `auto` uses RODAS 5P instead of RODAS 4, and no generalized-alpha."""
-
-LONG = 200
-"""Number of masses from which `auto` also tries generalized-alpha, which is good at long rods."""
-
 _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit, from which it counts as near the limit."""
-
-_COARSEST = 1e-3
-"""Largest tolerance of Rosenbrock methods under `auto`, as a fraction of the body's size: their error
-estimates are too optimistic for long steps on stiff bodies."""
-_FINER = 0.03
-"""Smallest factor of the tolerance that results from this."""
-
-_LARGEST = 0.01
-"""Largest tolerance of all methods under `auto`, as a fraction of the body's size: with a larger one,
-velocities of light masses would be arbitrary."""
-_SENSIBLE = 0.1
-"""Tolerance, px, that is always allowed."""
-
-_ADAMS_LOW = 0.5
-"""Factor of the tolerance of Adams methods under `auto`, for tolerances from `LOW_TOLERANCE` up."""
-_ADAMS_HIGH = 1.6
-"""The same for smaller tolerances. Found by experiment, so that about the same share of random bodies ends
-within large and within small tolerances."""
-
-_ITERATIONS = 10.0, 0.05
-"""Iterations for a linear system with contact that `auto` expects, and how many more for each spring: it then
-prefers explicit methods unless their steps are very short."""
 
 FALLBACK_STEP = 1e-3
 """Length of a fallback step, s."""
@@ -293,7 +264,7 @@ class Solver:
         assert isinstance(rosenbrock, Rosenbrock)
         assert isinstance(adams, Adams)
         if auto and self._costs is None:
-            self._costs = self._costs_of_steps(low)
+            self._costs = costs_of_steps(self.system.body, self.matrix, low)
             self._missing = set(np.flatnonzero(self._costs).tolist())
             self._take_in()
         costs = np.zeros(ARMS) if self._costs is None else self._costs.copy()
@@ -326,7 +297,7 @@ class Solver:
             implicit=rosenbrock,
             adams=adams,
             costs=costs,
-            tolerance_factor=self._tolerance_factors(arms, low) if auto else np.ones(ARMS),
+            tolerance_factor=tolerance_factors(self.scene, arms, low) if auto else np.ones(ARMS),
         )
         return self._problem
 
@@ -340,44 +311,6 @@ class Solver:
         if ready:
             self._missing -= ready
             self._problem = None
-
-    def _tolerance_factors(self, arms: list[MethodInfo], low: bool) -> Floats:
-        """See `Problem.tolerance_factor`."""
-        tolerance_factor = np.array([arm.tolerance_factor for arm in arms])
-        tolerance_factor[ARM_ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
-        size = max(
-            *np.ptp([mass.position for mass in self.scene.masses], axis=0),
-            *(spring.rest_length for spring in self.scene.linear_springs),
-        )
-        tolerance = self.scene.integrator.tolerance
-        tolerance_factor[ARM_ROSENBROCK] *= min(max(_COARSEST * size / tolerance, _FINER), 1.0)
-        return tolerance_factor * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
-
-    def _costs_of_steps(self, low: bool) -> Floats:
-        """See `Problem.costs`. Measured in ns on chains; for other bodies proportional to operations."""
-        body, matrix = self.system.body, self.matrix
-        n = body.masses
-        force, factors = 3.3 * n, 400.0 + 16.0 * n
-        blocks = 1.8 * n
-        if not (body.chain or body.ring):
-            force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
-        touching = 20.0 * body.springs if body.surroundings.contact.present else 0.0
-        force += touching
-        if not body.chain:
-            later = matrix.row_start[1:] - matrix.diagonal - 1
-            products = float((later * (later + 1)).sum())
-            factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * products
-            blocks = float(matrix.column.size)
-        if touching:  # each solution takes some iterations, see `linear.contact`
-            blocks = (_ITERATIONS[0] + _ITERATIONS[1] * body.springs) * (blocks + 2.0 * touching)
-        stages = 6 if low else 8
-        costs = np.zeros(ARMS)
-        costs[ARM_VERLET] = 60.0 + force
-        costs[ARM_ADAMS] = 80.0 + 2.0 * force + 4.0 * n
-        costs[ARM_ROSENBROCK] = factors + stages * (force + 2.0 * blocks + 4.0 * n)
-        if low and n >= LONG:
-            costs[ARM_ALPHA] = 1.2 * (factors + force + 2.0 * blocks) + 16.0 * n
-        return costs / costs[ARM_VERLET]
 
     def fall_back(self, until: float, drive: Drive) -> None:
         """Take a fallback step; arguments as of `run`."""

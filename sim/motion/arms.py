@@ -1,0 +1,98 @@
+"""What `auto` knows of its methods beforehand: what their steps cost, and the tolerances that suit them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..kernels.core.tables import (
+    ARM_ADAMS,
+    ARM_ALPHA,
+    ARM_ROSENBROCK,
+    ARM_VERLET,
+    ARMS,
+    Body,
+    Floats,
+    Matrix,
+)
+from ..methods.registry import MethodInfo
+from ..scene.types import Scene
+
+LOW_TOLERANCE = 3e-3
+"""Tolerance, px, below which `auto` uses RODAS 5P instead of RODAS 4, and no generalized-alpha."""
+
+LONG = 200
+"""Number of masses from which `auto` also tries generalized-alpha, which is good at long rods."""
+
+_COARSEST = 1e-3
+"""Largest tolerance of Rosenbrock methods under `auto`, as a fraction of the body's size: their error
+estimates are too optimistic for long steps on stiff bodies."""
+_FINER = 0.03
+"""Smallest factor of the tolerance that results from this."""
+
+_LARGEST = 0.01
+"""Largest tolerance of all methods under `auto`, as a fraction of the body's size: with a larger one,
+velocities of light masses would be arbitrary."""
+_SENSIBLE = 0.1
+"""Tolerance, px, that is always allowed."""
+
+_ADAMS_LOW = 0.5
+"""Factor of the tolerance of Adams methods under `auto`, for tolerances from `LOW_TOLERANCE` up."""
+_ADAMS_HIGH = 1.6
+"""The same for smaller tolerances. Found by experiment, so that about the same share of random bodies ends
+within large and within small tolerances."""
+
+_ITERATIONS = 10.0, 0.05
+"""Iterations for a linear system with contact that `auto` expects, and how many more for each spring: it then
+prefers explicit methods unless their steps are very short."""
+
+
+def tolerance_factors(scene: Scene, arms: list[MethodInfo], low: bool) -> Floats:
+    """(ARMS,) the tolerance of each method as a part of the scene's, see `Problem.tolerance_factor`.
+
+    Args:
+        scene: the scene.
+        arms: the methods.
+        low: whether the tolerance calls for methods of low order, see `LOW_TOLERANCE`.
+    """
+    tolerance_factor = np.array([arm.tolerance_factor for arm in arms])
+    tolerance_factor[ARM_ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
+    size = max(
+        *np.ptp([mass.position for mass in scene.masses], axis=0),
+        *(spring.rest_length for spring in scene.linear_springs),
+    )
+    tolerance = scene.integrator.tolerance
+    tolerance_factor[ARM_ROSENBROCK] *= min(max(_COARSEST * size / tolerance, _FINER), 1.0)
+    return tolerance_factor * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
+
+
+def costs_of_steps(body: Body, matrix: Matrix, low: bool) -> Floats:
+    """(ARMS,) computing time of a step of each method in steps of Verlet, see `Problem.costs`.
+
+    Measured in ns on chains; for other bodies proportional to operations.
+
+    Args:
+        body, matrix: the tables.
+        low: as of `tolerance_factors`.
+    """
+    n = body.masses
+    force, factors = 3.3 * n, 400.0 + 16.0 * n
+    blocks = 1.8 * n
+    if not (body.chain or body.ring):
+        force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
+    touching = 20.0 * body.springs if body.surroundings.contact.present else 0.0
+    force += touching
+    if not body.chain:
+        later = matrix.row_start[1:] - matrix.diagonal - 1
+        products = float((later * (later + 1)).sum())
+        factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * products
+        blocks = float(matrix.column.size)
+    if touching:  # each solution takes some iterations, see `linear.contact`
+        blocks = (_ITERATIONS[0] + _ITERATIONS[1] * body.springs) * (blocks + 2.0 * touching)
+    stages = 6 if low else 8
+    costs = np.zeros(ARMS)
+    costs[ARM_VERLET] = 60.0 + force
+    costs[ARM_ADAMS] = 80.0 + 2.0 * force + 4.0 * n
+    costs[ARM_ROSENBROCK] = factors + stages * (force + 2.0 * blocks + 4.0 * n)
+    if low and n >= LONG:
+        costs[ARM_ALPHA] = 1.2 * (factors + force + 2.0 * blocks) + 16.0 * n
+    return costs / costs[ARM_VERLET]
