@@ -80,6 +80,7 @@ def style_html(
         rules += f'div:has(>[id="{beside}"]){{width:30px;margin:-34px 10px 0 auto!important}}'
         rules += f'[id="{beside}"]{{width:30px;height:26px!important;padding:0;font-size:0}}'
         rules += f'[id="{beside}"] .mantine-Button-section{{margin:0!important;font-size:14px}}'
+        rules += f'[id="{beside}"] svg{{left:0!important}}'
     variables = ";".join(f"--softrod-{name}:{value}" for name, value in root.items())
     return f"<style>:root{{{variables}}}{rules}</style>"
 
