@@ -62,7 +62,7 @@ def test_a_sweep_that_was_interrupted_ends_with_the_same_table(undisturbed: byte
         command(out, "--jobs", "2"), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
     try:
-        wait_for_rows(out, 4, process)
+        wait_for_rows(out, 1, process)
         process.send_signal(signal.SIGINT)
         said, _ = process.communicate(timeout=PATIENCE)
     finally:
@@ -70,7 +70,7 @@ def test_a_sweep_that_was_interrupted_ends_with_the_same_table(undisturbed: byte
     assert process.returncode == 130, said
     assert "Traceback" not in said
     before = numbers_of(out)
-    assert 4 <= len(before) < 24
+    assert 1 <= len(before) < 24
     assert len(rows_of(out)) == len(before)
     done = subprocess.run(command(out, "--jobs", "2"), capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -190,12 +190,7 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
     if rng.random() < 0.4:
         strength = _ten_to(rng, 2.0, 7.0)
         fields["linear_springs"] = tuple(
-            msgspec.structs.replace(
-                spring,
-                strength=strength * _ten_to(rng, -1.0, 1.0) if rng.random() < 0.7 else None,
-                yield_force=strength * 0.3 if spring.stiffness > 0.0 and rng.random() < 0.5 else None,
-                hardening=_ten_to(rng, 0.0, 5.0),
-            )
+            msgspec.structs.replace(spring, **_limits(rng, strength * _ten_to(rng, -1.0, 1.0)))
             for spring in scene.linear_springs
         )
         fields["angular_springs"] = tuple(
@@ -203,6 +198,14 @@ def wild_world(scene: Scene, rng: Random) -> Scene:
             for joint in scene.angular_springs
         )
     return msgspec.structs.replace(scene, **fields)
+
+
+def _limits(rng: Random, strength: float) -> dict[str, float]:
+    """What a spring bears: it breaks, or yields, or both, or neither."""
+    limits = {"strength": strength} if rng.random() < 0.7 else {}
+    if rng.random() < 0.5:
+        limits |= {"yield_force": 0.3 * strength, "hardening": _ten_to(rng, 0.0, 5.0)}
+    return limits
 
 
 @dataclass

@@ -159,8 +159,9 @@ def test_yielding_is_of_first_order_and_its_books_are_of_the_methods() -> None:
 
 
 def test_a_squeezed_spring_keeps_some_length() -> None:
-    simulation = Simulation(flung(speed=-1500.0, yield_force=100.0))
-    simulation.advance(2.0)
+    scene = flung(speed=-1500.0, yield_force=100.0)
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method="auto", dt=1e-3, tolerance=0.1)))
+    simulation.advance(0.5)
     assert simulation.damage is not None
     assert -99.0 <= simulation.damage.set_lengths[0] <= 1e4
     assert np.isfinite(simulation.positions).all()
@@ -200,7 +201,10 @@ def fragile(seed: int = 0, method: Method = "auto") -> Scene:
     scene = body("girder", seed=seed, air=0.0)
     springs = tuple(
         REPLACE(
-            spring, strength=6e4 if s % 3 else None, yield_force=2e4 if s % 2 else None, hardening=10.0 * s
+            spring,
+            strength=6e4 if s % 3 else None,
+            yield_force=2e4 if s % 2 else None,
+            hardening=10.0 * s * (s % 2),
         )
         for s, spring in enumerate(scene.linear_springs)
     )
