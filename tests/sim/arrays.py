@@ -84,6 +84,18 @@ class Arrays:
         still, parts = np.zeros_like(q), np.zeros(ENERGIES)
         return float(energies(self.body, self.state, mass, *self.scene.gravity, q, still, parts))
 
+    def gradient(self) -> Floats:
+        """The derivative of the potential by all of `here`, by differences of order 4."""
+        slopes = []
+        for j in self.here:
+            ends = []
+            for size in (1e-3, -1e-3, 2e-3, -2e-3):
+                q = self.q.copy()
+                q[j] += size
+                ends.append(self.potential(q))
+            slopes.append((8.0 * (ends[0] - ends[1]) - (ends[2] - ends[3])) / 12e-3)
+        return np.array(slopes)
+
     def derivative(self, by_velocity: bool, step: float) -> Floats:
         """The derivative of the accelerations by positions or velocities, by differences of order 4."""
         columns = []

@@ -71,16 +71,8 @@ def test_contact_pushes_and_turns_nothing_as_a_whole(shape: str) -> None:
 def test_the_force_is_the_gradient_of_the_energy(shape: str) -> None:
     arrays = Arrays(crumpled(shape, 1, SMOOTH, damping=0.0, twist=0.0, air=0.0))
     without = Arrays(crumpled(shape, 1, REPLACE(SMOOTH, distance=0.0), damping=0.0, twist=0.0, air=0.0))
-    gradient = []
-    for j in arrays.here:
-        ends = []
-        for size in (1e-3, -1e-3, 2e-3, -2e-3):
-            q = arrays.q.copy()
-            q[j] += size
-            ends.append(arrays.potential(q))
-        gradient.append((8.0 * (ends[0] - ends[1]) - (ends[2] - ends[3])) / 12e-3)
     force = arrays.weight * arrays.accelerations(arrays.q, 0.0 * arrays.v)
-    assert np.abs(force + gradient).max() <= 1e-7 * np.abs(force).max()
+    assert np.abs(force + arrays.gradient()).max() <= 1e-7 * np.abs(force).max()
     assert arrays.potential(arrays.q) > without.potential(without.q) + 100.0
 
 
