@@ -60,6 +60,8 @@ _SETTLED = 1e-3
 """Relative change of the limit at which they end."""
 _SIZE = 12
 """Its dimension in later updates, which start from the stiffest motion found before."""
+_NOISE = 1e-3
+"""Size of the noise that is added to that motion, relative to it."""
 
 
 @dataclass(frozen=True)
@@ -95,6 +97,7 @@ class StabilityMeter:
         self._here = slice(1, n + 1)  # the slots of the masses
         # Alternating signs are close to the stiffest mode of a chain, and no mode is orthogonal to noise.
         noise = np.random.default_rng(1).normal(size=(2, n))
+        self._noise = noise / float(np.sqrt((noise * noise).sum()))
         self._start = noise + 3.0 * (-1.0) ** np.arange(n)
         self._limit = 0.0
 
@@ -108,7 +111,6 @@ class StabilityMeter:
         if self._rule is None:
             return StabilityEstimate(np.inf, None)
         body, probe = self._system.body, self._probe
-        n = body.masses
         here = self._here
         free = state.inverse_mass[here] > 0.0
         for field in ("q", "v", "controls", "clock", "inverse_mass"):
@@ -138,7 +140,9 @@ class StabilityMeter:
         assert self._rule is not None
         weight, scale = self._rule.damping, self._limit or 1e-3
         basis, k_basis, c_basis = [], [], []
-        q = self._start * (root > 0.0)
+        # Noise, for the motion found before may be that of another body than the one that is stiffest now.
+        start = self._start / max(float(np.sqrt((self._start * self._start).sum())), 1e-300)
+        q = (start + _NOISE * self._noise) * (root > 0.0)
         for _ in range(size):
             for _ in range(2):  # twice makes it orthogonal up to rounding
                 for other in basis:
