@@ -31,12 +31,22 @@ FLAGS = (
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
     "--ignore-gpu-blocklist",
+    # The picture is put together without WebGL, whose every pixel costs when the processor draws it.
+    "--disable-gpu-compositing",
 )
 DESKTOP = (880, 580)
 """Size of the pages of most tests: large enough for all controls, and quick to draw in software."""
 
 Serve = Callable[[str], Served]
 OpenPage = Callable[..., Desk]
+
+_ROUGH = """
+  const real = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, options) {
+    return real.call(this, kind, { ...options, antialias: false });
+  };
+"""
+"""Edges are not smoothed: in software, that is most of the work of a frame."""
 
 
 def browser_path(playwright: Playwright) -> str:
@@ -105,34 +115,68 @@ def serve() -> Iterator[Serve]:
         yield start
 
 
-@pytest.fixture
-def open_page(browser: Browser, serve: Serve, request: pytest.FixtureRequest) -> Iterator[OpenPage]:
-    """Opens pages, each in a browser profile of its own, and looks after the test whether they had errors."""
-    desks: list[Desk] = []
+@pytest.fixture(scope="session")
+def idle() -> list[Desk]:
+    """At most one empty page of the usual kind, which a test has left: it has viser's scripts compiled, so
+    that the next test's page is there in half the time."""
+    return []
 
-    def open_one(scene: str = "tutorial-3.3", size: tuple[int, int] = DESKTOP, phone: bool = False) -> Desk:
-        context = browser.new_context(
-            viewport={"width": size[0], "height": size[1]},
-            has_touch=phone,
-            device_scale_factor=2 if phone else 1,
-            accept_downloads=True,
-        )
-        context.set_default_timeout(20_000)
-        desk = Desk(serve(scene), context)
+
+@pytest.fixture
+def open_page(
+    browser: Browser, serve: Serve, idle: list[Desk], request: pytest.FixtureRequest
+) -> Iterator[OpenPage]:
+    """Opens pages, each in a browser profile of its own or in one that the test before has left empty, and
+    looks after the test whether they had errors."""
+    desks: list[Desk] = []
+    usual: list[Desk] = []
+
+    def open_one(
+        scene: str = "tutorial-3.3",
+        size: tuple[int, int] = DESKTOP,
+        phone: bool = False,
+        smooth: bool = False,
+    ) -> Desk:
+        served = serve(scene)
+        is_usual = size == DESKTOP and not phone and not smooth
+        if is_usual and idle:
+            desk = idle.pop()
+            desk.served = served
+        else:
+            context = browser.new_context(
+                viewport={"width": size[0], "height": size[1]},
+                has_touch=phone,
+                device_scale_factor=2 if phone else 1,
+                accept_downloads=True,
+            )
+            context.set_default_timeout(20_000)
+            if not smooth:
+                context.add_init_script(_ROUGH)
+            desk = Desk(served, context)
         desks.append(desk)
+        if is_usual:
+            usual.append(desk)
         desk.open()
         return desk
 
     yield open_one
-    if getattr(request.node, "has_failed", False):
+    failed = getattr(request.node, "has_failed", False)
+    if failed:
         ARTIFACTS.mkdir(exist_ok=True)
         name = re.sub(r"\W+", "-", request.node.name)
         for i, desk in enumerate(desks):
             if not desk.page.is_closed():
                 desk.page.screenshot(path=ARTIFACTS / f"failed-{name}-{i}.png")
+    errors: list[str] = []
     for desk in desks:
-        desk.context.close()
-    errors = [error for desk in desks for error in desk.errors]
+        keep = desk in usual and not idle and not failed and not desk.page.is_closed()
+        if keep:
+            desk.leave()
+        errors += desk.errors
+        if keep and not desk.errors:
+            idle.append(desk)
+        else:
+            desk.context.close()
     assert not errors, errors
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from app.page import slider_box
 from app.session import commands
 from sim.settings import setting_of
 from tests.browser.conftest import OpenPage
@@ -88,7 +89,8 @@ def test_a_template_bends_every_joint_and_more_masses_build_another_body(open_pa
     assert_shown(desk)
 
 
-def test_numbers_can_be_typed_slowly(open_page: OpenPage) -> None:
+def test_numbers_can_be_typed_slowly(open_page: OpenPage, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(slider_box, "TOUCHED", 0.05)
     desk = open_page()
     desk.show("Body")
     wrong = []
@@ -104,9 +106,9 @@ def test_numbers_can_be_typed_slowly(open_page: OpenPage) -> None:
         box.press("Control+a")
         for letter in text:
             desk.page.keyboard.press(letter)
-            desk.pause(0.5)  # longer than the server leaves a control alone that its user touched
+            desk.pause(0.15)  # longer than the server leaves a control alone that its user touched
         desk.page.keyboard.press("Enter")
-        desk.pause(0.5)
+        desk.pause(0.15)
         if value(desk, key) != float(text) or float(desk.box(label).input_value() or "nan") != float(text):
             wrong.append(f"{label}: {text} was typed, the box has {desk.box(label).input_value()}")
     assert not wrong, wrong
@@ -276,7 +278,10 @@ def test_there_is_one_notice_of_a_runaway_and_none_once_it_is_over(open_page: Op
     desk.until(lambda: desk.simulation.step_count > 40, "and plays")
 
 
-def test_number_boxes_take_a_comma_and_say_what_they_do_not_take(open_page: OpenPage) -> None:
+def test_number_boxes_take_a_comma_and_say_what_they_do_not_take(
+    open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(slider_box, "TYPED", 1.0)
     desk = open_page()
     desk.tell(commands.Play(False))
     desk.show("Body")
@@ -358,7 +363,7 @@ def test_a_picture_that_does_not_change_is_not_sent(open_page: OpenPage) -> None
         desk.pause(seconds)
         return desk.frames - before
 
-    assert sent_in(0.5) > 5  # it is counted
+    desk.until(lambda: sent_in(0.5) > 5, "what is sent is counted")
     desk.tell(commands.Play(False))
     desk.until(lambda: sent_in(1.2) == 0, "the last picture is sent, and what the browser is to keep")
     assert sent_in(1.0) == 0

@@ -58,7 +58,7 @@ def test_every_preset_opens_and_is_drawn(open_page: OpenPage) -> None:
 
 @pytest.mark.parametrize("phone", [False, True], ids=["desktop", "phone"])
 def test_screenshots_show_the_whole_body(open_page: OpenPage, phone: bool) -> None:
-    desk = open_page(size=(390, 844) if phone else (1280, 760), phone=phone)
+    desk = open_page(size=(390, 844) if phone else (1280, 760), phone=phone, smooth=True)
     desk.tell(commands.Play(False))
     for dark in (False,) if phone else (False, True):
         if dark:

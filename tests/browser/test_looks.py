@@ -86,6 +86,7 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
         desk.until(lambda: desk.tab._dark, "it is dark")
         desk.wait_drawn()
     desk.tell(commands.Play(False))
+    desk.until(desk.clock_is_right, "the clock shows where it stands")
     time = desk.clock()
     desk.page.emulate_media(media="print")
     heading = desk.page.locator(".softrod-paper")
