@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-_TURN = 0.05
+_TURN = 0.03
 """Part of the curve's range by which it must go back after an extreme, or that is a ripple and none."""
 
 _REGULAR = 0.25
@@ -138,4 +138,3 @@ def _slope(values: Floats) -> float:
     """The slope of the straight line through equally spaced values, by least squares."""
     x = np.arange(len(values)) - 0.5 * (len(values) - 1)
     return float((x * (values - values.mean())).sum() / (x * x).sum())
-

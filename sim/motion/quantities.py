@@ -1,4 +1,4 @@
-"""What can be measured of a body, each under one name: in Python, in tables, on the command line, in the page.
+"""What can be measured of a body, under the same names in Python, in tables and on the command line.
 
 A name says of what and what: `joint3.angle`, `spring0.force`, `mass5.x`, `energy.kinetic`,
 `stability.dt_over_limit`. Parts are counted from 0, as in scene files. Everything is read from the present
@@ -106,6 +106,10 @@ def quantity(name: str, scene: Scene) -> Quantity:
 
 
 # ------------------------------------------------------------------------- how they are read
+def _sizes(vectors: Vectors) -> Floats:
+    return np.hypot(vectors.real, vectors.imag)
+
+
 def _masses(simulation: Simulation, masses: Indices) -> tuple[Vectors, Vectors]:
     """Positions and velocities of masses."""
     system, state = simulation.tables
@@ -133,7 +137,7 @@ def _soft_square(simulation: Simulation, along: Vectors) -> Floats:
 
 
 def _lengths(simulation: Simulation, springs: Indices) -> Floats:
-    return abs(_vectors(simulation, _spring_rows(simulation, springs))[0])
+    return _sizes(_vectors(simulation, _spring_rows(simulation, springs))[0])
 
 
 def _elongations(simulation: Simulation, springs: Indices) -> Floats:
@@ -233,7 +237,7 @@ _ALL = (
     Kind("mass", "y", "{unit}", "y coordinate, as the scene counts it", lambda *of: _masses(*of)[0].imag),
     Kind("mass", "vx", "{unit}/s", "velocity along x", lambda *of: _masses(*of)[1].real),
     Kind("mass", "vy", "{unit}/s", "velocity along y", lambda *of: _masses(*of)[1].imag),
-    Kind("mass", "speed", "{unit}/s", "speed", lambda *of: abs(_masses(*of)[1])),
+    Kind("mass", "speed", "{unit}/s", "speed", lambda *of: _sizes(_masses(*of)[1])),
     *(
         Kind("energy", name, ENERGY_UNIT, _ENERGY_SUMMARIES[name], _of_energy(name))
         for name in ("total", *ENERGY_FIELDS)
