@@ -1,0 +1,475 @@
+"""The Measure tab: plots of quantities that run with the body, with period and damping, and their tables.
+
+Handlers only say what is wanted; the ticker does it. Where no plot is open there is nothing to do.
+"""
+
+from __future__ import annotations
+
+import html
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any
+
+import numpy as np
+import viser
+from viser import uplot
+
+import sim
+from sim.analysis.swings import swings
+from sim.errors import InputError
+from sim.motion.quantities import COUNTED
+
+from ..session.notices import Notice
+from ..session.plots import MOST_PLOTS, MOST_SERIES, OFFERED, Curve, Plot, Wish, curve
+from ..session.session import Session
+from . import readouts
+from .colors import Palette, palette
+from .phase import phase_svg
+
+EVERY = 0.1
+"""Seconds between two updates of a plot, at least."""
+
+READ_EVERY = 0.5
+"""Seconds between two readings of period and damping."""
+
+WIDTH, HEIGHT = 150, 220
+"""Pieces of a curve from left to right, each with its highest and lowest value; pixels of a plot's height."""
+
+SPANS = {"5 s": 5.0, "10 s": 10.0, "20 s": 20.0, "60 s": 60.0}
+"""How much time a plot shows."""
+
+MOST_PARTS = 24
+"""Joints and springs of the chosen mass that are offered, at most."""
+
+TIME = "time"
+_HERE, _TABLE, _REMOVE = "Add to it", "CSV", "Remove"
+_COLORS = ("driven", "pulled", "torque_plus", "torque_minus", "held")
+_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "driven", "ghost": "held"}
+"""The colours that things have on the canvas; a second one in a plot gets the next that is free."""
+
+_FONT = "12px system-ui, sans-serif"
+
+ABOUT = (
+    '<div class="softrod-text">Click a mass to choose what is measured: the mass, its joint and its springs. '
+    "The pointer over a plot reads values; drag across it to look closer, double-click to see all.</div>"
+)
+
+
+@dataclass
+class _Shown:
+    """A plot in the page."""
+
+    plot: Plot
+    title: viser.GuiHtmlHandle
+    chart: viser.GuiUplotHandle | viser.GuiHtmlHandle
+    reading: viser.GuiHtmlHandle
+    buttons: viser.GuiButtonGroupHandle
+    sent: int = -1  # the version of the plot that the page has
+    drawn_back: bool = False  # whether a past moment was shown then
+    looks: tuple[Any, ...] = field(default=())
+
+    def remove(self) -> None:
+        """Take it out of the page."""
+        for handle in (self.title, self.chart, self.reading, self.buttons):
+            handle.remove()
+
+
+class MeasurePanel:
+    """The controls and plots of one page's Measure tab.
+
+    Args:
+        client: the page.
+        tab: where they stand.
+        session: what is measured.
+        notify: tells the user something.
+
+    Attributes:
+        called: counts how often the tab was to be shown.
+    """
+
+    def __init__(
+        self,
+        client: viser.ClientHandle,
+        tab: viser.GuiTabHandle,
+        session: Session,
+        notify: Callable[[Notice], None],
+    ) -> None:
+        self._client, self._tab, self._session, self._notify = client, tab, session, notify
+        self._asked: deque[Callable[[], None]] = deque(maxlen=100)
+        self._plots: list[_Shown] = []
+        self._kept: tuple[Wish, ...] = ()
+        self._mass: int | None = None
+        self._joint = -1
+        self._dark = False
+        self._due = self._read_due = 0.0
+        self._numbers = 0
+        self.called = 0
+        gui = client.gui
+        with tab:
+            gui.add_html(ABOUT, order=1)
+            lists: list[viser.GuiDropdownHandle[str]] = [
+                gui.add_dropdown(label, options, order=order)
+                for order, (label, options) in enumerate(
+                    (("Part", ["mass0"]), ("Quantity", [*OFFERED["mass"]]), ("Over", [TIME])), start=2
+                )
+            ]
+            self._part, self._what, self._over = lists
+            self.new = gui.add_button("New plot", icon=viser.Icon.CHART_LINE, order=5)
+            self._span = gui.add_dropdown("Plots show", tuple(SPANS), initial_value="10 s", order=6)
+            self._span.visible = False
+        for handle, action in (
+            (self._part, self._offer),
+            (self._what, self._offer),
+            (self._span, self._redraw),
+        ):
+
+            @handle.on_update
+            async def _(event: viser.GuiEvent[Any], action: Callable[[], None] = action) -> None:
+                if event.client_id is not None:
+                    self._asked.append(action)
+
+        @self.new.on_click
+        async def _(_: object) -> None:
+            self._asked.append(self._add_chosen)
+
+    # --------------------------------------------------------------------- any thread
+    def plot_angle(self) -> None:
+        """Have the angle of the joint that is read out plotted, and the tab shown."""
+        self._asked.append(self._add_angle)
+
+    # --------------------------------------------------------------------- the ticker's
+    @property
+    def wishes(self) -> tuple[Wish, ...]:
+        """The plots that are open."""
+        return tuple(shown.plot.wish for shown in self._plots) or self._kept
+
+    def remember(self, wishes: tuple[Wish, ...]) -> None:
+        """Open these plots as soon as the scene is there that they were of."""
+        self._kept = wishes[:MOST_PLOTS]
+
+    def choose(self, mass: int) -> None:
+        """Offer a mass and what is at it; it was clicked."""
+        self._mass = mass
+        self._joint = -1  # what is offered is to be looked at again
+
+    def build(self, dark: bool) -> None:
+        """Another scene, or other looks: plots of what is not there any more go, the others begin anew if
+        their time does."""
+        scene = self._session.scene
+        self._dark = dark
+        self._joint = -1
+        if self._mass is not None and self._mass >= len(scene.masses):
+            self._mass = None
+        wishes, self._kept = self.wishes, ()
+        if wishes and not self._plots:
+            for wish in wishes:
+                self._try_add(wish)
+        for shown in list(self._plots):
+            try:
+                plot = Plot(shown.plot.wish, scene)
+            except InputError:
+                self._remove(shown)
+                continue
+            if [q.unit for q in plot.quantities] != [q.unit for q in shown.plot.quantities]:
+                plot.version = shown.sent + 1
+                shown.plot = plot
+        self._redraw()
+
+    def tick(self) -> None:
+        """Do what was asked for; note the present values, and show them when it is time."""
+        while self._asked:
+            self._asked.popleft()()
+        session, now = self._session, self._session.now()
+        if self._joint != session.joint:
+            self._joint = session.joint
+            self._offer()
+        if not self._plots:
+            return
+        for shown in self._plots:
+            shown.plot.sample(session)
+        if now >= self._due:
+            self._due = now + EVERY
+            reads = now >= self._read_due
+            if reads:
+                self._read_due = now + READ_EVERY
+            for shown in self._plots:
+                if shown.sent != shown.plot.version:
+                    self._show(shown, reads)
+                    if reads:
+                        shown.sent = shown.plot.version
+
+    # --------------------------------------------------------------------- what is offered
+    def _offer(self) -> None:
+        """Show in the lists what can be chosen now."""
+        parts = self._parts()
+        _set_options(self._part, parts)
+        of = self._part.value.rstrip("0123456789")
+        _set_options(self._what, OFFERED[of])
+        plotted = (name for shown in self._plots for name in shown.plot.wish.names)
+        beside = (f"{self._part.value}.{what}" for what in OFFERED[of])
+        others = [name for name in dict.fromkeys((*beside, *plotted)) if name != self._chosen]
+        _set_options(self._over, (TIME, *others))
+
+    def _parts(self) -> tuple[str, ...]:
+        """The parts that are offered: what was clicked, and what there is only one of."""
+        session = self._session
+        scene, joint = session.scene, session.joint
+        mass = self._mass
+        if mass is None:
+            mass = readouts.mass_of_joint(scene, joint) if scene.angular_springs else 0
+        springs = [s for s, spring in enumerate(scene.linear_springs) if mass in (spring.a, spring.b)]
+        at = set(springs)
+        joints = [j for j, of in enumerate(scene.angular_springs) if of.a in at and of.b in at]
+        if scene.angular_springs:
+            joints = list(dict.fromkeys((joint, *joints)))
+        counted = (
+            *(f"joint{j}" for j in joints[:MOST_PARTS]),
+            f"mass{mass}",
+            *(f"spring{s}" for s in springs[:MOST_PARTS]),
+        )
+        return (*counted, *(part for part in OFFERED if part not in COUNTED))
+
+    @property
+    def _chosen(self) -> str:
+        return f"{self._part.value}.{self._what.value}"
+
+    # --------------------------------------------------------------------- plots
+    def _add_chosen(self) -> None:
+        over = self._over.value
+        self._try_add(Wish((self._chosen,), "" if over == TIME else over))
+
+    def _add_angle(self) -> None:
+        session = self._session
+        if not session.scene.angular_springs:
+            self._notify(Notice("warning", "Nothing to plot", "This scene has no joints."))
+            return
+        self.called += 1
+        wish = Wish((f"joint{session.joint}.angle",))
+        if wish not in self.wishes:
+            self._try_add(wish)
+
+    def _try_add(self, wish: Wish) -> None:
+        """Open a plot, or say why not."""
+        try:
+            if len(self._plots) == MOST_PLOTS:
+                raise InputError(f"a page has room for {MOST_PLOTS} plots; remove one first")
+            plot = Plot(wish, self._session.scene)
+        except InputError as error:
+            self._notify(Notice("error", "That cannot be plotted", f"{error}."))
+            return
+        self._numbers += 1
+        order, gui = 10.0 * self._numbers + 10.0, self._client.gui
+        with self._tab:
+            title = gui.add_html("", order=order)
+            if wish.over:
+                chart = gui.add_html("", order=order + 1)
+            else:
+                chart = gui.add_uplot(
+                    (np.zeros(1), np.zeros(1)), ({}, {}), height=HEIGHT, padding=(8, 4, 0, 0), order=order + 1
+                )
+            reading = gui.add_html("", order=order + 2)
+            buttons = gui.add_button_group("", (_HERE, _TABLE, _REMOVE), order=order + 3)
+        shown = _Shown(plot, title, chart, reading, buttons)
+        self._plots.append(shown)
+
+        @buttons.on_click
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            actions = {_HERE: self._extend, _TABLE: self._download, _REMOVE: self._remove}
+            action = actions.get(event.target.value)
+            if event.client_id is not None and action is not None:
+                self._asked.append(partial(action, shown))
+
+        plot.sample(self._session)
+        self._span.visible = True
+        self._offer()
+        self._show(shown, reads=True)
+
+    def _remove(self, shown: _Shown) -> None:
+        if shown not in self._plots:
+            return
+        self._plots.remove(shown)
+        shown.remove()
+        self._span.visible = bool(self._plots)
+        if not (self._session.books or any(one.plot.wants_energy for one in self._plots)):
+            self._session.simulation.keep_books(False)
+        self._offer()
+
+    def _extend(self, shown: _Shown) -> None:
+        """Plot what is chosen beside what a plot has."""
+        wish, name = shown.plot.wish, self._chosen
+        if shown not in self._plots or name in wish.names:
+            return
+        try:
+            if len(wish.names) == MOST_SERIES:
+                raise InputError(f"a plot has room for {MOST_SERIES} quantities")
+            plot = Plot(Wish((*wish.names, name), wish.over), self._session.scene)
+        except InputError as error:
+            self._notify(Notice("error", "That cannot be added", f"{error}."))
+            return
+        plot.take_over(shown.plot)
+        shown.plot, shown.sent = plot, -1
+        plot.sample(self._session)
+        self._show(shown, reads=True)
+
+    def _download(self, shown: _Shown) -> None:
+        name = f"{self._session.scene.name}-{shown.plot.wish.names[0]}.csv"
+        self._client.send_file_download(name, shown.plot.table().encode(), save_immediately=True)
+
+    def _redraw(self) -> None:
+        for shown in self._plots:
+            self._show(shown, reads=True)
+
+    # --------------------------------------------------------------------- drawing
+    def _show(self, shown: _Shown, reads: bool) -> None:
+        """Send a plot."""
+        plot, seconds = shown.plot, SPANS.get(self._span.value, 10.0)
+        drawn = curve(plot, seconds, WIDTH)
+        colors = palette(self._session.scene.view.colors, self._dark)
+        series = _colors_of(plot, colors)
+        with self._client.atomic():
+            if isinstance(shown.chart, viser.GuiUplotHandle):
+                _draw_over_time(shown, shown.chart, drawn, series, colors)
+            else:
+                count = len(plot.wish.names)
+                shown.chart.content = phase_svg(
+                    drawn.values[count],
+                    drawn.values[:count],
+                    drawn.past,
+                    series,
+                    (_labelled(plot.quantities[-1:]), _labelled(plot.quantities[:count])),
+                    f"{', '.join(plot.wish.names)} over {plot.wish.over}",
+                )
+            if reads:
+                _set(shown.title, _title(plot, series))
+                _set(shown.reading, _reading(plot, seconds))
+
+
+def _draw_over_time(
+    shown: _Shown, chart: viser.GuiUplotHandle, drawn: Curve, series: Sequence[str], colors: Palette
+) -> None:
+    """Set the data of a plot over time; and its lines and axes, if these are others than before."""
+    plot, time, values = shown.plot, drawn.time, drawn.values
+    is_back = drawn.past < len(time)
+    data: tuple[np.ndarray, ...] = (time, *values)
+    if is_back:
+        after = np.arange(len(time)) >= drawn.past
+        data = (time, *np.where(after, np.nan, values), *np.where(np.roll(after, -1) | after, values, np.nan))
+    if len(time) == 1:  # a range of no length has no marks
+        data = tuple(np.append(column, column + (0.1 if i == 0 else 0.0)) for i, column in enumerate(data))
+    looks = plot.wish, tuple(series), colors.css("text"), is_back, plot.units
+    if looks != shown.looks:
+        shown.looks = looks
+        # In one message with the data: a chart of so many lines needs so much data.
+        chart.data = data
+        chart.series = _lines(plot, series, is_back)
+        chart.scales = {"x": {"time": False}, **{f"y{i}": {} for i in range(len(plot.units))}}
+        chart.axes = _axes(plot, colors)
+        chart.cursor = {"drag": {"x": True, "y": False}}
+        return
+    chart.data = data
+
+
+def _lines(plot: Plot, series: Sequence[str], is_back: bool) -> tuple[uplot.Series, ...]:
+    lines: list[uplot.Series] = [{"label": "time, s"}]
+    for part in ("now", "ahead") if is_back else ("now",):
+        for quantity, color in zip(plot.quantities, series, strict=True):
+            line: uplot.Series = {
+                "label": f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name,
+                "stroke": color,
+                "width": 2.0,
+                "scale": f"y{plot.units.index(quantity.unit)}",
+                "points": {"show": False},
+            }
+            if part == "ahead":
+                line |= {"alpha": 0.25, "label": f"{quantity.name}, ahead", "class": "softrod-ahead"}
+            lines.append(line)
+    return tuple(lines)
+
+
+def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
+    text, grid = colors.css("text"), colors.css("grid_major")
+    common: uplot.Axis = {
+        "stroke": text,
+        "font": _FONT,
+        "labelFont": _FONT,
+        "grid": {"stroke": grid, "width": 1.0},
+        "ticks": {"stroke": grid, "width": 1.0, "size": 4.0},
+    }
+    axes: list[uplot.Axis] = [{**common, "scale": "x", "label": "time, s", "labelSize": 18.0, "size": 26.0}]
+    for i, unit in enumerate(plot.units):
+        names = ", ".join(dict.fromkeys(q.kind.what for q in plot.quantities if q.unit == unit))
+        axis: uplot.Axis = {
+            **common,
+            "scale": f"y{i}",
+            "side": 1 if i else 3,
+            "label": f"{names}, {unit}" if unit else names,
+            "labelSize": 18.0,
+            "size": 56.0,
+        }
+        if i:
+            axis["grid"] = {"show": False}
+        axes.append(axis)
+    return tuple(axes)
+
+
+def _colors_of(plot: Plot, colors: Palette) -> list[str]:
+    """The colour of each quantity that is plotted upwards."""
+    taken: list[str] = []
+    for quantity in plot.quantities[: len(plot.wish.names)]:
+        first = _OF.get(quantity.kind.of, _COLORS[0])
+        taken.append(next(name for name in (first, *_COLORS) if name not in taken))
+    return [colors.css(name) for name in taken]
+
+
+def _labelled(quantities: Sequence[sim.Quantity]) -> str:
+    """The label of an axis for some quantities."""
+    names = ", ".join(dict.fromkeys(q.kind.what if len(quantities) > 1 else q.name for q in quantities))
+    units = ", ".join(dict.fromkeys(q.unit for q in quantities if q.unit))
+    return f"{names}, {units}" if units else names
+
+
+def _title(plot: Plot, series: Sequence[str]) -> str:
+    keys = (
+        f'<i style="background:{color}"></i>{html.escape(name)}'
+        for name, color in zip(plot.wish.names, series, strict=True)
+    )
+    over = f" over {html.escape(plot.wish.over)}" if plot.wish.over else ""
+    return f'<div class="softrod-plot-title">{" ".join(keys)}{over}</div>'
+
+
+def _reading(plot: Plot, seconds: float) -> str:
+    """Period, amplitude and damping of each quantity, as far as it swings: of all that is in view, or of its
+    last part, where something else went before."""
+    rows = plot.window(seconds)
+    rows = rows[rows[:, 0] <= plot.shown]
+    lines = []
+    for i, quantity in enumerate(plot.quantities[: len(plot.wish.names)], start=1):
+        for begin in (0, len(rows) // 2, 3 * len(rows) // 4):
+            time, values = rows[begin:, 0], rows[begin:, i]
+            found = None if np.isnan(values).any() else swings(time, values)
+            if found is not None:
+                loss = f", loses {100.0 * found.loss:.2g} % per cycle" if found.decrement is not None else ""
+                amplitude = f"{readouts.grouped(found.amplitude)} {quantity.unit}".strip()
+                lines.append(
+                    f"{html.escape(quantity.name)}: period <b>{found.period:.4g} s</b>, "
+                    f"amplitude <b>{html.escape(amplitude)}</b>{loss}"
+                )
+                break
+    return f'<div class="softrod-text softrod-reading">{"<br>".join(lines) or "no regular swing"}</div>'
+
+
+def _set(handle: viser.GuiHtmlHandle, content: str) -> None:
+    if handle.content != content:
+        handle.content = content
+
+
+def _set_options(handle: viser.GuiDropdownHandle[str], options: tuple[str, ...]) -> None:
+    """Offer some options; what is chosen stays, if it is among them: a page can send anything."""
+    value = handle.value
+    if handle.options != options:
+        handle.options = options
+    wanted = value if value in options else options[0]
+    if handle.value != wanted:
+        handle.value = wanted
