@@ -5,28 +5,23 @@ Handlers only say what is wanted; the ticker does it. Where no plot is open ther
 
 from __future__ import annotations
 
-import html
 from collections import deque
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
 import viser
-from viser import uplot
 
-import sim
-from sim.analysis.swings import swings
 from sim.errors import InputError
 from sim.motion.quantities import COUNTED
 
 from ..session.notices import Notice
-from ..session.plots import MOST_PLOTS, MOST_SERIES, OFFERED, Curve, Plot, Wish, curve
+from ..session.plots import MOST_PLOTS, MOST_SERIES, OFFERED, Plot, Wish, curve
 from ..session.session import Session
-from . import readouts
-from .colors import Palette, palette
-from .phase import phase_svg
+from . import plots, readouts
+from .colors import palette
 
 EVERY = 0.1
 """Seconds between two updates of a plot, at least."""
@@ -45,11 +40,6 @@ MOST_PARTS = 24
 
 TIME = "time"
 _HERE, _TABLE, _REMOVE = "Add to it", "CSV", "Remove"
-_COLORS = ("driven", "pulled", "torque_plus", "torque_minus", "held")
-_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "driven", "ghost": "held"}
-"""The colours that things have on the canvas; a second one in a plot gets the next that is free."""
-
-_FONT = "12px system-ui, sans-serif"
 
 ABOUT = (
     '<div class="softrod-text">Click a mass to choose what is measured: the mass, its joint and its springs. '
@@ -67,8 +57,7 @@ class _Shown:
     reading: viser.GuiHtmlHandle
     buttons: viser.GuiButtonGroupHandle
     sent: int = -1  # the version of the plot that the page has
-    drawn_back: bool = False  # whether a past moment was shown then
-    looks: tuple[Any, ...] = field(default=())
+    looks: tuple[object, ...] = ()  # what its lines and axes are for
 
     def remove(self) -> None:
         """Take it out of the page."""
@@ -327,137 +316,15 @@ class MeasurePanel:
         plot, seconds = shown.plot, SPANS.get(self._span.value, 10.0)
         drawn = curve(plot, seconds, WIDTH)
         colors = palette(self._session.scene.view.colors, self._dark)
-        series = _colors_of(plot, colors)
+        series = plots.colors_of(plot, colors)
         with self._client.atomic():
             if isinstance(shown.chart, viser.GuiUplotHandle):
-                _draw_over_time(shown, shown.chart, drawn, series, colors)
+                shown.looks = plots.draw_over_time(shown.chart, plot, drawn, series, colors, shown.looks)
             else:
-                count = len(plot.wish.names)
-                shown.chart.content = phase_svg(
-                    drawn.values[count],
-                    drawn.values[:count],
-                    drawn.past,
-                    series,
-                    (_labelled(plot.quantities[-1:]), _labelled(plot.quantities[:count])),
-                    f"{', '.join(plot.wish.names)} over {plot.wish.over}",
-                )
+                shown.chart.content = plots.draw_over_another(plot, drawn, series)
             if reads:
-                _set(shown.title, _title(plot, series))
-                _set(shown.reading, _reading(plot, seconds))
-
-
-def _draw_over_time(
-    shown: _Shown, chart: viser.GuiUplotHandle, drawn: Curve, series: Sequence[str], colors: Palette
-) -> None:
-    """Set the data of a plot over time; and its lines and axes, if these are others than before."""
-    plot, time, values = shown.plot, drawn.time, drawn.values
-    is_back = drawn.past < len(time)
-    data: tuple[np.ndarray, ...] = (time, *values)
-    if is_back:
-        after = np.arange(len(time)) >= drawn.past
-        data = (time, *np.where(after, np.nan, values), *np.where(np.roll(after, -1) | after, values, np.nan))
-    if len(time) == 1:  # a range of no length has no marks
-        data = tuple(np.append(column, column + (0.1 if i == 0 else 0.0)) for i, column in enumerate(data))
-    looks = plot.wish, tuple(series), colors.css("text"), is_back, plot.units
-    if looks != shown.looks:
-        shown.looks = looks
-        # In one message with the data: a chart of so many lines needs so much data.
-        chart.data = data
-        chart.series = _lines(plot, series, is_back)
-        chart.scales = {"x": {"time": False}, **{f"y{i}": {} for i in range(len(plot.units))}}
-        chart.axes = _axes(plot, colors)
-        chart.cursor = {"drag": {"x": True, "y": False}}
-        return
-    chart.data = data
-
-
-def _lines(plot: Plot, series: Sequence[str], is_back: bool) -> tuple[uplot.Series, ...]:
-    lines: list[uplot.Series] = [{"label": "time, s"}]
-    for part in ("now", "ahead") if is_back else ("now",):
-        for quantity, color in zip(plot.quantities, series, strict=True):
-            line: uplot.Series = {
-                "label": f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name,
-                "stroke": color,
-                "width": 2.0,
-                "scale": f"y{plot.units.index(quantity.unit)}",
-                "points": {"show": False},
-            }
-            if part == "ahead":
-                line |= {"alpha": 0.25, "label": f"{quantity.name}, ahead", "class": "softrod-ahead"}
-            lines.append(line)
-    return tuple(lines)
-
-
-def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
-    text, grid = colors.css("text"), colors.css("grid_major")
-    common: uplot.Axis = {
-        "stroke": text,
-        "font": _FONT,
-        "labelFont": _FONT,
-        "grid": {"stroke": grid, "width": 1.0},
-        "ticks": {"stroke": grid, "width": 1.0, "size": 4.0},
-    }
-    axes: list[uplot.Axis] = [{**common, "scale": "x", "label": "time, s", "labelSize": 18.0, "size": 26.0}]
-    for i, unit in enumerate(plot.units):
-        names = ", ".join(dict.fromkeys(q.kind.what for q in plot.quantities if q.unit == unit))
-        axis: uplot.Axis = {
-            **common,
-            "scale": f"y{i}",
-            "side": 1 if i else 3,
-            "label": f"{names}, {unit}" if unit else names,
-            "labelSize": 18.0,
-            "size": 56.0,
-        }
-        if i:
-            axis["grid"] = {"show": False}
-        axes.append(axis)
-    return tuple(axes)
-
-
-def _colors_of(plot: Plot, colors: Palette) -> list[str]:
-    """The colour of each quantity that is plotted upwards."""
-    taken: list[str] = []
-    for quantity in plot.quantities[: len(plot.wish.names)]:
-        first = _OF.get(quantity.kind.of, _COLORS[0])
-        taken.append(next(name for name in (first, *_COLORS) if name not in taken))
-    return [colors.css(name) for name in taken]
-
-
-def _labelled(quantities: Sequence[sim.Quantity]) -> str:
-    """The label of an axis for some quantities."""
-    names = ", ".join(dict.fromkeys(q.kind.what if len(quantities) > 1 else q.name for q in quantities))
-    units = ", ".join(dict.fromkeys(q.unit for q in quantities if q.unit))
-    return f"{names}, {units}" if units else names
-
-
-def _title(plot: Plot, series: Sequence[str]) -> str:
-    keys = (
-        f'<i style="background:{color}"></i>{html.escape(name)}'
-        for name, color in zip(plot.wish.names, series, strict=True)
-    )
-    over = f" over {html.escape(plot.wish.over)}" if plot.wish.over else ""
-    return f'<div class="softrod-plot-title">{" ".join(keys)}{over}</div>'
-
-
-def _reading(plot: Plot, seconds: float) -> str:
-    """Period, amplitude and damping of each quantity, as far as it swings: of all that is in view, or of its
-    last part, where something else went before."""
-    rows = plot.window(seconds)
-    rows = rows[rows[:, 0] <= plot.shown]
-    lines = []
-    for i, quantity in enumerate(plot.quantities[: len(plot.wish.names)], start=1):
-        for begin in (0, len(rows) // 2, 3 * len(rows) // 4):
-            time, values = rows[begin:, 0], rows[begin:, i]
-            found = None if np.isnan(values).any() else swings(time, values)
-            if found is not None:
-                loss = f", loses {100.0 * found.loss:.2g} % per cycle" if found.decrement is not None else ""
-                amplitude = f"{readouts.grouped(found.amplitude)} {quantity.unit}".strip()
-                lines.append(
-                    f"{html.escape(quantity.name)}: period <b>{found.period:.4g} s</b>, "
-                    f"amplitude <b>{html.escape(amplitude)}</b>{loss}"
-                )
-                break
-    return f'<div class="softrod-text softrod-reading">{"<br>".join(lines) or "no regular swing"}</div>'
+                _set(shown.title, plots.title(plot, series))
+                _set(shown.reading, plots.reading(plot, seconds))
 
 
 def _set(handle: viser.GuiHtmlHandle, content: str) -> None:

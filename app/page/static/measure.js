@@ -13,6 +13,9 @@ export function showMeasures() {
     asked = measures;
     const tabs = [...document.querySelectorAll("[role=tab]")];
     const tab = tabs.find((each) => each.textContent?.trim() === NAME);
-    if (tab instanceof HTMLElement) tab.click();
+    if (!(tab instanceof HTMLElement)) return;
+    // The panel beside the canvas hears of no click, that of a phone of nothing else.
+    tab.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true }));
+    tab.click();
   });
 }
