@@ -25,15 +25,12 @@ def ticks(low: float, high: float) -> list[float]:
     return [step * i for i in range(math.ceil(low / step), math.floor(high / step) + 1)]
 
 
-def phase_svg(
-    x: Floats, ys: Floats, past: int, colors: Sequence[str], labels: tuple[str, str], name: str
-) -> str:
+def phase_svg(x: Floats, ys: Floats, colors: Sequence[str], labels: tuple[str, str], name: str) -> str:
     """The plot.
 
     Args:
         x: (k,) values along the axis to the right.
         ys: (quantities, k) values of each quantity that is plotted upwards.
-        past: how many of the first points are not after the moment that is shown; what is after is pale.
         colors: of each quantity, as CSS has them.
         labels: of the axes, to the right and upwards.
         name: what it is, for screen readers.
@@ -69,11 +66,10 @@ def phase_svg(
             f"{across(a):.1f} {up(b):.1f}" if math.isfinite(a) and math.isfinite(b) else ""
             for a, b in zip(x.tolist(), y.tolist(), strict=True)
         ]
-        for part, style in ((points[max(past - 1, 0) :], ";opacity:0.25"), (points[:past], "")):
-            if path := _path(part):
-                curves.append(f'<path d="{path}" style="stroke:{color}{style}"/>')
-        if past and (last := points[past - 1]):
-            cx, cy = last.split()
+        if path := _path(points):
+            curves.append(f'<path d="{path}" style="stroke:{color}"/>')
+        if points and points[-1]:
+            cx, cy = points[-1].split()
             curves.append(f'<circle cx="{cx}" cy="{cy}" r="4" style="fill:{color}"/>')
     return (
         f'<svg class="softrod-phase" viewBox="0 0 {WIDTH:g} {HEIGHT:g}" role="img" '

@@ -7,12 +7,13 @@ from collections.abc import Sequence
 
 import numpy as np
 import viser
+from numpy.typing import NDArray
 from viser import uplot
 
 import sim
 from sim.analysis.swings import swings
 
-from ..session.plots import Curve, Plot
+from ..session.plots import Plot
 from . import readouts
 from .colors import Palette
 from .phase import phase_svg
@@ -27,7 +28,7 @@ _FONT = "12px system-ui, sans-serif"
 def draw_over_time(
     chart: viser.GuiUplotHandle,
     plot: Plot,
-    drawn: Curve,
+    drawn: NDArray[np.float64],
     series: Sequence[str],
     colors: Palette,
     before: tuple[object, ...],
@@ -41,46 +42,43 @@ def draw_over_time(
         colors: of everything else.
         before: what this returned the last time.
     """
-    time, values = drawn.time, drawn.values
-    is_back = drawn.past < len(time)
-    data: tuple[np.ndarray, ...] = (time, *values)
-    if is_back:
-        after = np.arange(len(time)) >= drawn.past
-        data = (time, *np.where(after, np.nan, values), *np.where(np.roll(after, -1) | after, values, np.nan))
-    if len(time) == 1:  # a range of no length has no marks
-        data = tuple(np.append(column, column + (0.1 if i == 0 else 0.0)) for i, column in enumerate(data))
-    looks = plot.wish, tuple(series), colors.css("text"), is_back, plot.units
-    chart.data = data
+    # uPlot takes a number for the first value of every line that it goes by in finding its range.
+    some: NDArray[np.bool_] = np.asarray(np.isfinite(drawn).any(1))
+    drawn = drawn[:, int(np.isfinite(drawn[some]).all(0).argmax()) :]
+    if drawn.shape[1] == 1:  # a range of no length has no marks
+        drawn = np.column_stack((drawn, drawn))
+        drawn[0, 1] += 0.1
+    looks = plot.wish, tuple(series), colors.css("text"), tuple(some.tolist()), plot.units
+    chart.data = tuple(drawn)
     if looks != before:
-        chart.series = _lines(plot, series, is_back)
+        chart.series = _lines(plot, series, some)
         chart.scales = {"x": {"time": False}, **{f"y{i}": {} for i in range(len(plot.units))}}
         chart.axes = _axes(plot, colors)
         chart.cursor = {"drag": {"x": True, "y": False}}
     return looks
 
 
-def draw_over_another(plot: Plot, drawn: Curve, series: Sequence[str]) -> str:
+def draw_over_another(plot: Plot, drawn: NDArray[np.float64], series: Sequence[str]) -> str:
     """A plot over another quantity than the time, as HTML."""
     count = len(plot.wish.names)
     labels = _labelled(plot.quantities[-1:]), _labelled(plot.quantities[:count])
     name = f"{', '.join(plot.wish.names)} over {plot.wish.over}"
-    return phase_svg(drawn.values[count], drawn.values[:count], drawn.past, series, labels, name)
+    return phase_svg(drawn[1 + count], drawn[1 : 1 + count], series, labels, name)
 
 
-def _lines(plot: Plot, series: Sequence[str], is_back: bool) -> tuple[uplot.Series, ...]:
+def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[uplot.Series, ...]:
     lines: list[uplot.Series] = [{"label": "time, s"}]
-    for part in ("now", "ahead") if is_back else ("now",):
-        for quantity, color in zip(plot.quantities, series, strict=True):
-            line: uplot.Series = {
+    for quantity, color, has_values in zip(plot.quantities, series, some[1:], strict=True):
+        lines.append(
+            {
                 "label": f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name,
                 "stroke": color,
                 "width": 2.0,
                 "scale": f"y{plot.units.index(quantity.unit)}",
+                "auto": bool(has_values),
                 "points": {"show": False},
             }
-            if part == "ahead":
-                line |= {"alpha": 0.25, "label": f"{quantity.name}, ahead", "class": "softrod-ahead"}
-            lines.append(line)
+        )
     return tuple(lines)
 
 
@@ -102,7 +100,7 @@ def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
             "side": 1 if i else 3,
             "label": f"{names}, {unit}" if unit else names,
             "labelSize": 18.0,
-            "size": 56.0,
+            "size": 76.0 if unit.startswith("kg") else 50.0,  # forces and energies have many digits
         }
         if i:
             axis["grid"] = {"show": False}
@@ -140,7 +138,6 @@ def reading(plot: Plot, seconds: float) -> str:
     """Period, amplitude and damping of each quantity, as far as it swings: of all that is in view, or of its
     last part, where something else went before."""
     rows = plot.window(seconds)
-    rows = rows[rows[:, 0] <= plot.shown]
     lines = []
     for i, quantity in enumerate(plot.quantities[: len(plot.wish.names)], start=1):
         for begin in (0, len(rows) // 2, 3 * len(rows) // 4):

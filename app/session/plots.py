@@ -1,14 +1,13 @@
 """What a page plots: which quantities, and their values in the last minute.
 
-A plot follows the history of its session: what is ahead of a past moment that is shown stays until something
-else takes its place.
+A plot follows the history of its session: it ends at the moment that is shown. What is ahead of that stays,
+and is shown again on the way forward, until something else takes its place.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Annotated
 
 import msgspec
@@ -154,12 +153,9 @@ class Plot:
         self._end += 1
 
     def window(self, seconds: float) -> Floats:
-        """(k, 1 + quantities) the rows of the last seconds; if a past moment is shown, of those about it."""
+        """(k, 1 + quantities) the rows of the last seconds before the moment that is shown."""
         rows = self.rows
-        if not len(rows):
-            return rows
-        until = min(float(rows[-1, 0]), self.shown + 0.5 * seconds)
-        first, end = np.searchsorted(rows[:, 0], (until - seconds, until), side="right")
+        first, end = np.searchsorted(rows[:, 0], (self.shown - seconds, self.shown), side="right")
         return rows[first:end]
 
     def table(self) -> str:
@@ -167,28 +163,16 @@ class Plot:
         return table_text(self.quantities, self.rows)
 
 
-@dataclass(frozen=True)
-class Curve:
-    """What a page is sent of a plot.
-
-    Attributes:
-        time: (k,) s.
-        values: (quantities, k).
-        past: how many of the first points are not after the time that is shown.
-    """
-
-    time: Floats
-    values: Floats
-    past: int
-
-
-def curve(plot: Plot, seconds: float, width: int) -> Curve:
+def curve(plot: Plot, seconds: float, width: int) -> Floats:
     """What a page is sent of a plot, rounded to what can be seen.
 
     Args:
         plot: the plot.
         seconds: of the window.
         width: pieces of the window; of each there are the highest and the lowest value of each quantity.
+
+    Returns:
+        (1 + quantities, k) times, s, and values.
     """
     rows = plot.window(seconds)
     if len(rows) > 2 * width:
@@ -203,8 +187,7 @@ def curve(plot: Plot, seconds: float, width: int) -> Curve:
                 where = np.flatnonzero(height == np.repeat(most, np.diff(starts, append=len(rows))))
                 keep.update(where[np.unique(piece[where], return_index=True)[1]].tolist())
         rows = rows[sorted(keep)]
-    rounded = np.array([_rounded(column) for column in rows.T]).reshape(rows.shape[::-1])
-    return Curve(rounded[0], rounded[1:], int((rows[:, 0] <= plot.shown).sum()))
+    return np.array([_rounded(column) for column in rows.T]).reshape(rows.shape[::-1])
 
 
 def _rounded(values: Floats) -> Floats:
