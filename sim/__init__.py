@@ -14,6 +14,9 @@ from .analysis.equilibrium import Vibrations, equilibrium, vibrations
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import EnergyBook
 from .motion.moment import Moment
+from .motion.quantities import KINDS as QUANTITIES
+from .motion.quantities import Quantity, quantity
+from .motion.recording import Recording
 from .motion.simulation import Divergence, Simulation
 from .scene.files import list_scenes, load_scene, save_scene
 from .scene.makers import (
@@ -54,6 +57,7 @@ from .scene.validate import validate
 from .settings import set_choice, set_value
 
 __all__ = [
+    "QUANTITIES",
     "AirBalloon",
     "Anchor",
     "AngularSpring",
@@ -78,6 +82,8 @@ __all__ = [
     "Moment",
     "Polygon",
     "Pose",
+    "Quantity",
+    "Recording",
     "Rod",
     "Rope",
     "Scene",
@@ -102,6 +108,7 @@ __all__ = [
     "list_scenes",
     "load_scene",
     "polygon",
+    "quantity",
     "rod",
     "rope",
     "save_scene",

@@ -8,21 +8,24 @@ import zlib
 
 import msgspec
 
+from ..session.plots import Wish
+
 MOST_BYTES = 8_000_000
 """Of what a page gives back, unpacked: a scene of the largest size, and what belongs to it."""
 
 
 class Kept(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A keepsake of the session, and how the page looked."""
+    """A keepsake of the session, how the page looked, and which plots were open."""
 
     session: msgspec.Raw
     dark: bool = False
     gizmos: bool = False
+    plots: tuple[Wish, ...] = ()
 
 
-def encode(session: bytes, dark: bool, gizmos: bool) -> bytes:
+def encode(session: bytes, dark: bool, gizmos: bool, plots: tuple[Wish, ...] = ()) -> bytes:
     """What the browser is to keep, JSON."""
-    return msgspec.json.encode(Kept(session=msgspec.Raw(session), dark=dark, gizmos=gizmos))
+    return msgspec.json.encode(Kept(session=msgspec.Raw(session), dark=dark, gizmos=gizmos, plots=plots))
 
 
 class Parts:

@@ -66,7 +66,7 @@ class Panel:
         session: its simulation.
         scenes: for the chooser, names by their labels.
         act: what the tab does beyond the session's commands: "open" a scene by its name, "notice", "theme",
-            "gizmos", "fit", "follow", "energy", "anew", "help".
+            "gizmos", "fit", "follow", "energy", "plot", "anew", "help".
 
     Attributes:
         outlined: buttons that are not the first thing to press in their tab.
@@ -110,6 +110,7 @@ class Panel:
         with self._solver_tab:
             self._solver = SolverPanel(client, session)
         self.outlined += [self._own_values, self._solver.own_values]
+        self.measure_tab = self.tabs.add_tab("Measure")
         self.files_tab = self.tabs.add_tab("Files")
         self._build_view()
         self._add_palette_commands()
@@ -201,6 +202,7 @@ class Panel:
             ("Reset", "R", commands.Reset()),
             ("Pause", "Esc", commands.Play(False)),
             ("Follow the pointer, or stop", "F", "follow"),
+            ("Plot the joint's angle", "G", "plot"),
             ("Show the whole scene", "0", "fit"),
             ("Energy: follow it, or stop", "", "energy"),
             ("Open this scene anew", "", "anew"),
@@ -337,9 +339,11 @@ class Panel:
                 element.content = content
         self._solver.refresh_readouts()
 
-    def set_state(self, scene: str, playing: bool, at_rest: bool = False, broken: int = 0) -> None:
+    def set_state(
+        self, scene: str, playing: bool, at_rest: bool = False, broken: int = 0, measures: int = 0
+    ) -> None:
         """Tell the page's script what it has to know, see `script.told`."""
-        told = script.told(_id(self.channel), scene, self._session, playing, at_rest, broken)
+        told = script.told(_id(self.channel), scene, self._session, playing, at_rest, broken, measures)
         if told != self._told:
             self._told = told
             self._state.content = script.told_html(told)

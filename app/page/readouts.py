@@ -111,7 +111,7 @@ def joint_table(session: Session) -> str:
         "degrees": f"{angle:+.2f}°",
         "rest_angle": f"{float(simulation.rest_angles[session.joint]):+.2f}°",
     }
-    rows = [f"<tr><td>joint</td><td>{session.joint + 1} of {len(angles)}</td></tr>"]
+    rows = [f"<tr><td>joint</td><td>{session.joint} of 0..{len(angles) - 1}</td></tr>"]
     rows += [
         f"<tr><td>{_NAMES[key]}</td><td>{values[key]}</td></tr>" for key in simulation.scene.view.readouts
     ]
@@ -226,6 +226,13 @@ def joint_of_mass(scene: sim.Scene, mass: int) -> int | None:
     return None
 
 
+def mass_of_joint(scene: sim.Scene, joint: int) -> int:
+    """The mass at which the two springs of a joint meet; the first end of its first spring if they do not."""
+    of = scene.angular_springs[joint]
+    a, b = scene.linear_springs[of.a], scene.linear_springs[of.b]
+    return min({a.a, a.b} & {b.a, b.b}, default=a.a)
+
+
 PAD = (
     '<div class="softrod-pad">'
     + "".join(
@@ -250,6 +257,7 @@ KEYS_HELP = (
     ("R", "reset"),
     ("Esc", "pause; close this help, or a question"),
     ("F", "the ringed mass follows the pointer, or stops following"),
+    ("G", "plot the angle of the joint"),
     ("0", "show the whole scene"),
     ("P", "larger, for a projector"),
     ("Tab", "to the body, and on: arrows choose a mass, Space takes it, arrows move it"),

@@ -37,7 +37,7 @@ ONCE: dict[str, Command] = {
     "before": commands.BackBeforeDivergence(),
     "forget": commands.ForgetFuture(),
 }
-"""Commands that the script sends by a word; `follow` is a switch besides."""
+"""Commands that the script sends by a word; `follow` and `plot` are no commands, but words besides."""
 
 
 def style_html(
@@ -86,7 +86,13 @@ def style_html(
 
 
 def told(
-    channel: str, scene: str, session: Session, playing: bool, at_rest: bool, broken: int = 0
+    channel: str,
+    scene: str,
+    session: Session,
+    playing: bool,
+    at_rest: bool,
+    broken: int = 0,
+    measures: int = 0,
 ) -> dict[str, object]:
     """What the script has to know.
 
@@ -97,6 +103,7 @@ def told(
         playing: whether the clock runs, or will as soon as a heavy step is done.
         at_rest: whether the body stands while the clock runs, so that no pictures come.
         broken: how many springs are broken.
+        measures: how often the Measure tab was to be shown.
     """
     frame, history = session.scene.view.frame, session.history
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
@@ -120,6 +127,7 @@ def told(
         "offer": int(session.offer_back),
         "future": int(session.old_future is not None),
         **({"broken": broken} if broken else {}),
+        **({"measures": measures} if measures else {}),
     }
 
 
@@ -141,7 +149,15 @@ class Switch:
     """The switch that has the driven mass follow the pointer was pressed."""
 
 
-def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | None:
+@dataclass(frozen=True)
+class PlotAngle:
+    """The angle of the joint that is read out is to be plotted."""
+
+
+_ASKED: dict[str, Switch | PlotAngle] = {"follow": Switch(), "plot": PlotAngle()}
+
+
+def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAngle | None:
     """What a message of the script asks for, or None for nonsense.
 
     Args:
@@ -155,7 +171,7 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | None:
     if keys is not None:
         return commands.HoldKeys(frozenset(_KEYS[key] for key in keys))
     if word is not None:
-        return Switch() if word == "follow" else ONCE.get(word)
+        return _ASKED.get(word) or ONCE.get(word)
     if time is not None:
         return commands.GoTo(float(time))
     if speed is not None:

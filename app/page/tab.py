@@ -25,6 +25,7 @@ from ..session.session import Notice, Session
 from . import keeping, readouts, script, shelf
 from .drawing import Mapping
 from .files_panel import FilesPanel
+from .measure_panel import MeasurePanel
 from .panel import Panel, set_theme
 from .plan import Picture, broken_of
 from .view import Canvas, Touch
@@ -148,6 +149,7 @@ class Tab:
             self._rebuild(session)
         if session.revision != self._planned:
             self._plan(session)
+        self._measure.tick()
         self._show(session)
         self._tell(session)
         self._keep(session)
@@ -162,6 +164,7 @@ class Tab:
         self._panel = Panel(self.client, session, shelf.labels(self._first.name), self.request)
         with self._panel.files_tab:
             self._files = FilesPanel(self.client, session, self.notify)
+        self._measure = MeasurePanel(self.client, self._panel.measure_tab, session, self.notify)
         self._panel.outlined += self._files.outlined
 
         @self._panel.channel.on_update
@@ -179,6 +182,8 @@ class Tab:
                     self.request("follow", None)
                 case script.Pick(mass):
                     self.request("joint", mass)
+                case script.PlotAngle():
+                    self._measure.plot_angle()
                 case command:
                     session.post(command)
 
@@ -213,6 +218,7 @@ class Tab:
         self._panel.build(scene.name)
         self._panel.set_scenes(shelf.labels(scene.name), scene.name)
         self._panel.set_style(self._dark)
+        self._measure.build(self._dark)
         self._moved_at = session.now()
         self._generation = session.generation
 
@@ -239,7 +245,9 @@ class Tab:
             self._moved_at = now
         at_rest = now - self._moved_at > RESTING_AFTER
         self._broken = len(broken_of(picture.damage))
-        self._panel.set_state(self._shown_as, session.playing, at_rest and running, self._broken)
+        self._panel.set_state(
+            self._shown_as, session.playing, at_rest and running, self._broken, self._measure.called
+        )
         still = at_rest and self._was_at_rest and not self._panel.unsettled
         if changed or (now >= self._readouts_due and not still):
             self._readouts_due = now + READOUTS_EVERY
@@ -267,13 +275,14 @@ class Tab:
 
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
-        now, state = session.now(), (session.revision, session.simulation.time, self._dark, self._gizmos)
+        now, plots = session.now(), self._measure.wishes
+        state = (session.revision, session.simulation.time, self._dark, self._gizmos, plots)
         # At rest only the clock goes on: that is not worth a message.
-        resting = self._was_at_rest and state[:1] == self._kept[:1]
+        resting = self._was_at_rest and (state[0], plots) == (*self._kept[:1], *self._kept[4:])
         if now < self._keep_due or state == self._kept or resting or session.replay is not None:
             return
         began = time.perf_counter()
-        self._view.keep(keeping.encode(session.keepsake(), self._dark, self._gizmos))
+        self._view.keep(keeping.encode(session.keepsake(), self._dark, self._gizmos, plots))
         self._kept = state
         self._keep_due = now + max(KEEP_EVERY, (time.perf_counter() - began) / KEEP_SHARE)
 
@@ -281,6 +290,7 @@ class Tab:
         kept = self._parts.add(number, of, letters)
         if kept is None:
             return
+        self._measure.remember(kept.plots)
         self.request("gizmos", kept.gizmos)
         if kept.dark:
             self.request("theme", True)
@@ -320,9 +330,12 @@ class Tab:
                 session.post(commands.Open(session.opened))
             elif what == "joint":
                 joint = readouts.joint_of_mass(session.scene, argument)
+                self._measure.choose(argument)
                 if joint is not None:
                     session.post(commands.SelectJoint(joint))
                     session.revision += 1
+            elif what == "plot":
+                self._measure.plot_angle()
             elif what == "scenes":
                 self._panel.set_scenes(shelf.labels(session.scene.name), session.scene.name)
             elif what == "help":

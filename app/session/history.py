@@ -65,13 +65,16 @@ class History:
 
     Attributes:
         shown: index of the moment that the page shows.
+        runs: counts how often it has begun anew.
     """
 
     def __init__(self) -> None:
+        self.runs = 0
         self.clear()
 
     def clear(self) -> None:
         """Forget everything."""
+        self.runs += 1
         self._frames: list[_Frame] = []
         self._number = 0
         self._bytes = 0

@@ -20,7 +20,7 @@ CALM = """async () => {
     calm = moving() ? 0 : calm + 1;
   }
 }"""
-TABS = ("Play", "Body", "Solver", "Files", "View")
+TABS = ("Play", "Body", "Solver", "Measure", "Files", "View")
 
 
 def judged(desk: Desk) -> list[dict[str, Any]]:
@@ -45,6 +45,8 @@ def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
         desk.show("View")
         desk.control("Dark").click()
         desk.until(lambda: desk.tab._dark, "it is dark")
+    desk.page.keyboard.press("g")
+    desk.page.locator(".u-legend").wait_for()
     pale: list[tuple[str, dict[str, Any]]] = []
     for tab in TABS:
         desk.show(tab)

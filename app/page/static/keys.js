@@ -13,6 +13,7 @@ const ONCE = {
   KeyN: "step",
   KeyR: "reset",
   KeyF: "follow",
+  KeyG: "plot",
   KeyJ: "second",
   KeyP: "project",
   Escape: "pause",

@@ -10,6 +10,7 @@ import { showHud } from "./hud.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { restoreLooks } from "./looks.js";
+import { showMeasures } from "./measure.js";
 import { nameControls } from "./names.js";
 import { quietNotices } from "./notices.js";
 import { mindNumbers } from "./numbers.js";
@@ -55,6 +56,7 @@ whenViser((viser) => {
   addHeading();
   addBodyKeys();
   nameControls();
+  showMeasures();
   quietNotices();
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted } });

@@ -1,0 +1,215 @@
+"""What a page plots: which quantities, and their values in the last minute.
+
+A plot follows the history of its session: it ends at the moment that is shown. What is ahead of that stays,
+and is shown again on the way forward, until something else takes its place.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Annotated
+
+import msgspec
+import numpy as np
+from msgspec import Meta
+from numpy.typing import NDArray
+
+import sim
+from sim.errors import InputError
+from sim.motion.quantities import PARTS, Kind
+from sim.motion.recording import table_text
+
+from .history import SPAN
+from .running import Running
+
+Floats = NDArray[np.float64]
+
+MOST_PLOTS, MOST_SERIES = 4, 5
+"""Plots of a page, and quantities of a plot, at most."""
+
+MOST_UNITS = 2
+"""Units of the quantities of a plot, at most: it has an axis on either side."""
+
+STEPS = 2.0**14
+"""Heights on a plot that can be told apart: many times the pixels that there are, and good for four digits.
+Numbers that are rounded to so many take fewer bytes on their way."""
+
+Name = Annotated[str, Meta(max_length=60)]
+
+
+class Wish(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A plot that is wanted.
+
+    Attributes:
+        names: of its quantities, see `find`.
+        over: the quantity that they are plotted over; empty for the time.
+    """
+
+    names: Annotated[tuple[Name, ...], Meta(min_length=1, max_length=MOST_SERIES)]
+    over: Name = ""
+
+
+_GHOST = Kind(
+    "ghost",
+    "distance",
+    "{unit}",
+    "largest distance of a mass of the ghost from the body's",
+    lambda simulation, _: np.full(1, np.nan),  # a simulation knows of no ghost
+)
+
+OFFERED: dict[str, tuple[str, ...]] = {**PARTS, "ghost": ("distance",)}
+"""What can be plotted of each kind of part."""
+
+
+def find(name: str, scene: sim.Scene) -> sim.Quantity:
+    """A quantity by its name: one of `sim.quantity`, or "ghost.distance".
+
+    Raises:
+        InputError: there is no such quantity, or the scene has no such part.
+    """
+    if name == "ghost.distance":
+        return sim.Quantity(name, scene.view.unit, _GHOST, 0)
+    return sim.quantity(name, scene)
+
+
+class Plot:
+    """A plot: its quantities, and a ring of their values, one row for each frame in which time passed.
+
+    Args:
+        wish: what it is of.
+        scene: whose quantities they are.
+
+    Attributes:
+        wish: as above.
+        quantities: those of the wish, and then the one that they are plotted over, if any.
+        shown: the time that the page shows, s.
+        version: counts changes of what is to be drawn.
+
+    Raises:
+        InputError: there is no such quantity, they have too many units, or the scene has no such part.
+    """
+
+    def __init__(self, wish: Wish, scene: sim.Scene) -> None:
+        names = tuple(dict.fromkeys(wish.names))
+        self.quantities = tuple(find(name, scene) for name in (*names, *((wish.over,) if wish.over else ())))
+        self.wish = Wish(tuple(q.name for q in self.quantities[: len(names)]), wish.over)
+        if len(self.units) > MOST_UNITS:
+            raise InputError(f"a plot has room for two units, but not for {', '.join(self.units)}")
+        # Twice the room, so that rows seldom have to be moved.
+        self._room = np.empty((2 * SPAN, 1 + len(self.quantities)))
+        self._first = self._end = 0
+        self._run = 0
+        self.shown = 0.0
+        self.version = 0
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """The units of what is plotted upwards, each once."""
+        return tuple(dict.fromkeys(q.unit for q in self.quantities[: len(self.wish.names)]))
+
+    @property
+    def rows(self) -> Floats:
+        """(k, 1 + quantities) times, s, and values; NaN where there was none. A view."""
+        return self._room[self._first : self._end]
+
+    @property
+    def wants_energy(self) -> bool:
+        """Whether any quantity is an entry of the energy balance."""
+        return any(q.kind.of == "energy" for q in self.quantities)
+
+    def sample(self, session: Running) -> None:
+        """Note the present values, if they are of a later time than all before; drop what will not come."""
+        history, time = session.history, session.simulation.time
+        end = self._end
+        if history.runs != self._run:
+            self._run, self._first, self._end = history.runs, 0, 0
+        while self._end > self._first and self._room[self._end - 1, 0] > history.end:
+            self._end -= 1
+        if self._end == self._first or time > self._room[self._end - 1, 0]:
+            self._append((time, *(_value(session, q) for q in self.quantities)))
+        if end != self._end or time != self.shown:
+            self.version += 1
+        self.shown = time
+
+    def take_over(self, other: Plot) -> None:
+        """Take the values that another plot has of the same quantities."""
+        rows = np.full((len(other.rows), self._room.shape[1]), np.nan)
+        rows[:, 0] = other.rows[:, 0]
+        for i, quantity in enumerate(self.quantities, start=1):
+            if quantity in other.quantities:
+                rows[:, i] = other.rows[:, 1 + other.quantities.index(quantity)]
+        self._room[: len(rows)] = rows
+        self._first, self._end, self._run = 0, len(rows), other._run
+
+    def _append(self, row: Sequence[float]) -> None:
+        if self._end - self._first == SPAN:
+            self._first += 1
+        if self._end == len(self._room):
+            kept = self.rows.copy()
+            self._first, self._end = 0, len(kept)
+            self._room[: self._end] = kept
+        self._room[self._end] = row
+        self._end += 1
+
+    def window(self, seconds: float) -> Floats:
+        """(k, 1 + quantities) the rows of the last seconds before the moment that is shown."""
+        rows = self.rows
+        first, end = np.searchsorted(rows[:, 0], (self.shown - seconds, self.shown), side="right")
+        return rows[first:end]
+
+    def table(self) -> str:
+        """All rows as CSV, see `sim.Recording.to_csv`."""
+        return table_text(self.quantities, self.rows)
+
+
+def curve(plot: Plot, seconds: float, width: int) -> Floats:
+    """What a page is sent of a plot, rounded to what can be seen.
+
+    Args:
+        plot: the plot.
+        seconds: of the window.
+        width: pieces of the window; of each there are the highest and the lowest value of each quantity.
+
+    Returns:
+        (1 + quantities, k) times, s, and values.
+    """
+    rows = plot.window(seconds)
+    if len(rows) > 2 * width:
+        # The pieces lie at fixed times, or the curve would flicker as it moves on.
+        piece = np.floor(rows[:, 0] * (width / seconds)).astype(np.int64)
+        starts = np.flatnonzero(np.diff(piece, prepend=piece[0] - 1))
+        keep = {0, len(rows) - 1}
+        for column in rows.T[1:]:
+            for sign in (1.0, -1.0):
+                height = np.where(np.isnan(column), -np.inf, sign * column)
+                most = np.maximum.reduceat(height, starts)
+                where = np.flatnonzero(height == np.repeat(most, np.diff(starts, append=len(rows))))
+                keep.update(where[np.unique(piece[where], return_index=True)[1]].tolist())
+        rows = rows[sorted(keep)]
+    return np.array([_rounded(column) for column in rows.T]).reshape(rows.shape[::-1])
+
+
+def _rounded(values: Floats) -> Floats:
+    """Values rounded to a power of two that is some thousandth part of their range."""
+    finite = values[np.isfinite(values)]
+    reach = float(np.ptp(finite)) if finite.size else 0.0
+    if not reach > 0.0:
+        return values
+    step = 2.0 ** math.floor(math.log2(reach / STEPS))
+    return np.rint(values / step) * step
+
+
+def _value(session: Running, quantity: sim.Quantity) -> float:
+    """The present value of a quantity; NaN where there is none."""
+    simulation, of = session.simulation, quantity.kind.of
+    if of == "ghost":
+        ghost = session.ghost
+        value = math.nan if ghost is None or ghost.waits else ghost.distance
+    elif of == "stability":
+        value = simulation.dt / session.stability.limit  # the meter is looked at now and then
+    elif of == "energy" and not simulation.keep_books(True):
+        value = math.nan  # its kernels are still being compiled
+    else:
+        value = quantity.read(simulation)
+    return value if math.isfinite(value) else math.nan

@@ -1,0 +1,159 @@
+"""What a page plots, without a browser: sampling, going back in time, what is sent, and the table."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+
+import numpy as np
+import pytest
+
+import sim
+from app.session import commands
+from app.session.history import SPAN
+from app.session.plots import Plot, Wish, curve
+from sim.errors import InputError
+from tests.app.pages import SessionPage
+from tests.app.recording import agrees
+
+
+class PlotPage(SessionPage):
+    """A session with a plot of its last mass, which is sampled after every frame."""
+
+    def __init__(self, *names: str, over: str = "", scene: str = "tutorial-3.3") -> None:
+        super().__init__(sim.load_scene(scene))
+        self.plot = Plot(Wish(names or ("mass11.y",), over), self.session.scene)
+
+    def frames(self, count: int, *posts: commands.Command) -> None:
+        for command in posts:
+            self.session.post(command)
+        for _ in range(count):
+            super().frames(1)
+            self.plot.sample(self.session)
+
+
+@pytest.fixture
+def page() -> PlotPage:
+    return PlotPage()
+
+
+def test_there_is_a_row_for_each_frame_in_which_time_passed(page: PlotPage) -> None:
+    page.frames(30)
+    rows = page.plot.rows
+    assert len(rows) == 30
+    assert rows[-1].tolist() == [page.session.simulation.time, page.session.simulation.positions[11, 1]]
+    assert (np.diff(rows[:, 0]) > 0.0).all()
+    page.frames(10, commands.Play(False))
+    assert len(page.plot.rows) == 30
+    page.frames(1, commands.DoSteps(1))
+    assert len(page.plot.rows) == 31
+
+
+def test_back_in_time_what_is_ahead_stays_until_something_else_comes(page: PlotPage) -> None:
+    page.frames(60)
+    before = page.plot.rows.copy()
+    page.frames(3, commands.GoBack(0.5))
+    shown = page.session.simulation.time
+    assert np.array_equal(page.plot.rows, before)
+    assert page.plot.shown == shown < before[-1, 0]
+    drawn = curve(page.plot, 10.0, 200)
+    assert drawn.shape[1] == int((before[:, 0] <= shown).sum()) < len(before)
+    page.frames(1, commands.GoForward())
+    assert curve(page.plot, 10.0, 200).shape[1] == drawn.shape[1] + 1
+    page.frames(1, commands.GoBack())
+    page.frames(5, commands.SetValue("gravity", 100.0), commands.Play(True))
+    rows = page.plot.rows
+    assert (np.diff(rows[:, 0]) > 0.0).all()
+    assert rows[-1, 0] == page.session.simulation.time < before[-1, 0]
+    kept = int((before[:, 0] <= shown).sum())
+    assert np.array_equal(rows[:kept], before[:kept])
+    assert len(rows) <= kept + 5
+
+
+@pytest.mark.parametrize("command", [commands.Reset(), commands.Open(sim.load_scene("tutorial-3.3"))])
+def test_a_reset_and_another_scene_begin_anew(page: PlotPage, command: commands.Command) -> None:
+    page.frames(60)
+    page.frames(2, command)
+    assert len(page.plot.rows) <= 2
+    assert page.plot.rows[-1, 0] == page.session.simulation.time
+
+
+def test_the_ring_is_bounded_and_in_order(page: PlotPage) -> None:
+    page.frames(1)
+    for i in range(1, 2 * SPAN + 50):
+        page.plot._append((float(i), -float(i)))
+    rows = page.plot.rows
+    assert len(rows) == SPAN
+    assert rows[-1].tolist() == [2 * SPAN + 49, -(2 * SPAN + 49)]
+    assert (np.diff(rows[:, 0]) == 1.0).all()
+
+
+def test_what_is_sent_has_every_peak_and_is_little(page: PlotPage) -> None:
+    page.frames(1)
+    time = np.arange(3000) / 60.0 + 1.0
+    values = np.sin(time) + np.where(np.arange(3000) % 997 == 500, 3.0, 0.0)
+    for row in zip(time, values, strict=True):
+        page.plot._append(row)
+    page.plot.shown = float(time[-1])
+    drawn = curve(page.plot, 40.0, 100)
+    inside = time > time[-1] - 40.0
+    assert len(drawn[0]) <= 2 * 101 + 2
+    assert drawn[1].max() == pytest.approx(values[inside].max(), abs=1e-3)
+    assert drawn[1].min() == pytest.approx(values[inside].min(), abs=1e-3)
+    assert (drawn[1] > 1.5).sum() == (values[inside] > 1.5).sum() > 1
+    smooth = drawn[1] < 1.5
+    assert np.sin(drawn[0][smooth]) == pytest.approx(drawn[1, smooth], abs=0.01)
+    # A frame later the same moments are sent, but for the ends.
+    page.plot._append((float(time[-1]) + 1.0 / 60.0, 0.0))
+    page.plot.shown += 1.0 / 60.0
+    again = curve(page.plot, 40.0, 100)
+    assert len(set(drawn[0]) & set(again[0])) > len(drawn[0]) - 6
+
+
+def test_values_that_are_none_leave_a_gap() -> None:
+    page = PlotPage("ghost.distance", "stability.dt_over_limit")
+    page.frames(3)
+    assert np.isnan(page.plot.rows[:, 1]).all()
+    assert page.plot.rows[-1, 2] == pytest.approx(page.session.simulation.dt / page.session.stability.limit)
+    page.frames(3, commands.Compare("rk4", "", 4))
+    assert page.session.ghost is not None
+    assert page.plot.rows[-1, 1] == page.session.ghost.distance
+    assert np.isfinite(curve(page.plot, 10.0, 5)[2]).all()
+    assert page.plot.table().splitlines()[1].split(",")[1] == ""
+
+
+def test_energies_add_up_and_leave_the_log_as_it_is() -> None:
+    page = PlotPage("energy.total", "energy.residual")
+    x, y = page.session.simulation.positions[0]
+    page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
+    page.frames(20, commands.DragEnd())
+    assert page.plot.rows[-1, 1] == page.session.simulation.energy().total
+    assert not page.session.books
+    agrees(page)
+
+
+def test_the_table_has_all_rows_and_units() -> None:
+    page = PlotPage("joint0.angle", "joint0.torque", over="mass11.x")
+    page.frames(10)
+    header, *rows = csv.reader(io.StringIO(page.plot.table()))
+    assert header == ["time [s]", "joint0.angle [deg]", "joint0.torque [kg px^2/s^2]", "mass11.x [px]"]
+    assert np.array_equal(np.array(rows, float), page.plot.rows)
+
+
+def test_a_plot_has_room_for_two_units() -> None:
+    scene = sim.load_scene("tutorial-3.3")
+    assert Plot(Wish(("joint0.angle", "mass0.x", "joint1.angle")), scene).units == ("°", "px")
+    with pytest.raises(InputError, match="room for two units"):
+        Plot(Wish(("joint0.angle", "mass0.x", "mass0.vx")), scene)
+    with pytest.raises(InputError, match="mass 99 does not exist"):
+        Plot(Wish(("mass0.x",), "mass99.x"), scene)
+
+
+def test_a_body_that_ran_away_leaves_finite_values() -> None:
+    page = PlotPage("mass11.speed")
+    page.frames(90, commands.SetValue("angular_stiffness", 1e8), commands.SetValue("rest_angle", 10.0))
+    assert page.session.simulation.divergence is not None
+    drawn = curve(page.plot, 10.0, 50)
+    assert len(drawn[0]) >= 1
+    assert all(map(math.isfinite, drawn[0]))

@@ -1,0 +1,87 @@
+"""The Measure tab in a real browser: a plot that runs with the body, reads values, and is a table."""
+
+from __future__ import annotations
+
+import csv
+import json
+from typing import Any
+
+import numpy as np
+
+from app.session import commands
+from app.session.plots import Wish
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk
+
+ANGLE = Wish(("joint0.angle",))
+
+
+CHARTS = """() => JSON.stringify(Object.values(window.__viserTestpoints?.uplots ?? {}).map(({ chart }) => ({
+  data: chart.data.map((column) => [...column]),
+  low: chart.scales.y0?.min,
+  high: chart.scales.y0?.max,
+})))"""
+
+
+def charts(desk: Desk) -> list[dict[str, Any]]:
+    """What viser's charts in the page have: their data, and the range of what is upwards."""
+    return json.loads(desk.page.evaluate(CHARTS))
+
+
+def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage) -> None:
+    desk = open_page("rod")
+    assert not charts(desk)
+    desk.page.keyboard.press("g")
+    desk.until(lambda: desk.button("New plot").count(), "the tab is shown")
+    desk.until(lambda: charts(desk) and len(charts(desk)[0]["data"][0]) > 30, "the plot runs")
+    desk.until(lambda: "period" in desk.page.locator(".softrod-reading").inner_text(), "a period is read off")
+    desk.tell(commands.Play(False))
+    time = desk.simulation.time
+    desk.until(lambda: abs(charts(desk)[0]["data"][0][-1] - time) < 1e-2, "it ends at the present time")
+    chart = charts(desk)[0]
+    assert abs(chart["data"][1][-1] - desk.simulation.angles[0]) < 1e-2
+    assert chart["low"] < min(chart["data"][1]) < max(chart["data"][1]) < chart["high"]
+
+    # The pointer over it reads values.
+    over = desk.page.locator(".u-over").bounding_box()
+    assert over is not None
+    desk.page.mouse.move(over["x"] + 0.5 * over["width"], over["y"] + 60.0)
+    desk.until(lambda: "--" not in desk.page.locator(".u-legend").inner_text(), "the legend has values")
+
+    # Back in time the curve ends where the body is.
+    desk.tell(commands.GoBack(0.5))
+    shown = desk.simulation.time
+    desk.until(lambda: abs(charts(desk)[0]["data"][0][-1] - shown) < 1e-2, "it is cut there")
+
+    with desk.page.expect_download() as download:
+        desk.button("CSV").click()
+    with download.value.path().open(newline="") as file:
+        header, *rows = csv.reader(file)
+    assert header == ["time [s]", "joint0.angle [deg]"]
+    assert np.array(rows, float)[-1, 0] == time
+
+    # It is there again after a reload, and gone when it is removed.
+    desk.until(lambda: ANGLE in desk.tab._kept[-1], "the page keeps it")
+    desk.rest(3)
+    desk.open()
+    desk.until(lambda: desk.tab._measure.wishes == (ANGLE,), "the plot is back")
+    desk.show("Measure")
+    desk.button("Remove").click()
+    desk.until(lambda: not charts(desk) and not desk.tab._measure.wishes, "it is gone")
+
+
+def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None:
+    desk = open_page("rod")
+    desk.show("Measure")
+    desk.tell(commands.Play(False))
+    desk.wait_drawn()
+    desk.take(desk.place(4))
+    desk.let_go()
+    desk.until(lambda: "mass4" in desk.tab._measure._part.options, "the mass is offered")
+    assert desk.tab._measure._part.options[:4] == ("joint3", "mass4", "spring3", "spring4")
+    desk.choose("Part", "joint3")
+    desk.choose("Quantity", "rate")
+    desk.until(lambda: "joint3.angle" in desk.tab._measure._over.options, "it can be plotted over the angle")
+    desk.choose("Over", "joint3.angle")
+    desk.button("New plot").click()
+    desk.page.get_by_role("img", name="joint3.rate over joint3.angle").wait_for()
