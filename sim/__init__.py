@@ -11,6 +11,7 @@ It does not depend on the page; `import sim` is enough to use it in a script:
 """
 
 from .analysis.equilibrium import Vibrations, equilibrium, vibrations
+from .analysis.predictability import Predictability, predictability
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import EnergyBook
 from .motion.moment import Moment
@@ -78,6 +79,7 @@ __all__ = [
     "Moment",
     "Polygon",
     "Pose",
+    "Predictability",
     "Rod",
     "Rope",
     "Scene",
@@ -102,6 +104,7 @@ __all__ = [
     "list_scenes",
     "load_scene",
     "polygon",
+    "predictability",
     "rod",
     "rope",
     "save_scene",
