@@ -66,7 +66,7 @@ class Panel:
         session: its simulation.
         scenes: for the chooser, names by their labels.
         act: what the tab does beyond the session's commands: "open" a scene by its name, "notice", "theme",
-            "gizmos", "fit", "follow", "energy", "anew", "help".
+            "gizmos", "fit", "follow", "energy", "foretell", "anew", "help".
 
     Attributes:
         outlined: buttons that are not the first thing to press in their tab.
@@ -203,6 +203,7 @@ class Panel:
             ("Follow the pointer, or stop", "F", "follow"),
             ("Show the whole scene", "0", "fit"),
             ("Energy: follow it, or stop", "", "energy"),
+            ("Predictability: measure it, or stop", "", "foretell"),
             ("Open this scene anew", "", "anew"),
             ("The body's own values", "", commands.OwnValues("body")),
             ("The solver's own values", "", commands.OwnValues("solver")),

@@ -316,6 +316,8 @@ class Tab:
                 session.revision += 1
             elif what == "energy":
                 session.post(commands.KeepBooks(not session.books))
+            elif what == "foretell":
+                session.post(commands.Foretell(session.foresight is None))
             elif what == "anew":
                 session.post(commands.Open(session.opened))
             elif what == "joint":

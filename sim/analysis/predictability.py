@@ -25,7 +25,6 @@ from ..methods.registry import METHODS
 from ..motion.divergence import Divergence
 from ..motion.simulation import Simulation
 from ..scene.types import Scene
-from ..settings import set_choice
 
 MANY = 100.0
 """Growth in a second from which on a tolerance may not be kept: of random bodies, `auto` keeps all in which
@@ -168,7 +167,9 @@ def predictability(scene: Scene, duration: float) -> Predictability:
         InputError: the duration is not in its range, or every mass of the scene is held.
     """
     if not 0.0 < duration <= _LONGEST_RUN:
-        raise InputError(f"predictability: a duration of {duration:g} s is not in the range 0..{_LONGEST_RUN:g} s")
+        raise InputError(
+            f"predictability: a duration of {duration:g} s is not in the range 0..{_LONGEST_RUN:g} s"
+        )
     body = Simulation(scene)
     shadow = Shadow(body)
     if shadow.held:
@@ -248,15 +249,17 @@ def verdict(scene: Scene, per_second: float) -> str:
 def _scale(scene: Scene) -> float:
     """The tolerance, px, that the hair and the tolerance of the two bodies are parts of."""
     places = [mass.position for mass in scene.masses]
-    size = max(*np.ptp(places, axis=0).tolist(), *(spring.rest_length for spring in scene.linear_springs), 0.0)
+    size = max(
+        *np.ptp(places, axis=0).tolist(), *(spring.rest_length for spring in scene.linear_springs), 0.0
+    )
     tolerance = scene.integrator.tolerance
     return min(tolerance, _LARGEST * size) if size > 0.0 else tolerance
 
 
 def _near_exact(scene: Scene) -> Scene:
     """The scene with the method and the tolerance of the two bodies."""
-    scene = set_choice(scene, "method", "auto")
-    integrator = msgspec.structs.replace(scene.integrator, tolerance=max(1e-12, _TOLERANCE * _scale(scene)))
+    tolerance = max(1e-12, _TOLERANCE * _scale(scene))
+    integrator = msgspec.structs.replace(scene.integrator, method="auto", tolerance=tolerance)
     return msgspec.structs.replace(scene, integrator=integrator)
 
 
