@@ -18,7 +18,7 @@ from .pacing import attempts_within, smoothed
 SPAN = 1.0
 """Simulated seconds whose growth is told."""
 
-WINDOW = 1.5 * SPAN
+WINDOW = 1.6 * SPAN
 """Simulated seconds that are kept for that."""
 
 _LATE = 0.1

@@ -6,8 +6,8 @@ logarithm of all that they have come apart by, over the time, is an estimate of 
 (Benettin, Galgani & Strelcyn, *Kolmogorov entropy and numerical experiments*, Physical Review A 14, 1976).
 
 The body's own method would not do for the two. A method that chooses its steps turns a hair into steps of
-slightly different lengths, and their errors soon outgrow the hair. So the two have a much finer tolerance, and
-the hair is large beside it and small beside the body's.
+slightly different lengths, and their errors soon outgrow the hair. So the two have a much finer tolerance,
+and the hair is large beside it.
 """
 
 from __future__ import annotations
@@ -30,10 +30,8 @@ MANY = 100.0
 """Growth in a second from which on a tolerance may not be kept: of random bodies, `auto` keeps all in which
 errors grow less; see the study in docs."""
 
-_HAIR, _TOLERANCE = 1e-2, 1e-3
-"""Distance that is a hair, and tolerance of the two bodies, as parts of the body's tolerance."""
-_LARGEST = 1e-3
-"""Largest tolerance of a body that counts in this, as a part of its size."""
+_HAIR, _TOLERANCE = 1e-4, 5e-6
+"""Distance that is a hair, and tolerance of the two bodies, as parts of the length of a typical spring."""
 _LEAST, _MOST = 0.1, 30.0
 """Distances, in hairs, at which the two start again."""
 _LONGEST = 0.25
@@ -41,7 +39,7 @@ _LONGEST = 0.25
 _LEAST_PER_CALL = 1e-3
 """Factor by which a distance shrinks in a call, at most; what is less may be rounding."""
 
-_SWING = 0.25
+_SWING = 0.5
 """Seconds of which the largest distance counts: a distance may be nothing while it changes its sign."""
 _SAMPLE = 1.0 / 60.0
 """Seconds between two samples."""
@@ -171,23 +169,48 @@ def predictability(scene: Scene, duration: float) -> Predictability:
             f"predictability: a duration of {duration:g} s is not in the range 0..{_LONGEST_RUN:g} s"
         )
     body = Simulation(scene)
-    shadow = Shadow(body)
-    if shadow.held:
+    meter = GrowthMeter(body)
+    if meter.held:
         raise InputError("predictability: every mass of the scene is held")
     steps, sample = max(1, round(duration / body.dt)), max(1, round(_SAMPLE / body.dt))
-    times, levels = [0.0], [0.0]
     while body.step_count < steps and body.divergence is None:
-        done = body.step(min(sample, steps - body.step_count))
-        arrived = shadow.step(done) if done else False
+        body.step(min(sample, steps - body.step_count))
+        meter.look(body)
+    return meter.result(body)
+
+
+class GrowthMeter:
+    """Notes how fast errors grow in a motion, from look to look.
+
+    Args:
+        body: the body, at the start; it is only read.
+    """
+
+    def __init__(self, body: Simulation) -> None:
+        self._shadow = Shadow(body)
+        self._steps = body.step_count
+        self._times, self._levels = [body.time], [0.0]
+
+    @property
+    def held(self) -> bool:
+        """Whether no mass is free, so that there is nothing to measure."""
+        return self._shadow.held
+
+    def look(self, body: Simulation) -> None:
+        """Go on by what the body has done since the last look; what leads or drives it is not seen."""
+        steps, self._steps = body.step_count - self._steps, body.step_count
+        arrived = steps > 0 and self._shadow.step(steps)
         if arrived:
-            times.append(body.time)
-            levels.append(shadow.level)
-        if not arrived or shadow.due:
-            shadow.place(body)
-    rate = _slope(np.array(times), np.array(levels))
-    return Predictability(
-        np.array(times), np.array(levels), rate, verdict(body.scene, factor_of(rate)), body.divergence
-    )
+            self._times.append(body.time)
+            self._levels.append(self._shadow.level)
+        if not arrived or self._shadow.due:
+            self._shadow.place(body)
+
+    def result(self, body: Simulation) -> Predictability:
+        """What was found until now."""
+        times, levels = np.array(self._times), np.array(self._levels)
+        rate = _slope(times, levels)
+        return Predictability(times, levels, rate, verdict(body.scene, factor_of(rate)), body.divergence)
 
 
 def growth_within(times: Sequence[float], levels: Sequence[float], span: float) -> float | None:
@@ -213,7 +236,7 @@ def factor_of(level: float) -> float:
 
 def hair_of(scene: Scene) -> float:
     """How far the two bodies beside one of a scene are apart at first, px."""
-    return _HAIR * _scale(scene)
+    return _HAIR * _typical_length(scene)
 
 
 def horizon(scene: Scene, per_second: float) -> float:
@@ -246,19 +269,17 @@ def verdict(scene: Scene, per_second: float) -> str:
     return f"{grow}: no {what} can promise where it is in {horizon(scene, per_second):.2g} s"
 
 
-def _scale(scene: Scene) -> float:
-    """The tolerance, px, that the hair and the tolerance of the two bodies are parts of."""
-    places = [mass.position for mass in scene.masses]
-    size = max(
-        *np.ptp(places, axis=0).tolist(), *(spring.rest_length for spring in scene.linear_springs), 0.0
-    )
-    tolerance = scene.integrator.tolerance
-    return min(tolerance, _LARGEST * size) if size > 0.0 else tolerance
+def _typical_length(scene: Scene) -> float:
+    """The median rest length of a scene's springs, px, or else its size."""
+    lengths = [spring.rest_length for spring in scene.linear_springs if spring.rest_length > 0.0]
+    if lengths:
+        return float(np.median(lengths))
+    return float(np.ptp([mass.position for mass in scene.masses], axis=0).max()) or 1.0
 
 
 def _near_exact(scene: Scene) -> Scene:
     """The scene with the method and the tolerance of the two bodies."""
-    tolerance = max(1e-12, _TOLERANCE * _scale(scene))
+    tolerance = max(1e-12, _TOLERANCE * _typical_length(scene))
     integrator = msgspec.structs.replace(scene.integrator, method="auto", tolerance=tolerance)
     return msgspec.structs.replace(scene, integrator=integrator)
 
