@@ -17,6 +17,7 @@ from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
 from sim.errors import InputError, SceneError, SettingError
+from sim.motion.quantities import PARTS
 from sim.scene.files import read_scene
 from sim.settings import apply_assignments
 
@@ -86,6 +87,15 @@ class Run:
     """Write one row after each so many steps."""
     energy: bool = False
     """Add columns of the energies, and of what has changed them."""
+    record: Annotated[
+        UseAppendAction[tuple[str, ...]],
+        arg(
+            metavar="QUANTITY",
+            help="write this instead of positions; may be repeated. It is the name of a part and what is "
+            "measured of it, as in joint3.angle: "
+            + "; ".join(f"{part}: {', '.join(names)}" for part, names in PARTS.items()),
+        ),
+    ] = ()
     settings: Settings = ()
 
     def run(self) -> int:
@@ -96,6 +106,8 @@ class Run:
         entries = headless.read_log(self.inputs) if self.inputs is not None else []
         if self.every < 1:
             return _fail("--every: it must be at least 1")
+        if self.energy and self.record:
+            return _fail("--energy: with --record, energies are quantities, as energy.total")
         if isinstance(entries, Log):
             return self._replay(entries, scene)
         if scene is None:
@@ -106,11 +118,11 @@ class Run:
         if isinstance(steps, str):
             return _fail(steps)
         recording, problem = headless.run(
-            scene, steps, entries, self.every, Console(stderr=True), self.energy
+            scene, steps, entries, self.every, Console(stderr=True), self.energy, self.record
         )
         recording.write(self.out)
         if problem is not None:
-            return _fail(f"{problem}; {self.out} has the {len(recording.steps)} rows before it")
+            return _fail(f"{problem}; {self.out} has the {len(recording)} rows before it")
         return 0
 
     def _replay(self, record: Log, scene: sim.Scene | None) -> int:
@@ -123,7 +135,9 @@ class Run:
             steps = self._steps(record.scene.integrator.dt)
             if isinstance(steps, str):
                 return _fail(steps)
-        recording, player = headless.replay(record, steps, self.every, Console(stderr=True), self.energy)
+        recording, player = headless.replay(
+            record, steps, self.every, Console(stderr=True), self.energy, self.record
+        )
         if self.out is not None:
             recording.write(self.out)
         if not player.agrees:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Protocol
 
 import msgspec
 import numpy as np
@@ -74,9 +75,38 @@ def read_log(path: Path) -> list[Entry] | Log:
     return entries
 
 
-@dataclass
-class Recording:
+class Table(Protocol):
     """Rows of a run, one after each K-th step."""
+
+    def __len__(self) -> int: ...
+
+    def add(self, simulation: sim.Simulation) -> None:
+        """Note the present state."""
+        ...
+
+    def write(self, path: Path) -> None:
+        """Write as CSV or NPZ.
+
+        Raises:
+            InputError: the ending is neither, or the file cannot be written.
+        """
+        ...
+
+
+class QuantityTable(sim.Recording):
+    """A table of quantities, for `--record`."""
+
+    def write(self, path: Path) -> None:
+        """As `Table` says; in NPZ, there is an array `time`, and one for each quantity by its name."""
+        if path.suffix == ".npz":
+            _write(path, _npz(time=self.time, **{name: self[name] for name in self.units}))
+        else:
+            self.to_csv(path)
+
+
+@dataclass
+class PositionTable:
+    """A table of the places of all masses, and of the energies if they are asked for."""
 
     masses: int
     steps: list[int] = field(default_factory=list)
@@ -84,8 +114,11 @@ class Recording:
     positions: list[np.ndarray] = field(default_factory=list)
     energies: list[EnergyBook] | None = None
 
+    def __len__(self) -> int:
+        return len(self.steps)
+
     def add(self, simulation: sim.Simulation) -> None:
-        """Note the present state."""
+        """As `Table` says."""
         if self.energies is not None:
             self.energies.append(simulation.energy())
         self.steps.append(simulation.step_count)
@@ -102,21 +135,15 @@ class Recording:
         """
         positions = np.array(self.positions).reshape(len(self.steps), self.masses, 2)
         if path.suffix == ".npz":
-            data = io.BytesIO()
             books = self.energies or ()
             energies = {
                 name: np.array([getattr(book, name) for book in books])
                 for name in (ENERGY_FIELDS if self.energies is not None else ())
             }
             steps, times = np.array(self.steps), np.array(self.times)
-            np.savez(data, allow_pickle=False, step=steps, time=times, positions=positions, **energies)
-            content = data.getvalue()
+            _write(path, _npz(step=steps, time=times, positions=positions, **energies))
         else:
-            content = self._csv(positions).encode()
-        try:
-            write_atomically(path, content)
-        except OSError as error:
-            raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+            _write(path, self._csv(positions).encode())
 
     def _csv(self, positions: np.ndarray) -> str:
         text = io.StringIO()
@@ -129,6 +156,35 @@ class Recording:
             energies = [getattr(self.energies[i], name) for name in names] if self.energies else []
             writer.writerow([step, *(f"{value:.17g}" for value in (time, *energies, *row))])
         return text.getvalue()
+
+
+def new_table(scene: sim.Scene, energy: bool, names: Sequence[str]) -> Table:
+    """A table of the named quantities of a scene; without any, of the places of its masses.
+
+    Raises:
+        InputError: there is no such quantity, or the scene has no such part.
+    """
+    if names:
+        return QuantityTable(scene, names)
+    return PositionTable(len(scene.masses), energies=[] if energy else None)
+
+
+def _are_energies(names: Sequence[str]) -> bool:
+    """Whether any of the quantities is an entry of the energy balance, which is then kept from the start."""
+    return any(name.startswith("energy.") for name in names)
+
+
+def _npz(**arrays: np.ndarray) -> bytes:
+    data = io.BytesIO()
+    np.savez(data, allow_pickle=False, **arrays)
+    return data.getvalue()
+
+
+def _write(path: Path, content: bytes) -> None:
+    try:
+        write_atomically(path, content)
+    except OSError as error:
+        raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
 
 
 def check_output(path: Path) -> None:
@@ -144,8 +200,14 @@ def check_output(path: Path) -> None:
 
 
 def run(
-    scene: sim.Scene, steps: int, entries: list[Entry], every: int, console: Console, energy: bool = False
-) -> tuple[Recording, str | None]:
+    scene: sim.Scene,
+    steps: int,
+    entries: list[Entry],
+    every: int,
+    console: Console,
+    energy: bool = False,
+    names: Sequence[str] = (),
+) -> tuple[Table, str | None]:
     """Simulate, and return the rows and why it stopped early (None if it did not).
 
     Args:
@@ -155,13 +217,15 @@ def run(
         every: rows are taken after each step that is a multiple of this.
         console: for the progress bar of a long run.
         energy: whether the rows have the energies.
+        names: quantities that the rows have instead of places.
 
     Raises:
-        InputError: an input asks for what cannot be done; the sentence names its step.
+        InputError: there is no such quantity, or an input asks for what cannot be done; the sentence names
+            its step.
     """
+    recording = new_table(scene, energy, names)
     simulation = sim.Simulation(scene)
-    recording = Recording(len(scene.masses), energies=[] if energy else None)
-    simulation.keep_books(energy)
+    simulation.keep_books(energy or _are_energies(names))
     with Progress(console=console, transient=True, disable=steps < LONG_RUN) as progress:
         task = progress.add_task("simulating", total=steps)
         for target in _stops(steps, entries, every):
@@ -178,22 +242,27 @@ def run(
 
 
 def replay(
-    record: Log, steps: int | None, every: int, console: Console, energy: bool = False
-) -> tuple[Recording, Player]:
+    record: Log,
+    steps: int | None,
+    every: int,
+    console: Console,
+    energy: bool = False,
+    names: Sequence[str] = (),
+) -> tuple[Table, Player]:
     """Do again what a recorded log says, and return the rows, and how it compares.
 
     Args:
         record: the log.
         steps: steps after which it ends; None for all of the log.
         every: a row is taken after each recorded frame in which a multiple of this many steps was passed.
-        console, energy: as for `run`.
+        console, energy, names: as for `run`.
 
     Raises:
         InputError: the log asks for what cannot be done; the sentence names its line.
     """
+    recording = new_table(record.scene, energy, names)
     simulation = sim.Simulation(record.scene)
-    recording = Recording(len(record.scene.masses), energies=[] if energy else None)
-    player = Player(record, simulation, energy)
+    player = Player(record, simulation, energy or _are_energies(names))
     total = sum(entry.n * entry.times for entry in record.entries if isinstance(entry, Step))
     due = every
     with Progress(console=console, transient=True, disable=total < LONG_RUN) as progress:

@@ -15,6 +15,9 @@ from .analysis.predictability import Predictability, predictability
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import EnergyBook
 from .motion.moment import Moment
+from .motion.quantities import KINDS as QUANTITIES
+from .motion.quantities import Quantity, quantity
+from .motion.recording import Recording
 from .motion.simulation import Divergence, Simulation
 from .scene.files import list_scenes, load_scene, save_scene
 from .scene.makers import (
@@ -55,6 +58,7 @@ from .scene.validate import validate
 from .settings import set_choice, set_value
 
 __all__ = [
+    "QUANTITIES",
     "AirBalloon",
     "Anchor",
     "AngularSpring",
@@ -80,6 +84,8 @@ __all__ = [
     "Polygon",
     "Pose",
     "Predictability",
+    "Quantity",
+    "Recording",
     "Rod",
     "Rope",
     "Scene",
@@ -105,6 +111,7 @@ __all__ = [
     "load_scene",
     "polygon",
     "predictability",
+    "quantity",
     "rod",
     "rope",
     "save_scene",

@@ -88,9 +88,7 @@ class Track:
         held = {anchor.mass for anchor in scene.anchors}
         self._free = np.array([i for i in range(len(scene.masses)) if i not in held], np.int64)
         self._weights = np.array([scene.masses[i].mass for i in self._free])
-        rest = scene.rest_length_scale * np.array([spring.rest_length for spring in scene.linear_springs])
-        ends = np.array([(spring.a, spring.b) for spring in scene.linear_springs], np.int64).reshape(-1, 2)
-        self._ends, self._rest = ends[rest > 0.0], rest[rest > 0.0]
+        self._springs = np.flatnonzero([spring.rest_length for spring in scene.linear_springs])
         self._stretch = self._residual = self._moved = self._farthest = 0.0
         self._height: float | None = None
         self._times: list[float] = []
@@ -101,9 +99,12 @@ class Track:
     def look(self) -> None:
         """Note the present state."""
         positions = self._simulation.positions
-        if "stretch" in self._wanted and self._rest.size:
-            along = positions[self._ends[:, 1]] - positions[self._ends[:, 0]]
-            strain = np.hypot(along[:, 0], along[:, 1]) / self._rest - 1.0
+        if "stretch" in self._wanted and self._springs.size:
+            length, elongation = (
+                sim.QUANTITIES["spring", what].values(self._simulation, self._springs)
+                for what in ("length", "elongation")
+            )
+            strain = elongation / (length - elongation)
             self._stretch = max(self._stretch, float(np.abs(strain).max()))
         if "period" in self._wanted and self._free.size:
             velocities = self._simulation.velocities
@@ -132,7 +133,7 @@ class Track:
             "period": self._period(),
             "energy_residual": self._energy_residual(),
             "error": None if reference is None else distance(self._simulation.positions, reference),
-            "stretch": self._stretch if self._rest.size else None,
+            "stretch": self._stretch if self._springs.size else None,
             "growth": self._growth(),
             "survived": True,
         }

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..body.stable_spring import clamp_stiffness
-from ..body.system import build_system, new_state
+from ..body.system import System, build_system, new_state
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
 from ..scene.types import Anchor, Damage, Pose, Scene
 from ..settings import shift_rest_angles
@@ -80,6 +80,11 @@ class Reading:
     def rest_angle_shift(self) -> float:
         """What the arrow keys have added to all rest angles since the scene was put in place, degrees."""
         return float(self._state.controls[CONTROL_SHIFT])
+
+    @property
+    def tables(self) -> tuple[System, State]:
+        """The solver's tables, without what has broken, and the state. They are its own: only read them."""
+        return self._system, self._state
 
     def pose(self) -> Pose:
         """The present positions and velocities, as a scene can carry them."""

@@ -24,6 +24,7 @@ from .energy import Books, EnergyBook
 from .moment import Moment
 from .plain import PlainSolver
 from .reading import Reading
+from .recording import Recording
 from .solver import UNLIMITED, Solver, SolverStats
 from .stability import StabilityEstimate, StabilityMeter
 from .stepping import Outcome, Stepper, presses_of
@@ -240,6 +241,39 @@ class Simulation(Reading):
         n = int(self._owed / self.dt + 1e-9)
         self._owed = max(0.0, self._owed - n * self.dt)
         return self.step(n)
+
+    def record(self, seconds: float, *quantities: str, every: int = 1) -> Recording:
+        """Go on by some time, and note quantities: now, and after each `every` steps.
+
+            swing = simulation.record(10.0, "joint0.angle", "energy.total")
+            swing["joint0.angle"], swing.time  # arrays of the same length
+            swing.to_csv("swing.csv")
+
+        Args:
+            seconds: 0..1e9, of simulated time.
+            quantities: names, see `sim.quantity`; `sim.QUANTITIES` has them all.
+            every: steps from one row to the next, at least 1.
+
+        Returns:
+            The recording; it ends early where the body runs away, see `divergence`.
+
+        Raises:
+            InputError: an argument is out of range, there is no such quantity, or the scene has no such part.
+        """
+        recording = Recording(self._scene, quantities)
+        if not 0.0 <= seconds <= 1e9:
+            raise InputError(f"record: {seconds:g} is not in the range 0..1e+09 s")
+        if not (isinstance(every, int) and every >= 1):
+            raise InputError(f"record: every is {every}, but must be a whole number from 1")
+        left = int(seconds / self.dt + 1e-9)  # a hair more, as in `advance`
+        recording.add(self)
+        while left >= every:
+            if self.step(every) < every:
+                return recording
+            recording.add(self)
+            left -= every
+        self.step(left)
+        return recording
 
     def reset(self) -> None:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""

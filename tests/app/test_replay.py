@@ -119,6 +119,7 @@ def test_the_energy_of_a_replay_is_followed_from_its_beginning() -> None:
     recorded = decode_log(log_of(page), "log")
     recording, player = headless.replay(recorded, None, 10, Console(quiet=True), energy=True)
     assert player.agrees
+    assert isinstance(recording, headless.PositionTable)
     assert recording.energies
     assert recording.energies[-1].anchors > 1.0  # what the hand did at the very beginning
 

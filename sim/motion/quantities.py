@@ -1,0 +1,264 @@
+"""What can be measured of a body, under the same names in Python, in tables and on the command line.
+
+A name says of what and what: `joint3.angle`, `spring0.force`, `mass5.x`, `energy.kinetic`,
+`stability.dt_over_limit`. Parts are counted from 0, as in scene files. Everything is read from the present
+state and is what the solver goes by: what has yielded has its new rest length or angle, what is broken has no
+force, and lengths in forces are softened as `sim.kernels.forces.forces` says.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError
+from ..kernels.core.tables import CONTROL_SCALE
+from ..kernels.forces.laws import ANGLE
+from ..physics import LAWS, SHORTEST
+from ..scene.types import Scene
+from .energy import ENERGY_FIELDS
+
+if TYPE_CHECKING:
+    from .simulation import Simulation
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Vectors = NDArray[np.complex128]
+
+ENERGY_UNIT = "kg {unit}²/s²"
+
+_NAME = re.compile(r"([a-z]+)(\d{1,9})?\.([a-z_]+)", re.ASCII)
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Something that can be measured of every part of a kind.
+
+    Attributes:
+        of: the kind of part: "joint", "spring" or "mass"; or "energy" and "stability", of which there is one.
+        what: the rest of the name.
+        unit: with "{unit}" for the scene's unit of length; empty for a pure number.
+        summary: what it is, in a few words.
+        values: it, for an array of indices of parts (of the scene), (k,) each; of which there is one, the
+            indices have no meaning.
+    """
+
+    of: str
+    what: str
+    unit: str
+    summary: str
+    values: Callable[[Simulation, Indices], Floats] = field(repr=False, compare=False)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Something that is measured of one part of a scene; `quantity` finds it by its name.
+
+    Attributes:
+        name: such as "joint3.angle".
+        unit: such as "°" or "px/s"; empty for a pure number.
+        kind: what it is.
+        index: of the part.
+    """
+
+    name: str
+    unit: str
+    kind: Kind
+    index: int
+
+    def read(self, simulation: Simulation) -> float:
+        """Its present value.
+
+        Raises:
+            InputError: it is an energy, and the kernels for these are still being compiled.
+        """
+        return float(self.kind.values(simulation, np.array([self.index]))[0])
+
+
+def quantity(name: str, scene: Scene) -> Quantity:
+    """A quantity of a scene by its name, such as "joint3.angle".
+
+    Raises:
+        InputError: there is no such quantity, or the scene has no such part.
+    """
+    match = _NAME.fullmatch(name)
+    of, digits, what = match.groups() if match else ("", None, "")
+    if of not in PARTS:
+        parts = ", ".join(f"{part}0" if part in COUNTED else part for part in PARTS)
+        raise InputError(f"{name!r} is not a quantity: it begins with one of {parts}, and then a point")
+    kind = KINDS.get((of, what))
+    if kind is None:
+        raise InputError(f"{name!r} is not a quantity: {of} has {', '.join(PARTS[of])}")
+    counted = of in COUNTED
+    if counted == (digits is None):
+        raise InputError(f"{name!r} is not a quantity: {of} {'needs a' if counted else 'has no'} number")
+    index = int(digits or 0)
+    if counted and index >= (count := COUNTED[of](scene)):
+        there = f"(0..{count - 1})" if count else f"(the scene has no {of}s)"
+        raise InputError(f"{name}: {of} {index} does not exist {there}")
+    whole = f"{of}{index}" if counted else of  # without leading zeros
+    return Quantity(f"{whole}.{what}", kind.unit.format(unit=scene.view.unit), kind, index)
+
+
+# ------------------------------------------------------------------------- how they are read
+def _sizes(vectors: Vectors) -> Floats:
+    return np.hypot(vectors.real, vectors.imag)
+
+
+def _masses(simulation: Simulation, masses: Indices) -> tuple[Vectors, Vectors]:
+    """Positions and velocities of masses."""
+    system, state = simulation.tables
+    slots = system.mass_index[masses]
+    return state.x[slots] + 1j * state.y[slots], state.vx[slots] + 1j * state.vy[slots]
+
+
+def _vectors(simulation: Simulation, rows: Indices) -> tuple[Vectors, Vectors]:
+    """Vectors of the springs in rows of the tables, and their rates of change."""
+    system, state = simulation.tables
+    a, b = system.body.spring_a[rows], system.body.spring_b[rows]
+    along = state.x[b] - state.x[a] + 1j * (state.y[b] - state.y[a])
+    return along, state.vx[b] - state.vx[a] + 1j * (state.vy[b] - state.vy[a])
+
+
+def _spring_rows(simulation: Simulation, springs: Indices) -> Indices:
+    """Rows of springs in the tables."""
+    order = simulation.tables[0].spring_order
+    return np.flatnonzero(order == springs[0]) if springs.size == 1 else np.argsort(order)[springs]
+
+
+def _soft_square(simulation: Simulation, along: Vectors) -> Floats:
+    """Squares of lengths as forces have them, px²."""
+    return np.maximum(abs(along) ** 2 + simulation.tables[0].body.softening, SHORTEST**2)
+
+
+def _lengths(simulation: Simulation, springs: Indices) -> Floats:
+    return _sizes(_vectors(simulation, _spring_rows(simulation, springs))[0])
+
+
+def _elongations(simulation: Simulation, springs: Indices) -> Floats:
+    (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
+    rest = system.body.rest_length[rows] * state.controls[CONTROL_SCALE]
+    if system.body.strength.present:
+        rest = rest + state.set_length[rows]
+    return _lengths(simulation, springs) - rest
+
+
+def _tensions(simulation: Simulation, springs: Indices) -> Floats:
+    (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
+    body, (along, rate) = system.body, _vectors(simulation, rows)
+    square = _soft_square(simulation, along)
+    damping = body.damping[rows] * (rate * along.conj()).real / square
+    tension = (body.stiffness[rows] + damping - state.pull[rows] / np.sqrt(square)) * abs(along)
+    return np.where(state.broken[rows] > 0.0, 0.0, tension) if body.strength.present else tension
+
+
+def _bending(simulation: Simulation, joints: Indices) -> Floats:
+    """Rates at which angles grow, radians/s."""
+    system, _ = simulation.tables
+    rows, turning = system.joint_order[joints], []
+    for springs in (system.body.joint_a, system.body.joint_b):
+        along, rate = _vectors(simulation, springs[rows])
+        turning.append((rate * along.conj()).imag / _soft_square(simulation, along))
+    return turning[1] - turning[0]
+
+
+def _torques(simulation: Simulation, joints: Indices) -> Floats:
+    system, state = simulation.tables
+    body, rows = system.body, system.joint_order[joints]
+    a, b = (_vectors(simulation, springs[rows])[0] for springs in (body.joint_a, body.joint_b))
+    soft = np.sqrt(_soft_square(simulation, a) * _soft_square(simulation, b))
+    torque, _ = LAWS[body.law](a.conj() * b * np.exp(-1j * state.torque_rest[rows + 1]))
+    if body.law == ANGLE:
+        torque = torque * abs(a) * abs(b) / soft
+    braking = body.torque_damping[rows + 1] * soft * _bending(simulation, joints)
+    return body.torque_size[rows + 1] * torque + braking
+
+
+def _of_energy(name: str) -> Callable[[Simulation, Indices], Floats]:
+    return lambda simulation, _: np.array([getattr(simulation.energy(), name)])
+
+
+def _over_limit(simulation: Simulation, _: Indices) -> Floats:
+    return np.array([simulation.dt / simulation.stability().limit])
+
+
+# ------------------------------------------------------------------------- the catalogue
+_ENERGY_SUMMARIES = {
+    "total": "sum of the seven energies",
+    "kinetic": "kinetic energy",
+    "linear": "energy of the linear springs",
+    "angular": "energy of the angular springs",
+    "gravity": "energy of height",
+    "walls": "energy of the depth in walls",
+    "fillings": "energy of gases and liquids",
+    "contact": "energy of contact",
+    "anchors": "work of moved anchors and of a hand",
+    "damping": "work of the springs' damping",
+    "air": "work of the air",
+    "friction": "work of friction and of bouncing",
+    "plastic": "energy change by yielding",
+    "broken": "energy change by breaking",
+    "law": "work of a law without an energy",
+    "keys": "work of the arrow keys",
+    "changes": "energy change by changes of settings",
+    "fallbacks": "energy change by fallback steps",
+    "residual": "error of the energy balance",
+}
+
+_ALL = (
+    Kind(
+        "joint", "angle", "°", "angle from its first spring to its second, in (-180, 180]",
+        lambda simulation, joints: simulation.angles[joints],
+    ),
+    Kind(
+        "joint", "rate", "°/s", "rate at which the angle grows",
+        lambda simulation, joints: np.degrees(_bending(simulation, joints)),
+    ),
+    Kind(
+        "joint", "rest_angle", "°", "rest angle, with what keys and yielding did to it",
+        lambda simulation, joints: simulation.rest_angles[joints],
+    ),
+    Kind(
+        "joint", "torque", ENERGY_UNIT,
+        "torque of stiffness and damping; positive where the angle is larger than the rest angle", _torques,
+    ),
+    Kind("spring", "length", "{unit}", "length", _lengths),
+    Kind("spring", "elongation", "{unit}", "length minus rest length", _elongations),
+    Kind(
+        "spring", "force", "kg {unit}/s²",
+        "force of stiffness and damping along the spring; positive where it pulls", _tensions,
+    ),
+    Kind("mass", "x", "{unit}", "x coordinate", lambda *of: _masses(*of)[0].real),
+    Kind("mass", "y", "{unit}", "y coordinate, as the scene counts it", lambda *of: _masses(*of)[0].imag),
+    Kind("mass", "vx", "{unit}/s", "velocity along x", lambda *of: _masses(*of)[1].real),
+    Kind("mass", "vy", "{unit}/s", "velocity along y", lambda *of: _masses(*of)[1].imag),
+    Kind("mass", "speed", "{unit}/s", "speed", lambda *of: _sizes(_masses(*of)[1])),
+    *(
+        Kind("energy", name, ENERGY_UNIT, _ENERGY_SUMMARIES[name], _of_energy(name))
+        for name in ("total", *ENERGY_FIELDS)
+    ),
+    Kind(
+        "stability", "dt_over_limit", "",
+        "time step over the largest stable one; 0 where there is no limit", _over_limit,
+    ),
+)  # fmt: skip
+
+KINDS: dict[tuple[str, str], Kind] = {(kind.of, kind.what): kind for kind in _ALL}
+"""Everything that can be measured, by the two parts of its name."""
+
+PARTS: dict[str, tuple[str, ...]] = {
+    of: tuple(kind.what for kind in _ALL if kind.of == of) for of in dict.fromkeys(kind.of for kind in _ALL)
+}
+"""What can be measured of each kind of part."""
+
+COUNTED: dict[str, Callable[[Scene], int]] = {
+    "joint": lambda scene: len(scene.angular_springs),
+    "spring": lambda scene: len(scene.linear_springs),
+    "mass": lambda scene: len(scene.masses),
+}
+"""How many parts of a kind a scene has; there is one energy balance, and one stability limit."""

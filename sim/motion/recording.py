@@ -1,0 +1,100 @@
+"""Quantities of a simulation over time, and their table."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError
+from ..scene.files import write_atomically
+from ..scene.types import Scene
+from .quantities import Quantity, quantity
+
+if TYPE_CHECKING:
+    from .simulation import Simulation
+
+Floats = NDArray[np.float64]
+
+_ASCII = str.maketrans({"°": "deg", "²": "^2"})
+"""Signs of units for the first line of a table: not every program that opens one asks how it is encoded."""
+
+
+class Recording:
+    """Quantities of a simulation at several times; `Simulation.record` makes one.
+
+    `recording["joint3.angle"]` is the (k,) array of a quantity, `recording.time` that of the times.
+
+    Args:
+        scene: whose quantities they are.
+        names: of the quantities, see `sim.quantity`; each once.
+
+    Attributes:
+        units: of each quantity, by its name.
+
+    Raises:
+        InputError: there is none, there is no such quantity, or the scene has no such part.
+    """
+
+    def __init__(self, scene: Scene, names: Iterable[str]) -> None:
+        self._quantities = {q.name: q for q in (quantity(name, scene) for name in names)}
+        if not self._quantities:
+            raise InputError("record: name at least one quantity, such as joint0.angle")
+        self._rows: list[tuple[float, ...]] = []
+        self.units = {name: q.unit for name, q in self._quantities.items()}
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __getitem__(self, name: str) -> Floats:
+        try:
+            return self._columns[1 + list(self._quantities).index(name)]
+        except ValueError:
+            raise InputError(f"{name!r} was not recorded, but {', '.join(self._quantities)}") from None
+
+    @property
+    def time(self) -> Floats:
+        """(k,) simulated time, s."""
+        return self._columns[0]
+
+    def add(self, simulation: Simulation) -> None:
+        """Add a row for the present state."""
+        values = (q.read(simulation) for q in self._quantities.values())
+        self._rows.append((simulation.time, *values))
+
+    def to_csv(self, path: str | Path) -> None:
+        """Write a table: a line of names with units, as in `time [s]` and `joint3.angle [deg]`, and a line
+        for each time. Numbers have as many digits as it takes to read back exactly what they are.
+
+        Raises:
+            InputError: the file cannot be written.
+        """
+        text = table_text(self._quantities.values(), self._rows)
+        try:
+            write_atomically(Path(path), text.encode())
+        except OSError as error:
+            raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+
+    @property
+    def _columns(self) -> Floats:
+        return np.array(self._rows, float).reshape(len(self._rows), 1 + len(self._quantities)).T
+
+
+def table_text(quantities: Iterable[Quantity], rows: Iterable[Sequence[float]]) -> str:
+    """The table of some quantities as CSV, see `Recording.to_csv`.
+
+    Args:
+        quantities: what the columns are, beside the time.
+        rows: of time and values; a NaN leaves its place empty.
+    """
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    units = ((q.name, q.unit.translate(_ASCII)) for q in quantities)
+    writer.writerow(["time [s]", *(f"{name} [{unit}]" if unit else name for name, unit in units)])
+    writer.writerows(["" if value != value else repr(float(value)) for value in row] for row in rows)
+    return text.getvalue()
