@@ -45,12 +45,19 @@ _ORIGIN = re.compile(r"(https?)://([a-z0-9.-]+|\[[0-9a-f:.]+\])(?::(\d{1,5}))?/?
 _OWN_PORTS = {"http": 80, "https": 443}
 
 
+OF_THIS_MACHINE = ("http://localhost:*", "http://127.0.0.1:*")
+"""Origins of all sites that this machine serves to itself, for a Content Security Policy."""
+
+
 def origin(text: str) -> str:
-    """A site's origin as browsers write it, which may be given with capitals, its usual port or a slash.
+    """A site's origin as browsers write it, which may be given with capitals, its usual port or a slash;
+    or one of `OF_THIS_MACHINE`.
 
     Raises:
         GateError: it is not the origin of a site.
     """
+    if text in OF_THIS_MACHINE:
+        return text
     match = _ORIGIN.fullmatch(text.strip().lower())
     if match is None or not match[2].strip(".-"):
         raise GateError(

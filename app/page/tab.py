@@ -105,6 +105,15 @@ class Tab:
         """Have the user told something."""
         self._notices.append(notice)
 
+    def snapshot(self) -> sim.Scene:
+        """The scene as it is now, with its pose; as it comes first where the page is not drawn yet.
+
+        Raises:
+            InputError: the ticker did not answer.
+        """
+        session = self._session
+        return self._first if session is None else session.snapshot(session.scene.name, with_pose=True)
+
     def _touched(self, touch: Touch) -> None:
         if self._session is None:
             return
