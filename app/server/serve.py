@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import io
 import math
 import signal
 import threading
@@ -12,6 +11,7 @@ import warnings
 import webbrowser
 from collections.abc import Iterator, Sequence
 
+import rich
 import viser
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -56,8 +56,7 @@ def serving(
 
     # A page can go away in the middle of a frame; the rest of that frame has nobody to go to.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
-    # viser prints an address panel of its own.
-    with contextlib.redirect_stdout(io.StringIO()):
+    with _viser_is_quiet():
         server = open_server(
             host, port, label="softrod", on_oversized=oversized, files=page_files(), embed=embed
         )
@@ -68,8 +67,19 @@ def serving(
     finally:
         compiler.stop()
         ticker.stop()
-        with contextlib.redirect_stdout(io.StringIO()):
+        with _viser_is_quiet():
             server.stop()
+
+
+@contextlib.contextmanager
+def _viser_is_quiet() -> Iterator[None]:
+    """Keep viser from printing an address panel of its own, in a terminal or in a notebook."""
+    console = rich.get_console()
+    before, console.quiet = console.quiet, True
+    try:
+        yield
+    finally:
+        console.quiet = before
 
 
 def serve(scene: sim.Scene, host: str, port: int, open_browser: bool, embed: Sequence[str] = ()) -> None:

@@ -70,7 +70,7 @@ class Session(Timeline):
         beside = self.ghost, self.foresight
         opened = [command.scene for command in waiting if isinstance(command, commands.Open)]
         return (
-            max(self.pacer.unit_cost, *(other.unit_cost for other in beside if other)) > HEAVY_UNIT
+            max([self.pacer.unit_cost, *(other.unit_cost for other in beside if other)]) > HEAVY_UNIT
             or any(map(is_large, (self.simulation.scene, *opened)))
             or any(isinstance(command, commands.Resume | commands.Replay) for command in waiting)
         )

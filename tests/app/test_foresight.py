@@ -115,6 +115,9 @@ def test_without_enough_time_it_sees_only_parts_of_the_motion() -> None:
 
     foresight.follow = hurried  # type: ignore[method-assign]
     page.frames(400)
+    assert not page.session.heavy
+    foresight.unit_cost = 1.0
+    assert page.session.heavy
     assert foresight.growth == pytest.approx(math.sqrt(10.0), rel=0.2)
 
 

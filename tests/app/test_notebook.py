@@ -72,4 +72,6 @@ def test_examples_have_no_output_and_run(path: Path, capsys: pytest.CaptureFixtu
             exec(compile("".join(cell["source"]), f"{path.name}, cell {number}", "exec"), names)
     finally:
         plt.close("all")
+        if "shown" in names:
+            names["shown"].close()
     assert capsys.readouterr().out
