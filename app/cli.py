@@ -52,6 +52,8 @@ class Serve:
     """Port to listen on; 0 for any free one."""
     open: bool = True
     """Open the page in a browser."""
+    embed: Annotated[UseAppendAction[tuple[str, ...]], arg(metavar="ORIGIN")] = ()
+    """A site that may show the page in a frame, as in https://school.example; may be repeated."""
     settings: Settings = ()
 
     def run(self) -> int:
@@ -61,7 +63,7 @@ class Serve:
         from .server.serve import serve
 
         try:
-            serve(_scene(self.scene, self.settings), self.host, self.port, self.open)
+            serve(_scene(self.scene, self.settings), self.host, self.port, self.open, self.embed)
         except (GateError, PortBusy) as error:
             return _fail(error)
         return 0

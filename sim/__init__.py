@@ -11,6 +11,7 @@ It does not depend on the page; `import sim` is enough to use it in a script:
 """
 
 from .analysis.equilibrium import Vibrations, equilibrium, vibrations
+from .analysis.predictability import Predictability, predictability
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import EnergyBook
 from .motion.moment import Moment
@@ -82,6 +83,7 @@ __all__ = [
     "Moment",
     "Polygon",
     "Pose",
+    "Predictability",
     "Quantity",
     "Recording",
     "Rod",
@@ -108,6 +110,7 @@ __all__ = [
     "list_scenes",
     "load_scene",
     "polygon",
+    "predictability",
     "quantity",
     "rod",
     "rope",

@@ -41,6 +41,35 @@ def authorities(name: str, port: int) -> set[str]:
     return {name, f"{name}:80"} if port == 80 else {f"{name}:{port}"}
 
 
+_ORIGIN = re.compile(r"(https?)://([a-z0-9.-]+|\[[0-9a-f:.]+\])(?::(\d{1,5}))?/?")
+_OWN_PORTS = {"http": 80, "https": 443}
+
+
+OF_THIS_MACHINE = ("http://localhost:*", "http://127.0.0.1:*")
+"""Origins of all sites that this machine serves to itself, for a Content Security Policy."""
+
+
+def origin(text: str) -> str:
+    """A site's origin as browsers write it, which may be given with capitals, its usual port or a slash;
+    or one of `OF_THIS_MACHINE`.
+
+    Raises:
+        GateError: it is not the origin of a site.
+    """
+    if text in OF_THIS_MACHINE:
+        return text
+    match = _ORIGIN.fullmatch(text.strip().lower())
+    if match is None or not match[2].strip(".-"):
+        raise GateError(
+            f"{text!r} is not the origin of a site; one is written as https://school.example or "
+            "http://localhost:8888, without a path and without *."
+        )
+    scheme, host, port = match[1], match[2], int(match[3] or _OWN_PORTS[match[1]])
+    if not 1 <= port <= 65535:
+        raise GateError(f"{text!r} is not the origin of a site: {port} is not a port from 1 to 65535.")
+    return f"{scheme}://{host}" if port == _OWN_PORTS[scheme] else f"{scheme}://{host}:{port}"
+
+
 def exposure(host: str) -> str | None:
     """What serving on `host` exposes, in words for the terminal; None if only this machine can connect."""
     with contextlib.suppress(OSError):

@@ -39,6 +39,7 @@ from app.gate.address import (
     authorities,
     exposure,
     listen,
+    origin,
     own_authorities,
     page_addresses,
 )
@@ -96,13 +97,20 @@ class StaticFile:
     cache_control: str
 
 
-SAFETY_HEADERS = {
-    # No other site may show the page in a frame and steer clicks on it.
-    "Content-Security-Policy": "frame-ancestors 'none'",
-    "X-Frame-Options": "DENY",
-    "X-Content-Type-Options": "nosniff",
-    "Cross-Origin-Resource-Policy": "same-origin",
-}
+def safety_headers(embed: Sequence[str]) -> dict[str, str]:
+    """What every answer has besides.
+
+    Args:
+        embed: origins of sites that may show the page in a frame, as `origin` gives them. No other site may,
+            since it could steer clicks on the page.
+    """
+    headers = {
+        "Content-Security-Policy": "frame-ancestors " + (" ".join(embed) or "'none'"),
+        "X-Content-Type-Options": "nosniff",
+        "Cross-Origin-Resource-Policy": "same-origin",
+    }
+    # The older header knows no list of sites, and would turn all of them away.
+    return headers if embed else {**headers, "X-Frame-Options": "DENY"}
 
 
 class _Budget:
@@ -168,9 +176,11 @@ class Gate:
         hosts: frozenset[str],
         on_oversized: Callable[[int, str], None],
         files: Mapping[str, StaticFile],
+        embed: Sequence[str] = (),
     ) -> None:
         self.refused: Counter[Reason] = Counter()
         self._files = files
+        self._headers = safety_headers(embed)
         self._hosts = hosts
         self._on_oversized = on_oversized
         self._server: viser.ViserServer | None = None
@@ -199,7 +209,7 @@ class Gate:
         if response is None:
             self._tabs.add(connection)
         else:
-            response.headers.update(SAFETY_HEADERS)
+            response.headers.update(self._headers)
         return response
 
     def _refusal(self, connection: Connection, request: Request) -> tuple[Reason, HTTPStatus, str] | None:
@@ -332,6 +342,7 @@ def open_server(
     on_oversized: Callable[[int, str], None] | None = None,
     extra_hosts: Sequence[str] = (),
     files: Mapping[str, StaticFile] | None = None,
+    embed: Sequence[str] = (),
 ) -> GatedServer:
     """Serve viser's page on `host` and `port` (0 for any free port) behind the gate.
 
@@ -339,15 +350,18 @@ def open_server(
     name when a page tries to upload too large a file; the name is the browser's, so show it as plain text.
     `extra_hosts` are further names the page is reached by, with their port if it is not `port`
     (``"localhost:9000"`` for a forwarded one). `files` are served by their paths, before viser's own.
+    `embed` are the origins of the sites that may show the page in a frame (``"https://school.example"``).
 
-    Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place.
+    Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place or an origin makes
+    no sense.
     """
     if viser.__version__ != VISER_VERSION:
         raise GateError(f"viser {VISER_VERSION} is needed, but {viser.__version__} is installed.")
+    embed = [origin(site) for site in embed]
     listener = listen(host, port)
     address, port = listener.getsockname()[:2]
     hosts = own_authorities(address, host, port, extra_hosts)
-    gate = Gate(hosts, on_oversized or (lambda client_id, filename: None), files or {})
+    gate = Gate(hosts, on_oversized or (lambda client_id, filename: None), files or {}, embed)
     # The server gets a duplicate of the socket. This one holds the port until then, and is closed whatever
     # happens.
     with listener, _in_front_of_viser(gate, listener) as calls:

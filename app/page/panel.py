@@ -66,7 +66,7 @@ class Panel:
         session: its simulation.
         scenes: for the chooser, names by their labels.
         act: what the tab does beyond the session's commands: "open" a scene by its name, "notice", "theme",
-            "gizmos", "fit", "follow", "energy", "plot", "anew", "help".
+            "gizmos", "fit", "follow", "energy", "foretell", "plot", "anew", "help".
 
     Attributes:
         outlined: buttons that are not the first thing to press in their tab.
@@ -205,6 +205,7 @@ class Panel:
             ("Plot the joint's angle", "G", "plot"),
             ("Show the whole scene", "0", "fit"),
             ("Energy: follow it, or stop", "", "energy"),
+            ("Predictability: measure it, or stop", "", "foretell"),
             ("Open this scene anew", "", "anew"),
             ("The body's own values", "", commands.OwnValues("body")),
             ("The solver's own values", "", commands.OwnValues("solver")),

@@ -6,6 +6,7 @@ import html
 import math
 
 import sim
+from sim.analysis.predictability import factor_of
 from sim.methods.registry import METHODS
 
 from ..session.session import Session
@@ -139,6 +140,29 @@ def rates_table(session: Session) -> str:
     return _table(rows)
 
 
+def predictability_table(session: Session) -> str:
+    """How fast small errors grow, and what that means."""
+    foresight = session.foresight
+    if foresight is None:
+        return ""
+    if foresight.waits:
+        return _table({"predictability": "comes when it is compiled"})
+    if foresight.shadow.held:
+        return _table({"predictability": "no mass is free"})
+    growth = foresight.growth
+    if growth is None:
+        return _table({"errors grow": "being measured, for a second"})
+    rows = {
+        "errors grow, last second": f"× {factor_of(growth):.2g}",
+        "rate": f"{growth:+.2g} / s",
+        "e-folding time": f"{1.0 / growth:.2g} s" if growth > 0.0 else "none",
+        "its solver, per frame": f"{1e3 * foresight.cost:.3f} ms",
+    }
+    kind = "softrod-lag" if foresight.many else "softrod-about"
+    words = html.escape(foresight.verdict)
+    return f'{_table(rows)}<div class="softrod-text {kind}">{words[:1].upper()}{words[1:]}.</div>'
+
+
 def ghost_table(session: Session) -> str:
     """How far the second body is from the first, and what it costs."""
     ghost = session.ghost
@@ -153,6 +177,8 @@ def ghost_table(session: Session) -> str:
         "largest distance": f"{ghost.worst:.3g} {unit}",
         "ghost's solver, per frame": f"{1e3 * ghost.cost:.3f} ms",
     }
+    if session.foresight is not None and session.foresight.growth is not None:
+        rows["any error grows"] = f"× {factor_of(session.foresight.growth):.2g} in a second"
     if ghost.simulation.divergence is not None:
         rows["ghost stopped"] = "it ran away"
     return _table(rows)

@@ -45,6 +45,13 @@ class SolverPanel:
             "Energy", initial_value=False, hint="follow what changes the energy", order=LAST
         )
         self._energy = gui.add_html("", order=LAST + 1)
+        self._foretell = gui.add_checkbox(
+            "Predictability",
+            initial_value=False,
+            hint="how fast small errors grow: whether any tolerance can tell where the body will be",
+            order=LAST + 1.2,
+        )
+        self._growth = gui.add_html("", order=LAST + 1.4)
         self._other = gui.add_dropdown(
             "Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()), order=LAST + 2
         )
@@ -75,13 +82,20 @@ class SolverPanel:
             if event.client_id is not None:
                 session.post(commands.KeepBooks(bool(self._books.value)))
 
+        @self._foretell.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                session.post(commands.Foretell(bool(self._foretell.value)))
+
     def build(self) -> None:
         """Show what the session's scene has a use for."""
         scene = self._session.scene
         jointed = CHOICES["force_law"].applies(scene)
         moving = CHOICES["method"].applies(scene)
         self._law.visible = jointed
-        for handle in (self._method, self._about, self.own_values, self._books, self._other):
+        for handle in (
+            self._method, self._about, self.own_values, self._books, self._foretell, self._other
+        ):  # fmt: skip
             handle.visible = moving
         self.refresh_controls()
 
@@ -102,8 +116,10 @@ class SolverPanel:
         # Where there is none, the next one begins as the body is.
         _show(self._other_law, laws[ghost.law] if ghost is not None and ghost.law else SAME_LAW)
         _show(self._finer, FINER_LABELS[ghost.finer if ghost is not None else 1])
-        if self._books.value != self._session.books:
-            self._books.value = self._session.books
+        foretold = self._session.foresight is not None
+        for handle, on in ((self._books, self._session.books), (self._foretell, foretold)):
+            if handle.value != on:
+                handle.value = on
         about = f'<div class="softrod-text softrod-about">{method.summary}</div>'
         if self._about.content != about:
             self._about.content = about
@@ -113,6 +129,7 @@ class SolverPanel:
         session = self._session
         for element, content in (
             (self._energy, readouts.energy_table(session)),
+            (self._growth, readouts.predictability_table(session)),
             (self._ghost, readouts.ghost_table(session)),
             (self.rates, readouts.rates_table(session)),
         ):

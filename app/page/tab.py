@@ -106,6 +106,15 @@ class Tab:
         """Have the user told something."""
         self._notices.append(notice)
 
+    def snapshot(self) -> sim.Scene:
+        """The scene as it is now, with its pose; as it comes first where the page is not drawn yet.
+
+        Raises:
+            InputError: the ticker did not answer.
+        """
+        session = self._session
+        return self._first if session is None else session.snapshot(session.scene.name, with_pose=True)
+
     def _touched(self, touch: Touch) -> None:
         if self._session is None:
             return
@@ -326,6 +335,8 @@ class Tab:
                 session.revision += 1
             elif what == "energy":
                 session.post(commands.KeepBooks(not session.books))
+            elif what == "foretell":
+                session.post(commands.Foretell(session.foresight is None))
             elif what == "anew":
                 session.post(commands.Open(session.opened))
             elif what == "joint":

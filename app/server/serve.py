@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import contextlib
-import io
 import math
 import signal
 import threading
 import time
 import warnings
 import webbrowser
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+import rich
 import viser
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -30,11 +30,18 @@ from .ticker import Ticker
 
 
 @contextlib.contextmanager
-def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.ViserServer, Ticker, Compiler]]:
+def serving(
+    scene: sim.Scene, host: str, port: int, embed: Sequence[str] = ()
+) -> Iterator[tuple[viser.ViserServer, Ticker, Compiler]]:
     """The server behind its gate, ticking, for as long as the context lasts; the compiler is not started.
 
+    Args:
+        scene: what a page shows first.
+        host, port: where to listen; port 0 for any free one.
+        embed: origins of the sites that may show the page in a frame, as in "https://school.example".
+
     Raises:
-        GateError: the gate could not be put in place; nothing is served.
+        GateError: the gate could not be put in place, or an origin is none; nothing is served.
         PortBusy: something else listens on the port.
     """
     compiler = Compiler()
@@ -49,9 +56,10 @@ def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.Vise
 
     # A page can go away in the middle of a frame; the rest of that frame has nobody to go to.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
-    # viser prints an address panel of its own.
-    with contextlib.redirect_stdout(io.StringIO()):
-        server = open_server(host, port, label="softrod", on_oversized=oversized, files=page_files())
+    with _viser_is_quiet():
+        server = open_server(
+            host, port, label="softrod", on_oversized=oversized, files=page_files(), embed=embed
+        )
     try:
         _set_stage(server)
         ticker.attach(server)
@@ -59,12 +67,23 @@ def serving(scene: sim.Scene, host: str, port: int) -> Iterator[tuple[viser.Vise
     finally:
         compiler.stop()
         ticker.stop()
-        with contextlib.redirect_stdout(io.StringIO()):
+        with _viser_is_quiet():
             server.stop()
 
 
-def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
-    """Serve until Ctrl-C or SIGTERM.
+@contextlib.contextmanager
+def _viser_is_quiet() -> Iterator[None]:
+    """Keep viser from printing an address panel of its own, in a terminal or in a notebook."""
+    console = rich.get_console()
+    before, console.quiet = console.quiet, True
+    try:
+        yield
+    finally:
+        console.quiet = before
+
+
+def serve(scene: sim.Scene, host: str, port: int, open_browser: bool, embed: Sequence[str] = ()) -> None:
+    """Serve until Ctrl-C or SIGTERM; `embed` as in `serving`.
 
     Raises:
         GateError, PortBusy: as `serving`.
@@ -74,7 +93,7 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool) -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         # Only an append: a second signal can come in the middle of this handler, and must find no lock.
         signal.signal(number, lambda number, _: signals.append(number))
-    with serving(scene, host, port) as (server, ticker, compiler):
+    with serving(scene, host, port, embed) as (server, ticker, compiler):
         address, *others = page_addresses(host, server.get_port())
         console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
         for other in others:

@@ -96,6 +96,13 @@ class Compare:
 
 
 @dataclass(frozen=True)
+class Foretell:
+    """Whether it is to be told how fast errors grow."""
+
+    on: bool
+
+
+@dataclass(frozen=True)
 class KeepBooks:
     """Whether the energy is to be followed."""
 
@@ -203,6 +210,6 @@ class Resume:
 
 Command = (
     HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues | Compare
-    | KeepBooks | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot
+    | Foretell | KeepBooks | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot
     | GoTo | GoBack | GoForward | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
 )  # fmt: skip

@@ -13,6 +13,7 @@ from sim import Moment
 from sim.scene.types import Damage
 
 from .ghost import GhostMoment
+from .shadow import ShadowMoment
 
 SPAN = 3600
 """Frames that are kept: a minute at 60 Hz."""
@@ -49,11 +50,13 @@ class _Frame(NamedTuple):
         number: of the frame, counted from when the history began.
         moment: of the body.
         ghost: of the second body, if there was one.
+        shadow: of what tells how errors grow, if it was wanted.
     """
 
     number: int
     moment: Moment
     ghost: GhostMoment | None
+    shadow: ShadowMoment | None
 
 
 class History:
@@ -90,6 +93,25 @@ class History:
         """Where the second body was in a moment; None if there was none, or it was another one."""
         return self._frames[index].ghost
 
+    def shadows(self, index: int, span: float) -> list[tuple[float, ShadowMoment]]:
+        """The shadow in a moment and in those before it without a gap, with their times, s.
+
+        Args:
+            index: of the moment.
+            span: s before the moment that they cover at most.
+        """
+        found: list[tuple[float, ShadowMoment]] = []
+        for frame in reversed(self._frames[: index + 1]):
+            if frame.shadow is None or frame.moment.time < self[index].time - span:
+                break
+            found.append((frame.moment.time, frame.shadow))
+        return found[::-1]
+
+    def forget_shadows(self) -> None:
+        """How errors grew is no longer wanted."""
+        self._frames = [frame._replace(shadow=None) for frame in self._frames]
+        self._count()
+
     def forget_ghosts(self) -> None:
         """The second body is no longer the one that it was."""
         self._frames = [frame._replace(ghost=None) for frame in self._frames]
@@ -120,8 +142,13 @@ class History:
         """What all of it takes, about."""
         return self._bytes
 
-    def add(self, moment: Moment, ghost: GhostMoment | None = None) -> None:
-        """The next frame's moment, and the second body's; it is shown. What is not before it is dropped."""
+    def add(
+        self, moment: Moment, ghost: GhostMoment | None = None, shadow: ShadowMoment | None = None
+    ) -> None:
+        """The next frame's moment, and what is beside the body; it is shown.
+
+        What is not before it is dropped.
+        """
         frames = self._frames
         while frames and frames[-1].moment.time >= moment.time:
             self._drop_last()
@@ -130,7 +157,7 @@ class History:
         if ghost is not None and before is not None and before.ghost is not None:
             ghost = ghost._replace(moment=_sharing(ghost.moment, before.ghost.moment))
         self._number += 1
-        frame = _Frame(self._number, moment, ghost)
+        frame = _Frame(self._number, moment, ghost, shadow)
         self._bytes += _size(frame, before)
         frames.append(frame)
         if len(frames) > SPAN or frames[0].number <= self._number - SPAN:
@@ -139,11 +166,13 @@ class History:
             self._thin()
         self.shown = self.last
 
-    def amend(self, moment: Moment, ghost: GhostMoment | None = None) -> None:
+    def amend(
+        self, moment: Moment, ghost: GhostMoment | None = None, shadow: ShadowMoment | None = None
+    ) -> None:
         """The newest moment is this one after all."""
         if self._frames:
             self._drop_last()
-        self.add(moment, ghost)
+        self.add(moment, ghost, shadow)
 
     def nearest(self, time: float) -> int:
         """Index of the moment nearest to a time, s; there must be one."""
@@ -256,6 +285,8 @@ def _size(frame: _Frame, before: _Frame | None) -> int:
     if frame.ghost is not None:
         last = before.ghost if before else None
         size += _size_of(frame.ghost.moment, last.moment if last else None)
+    if frame.shadow is not None:
+        size += frame.shadow.hair.nbytes + _OVERHEAD
     return size
 
 

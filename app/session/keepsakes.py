@@ -42,6 +42,7 @@ class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
         follow: whether the driven mass followed the pointer.
         joint: the angular spring that was read out.
         ghost: the second body, if there was one.
+        foretell: whether it was told how fast errors grow.
     """
 
     playing: bool = True
@@ -49,6 +50,7 @@ class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     follow: bool = False
     joint: Annotated[int, Meta(ge=0, lt=MAX_SPRINGS)] = 0
     ghost: Second | None = None
+    foretell: bool = False
 
 
 _NOTHING = msgspec.Raw()

@@ -21,6 +21,7 @@ from .notices import Notice
 from .pacing import Pacer
 from .record import Recorder
 from .replay import Player
+from .shadow import WINDOW, Foresight, ShadowMoment
 
 
 class Running:
@@ -37,6 +38,7 @@ class Running:
         pacer: the clock.
         stability: the last look at the stability limit.
         ghost: the second body, if one is wanted.
+        foresight: tells how fast errors grow, if that is wanted.
         books: whether the energy is followed.
         fallbacks: fallback steps since the scene was opened or reset.
         recorder: what acts on the body, and keeps its log; not while a log is played.
@@ -79,6 +81,7 @@ class Running:
         self._stability_due = 0.0
         self.hand = PointerHand(self._bodies, clock)
         self.ghost: Ghost | None = None
+        self.foresight: Foresight | None = None
         self.books = False
         self.fallbacks = 0
         self.preparing = ""
@@ -133,6 +136,11 @@ class Running:
                 self.ghost.start_from(self.simulation)
             else:
                 self.ghost.change(scene)
+        if self.foresight is not None:
+            if rebuilt:
+                self.foresight.begin(self.simulation)
+            else:
+                self.foresight.place(self.simulation)
         self.revision += 1
         self._stability_due = 0.0
 
@@ -155,7 +163,7 @@ class Running:
             self.recorder.keep_books(True)
         self._begin_history()
         self.replay = self._viewer = None
-        self.ghost = None
+        self.ghost = self.foresight = None
         self.fallbacks = 0
         self.follow = False
         self.joint = 0
@@ -174,29 +182,53 @@ class Running:
     def _remember(self) -> None:
         """Keep this frame's moment, if time has passed."""
         if self.simulation.time != self.history.end:
-            self.history.add(self.simulation.capture(), self._ghost_moment())
+            self.history.add(self.simulation.capture(), *self._moments_beside())
 
-    def _ghost_moment(self) -> GhostMoment | None:
-        return self.ghost.capture() if self.ghost is not None else None
+    def _moments_beside(self) -> tuple[GhostMoment | None, ShadowMoment | None]:
+        return (
+            self.ghost.capture() if self.ghost is not None else None,
+            self.foresight.capture() if self.foresight is not None else None,
+        )
+
+    def _go_back_beside(self, index: int) -> None:
+        """Take what is beside the body to a moment of the history."""
+        if self.ghost is not None:
+            self.ghost.go_back(self.history.ghost(index), self.simulation)
+        if self.foresight is not None:
+            self.foresight.go_back(self.history.shadows(index, WINDOW), self.simulation)
 
     def _bodies(self) -> list[Body]:
-        """The body, and its ghost."""
-        return [self.recorder, *([self.ghost.simulation] if self.ghost is not None else [])]
+        """The body, its ghost, and those that tell how errors grow."""
+        bodies: list[Body] = [self.recorder]
+        if self.ghost is not None:
+            bodies.append(self.ghost.simulation)
+        if self.foresight is not None:
+            bodies += self.foresight.shadow.pair
+        return bodies
 
     def _hold(self, keys: frozenset[str]) -> None:
         for body in self._bodies():
             body.keys = keys
 
-    def _follow_ghost(self, steps: int, led: list[int], budget: float) -> None:
-        """Let the ghost do as many steps, in which the same masses are led to where they are now.
+    def _follow(self, steps: int, led: list[int], budget: float) -> None:
+        """Let what is beside the body do as many steps, with the same masses led to where they are now.
 
         Args:
             steps: time steps that the body has done.
             led: the masses that were led at a limited speed.
             budget: seconds of computing that this may take.
         """
-        if self.ghost is not None and self.ghost.is_ready(self.simulation):
-            if not self.ghost.simulation.rate_limited:
-                for mass in led:
-                    self.ghost.simulation.lead(mass, tuple(self.simulation.positions[mass]))
-            self.ghost.follow(self.simulation, steps, budget)
+        ghost, foresight, began = self.ghost, self.foresight, time.perf_counter()
+        if ghost is not None and ghost.is_ready(self.simulation):
+            self._lead_too(ghost.simulation, led)
+            ghost.follow(self.simulation, steps, budget)
+        if foresight is not None:
+            for one in foresight.shadow.pair:
+                self._lead_too(one, led)
+            foresight.follow(self.simulation, steps, budget - (time.perf_counter() - began))
+
+    def _lead_too(self, other: sim.Simulation, led: list[int]) -> None:
+        """Lead masses of another body to where they are in the first one, at once where it can follow."""
+        if not other.rate_limited:
+            for mass in led:
+                other.lead(mass, tuple(self.simulation.positions[mass]))

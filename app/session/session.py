@@ -26,6 +26,7 @@ from .ghost import Ghost
 from .hand import FRAME
 from .notices import Notice, runaway
 from .pacing import HEAVY_UNIT, is_large
+from .shadow import Foresight
 from .timeline import MOST_SECONDS, Timeline
 
 __all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "SPEEDS", "Notice", "Session"]
@@ -66,9 +67,10 @@ class Session(Timeline):
     def heavy(self) -> bool:
         """Whether the next frame may take longer than others can wait for."""
         waiting = [command for _, command in list(self._queue)]
+        beside = self.ghost, self.foresight
         opened = [command.scene for command in waiting if isinstance(command, commands.Open)]
         return (
-            max(self.pacer.unit_cost, self.ghost.unit_cost if self.ghost else 0.0) > HEAVY_UNIT
+            max([self.pacer.unit_cost, *(other.unit_cost for other in beside if other)]) > HEAVY_UNIT
             or any(map(is_large, (self.simulation.scene, *opened)))
             or any(isinstance(command, commands.Resume | commands.Replay) for command in waiting)
         )
@@ -156,6 +158,7 @@ class Session(Timeline):
                 follow=self.follow,
                 joint=self.joint,
                 ghost=keepsakes.Second(ghost.method, ghost.law, ghost.finer) if ghost else None,
+                foretell=self.foresight is not None,
             ),
             self.opened,
         )
@@ -212,6 +215,10 @@ class Session(Timeline):
                 self.history.forget_ghosts()
                 self.ghost = Ghost(self.simulation, method, law, finer, self._wait) if method else None
                 self.revision += 1
+            case commands.Foretell(on):
+                self.history.forget_shadows()
+                self.foresight = Foresight(self.simulation, self._wait) if on else None
+                self.revision += 1
             case commands.KeepBooks(on):
                 self.books = on
                 self.recorder.keep_books(on)
@@ -229,7 +236,7 @@ class Session(Timeline):
                 self.hand.steer(self._following, glide=True)
                 led = list(self.simulation.behind)
                 done = self.recorder.step(max(0, min(steps, 1000)), self.pacer.attempts(MOST_SECONDS))
-                self._follow_ghost(done, led, MOST_SECONDS)
+                self._follow(done, led, MOST_SECONDS)
                 self._after_steps()
             case commands.Reset():
                 self._let_go()
@@ -238,6 +245,8 @@ class Session(Timeline):
                 self._begin_history()
                 if self.ghost is not None:
                     self.ghost.start_from(self.simulation)
+                if self.foresight is not None:
+                    self.foresight.begin(self.simulation)
                 self.pacer.restart()
                 self.revision += 1
             case commands.Speed(factor):
@@ -270,7 +279,7 @@ class Session(Timeline):
         seconds, stats = time.perf_counter() - began, self.simulation.stats()
         self.fallbacks += stats.fallbacks
         self.pacer.record(now, self.simulation.dt, done, seconds, stats, missed=steps - done)
-        self._follow_ghost(done, led, budget - seconds)
+        self._follow(done, led, budget - seconds)
         self._after_steps()
 
     # --------------------------------------------------------------------- logs and keepsakes
@@ -298,6 +307,8 @@ class Session(Timeline):
         if wishes.ghost is not None:
             second = wishes.ghost
             self.ghost = Ghost(self.simulation, second.method, second.law, second.finer, self._wait)
+        if wishes.foretell:
+            self.foresight = Foresight(self.simulation, self._wait)
         self.play(wishes.playing)
 
     def _after_steps(self) -> None:
@@ -329,7 +340,9 @@ def _is_input(command: Command) -> bool:
             return on
         case commands.DragStart() | commands.SetValue() | commands.SetChoice() | commands.DoSteps():
             return True
-        case commands.Reset() | commands.KeepBooks() | commands.Compare() | commands.OwnValues():
+        case commands.Reset() | commands.KeepBooks() | commands.Compare() | commands.Foretell():
+            return True
+        case commands.OwnValues():
             return True
         case _:
             return False

@@ -81,7 +81,7 @@ class Timeline(Running):
             self._let_go()
             if not history.scrubbed:
                 # What was changed since the last frame is not to be lost.
-                history.amend(self.simulation.capture(), self._ghost_moment())
+                history.amend(self.simulation.capture(), *self._moments_beside())
             self.recorder.restore(history[index])
         elif index == history.last:
             self.simulation = self.replay.simulation  # it has to go on as if nobody had looked back
@@ -93,8 +93,7 @@ class Timeline(Running):
         history.shown = index
         self.offer_back = False
         self._changed_from(before)
-        if self.ghost is not None:
-            self.ghost.go_back(history.ghost(index), self.simulation)
+        self._go_back_beside(index)
         self.revision += 1
         self._stability_due = 0.0
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -29,6 +30,9 @@ NUDGE = 1e-6
 CHAOTIC = 1e3
 """A body is chaotic, and left out, if a nudge of its start grows more than so many times within the run. Then
 it would turn errors of a thousandth of the tolerance into ones beyond it, whatever the method."""
+
+GROWTHS = (10.0, 100.0, 1e3)
+"""Growths by which bodies are told apart."""
 
 UNSURE = 1e-3
 """A body is left out, too, if two references are farther apart than this, px."""
@@ -147,6 +151,16 @@ def shares_by_tolerance(bodies: Sequence[BodyResult]) -> list[Shares]:
         sure = (b for b in bodies if not b.left_out and b.doubt <= UNSURE_PART * tolerance)
         found.append(_sum_up({b.seed: b.other_errors[i] for b in sure}, tolerance))
     return sorted(found, key=lambda shares: -shares.tolerance)
+
+
+def shares_by_growth(bodies: Sequence[BodyResult], framed: bool = False) -> dict[str, Shares]:
+    """The same by how much a nudge grows, chaotic bodies too, as far as their references agree."""
+    found = {}
+    for least, most in itertools.pairwise((0.0, *GROWTHS, math.inf)):
+        those = (b for b in bodies if least <= b.growth < most and b.doubt <= UNSURE)
+        what = f"{least:g} to {most:g}" if most < math.inf else f"{least:g} and more"
+        found[what] = _sum_up({b.seed: b.framed_error if framed else b.error for b in those}, TOLERANCE)
+    return found
 
 
 def _sum_up(error: dict[int, float], tolerance: float) -> Shares:

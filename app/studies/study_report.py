@@ -14,7 +14,7 @@ from sim.methods.registry import METHODS
 from . import others, random_study
 from .measure import FOLLOWED, Point, SceneResults, label
 from .output import captioned, comma_separated, grid, provenance, table
-from .random_study import OTHER_TOLERANCES, BodyResult, Shares, shares, shares_by_tolerance
+from .random_study import OTHER_TOLERANCES, BodyResult, Shares, shares, shares_by_growth, shares_by_tolerance
 
 EULER = "symplectic_euler"
 
@@ -281,6 +281,11 @@ def _bodies(bodies: Sequence[BodyResult]) -> list[str]:
         f"references are no farther apart than {random_study.UNSURE_PART:.0%} of it:",
         "",
         *_share_grid(("tolerance", *headings), by_tolerance),
+    ]
+    lines += [
+        "By how much a nudge of the start grows, in 60 calls, with chaotic bodies whose references agree:",
+        "",
+        *_share_grid(("growth", *headings), shares_by_growth(bodies, framed=True)),
     ]
     worst = sorted((b for b in bodies if not b.left_out), key=lambda b: -b.error)[:10]
     headings = ("worst seeds", "body", "law", "masses", "growth of a nudge", "error, px", "in 60 calls, px")

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import sim
+from sim.analysis.predictability import GrowthMeter
 from sim.errors import InputError
 
 Floats = NDArray[np.float64]
@@ -43,6 +44,7 @@ _ALL = (
     ),
     Measure("error", "px", "largest distance of a mass at the end from a near-exact run of the same scene"),
     Measure("stretch", "", "largest |L - rest length| / rest length of a linear spring"),
+    Measure("growth", "", "factor by which a small error grows in a second, see `sim.predictability`"),
     Measure("survived", "", "yes; no where the body ran away, and then the rest is empty; always there"),
 )  # fmt: skip
 
@@ -91,6 +93,7 @@ class Track:
         self._height: float | None = None
         self._times: list[float] = []
         self._centres: list[Floats] = []
+        self._errors = GrowthMeter(simulation) if "growth" in self._wanted else None
         simulation.keep_books("energy_residual" in self._wanted)
 
     def look(self) -> None:
@@ -108,6 +111,8 @@ class Track:
             rows = np.concatenate((positions[self._free], velocities[self._free]), axis=1)
             self._times.append(self._simulation.time)
             self._centres.append((self._weights[:, None] * rows).sum(0) / self._weights.sum())
+        if self._errors is not None:
+            self._errors.look(self._simulation)
         if "energy_residual" in self._wanted:
             book = self._simulation.energy()
             self._height = book.gravity if self._height is None else self._height
@@ -129,6 +134,7 @@ class Track:
             "energy_residual": self._energy_residual(),
             "error": None if reference is None else distance(self._simulation.positions, reference),
             "stretch": self._stretch if self._springs.size else None,
+            "growth": self._growth(),
             "survived": True,
         }
         return tuple(found[name] for name in measures)
@@ -137,6 +143,11 @@ class Track:
         # A body that rests has energies of rounding errors only, and no ratio of them means anything.
         moves = self._farthest > _STILL * max(1.0, float(np.abs(self._start).max()))
         return self._residual / self._moved if moves and self._moved > 0.0 else None
+
+    def _growth(self) -> float | None:
+        if self._errors is None or self._errors.held:
+            return None
+        return self._errors.result(self._simulation).per_second
 
     def _sag(self) -> float | None:
         size = float(np.hypot(*self._gravity))

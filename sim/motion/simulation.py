@@ -8,6 +8,7 @@ from typing import Literal
 
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 
 from ..body.damage import without_broken
 from ..body.system import new_scratch, refresh, same_topology
@@ -308,13 +309,22 @@ class Simulation(Reading):
         if kept:
             self.keep_books(True)
 
-    def take_state(self, other: Simulation) -> None:
-        """Take over positions, velocities, time and held masses of a simulation of the same topology."""
-        self._adopt(other._rows(), other.damage)
+    def take_state(self, other: Simulation, shift: NDArray[np.float64] | None = None) -> None:
+        """Take over positions, velocities, time and held masses of a simulation of the same topology.
+
+        Args:
+            other: the other one.
+            shift: (4, n) px and px/s by which x, y, vx and vy of the free masses are to differ; None for 0.
+        """
+        rows, damage = other._rows(), other.damage
+        self._adopt(rows, damage)
         self._time, self._steps, self._owed = other._time, other._steps, other._owed
         self._hands.take_over(other._hands)
         self._keys = other._keys
         self._restart()
+        if shift is not None:
+            free = self._state.inverse_mass[self._system.mass_index] > 0.0
+            self._adopt(rows + np.where(free, shift, 0.0), damage)
 
     def replace(self, scene: Scene) -> None:
         """Go on with another scene. Where it joins the same masses in the same way, positions, velocities and

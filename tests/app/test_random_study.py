@@ -8,7 +8,7 @@ import pytest
 
 from app.studies import random_study
 from app.studies.random_bodies import random_body
-from app.studies.random_study import measure_body, shares, shares_by_tolerance
+from app.studies.random_study import measure_body, shares, shares_by_growth, shares_by_tolerance
 from sim.body.system import build_system
 from tests.app.results import some_body
 
@@ -51,6 +51,20 @@ def test_shares_by_tolerance_count_bodies_whose_references_are_sure() -> None:
     assert [(s.tolerance, s.counted) for s in found] == [(1.0, 3), (0.1, 3), (0.01, 3), (1e-3, 2), (1e-4, 2)]
     assert [s.within for s in found] == pytest.approx([2.0 / 3.0, 2.0 / 3.0, 1.0, 0.0, 1.0])
     assert found[3].largest == pytest.approx(2.0)
+
+
+def test_shares_by_growth_count_chaotic_bodies_whose_references_agree() -> None:
+    bodies = [
+        some_body(0, 0.05, growth=2.0),
+        some_body(1, 0.05, growth=50.0),
+        some_body(2, 0.3, growth=150.0),
+        some_body(3, 7.0, "chaotic", growth=1e4),
+        some_body(4, 7.0, "chaotic", growth=1e9, doubt=1.0),
+    ]
+    found = shares_by_growth(bodies)
+    assert [s.counted for s in found.values()] == [1, 1, 1, 1]
+    assert [s.within for s in found.values()] == [1.0, 1.0, 0.0, 0.0]
+    assert list(found) == ["0 to 10", "10 to 100", "100 to 1000", "1000 and more"]
 
 
 def test_auto_keeps_to_large_tolerances_and_small_ones() -> None:

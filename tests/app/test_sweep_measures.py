@@ -75,6 +75,15 @@ def test_the_sag_is_that_of_the_equilibrium() -> None:
     assert run(encode_scene(scene), ("gravity=0",), 0.1, ("sag",)).values == (None,)
 
 
+def test_the_growth_of_errors_is_that_of_the_motion() -> None:
+    standing = encode_scene(pendulum(180.0))
+    row = run(standing, (), 3.0, ("growth",))
+    assert row.values[0] == pytest.approx(math.exp(math.sqrt(10.0)), rel=0.05)
+    assert row.values == run(standing, (), 3.0, ("growth",)).values
+    held = run(encode_scene(sim.load_scene("tutorial-3.1")), (), 0.1, ("growth", "survived"))
+    assert held.values == (None, True)
+
+
 def test_the_stretch_is_the_largest_of_all_looks() -> None:
     weight = sim.rope(
         2, 100.0, joints=False, driven=None, damping=0.0, stiffness=1000.0, gravity=(0.0, 5000.0),

@@ -55,6 +55,19 @@ def test_the_energy_is_shown_while_it_is_wanted(open_page: OpenPage) -> None:
     desk.until(desk.control("Energy").is_checked, "and the switch shows it")
 
 
+def test_how_fast_errors_grow_is_told_while_it_is_wanted(open_page: OpenPage) -> None:
+    desk = open_page("tutorial-3.3")
+    desk.show("Solver")
+    desk.control("Predictability").click()
+    row = desk.page.get_by_text("errors grow, last second")
+    row.wait_for()
+    assert desk.page.get_by_text("a shorter time step makes them smaller.").is_visible()
+    assert_shown(desk)
+    desk.control("Predictability").click()
+    desk.until(lambda: desk.session.foresight is None, "it is wanted no more")
+    desk.until(lambda: row.count() == 0, "and is not shown")
+
+
 def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
     desk = open_page("tutorial-3.3")
     desk.show("Solver")

@@ -1,0 +1,146 @@
+"""How far a body can be foretold: two others that come apart, in the time that a frame leaves."""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+import sim
+from sim.analysis.predictability import MANY, Shadow, factor_of, growth_within, verdict
+
+from .pacing import attempts_within, smoothed
+
+SPAN = 1.0
+"""Simulated seconds whose growth is told."""
+
+WINDOW = 1.6 * SPAN
+"""Simulated seconds that are kept for that."""
+
+_LATE = 0.1
+"""Simulated seconds that it may be late; then it goes on from where the body is."""
+
+
+class ShadowMoment(NamedTuple):
+    """What tells how errors grow, at a moment that is past.
+
+    Attributes:
+        hair: (4, n) the direction in which two bodies came apart, see `sim.analysis.predictability.Shadow`.
+        level: natural logarithm of how much they had by then.
+    """
+
+    hair: NDArray[np.float64]
+    level: float
+
+
+class Foresight:
+    """Tells how fast errors grow in the motion of a session's body.
+
+    Args:
+        simulation: the body.
+        wait: whether its steps may wait for the compiler.
+
+    Attributes:
+        shadow: the two bodies.
+        cost: seconds of computing in the last frames, on average.
+        unit_cost: seconds of a step of the two that they try, on average.
+    """
+
+    def __init__(self, simulation: sim.Simulation, wait: bool = True) -> None:
+        self.shadow = Shadow(simulation, wait)
+        self.cost = self.unit_cost = 0.0
+        self._step_cost = 0.0
+        self._owed = 0
+        self._seen = 0.0  # simulated seconds that were followed, s
+        self._samples: deque[tuple[float, float]] = deque([(0.0, 0.0)])
+        self._scene = simulation.scene
+
+    @property
+    def waits(self) -> bool:
+        """Whether its method is still being compiled."""
+        return any(one.plain for one in self.shadow.pair)
+
+    def place(self, simulation: sim.Simulation) -> None:
+        """Go on from where the body is now, after something else than steps was done to it."""
+        self.shadow.place(simulation)
+        self._owed = 0
+
+    def begin(self, simulation: sim.Simulation) -> None:
+        """Forget what was, as for another motion."""
+        self.place(simulation)
+        self._samples = deque([(self._seen, self.shadow.level)])
+
+    def capture(self) -> ShadowMoment:
+        """What there is to come back to."""
+        return ShadowMoment(self.shadow.hair, self.shadow.level)
+
+    def go_back(self, then: Sequence[tuple[float, ShadowMoment]], simulation: sim.Simulation) -> None:
+        """Be as at the moment that the body has gone to.
+
+        Args:
+            then: the moments until that one, with their times, s; it is the last.
+            simulation: the body.
+        """
+        if not then:
+            self.begin(simulation)
+            return
+        self._seen, last = then[-1]
+        self.shadow.place(simulation, last.hair)
+        self.shadow.level, self._owed = last.level, 0
+        self._samples = deque((at, moment.level) for at, moment in then)
+
+    def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
+        """Go on by what the body has just done, as far as there is time.
+
+        Args:
+            simulation: the body.
+            steps: time steps that it has done.
+            budget: seconds of computing that this may take.
+        """
+        self._owed += steps
+        if not self._owed or simulation.divergence is not None:
+            return
+        if self.waits:
+            ready = [one.take_compiled() for one in self.shadow.pair]
+            if all(ready):
+                self.begin(simulation)
+            return
+        began = time.perf_counter()
+        affordable = max(1, int(budget / self._step_cost)) if self._step_cost else self._owed
+        steps = min(self._owed, affordable)
+        arrived = self.shadow.step(steps, attempts_within(0.5 * budget, self.unit_cost))
+        self._owed -= steps
+        if arrived:
+            self._seen += steps * simulation.dt
+            self._samples.append((self._seen, self.shadow.level))
+            while self._samples[0][0] < self._seen - WINDOW:
+                self._samples.popleft()
+        if not arrived or self._owed * simulation.dt > _LATE or (self.shadow.due and not self._owed):
+            self.place(simulation)
+        took = time.perf_counter() - began
+        self.cost += 0.1 * (took - self.cost)
+        self._step_cost = smoothed(self._step_cost, took / steps)
+        stats = [one.stats() for one in self.shadow.pair]
+        if tried := sum(one.steps + one.rejected for one in stats):
+            self.unit_cost = smoothed(self.unit_cost, took / tried)
+        self._scene = simulation.scene
+
+    @property
+    def growth(self) -> float | None:
+        """By how much the logarithm of an error has grown in the last second; None if it is not known."""
+        times, levels = zip(*self._samples, strict=True)
+        return None if self.shadow.held else growth_within(times, levels, SPAN)
+
+    @property
+    def many(self) -> bool:
+        """Whether errors grow too fast for any tolerance."""
+        return self.growth is not None and factor_of(self.growth / SPAN) >= MANY
+
+    @property
+    def verdict(self) -> str:
+        """What the growth means, in words; empty if it is not known."""
+        return "" if self.growth is None else verdict(self._scene, factor_of(self.growth / SPAN))

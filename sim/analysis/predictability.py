@@ -1,0 +1,299 @@
+"""How fast small errors grow in a motion, and so whether any tolerance can say where a body will be.
+
+Two near-exact bodies start where the body is, one of them a hair beside it. After some time they start again
+from where the body is by then, with the direction in which they have come apart kept, and a hair in size. The
+logarithm of all that they have come apart by, over the time, is an estimate of the largest Lyapunov exponent
+(Benettin, Galgani & Strelcyn, *Kolmogorov entropy and numerical experiments*, Physical Review A 14, 1976).
+
+The body's own method would not do for the two. A method that chooses its steps turns a hair into steps of
+slightly different lengths, and their errors soon outgrow the hair. So the two have a much finer tolerance,
+and the hair is large beside it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError
+from ..methods.registry import METHODS
+from ..motion.divergence import Divergence
+from ..motion.simulation import Simulation
+from ..scene.types import Scene
+
+MANY = 100.0
+"""Growth in a second from which on a tolerance may not be kept: of random bodies, `auto` keeps all in which
+errors grow less; see the study in docs."""
+
+_HAIR, _TOLERANCE = 1e-4, 5e-6
+"""Distance that is a hair, and tolerance of the two bodies, as parts of the length of a typical spring."""
+_LEAST, _MOST = 0.1, 30.0
+"""Distances, in hairs, at which the two start again."""
+_LONGEST = 0.25
+"""Seconds after which they do."""
+_LEAST_PER_CALL = 1e-3
+"""Factor by which a distance shrinks in a call, at most; what is less may be rounding."""
+
+_SWING = 0.5
+"""Seconds of which the largest distance counts: a distance may be nothing while it changes its sign."""
+_SAMPLE = 1.0 / 60.0
+"""Seconds between two samples."""
+_LONGEST_RUN = 1e4
+
+
+class Shadow:
+    """Two near-exact bodies beside a body, and how fast they come apart.
+
+    Args:
+        body: the body; it is only read.
+        wait: whether steps of the two may wait until their kernels are compiled.
+
+    Attributes:
+        pair: the two. Whatever leads masses of the body, or presses keys, has to do so for them.
+        hair: (4, n) how far they are apart now: x and y, px, and vx and vy, px/s.
+        level: natural logarithm of the factor by which their distance has grown since the start.
+    """
+
+    def __init__(self, body: Simulation, wait: bool = True) -> None:
+        self._of = body.scene
+        self.pair = tuple(Simulation(_near_exact(body.scene), wait=wait) for _ in range(2))
+        self.hair = np.zeros((4, 0))
+        self.level = 0.0
+        self.place(body)
+
+    def place(self, body: Simulation, hair: NDArray[np.float64] | None = None) -> None:
+        """Start again from where the body is.
+
+        Args:
+            body: as for the constructor; it may have other settings or even other masses by now.
+            hair: the direction of the second one; None for the present one.
+        """
+        if body.scene is not self._of:
+            self._of = body.scene
+            for one in self.pair:
+                one.replace(_near_exact(self._of))
+        hair = self.hair if hair is None else hair
+        if hair.shape[1] != len(self._of.masses) or not hair[:2].any():
+            hair = np.random.default_rng(1).normal(size=(4, len(self._of.masses)))
+        for one, shift in zip(self.pair, (None, hair * (hair_of(self._of) / _farthest(hair))), strict=True):
+            one.take_state(body, shift)
+        self._measure()
+        self._since = 0.0
+
+    def step(self, steps: int, attempts: int | None = None) -> bool:
+        """Let both do some time steps, and see how far they are apart.
+
+        Args:
+            steps: time steps of the body.
+            attempts: steps that a method may try, for each of the two.
+
+        Returns:
+            Whether they have come so far. If not, they have to be placed anew.
+        """
+        if any(one.step(steps, attempts) < steps for one in self.pair):
+            return False
+        before = self._far
+        self._measure()
+        self._since += steps * self.pair[0].dt
+        if before > 0.0:
+            self.level += math.log(max(self._far / before, _LEAST_PER_CALL))
+        return True
+
+    @property
+    def due(self) -> bool:
+        """Whether they should start again from where the body is."""
+        return self._since >= _LONGEST or not _LEAST < self._far / hair_of(self._of) < _MOST
+
+    @property
+    def held(self) -> bool:
+        """Whether no mass is free, so that there is nothing to come apart."""
+        return self._far == 0.0
+
+    def _measure(self) -> None:
+        near, far = self.pair
+        self.hair = np.concatenate((far.positions - near.positions, far.velocities - near.velocities), 1).T
+        self._far = float(np.hypot(*self.hair[:2]).max())
+
+
+@dataclass(frozen=True, eq=False)
+class Predictability:
+    """How fast small errors grow in a motion.
+
+    Attributes:
+        times: (k,) s from the start.
+        growth: (k,) natural logarithm of the factor by which the distance of two bodies, which begin a hair
+            apart, has grown by then.
+        rate: 1/s, slope of that after the first quarter of the time: the finite-time largest Lyapunov
+            exponent.
+        verdict: what this means for the scene's tolerance or time step, in words.
+        divergence: why the body stopped, or None.
+    """
+
+    times: NDArray[np.float64]
+    growth: NDArray[np.float64]
+    rate: float
+    verdict: str
+    divergence: Divergence | None = None
+
+    @property
+    def per_second(self) -> float:
+        """The factor by which errors grow in a second, exp(`rate`)."""
+        return factor_of(self.rate)
+
+    @property
+    def e_folding(self) -> float:
+        """Time in which errors grow e-fold, s; infinite where they do not grow."""
+        return 1.0 / self.rate if self.rate > 0.0 else math.inf
+
+
+def predictability(scene: Scene, duration: float) -> Predictability:
+    """Run a scene, and see how fast small errors grow in its motion.
+
+    It takes some ten times as long as the run itself. Held masses stay where the scene has them.
+
+    Args:
+        scene: a valid scene.
+        duration: simulated time, up to 1e4 s; a second or more says most.
+
+    Raises:
+        SceneError: the scene is not valid.
+        InputError: the duration is not in its range, or every mass of the scene is held.
+    """
+    if not 0.0 < duration <= _LONGEST_RUN:
+        raise InputError(
+            f"predictability: a duration of {duration:g} s is not in the range 0..{_LONGEST_RUN:g} s"
+        )
+    body = Simulation(scene)
+    meter = GrowthMeter(body)
+    if meter.held:
+        raise InputError("predictability: every mass of the scene is held")
+    steps, sample = max(1, round(duration / body.dt)), max(1, round(_SAMPLE / body.dt))
+    while body.step_count < steps and body.divergence is None:
+        body.step(min(sample, steps - body.step_count))
+        meter.look(body)
+    return meter.result(body)
+
+
+class GrowthMeter:
+    """Notes how fast errors grow in a motion, from look to look.
+
+    Args:
+        body: the body, at the start; it is only read.
+    """
+
+    def __init__(self, body: Simulation) -> None:
+        self._shadow = Shadow(body)
+        self._steps = body.step_count
+        self._times, self._levels = [body.time], [0.0]
+
+    @property
+    def held(self) -> bool:
+        """Whether no mass is free, so that there is nothing to measure."""
+        return self._shadow.held
+
+    def look(self, body: Simulation) -> None:
+        """Go on by what the body has done since the last look; what leads or drives it is not seen."""
+        steps, self._steps = body.step_count - self._steps, body.step_count
+        arrived = steps > 0 and self._shadow.step(steps)
+        if arrived:
+            self._times.append(body.time)
+            self._levels.append(self._shadow.level)
+        if not arrived or self._shadow.due:
+            self._shadow.place(body)
+
+    def result(self, body: Simulation) -> Predictability:
+        """What was found until now."""
+        times, levels = np.array(self._times), np.array(self._levels)
+        rate = _slope(times, levels)
+        return Predictability(times, levels, rate, verdict(body.scene, factor_of(rate)), body.divergence)
+
+
+def growth_within(times: Sequence[float], levels: Sequence[float], span: float) -> float | None:
+    """By how much the logarithm of a distance has grown in the last `span` seconds; None if it is not known.
+
+    Args:
+        times: ascending, s.
+        levels: see `Shadow`.
+        span: s.
+    """
+    if not times or times[-1] - times[0] < span:
+        return None
+    now, then = times[-1], times[-1] - span
+    last = max(level for time, level in zip(times, levels, strict=True) if time >= now - _SWING)
+    first = [level for time, level in zip(times, levels, strict=True) if then - _SWING <= time <= then]
+    return last - max(first, default=levels[0])
+
+
+def factor_of(level: float) -> float:
+    """exp(level), or the largest number that there is."""
+    return math.exp(min(level, 700.0))
+
+
+def hair_of(scene: Scene) -> float:
+    """How far the two bodies beside one of a scene are apart at first, px."""
+    return _HAIR * _typical_length(scene)
+
+
+def horizon(scene: Scene, per_second: float) -> float:
+    """Time, s, in which the rounding of a coordinate grows to the tolerance; infinite if errors do not grow.
+
+    Args:
+        scene: with the tolerance.
+        per_second: the factor by which errors grow in a second.
+    """
+    if per_second <= 1.0:
+        return math.inf
+    rounding = math.ulp(max(abs(c) for mass in scene.masses for c in (*mass.position, 1e-3)))
+    return max(0.0, math.log(scene.integrator.tolerance / rounding)) / math.log(per_second)
+
+
+def verdict(scene: Scene, per_second: float) -> str:
+    """What a growth of errors means for a scene's tolerance or time step, in words.
+
+    Args:
+        scene: with the method, its tolerance and its unit.
+        per_second: the factor by which errors grow in a second.
+    """
+    integrator = scene.integrator
+    adaptive = METHODS[integrator.method].adaptive
+    grow = "errors do not grow" if per_second < 1.5 else f"errors grow × {per_second:.2g} in a second"
+    if per_second < MANY:
+        kept = f"a tolerance of {integrator.tolerance:g} {scene.view.unit} keeps"
+        return f"{grow}: {kept if adaptive else 'a shorter time step makes them smaller'}"
+    what = "tolerance" if adaptive else "time step"
+    return f"{grow}: no {what} can promise where it is in {horizon(scene, per_second):.2g} s"
+
+
+def _typical_length(scene: Scene) -> float:
+    """The median rest length of a scene's springs, px, or else its size."""
+    lengths = [spring.rest_length for spring in scene.linear_springs if spring.rest_length > 0.0]
+    if lengths:
+        return float(np.median(lengths))
+    return float(np.ptp([mass.position for mass in scene.masses], axis=0).max()) or 1.0
+
+
+def _near_exact(scene: Scene) -> Scene:
+    """The scene with the method and the tolerance of the two bodies."""
+    tolerance = max(1e-12, _TOLERANCE * _typical_length(scene))
+    integrator = msgspec.structs.replace(scene.integrator, method="auto", tolerance=tolerance)
+    return msgspec.structs.replace(scene, integrator=integrator)
+
+
+def _farthest(hair: NDArray[np.float64]) -> float:
+    """The largest distance of a mass in (4, n) differences, px; positive."""
+    return max(float(np.hypot(*hair[:2]).max()), 1e-300)
+
+
+def _slope(times: NDArray[np.float64], levels: NDArray[np.float64]) -> float:
+    """Slope of the largest levels within each `_SWING`, after the first quarter of the time, 1/s."""
+    first = np.searchsorted(times, times - _SWING)
+    largest = np.array([levels[i : k + 1].max() for k, i in enumerate(first)])
+    late = times >= 0.25 * times[-1]
+    t, level = times[late] - times[late].mean(), largest[late]
+    spread = float((t * t).sum())
+    return float((t * (level - level.mean())).sum()) / spread if spread > 0.0 else 0.0

@@ -1,0 +1,136 @@
+"""How far a session's body can be foretold, without a browser."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import sim
+from app.page import readouts
+from app.session import commands
+from app.session.shadow import Foresight
+from tests.app.pages import SessionPage
+
+
+def upright() -> sim.Scene:
+    """A pendulum of one stiff arm that stands on its head: errors grow at a rate of 3.16 / s."""
+    return sim.rope(
+        2, 100.0, direction=(0.0, -1.0), driven=None, stiffness=1e6, damping=0.0, joints=False,
+        gravity=(0.0, 1000.0), air_friction=0.0, integrator=sim.Integrator(method="auto"),
+    )  # fmt: skip
+
+
+def foresight_of(page: SessionPage) -> Foresight:
+    assert page.session.foresight is not None
+    return page.session.foresight
+
+
+def test_errors_grow_as_fast_as_they_do() -> None:
+    page = SessionPage(upright())
+    assert readouts.predictability_table(page.session) == ""
+    page.frames(30, commands.Foretell(True))
+    assert foresight_of(page).growth is None
+    assert "being measured" in readouts.predictability_table(page.session)
+    page.frames(60)
+    growth = foresight_of(page).growth
+    assert growth == pytest.approx(math.sqrt(10.0), rel=0.05)
+    told = readouts.predictability_table(page.session)
+    assert "Errors grow × 2" in told
+    assert "a tolerance of 0.1 px keeps." in told
+    assert "any error grows" not in readouts.ghost_table(page.session)
+    page.frames(1, commands.Compare("rk4", ""))
+    assert "any error grows" in readouts.ghost_table(page.session)
+    page.frames(1, commands.Foretell(False))
+    assert page.session.foresight is None
+    assert readouts.predictability_table(page.session) == ""
+
+
+def test_the_body_does_not_notice() -> None:
+    pages = [SessionPage(sim.load_scene("tutorial-3.3")) for _ in range(2)]
+    pages[1].frames(0, commands.Foretell(True))
+    for page in pages:
+        x, y = map(float, page.session.simulation.positions[0])
+        page.frames(10, commands.DragStart(5, x, y))
+        page.frames(10, commands.Point(x + 50.0, y), commands.HoldKeys(frozenset({"up"})))
+        page.frames(10, commands.DragEnd(), commands.SetValue("gravity", 500.0))
+    one, other = (page.session.simulation for page in pages)
+    assert np.array_equal(one.positions, other.positions)
+    assert one.time == other.time
+
+
+def test_hands_and_keys_reach_it() -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    x, y = map(float, page.session.simulation.positions[5])
+    page.frames(1, commands.Foretell(True), commands.DragStart(5, x, y), commands.HoldKeys(frozenset({"up"})))
+    for _ in range(10):
+        page.frames(2, commands.Point(x + 80.0, y))
+    body = page.session.simulation
+    for one in foresight_of(page).shadow.pair:
+        assert one.time == pytest.approx(body.time)
+        assert one.positions[5] == pytest.approx(body.positions[5])
+        assert one.rest_length_scale == pytest.approx(body.rest_length_scale)
+        assert np.hypot(*(one.positions - body.positions).T).max() < 5.0  # Euler's own error is in it
+    page.frames(2, commands.DragEnd())
+    assert foresight_of(page).shadow.hair[:2, 5].any()
+
+
+def test_going_back_finds_the_growth_of_then() -> None:
+    page = SessionPage(upright())
+    page.frames(100, commands.Foretell(True))
+    then, at = foresight_of(page).growth, page.session.simulation.time
+    page.frames(50, commands.SetValue("gravity", 4000.0))
+    assert foresight_of(page).growth != then
+    page.frames(1, commands.GoTo(at))
+    assert foresight_of(page).growth == pytest.approx(then)
+    page.frames(60, commands.Play())
+    assert foresight_of(page).growth == pytest.approx(then, rel=0.1)
+    page.frames(1, commands.Foretell(False), commands.Foretell(True), commands.GoTo(at))
+    assert foresight_of(page).growth is None
+
+
+def test_another_body_and_a_reset_begin_anew() -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(80, commands.Foretell(True))
+    assert foresight_of(page).growth is not None
+    page.frames(2, commands.Reset())
+    assert foresight_of(page).growth is None
+    page.frames(2, commands.SetValue("masses", 6.0))
+    assert foresight_of(page).shadow.hair.shape == (4, 6)
+    page.frames(2, commands.Open(sim.load_scene("ring")))
+    assert page.session.foresight is None
+    assert not page.session.notices
+
+
+def test_without_enough_time_it_sees_only_parts_of_the_motion() -> None:
+    page = SessionPage(upright())
+    page.frames(1, commands.Foretell(True))
+    foresight = foresight_of(page)
+    follow = foresight.follow
+
+    def hurried(simulation: sim.Simulation, steps: int, budget: float) -> None:
+        foresight._step_cost, foresight.unit_cost = budget / 2.0, 0.0  # two steps of the seven of a frame
+        follow(simulation, steps, budget)
+
+    foresight.follow = hurried  # type: ignore[method-assign]
+    page.frames(400)
+    assert not page.session.heavy
+    foresight.unit_cost = 1.0
+    assert page.session.heavy
+    assert foresight.growth == pytest.approx(math.sqrt(10.0), rel=0.2)
+
+
+def test_it_is_there_again_after_a_restart() -> None:
+    page = SessionPage(upright())
+    page.frames(1, commands.Foretell(True))
+    again = SessionPage(sim.load_scene("ring"))
+    again.frames(1, commands.Resume(page.session.keepsake()))
+    assert again.session.foresight is not None
+
+
+def test_nothing_is_told_where_every_mass_is_held() -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.1"))
+    page.frames(80, commands.Foretell(True))
+    assert "no mass is free" in readouts.predictability_table(page.session)
+    assert foresight_of(page).verdict == ""
