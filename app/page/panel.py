@@ -110,6 +110,7 @@ class Panel:
         with self._solver_tab:
             self._solver = SolverPanel(client, session)
         self.outlined += [self._own_values, self._solver.own_values]
+        self.measure_tab = self.tabs.add_tab("Measure")
         self.files_tab = self.tabs.add_tab("Files")
         self._build_view()
         self._add_palette_commands()

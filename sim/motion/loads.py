@@ -17,9 +17,9 @@ class Loads(NamedTuple):
     """Forces and torques.
 
     Attributes:
-        forces: (n, 2) the net force on each mass, kg px/s²: of springs, joints, gravity, air and what surrounds
-            the body. That on a mass which an anchor or a hand holds is what its support bears, without
-            the inertia of a held mass that is being moved.
+        forces: (n, 2) the net force on each mass, kg px/s²: of springs, joints, gravity, air and what
+            surrounds the body. That on a mass which an anchor or a hand holds is what its support bears,
+            without the inertia of a held mass that is being moved.
         torques: (J,) the torque with which each angular spring turns its second spring, kg px²/s²,
             positive from +x towards +y; its first spring is turned the other way by as much.
     """

@@ -43,6 +43,17 @@ const colors = new Map();
 const listeners = [];
 let asked = false;
 
+/** Who takes the arrays of other nodes that only carry some. @type {Map<string, (data: Float32Array | null) => void>} */
+const carriers = new Map();
+
+/**
+ * Has the arrays of a node that only carries some taken; null when the node goes.
+ *
+ * @param {string} name of the node
+ * @param {(data: Float32Array | null) => void} take
+ */
+export const carry = (name, take) => carriers.set(name, take);
+
 /** What is shown now. */
 export const shown = () => state;
 
@@ -134,9 +145,13 @@ export function drawBody(viser, heard) {
   page = viser;
   /** @param {Message} message */
   const sort = (message) => {
-    const { name = "", props, updates } = message;
+    const { type, name = "", props, updates } = message;
+    const carried = carriers.get(name);
     if (name === PLAN || name === FRAME || name === DAMAGE) {
       take(name, props?.points ?? updates?.points);
+    } else if (carried) {
+      const data = props?.points ?? updates?.points ?? null;
+      if (data || type === "RemoveSceneNodeMessage") carried(data);
     } else if (name === KEEPSAKE) {
       if (updates?.colors) keep(updates.colors);
     } else {
