@@ -57,6 +57,12 @@ export const carry = (name, take) => carriers.set(name, take);
 /** What is shown now. */
 export const shown = () => state;
 
+/** @type {((frame: Frame) => void)[]} */
+const takers = [];
+
+/** Calls back with every frame as it comes, which may be more than are shown. @param {(frame: Frame) => void} taker */
+export const onFrame = (taker) => takers.push(taker);
+
 /** Calls back with every picture. @param {(frame: Frame, plan: Plan) => void} listener */
 export const onPicture = (listener) => listeners.push(listener);
 
@@ -120,7 +126,9 @@ function take(name, data) {
     state.damage = readDamage(data);
     glide.last = null; // the picture that is shown is no longer right
   } else {
-    glide.take(readFrame(data), seconds());
+    const frame = readFrame(data);
+    glide.take(frame, seconds());
+    for (const taker of takers) taker(frame);
   }
   ask();
 }

@@ -9,6 +9,7 @@ import { showConnection, watchConnection } from "./connection.js";
 import { addCoordinates } from "./coordinates.js";
 import { mindDialogs } from "./dialogs.js";
 import { showHud } from "./hud.js";
+import { addInstruments } from "./instruments.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { restoreLooks } from "./looks.js";
@@ -59,6 +60,7 @@ whenViser((viser) => {
   addTraces();
   addArrows();
   addCoordinates();
+  addInstruments();
   addHeading();
   addBodyKeys();
   nameControls();

@@ -1,7 +1,7 @@
 // @ts-check
 /** The paths of some masses during the last seconds, made of the positions that the page shows anyway. */
 import { onTold, told } from "./channel.js";
-import { onPicture, shown } from "./canvas.js";
+import { onFrame, shown } from "./canvas.js";
 import { onSight, redrawMarks, SVG } from "./overlay.js";
 import { onTools, tools } from "./tools.js";
 import { timeNow } from "./transport.js";
@@ -46,20 +46,23 @@ export class Trail {
   }
 
   /**
-   * Lines on the screen, from the oldest to the newest, of those that are not too old.
+   * Lines on the screen, from the oldest place that is not too old to the one that is shown now.
    *
    * @param {number} now simulated time, s
    * @param {number} seconds
-   * @param {(step: Step) => string} place as a path has it
+   * @param {{t: number, x: number, y: number}} shown where the mass is shown: frames may have come that are not, yet
+   * @param {(step: {x: number, y: number}) => string} place as a path has it
    * @returns {string[]} BANDS paths
    */
-  bands(now, seconds, place) {
+  bands(now, seconds, shown, place) {
     const paths = Array.from({ length: BANDS }, () => "");
     let [last, open] = ["", -1];
-    for (const step of this.steps) {
-      const age = (now - step.t) / seconds;
+    const past = this.steps.filter(({ t }) => t < shown.t);
+    const cut = this.steps[past.length]?.cut ?? false;
+    for (const step of [...past, { ...shown, cut }]) {
+      const age = Math.max((now - step.t) / seconds, 0);
       const at = place(step);
-      if (age > 1 || age < -1e-6) open = -1;
+      if (age > 1) open = -1;
       else {
         const band = Math.min(BANDS - 1, Math.floor((1 - age) * BANDS));
         if (!step.cut && last) paths[band] += band === open ? `L${at}` : `M${last}L${at}`;
@@ -97,8 +100,8 @@ export function addTraces() {
     traces.get(mass)?.paths[0].parentElement?.remove();
     traces.delete(mass);
   };
-  const take = () => {
-    const { frame } = shown();
+  /** @param {import("./plan.js").Frame | null} frame */
+  const take = (frame) => {
     if (!frame) return;
     for (const [mass, { trail }] of traces) {
       if (2 * mass < frame.positions.length) {
@@ -112,18 +115,19 @@ export function addTraces() {
     for (const mass of traced) if (!traces.has(mass)) begin(mass);
     if (traces.size && !svg.parentNode) document.querySelector(".softrod-overlay")?.before(svg);
     if (!traces.size) svg.remove();
-    take();
+    take(shown().frame);
     redrawMarks();
   };
   /** @param {import("./overlay.js").Sight} seen */
-  const draw = ({ plan, on }) => {
+  const draw = ({ plan, frame, on }) => {
     const { seconds } = tools();
     const scale = plan.scale * on.step;
-    /** @param {Step} step */
+    /** @param {{x: number, y: number}} step */
     const place = ({ x, y }) =>
       `${(on.x + (x - plan.x) * scale).toFixed(1)} ${(on.y - (y - plan.y) * scale * plan.flip).toFixed(1)}`;
-    for (const { trail, paths } of traces.values()) {
-      trail.bands(timeNow(), seconds, place).forEach((path, i) => {
+    for (const [mass, { trail, paths }] of traces) {
+      const [x, y] = frame.positions.subarray(2 * mass, 2 * mass + 2);
+      trail.bands(timeNow(), seconds, { t: frame.time, x, y }, place).forEach((path, i) => {
         if (paths[i].getAttribute("d") !== path) paths[i].setAttribute("d", path);
       });
     }
@@ -135,7 +139,7 @@ export function addTraces() {
     body = now;
   });
   onTools(follow);
-  onPicture(take);
+  onFrame(take);
   onSight(draw);
   setInterval(() => traces.size && told().rest === "1" && redrawMarks(), FADE_EVERY);
 }
