@@ -29,7 +29,7 @@ EVERY = 1.0 / 30.0
 """Seconds between two sets of numbers while the body moves; the page glides between them."""
 
 STILL = 0.005
-"""Change, as a part of the largest arrow, below which nothing is sent while the body moves."""
+"""Change, as a part of the longest arrow, below which nothing is sent while the body moves."""
 
 
 class Arrows:
@@ -65,19 +65,20 @@ class Arrows:
         held = {anchor.mass for anchor in simulation.anchors} | ({dragged} if dragged is not None else set())
         about = plan, frozenset(kinds), frozenset(held)
         numbers = _numbers(simulation, kinds)
-        if self._sent is not None and self._sent[0] == about:
-            same = _same if exactly else _similar
-            if all(map(same, self._sent[1], numbers)):
-                return
         if self._least[0] != plan:
             self._least = plan, smallest(simulation.scene)
+        least = self._least[1]
+        if self._sent is not None and self._sent[0] == about:
+            size = (0.0, 0.0, 0.0) if exactly else least
+            if all(map(_similar, self._sent[1], numbers, size)):
+                return
         self._sent = about, numbers
         self._due = now + EVERY - 1e-3
         if self._node is None:
             self._node = self._client.scene.add_point_cloud(
                 ARROWS, np.zeros((1, 3)), (0, 0, 0), precision="float32", visible=False
             )
-        self._node.points = encode(plan, simulation.time, self._least[1], sorted(held), numbers)
+        self._node.points = encode(plan, simulation.time, least, sorted(held), numbers)
 
     def _clear(self) -> None:
         if self._node is not None:
@@ -96,13 +97,10 @@ def _numbers(simulation: Simulation, kinds: Set[str]) -> list[Floats]:
     ]
 
 
-def _same(before: Floats, now: Floats) -> bool:
-    return np.array_equal(before, now)
-
-
-def _similar(before: Floats, now: Floats) -> bool:
-    size = np.abs(before).max(initial=0.0)
-    return before.shape == now.shape and bool(np.abs(now - before).max(initial=0.0) <= STILL * size)
+def _similar(before: Floats, now: Floats, least: float) -> bool:
+    """Whether the change cannot be seen; where nothing is too small to be seen (0), whether there is none."""
+    size = STILL * max(float(np.abs(before).max(initial=0.0)), least) if least else 0.0
+    return before.shape == now.shape and bool(np.abs(now - before).max(initial=0.0) <= size)
 
 
 def encode(

@@ -36,7 +36,9 @@ def by_differences(scene: Scene, steps: int = 400) -> tuple[Simulation, np.ndarr
     mass = np.array([m.mass for m in scene.masses])[:, None]
     differences = mass * (simulation.velocities - before) / (2.0 * H)
     simulation.restore(moment)
-    assert simulation.loads.forces == pytest.approx(forces, rel=1e-9, abs=1e-6), "as it was, gone back in time"
+    assert simulation.loads.forces == pytest.approx(forces, rel=1e-9, abs=1e-6), (
+        "as it was, gone back in time"
+    )
     return simulation, forces, differences
 
 

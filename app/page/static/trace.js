@@ -38,7 +38,7 @@ export class Trail {
     const cut = !before || t - before.t > GAP;
     const earlier = steps[steps.length - 2];
     // Too near to the one before: the newest place takes its room.
-    if (!cut && !before.cut && earlier && t - earlier.t < seconds / MOST) steps.pop();
+    if (!cut && !before.cut && earlier && t - earlier.t < (2 * seconds) / MOST) steps.pop();
     steps.push({ t, x, y, cut });
     let old = 0;
     while (old < steps.length && steps[old].t < t - seconds) old++;
