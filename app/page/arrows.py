@@ -99,7 +99,7 @@ def _numbers(simulation: Simulation, kinds: Set[str]) -> list[Floats]:
 
 def _similar(before: Floats, now: Floats, least: float) -> bool:
     """Whether the change cannot be seen; where nothing is too small to be seen (0), whether there is none."""
-    size = STILL * max(float(np.abs(before).max(initial=0.0)), least) if least else 0.0
+    size = max(STILL * float(np.abs(before).max(initial=0.0)), 0.1 * least) if least else 0.0
     return before.shape == now.shape and bool(np.abs(now - before).max(initial=0.0) <= size)
 
 
@@ -138,9 +138,9 @@ def smallest(scene: Scene) -> tuple[float, float, float]:
     pixel = max(frame[2] - frame[0], frame[3] - frame[1]) / 600.0
     weight = max(mass.mass for mass in scene.masses) * float(np.hypot(*scene.gravity))
     stiffest = max((spring.stiffness for spring in scene.linear_springs), default=0.0)
-    force = 1e-3 * max(weight, pixel * stiffest)
+    force = 1e-2 * max(weight, pixel * stiffest)
     torque = 0.0
     for joint in scene.angular_springs:
         sides = scene.linear_springs[joint.a].rest_length * scene.linear_springs[joint.b].rest_length
         torque = max(torque, 1e-3 * joint.stiffness * sides)
-    return max(force, 1e-9), max(0.5 * pixel, 1e-9), max(torque, 1e-9)
+    return max(force, 1e-9), max(4.0 * pixel, 1e-9), max(torque, 1e-9)

@@ -90,7 +90,7 @@ class ToolsPanel:
             self._show()
 
     def serve(self, what: str, value: Any) -> None:
-        """Do what a control asks for: a kind of arrows, a trace of the chosen mass, clear, or tell the page."""
+        """Do what a control asks for: a kind of arrows, a trace of the chosen mass, none, or tell."""
         if what in KINDS:
             self._kinds = self._kinds | {what} if value else self._kinds - {what}
         elif what == "trace" and self._chosen is not None:
