@@ -138,7 +138,7 @@ def smallest(scene: Scene) -> tuple[float, float, float]:
     pixel = max(frame[2] - frame[0], frame[3] - frame[1]) / 600.0
     weight = max(mass.mass for mass in scene.masses) * float(np.hypot(*scene.gravity))
     stiffest = max((spring.stiffness for spring in scene.linear_springs), default=0.0)
-    force = 1e-2 * max(weight, pixel * stiffest)
+    force = max(0.02 * weight, 1e-4 * pixel * stiffest)
     torque = 0.0
     for joint in scene.angular_springs:
         sides = scene.linear_springs[joint.a].rest_length * scene.linear_springs[joint.b].rest_length
