@@ -20,7 +20,7 @@ CALM = """async () => {
     calm = moving() ? 0 : calm + 1;
   }
 }"""
-TABS = ("Play", "Body", "Solver", "Files", "View")
+TABS = ("Play", "Body", "Solver", "Measure", "Files", "View")
 
 
 def judged(desk: Desk) -> list[dict[str, Any]]:
