@@ -99,7 +99,7 @@ def _numbers(simulation: Simulation, kinds: Set[str]) -> list[Floats]:
 
 def _similar(before: Floats, now: Floats, least: float) -> bool:
     """Whether the change cannot be seen; where nothing is too small to be seen (0), whether there is none."""
-    size = max(STILL * float(np.abs(before).max(initial=0.0)), 0.1 * least) if least else 0.0
+    size = max(STILL * float(np.abs(before).max(initial=0.0)), 0.02 * least) if least else 0.0
     return before.shape == now.shape and bool(np.abs(now - before).max(initial=0.0) <= size)
 
 
@@ -143,4 +143,4 @@ def smallest(scene: Scene) -> tuple[float, float, float]:
     for joint in scene.angular_springs:
         sides = scene.linear_springs[joint.a].rest_length * scene.linear_springs[joint.b].rest_length
         torque = max(torque, 1e-3 * joint.stiffness * sides)
-    return max(force, 1e-9), max(4.0 * pixel, 1e-9), max(torque, 1e-9)
+    return max(force, 1e-9), max(20.0 * pixel, 1e-9), max(torque, 1e-9)

@@ -3,7 +3,7 @@
 import * as arrows from "./arrows.js";
 import { carry } from "./canvas.js";
 import { told } from "./channel.js";
-import { onSight, redrawMarks, SVG } from "./overlay.js";
+import { onSight, putUp, redrawMarks, SVG } from "./overlay.js";
 
 const CARRIER = "/softrod/arrows";
 /** Pixels of the longest arrow: a part of the canvas, within bounds. */
@@ -68,7 +68,7 @@ export function addArrows() {
   const draw = ({ plan, frame, on, places, box }) => {
     const numbers = series.at(frame.time);
     const some = numbers !== null && numbers.generation === plan.generation;
-    if (some === (svg.parentNode === null)) some ? document.body.append(svg) : svg.remove();
+    if (some === (svg.parentNode === null)) some ? putUp(svg) : svg.remove();
     if (!some) return;
     const full = Math.min(Math.max(PART * Math.min(box.width, box.height), LEAST), MOST);
     const masses = arrows.massesOf(numbers, plan.radius.length);

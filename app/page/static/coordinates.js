@@ -2,7 +2,7 @@
 /** Where a mass is and how fast, in a small label beside it: of the one under the pointer, or chosen. */
 import { onPicture } from "./canvas.js";
 import { told } from "./channel.js";
-import { chosenMass, onSight, redrawMarks, SVG } from "./overlay.js";
+import { chosenMass, onSight, putUp, redrawMarks, SVG } from "./overlay.js";
 import { massAt } from "./pointer.js";
 import { onTools, tools } from "./tools.js";
 import { viser } from "./viser.js";
@@ -59,7 +59,7 @@ export function addCoordinates() {
   onSight(({ plan, frame, on, places, box }) => {
     const mass = [under, chosenMass(), tools().chosen].find((each) => each >= 0 && each < plan.radius.length);
     const has = tools().coordinates && mass !== undefined;
-    if (has === (svg.parentNode === null)) has ? document.body.append(svg) : svg.remove();
+    if (has === (svg.parentNode === null)) has ? putUp(svg) : svg.remove();
     if (!has) return;
     const [x, y] = [places[2 * mass], places[2 * mass + 1]];
     const radius = plan.radius[mass] * on.step;

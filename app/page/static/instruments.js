@@ -29,6 +29,8 @@ const TICK = 100;
 const MOVES = { ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 /** Where the points are when it is put down, pixels. @type {Record<Kind, [number, number][]>} */
 const LAID = { ruler: [[-70, 0], [70, 0]], protractor: [[90, 0], [0, 0], [45, -78]], stopwatch: [[0, 0]] };
+/** Where on the canvas each is laid, without a pointer that says it: parts of its width and height. @type {Record<Kind, [number, number]>} */
+const FIRST = { ruler: [0.5, 0.62], protractor: [0.36, 0.45], stopwatch: [0.7, 0.3] };
 /** Outlines of 24 by 24, as strokes. @type {Record<Kind | "box", string>} */
 const ICONS = {
   box: "M3 9h18v11H3zM9 9V5h6v4M3 14h18M12 12v4",
@@ -207,7 +209,8 @@ export function addInstruments() {
     if (out.has(kind)) putAway(kind);
     else if (seen) {
       const { left, right, top, bottom } = seen.box;
-      const instrument = layAt(kind, { x: (left + right) / 2, y: top + 0.4 * (bottom - top) });
+      const [part, down] = FIRST[kind];
+      const instrument = layAt(kind, { x: left + part * (right - left), y: top + down * (bottom - top) });
       keep();
       say(kind);
       // Who goes by keys goes on with it; after a click the keys are the body's.

@@ -47,6 +47,8 @@ const onlookers = [];
 
 /** Has other marks drawn whenever these are. @param {(seen: Sight) => void} draw */
 export const onSight = (draw) => onlookers.push(draw);
+/** Puts up other marks, under the instruments. @param {SVGSVGElement} svg */
+export const putUp = (svg) => document.body.insertBefore(svg, document.querySelector(".softrod-instruments"));
 /** Draws all marks anew. */
 export const redrawMarks = () => redraw();
 
