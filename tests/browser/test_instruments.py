@@ -113,7 +113,7 @@ def test_a_protractor_measures_a_joint_by_keys_alone(open_page: OpenPage) -> Non
     angle, bend = numbers(named(desk, "Protractor"))
     assert abs(bend - abs(desk.simulation.angles[4])) < 0.06
     assert abs(angle + bend - 180.0) < 0.11
-    live = desk.page.locator(".softrod-live-instruments")
+    live = desk.page.locator(".softrod-tell")
     desk.until(lambda: f"{angle:.1f}°" in live.inner_text(), "it is told what it reads")
     assert not desk.session.playing, "Enter, Space and arrows are the instrument's"
     assert not desk.simulation.keys

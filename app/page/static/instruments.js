@@ -47,7 +47,7 @@ export function addInstruments() {
   const svg = document.createElementNS(SVG, "svg");
   svg.classList.add("softrod-overlay", "softrod-instruments");
   const live = document.createElement("div");
-  live.className = "softrod-live softrod-live-instruments";
+  live.className = "softrod-tell";
   live.setAttribute("role", "status");
   /** @type {Map<Kind, Instrument>} */
   const out = new Map();
