@@ -10,6 +10,7 @@ import pytest
 
 import sim
 from sim import Anchor, AngularSpring, Circle, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.scene.types import ForceLaw
 from tests.sim.around_everything import with_everything
 from tests.sim.bodies import SHAPES, body
 from tests.sim.surrounded import surrounded
@@ -56,7 +57,7 @@ def oscillator(**changes: float) -> Scene:
 
 @pytest.mark.parametrize("law", ["tutorial", "conservative", "angle"])
 @pytest.mark.parametrize("shape", SHAPES)
-def test_forces_are_mass_times_acceleration(shape: str, law: sim.scene.types.ForceLaw) -> None:
+def test_forces_are_mass_times_acceleration(shape: str, law: ForceLaw) -> None:
     _, forces, differences = by_differences(body(shape, law))
     assert np.abs(differences).max() > 1e3
     assert forces == pytest.approx(differences, rel=1e-5, abs=1e-5 * np.abs(differences).max())
@@ -137,7 +138,7 @@ def test_a_hand_bears_what_hangs_on_it() -> None:
 
 
 @pytest.mark.parametrize("law", ["tutorial", "conservative", "angle"])
-def test_torques_are_those_of_the_law(law: sim.scene.types.ForceLaw) -> None:
+def test_torques_are_those_of_the_law(law: ForceLaw) -> None:
     """Of a joint bent by 40° from its rest angle, whose second spring turns at 3 rad/s."""
     v, rest, stiffness, damping, spin = math.radians(60.0), math.radians(20.0), 500.0, 7.0, 3.0
     one, other = 30.0, 70.0
