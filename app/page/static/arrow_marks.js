@@ -109,7 +109,8 @@ export function addArrows() {
         set(words, { x: end - full - 8, y });
       }
       set(rim, { d: (body.getAttribute("d") ?? "") + (dashed.getAttribute("d") ?? "") });
-      words.textContent = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind)}`;
+      const text = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind)}`;
+      if (words.textContent !== text) words.textContent = text;
       y += LINE * height;
     });
     clearTimeout(again);

@@ -30,7 +30,7 @@ const MOVES = { ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRi
 /** Where the points are when it is put down, pixels. @type {Record<Kind, [number, number][]>} */
 const LAID = { ruler: [[-70, 0], [70, 0]], protractor: [[90, 0], [0, 0], [45, -78]], stopwatch: [[0, 0]] };
 /** Where on the canvas each is laid, without a pointer that says it: parts of its width and height. @type {Record<Kind, [number, number]>} */
-const FIRST = { ruler: [0.5, 0.62], protractor: [0.36, 0.45], stopwatch: [0.7, 0.3] };
+const FIRST = { ruler: [0.6, 0.7], protractor: [0.36, 0.5], stopwatch: [0.7, 0.3] };
 /** Outlines of 24 by 24, as strokes. @type {Record<Kind | "box", string>} */
 const ICONS = {
   box: "M3 9h18v11H3zM9 9V5h6v4M3 14h18M12 12v4",
@@ -208,7 +208,9 @@ export function addInstruments() {
   box.onPress((kind) => {
     if (out.has(kind)) putAway(kind);
     else if (seen) {
-      const { left, right, top, bottom } = seen.box;
+      const { left, right, top } = seen.box;
+      // Above the bar of time, below which a phone has the panel.
+      const bottom = Math.min(seen.box.bottom, box.bottom());
       const [part, down] = FIRST[kind];
       const instrument = layAt(kind, { x: left + part * (right - left), y: top + down * (bottom - top) });
       keep();
@@ -313,6 +315,8 @@ function addBox() {
     },
     /** Shows that what is dragged would go back. @param {boolean} on */
     welcome: (on) => element.classList.toggle("softrod-box-welcome", on),
+    /** Where it stands, pixels. */
+    bottom: () => element.getBoundingClientRect().bottom,
     /** At the left of the canvas, over the bar of time. @param {DOMRect} canvas */
     place(canvas) {
       const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
