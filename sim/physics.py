@@ -89,14 +89,7 @@ class Physics:
         along = (rate * spring.conj()).real / square
         tension = (self.pull / np.sqrt(square) - self.stiffness - self.damping * along) * spring
         if self.first.size:
-            one, other = spring[self.first], spring[self.second]
-            torque, energy = self._law(one.conj() * other * np.exp(-1j * self.rest_angle))
-            torque, energy = self.joint_stiffness * torque, self.joint_stiffness * energy
-            turning = (rate * spring.conj()).imag / square  # rate at which each spring turns, 1/s
-            bending = turning[self.second] - turning[self.first]  # dV/dt
-            torque = torque + self.joint_damping * abs(one) * abs(other) * bending
-            if not self._has_energy:
-                energy = 0.0 * energy
+            torque, energy = self._bending(spring, rate, square)
             # The torque turns both springs towards the rest angle. The energy grows with both lengths, so its
             # gradient also pulls along them.
             turned = spring / square
@@ -109,6 +102,11 @@ class Physics:
             if self.surroundings.contact.present:
                 forces += self.touching.forces(x, v)
         return forces
+
+    def torques(self, x: Vectors, v: Vectors) -> Floats:
+        """(J,) the torque of each joint, kg px²/s²: on its first spring; minus it acts on the second one."""
+        spring, rate = x[self.b] - x[self.a], v[self.b] - v[self.a]
+        return self._bending(spring, rate, np.maximum(abs(spring), SHORTEST) ** 2)[0]
 
     def accelerations(self, x: Vectors, v: Vectors) -> Vectors:
         """(slots,) px/s²; zero where a mass is held. Air friction acts on each axis separately."""
@@ -133,6 +131,16 @@ class Physics:
         linear = 0.5 * float((self.stiffness[pulls] * (abs(spring[pulls]) - rest) ** 2).sum())
         s = spring[self.first].conj() * spring[self.second] * np.exp(-1j * self.rest_angle)
         return linear, float((self.joint_stiffness * self._law(s)[1]).sum())
+
+    def _bending(self, spring: Vectors, rate: Vectors, square: Floats) -> tuple[Floats, Floats]:
+        """(J,) torques and energies of the joints; the energy of a law without one is zero."""
+        one, other = spring[self.first], spring[self.second]
+        torque, energy = self._law(one.conj() * other * np.exp(-1j * self.rest_angle))
+        torque, energy = self.joint_stiffness * torque, self.joint_stiffness * energy
+        turning = (rate * spring.conj()).imag / square  # rate at which each spring turns, 1/s
+        bending = turning[self.second] - turning[self.first]  # dV/dt
+        torque = torque + self.joint_damping * abs(one) * abs(other) * bending
+        return torque, energy if self._has_energy else 0.0 * energy
 
     def _sum(self, at_ends: Vectors, slots: int) -> Vectors:
         """Sum the forces on both ends of the springs by mass."""

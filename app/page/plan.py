@@ -117,7 +117,7 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         _turn_colors(sketch),
         sketch.ink_colors(),
     )
-    return _joined(*sections, *(_surroundings(sketch.around) if sketch.around is not None else ()))
+    return joined(*sections, *(_surroundings(sketch.around) if sketch.around is not None else ()))
 
 
 def encode_frame(generation: int, wall: float, picture: Picture) -> NDArray[np.float32]:
@@ -154,10 +154,10 @@ def encode_damage(generation: int, picture: Picture) -> NDArray[np.float32]:
         picture: what is drawn.
     """
     damage = picture.damage or Damage()
-    return _joined([generation], damage.broken, damage.set_lengths, damage.set_angles, picture.ghost_broken)
+    return joined([generation], damage.broken, damage.set_lengths, damage.set_angles, picture.ghost_broken)
 
 
-def _joined(*sections: ArrayLike) -> NDArray[np.float32]:
+def joined(*sections: ArrayLike) -> NDArray[np.float32]:
     """Sections, each after its length."""
     flat = [np.asarray(section, np.float32).ravel() for section in sections]
     return np.concatenate([part for section in flat for part in ([len(section)], section)], dtype=np.float32)

@@ -286,6 +286,7 @@ KEYS_HELP = (
     ("G", "plot the angle of the joint"),
     ("0", "show the whole scene"),
     ("P", "larger, for a projector"),
+    ("T or L", "start or stop the stopwatch, a lap, once it is on the canvas"),
     ("Tab", "to the body, and on: arrows choose a mass, Space takes it, arrows move it"),
     ("↑ ↓", "held: every spring longer, shorter"),
     ("→ ←", "held: every rest angle up, down"),

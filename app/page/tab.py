@@ -28,6 +28,7 @@ from .files_panel import FilesPanel
 from .measure_panel import MeasurePanel
 from .panel import Panel, set_theme
 from .plan import Picture, broken_of
+from .tools_panel import ToolsPanel
 from .view import Canvas, Touch
 
 READOUTS_EVERY = 0.1
@@ -174,7 +175,9 @@ class Tab:
         with self._panel.files_tab:
             self._files = FilesPanel(self.client, session, self.notify)
         self._measure = MeasurePanel(self.client, self._panel.measure_tab, session, self.notify)
-        self._panel.outlined += self._files.outlined
+        with self._panel.measure_tab:
+            self._tools = ToolsPanel(self.client, session, self.request)
+        self._panel.outlined += [*self._files.outlined, *self._tools.outlined]
 
         @self._panel.channel.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -225,6 +228,7 @@ class Tab:
         self._plan(session)
         self._view.show_gizmos(self._gizmos)
         self._panel.build(scene.name)
+        self._tools.build()
         self._panel.set_scenes(shelf.labels(scene.name), scene.name)
         self._panel.set_style(self._dark)
         self._measure.build(self._dark)
@@ -252,6 +256,7 @@ class Tab:
         picture = self._picture(session)
         if self._view.draw(picture, now, force=changed or not running):
             self._moved_at = now
+        self._tools.draw(self._view.plan_number, now, exactly=changed or not running)
         at_rest = now - self._moved_at > RESTING_AFTER
         self._broken = len(broken_of(picture.damage))
         self._panel.set_state(
@@ -339,7 +344,10 @@ class Tab:
                 session.post(commands.Foretell(session.foresight is None))
             elif what == "anew":
                 session.post(commands.Open(session.opened))
+            elif what == "tools":
+                self._tools.serve(*argument)
             elif what == "joint":
+                self._tools.choose(argument)
                 joint = readouts.joint_of_mass(session.scene, argument)
                 self._measure.choose(argument)
                 if joint is not None:

@@ -66,6 +66,11 @@ class Canvas:
         self._gizmo_in_hand: int | None = None
         self.sketch: Sketch | None = None
 
+    @property
+    def plan_number(self) -> int:
+        """Of the plan that the page has."""
+        return self._plan_number
+
     def build(self, scene: Scene, dark: bool, rest_angles: Floats | None = None) -> None:
         """Put up what a scene needs, as far as it is not there yet; `draw` then says where the masses are.
 

@@ -21,6 +21,7 @@ from ..scene.validate import validate
 from .divergence import Divergence, explain
 from .drag import Hands, within_bounds
 from .energy import Books, EnergyBook
+from .loads import Loads, Weigher
 from .moment import Moment
 from .plain import PlainSolver
 from .reading import Reading
@@ -96,6 +97,13 @@ class Simulation(Reading):
     def behind(self) -> dict[int, float]:
         """How far masses that `follow` leads, or that are being stopped, still have to go, px, by mass."""
         return self._hands.behind
+
+    @property
+    def loads(self) -> Loads:
+        """The net force on each mass and the torque of each joint at this moment."""
+        if self._weigher is None or self._weigher.system is not self._system:
+            self._weigher = Weigher(self._scene, self._system, self._state)
+        return self._weigher.loads(self._time)
 
     def stability(self) -> StabilityEstimate:
         """The method's estimated stability limit at the present state; each call refines it a little."""
@@ -375,6 +383,7 @@ class Simulation(Reading):
         self._stepper = self._new_stepper()
         self._meter: StabilityMeter | None = None
         self._books: Books | None = None
+        self._weigher: Weigher | None = None
         self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
 
     @property

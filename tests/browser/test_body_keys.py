@@ -122,7 +122,7 @@ def test_every_control_has_a_name(open_page: OpenPage) -> None:
       return [...document.querySelectorAll("button, input:not([type=hidden]), select, [role=slider]")]
         .filter(e => e.checkVisibility() && e.tabIndex >= 0 && !named(e)).map(e => e.outerHTML.slice(0, 300));
     }"""
-    for tab in ("Play", "Body", "Solver", "Files", "View"):
+    for tab in ("Play", "Body", "Solver", "Measure", "Files", "View"):
         desk.show(tab)
         desk.rest(5)
         assert desk.page.evaluate(unnamed) == [], tab

@@ -43,8 +43,25 @@ const colors = new Map();
 const listeners = [];
 let asked = false;
 
+/** Who takes the arrays of other nodes that only carry some. @type {Map<string, (data: Float32Array | null) => void>} */
+const carriers = new Map();
+
+/**
+ * Has the arrays of a node that only carries some taken; null when the node goes.
+ *
+ * @param {string} name of the node
+ * @param {(data: Float32Array | null) => void} take
+ */
+export const carry = (name, take) => carriers.set(name, take);
+
 /** What is shown now. */
 export const shown = () => state;
+
+/** @type {((frame: Frame) => void)[]} */
+const takers = [];
+
+/** Calls back with every frame as it comes, which may be more than are shown. @param {(frame: Frame) => void} taker */
+export const onFrame = (taker) => takers.push(taker);
 
 /** Calls back with every picture. @param {(frame: Frame, plan: Plan) => void} listener */
 export const onPicture = (listener) => listeners.push(listener);
@@ -109,7 +126,9 @@ function take(name, data) {
     state.damage = readDamage(data);
     glide.last = null; // the picture that is shown is no longer right
   } else {
-    glide.take(readFrame(data), seconds());
+    const frame = readFrame(data);
+    glide.take(frame, seconds());
+    for (const taker of takers) taker(frame);
   }
   ask();
 }
@@ -134,9 +153,13 @@ export function drawBody(viser, heard) {
   page = viser;
   /** @param {Message} message */
   const sort = (message) => {
-    const { name = "", props, updates } = message;
+    const { type, name = "", props, updates } = message;
+    const carried = carriers.get(name);
     if (name === PLAN || name === FRAME || name === DAMAGE) {
       take(name, props?.points ?? updates?.points);
+    } else if (carried) {
+      const data = props?.points ?? updates?.points ?? null;
+      if (data || type === "RemoveSceneNodeMessage") carried(data);
     } else if (name === KEEPSAKE) {
       if (updates?.colors) keep(updates.colors);
     } else {

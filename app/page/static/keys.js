@@ -43,9 +43,12 @@ const isTyping = (target) =>
 /** A slider that was reached with the Tab key takes the arrows for itself. @param {EventTarget | null} target */
 const isSlider = (target) =>
   target instanceof HTMLElement && target.matches('[role="slider"]:focus-visible, input[type="range"]:focus-visible');
-/** While the body has the focus, body_keys.js takes arrows and Space. @param {KeyboardEvent} event */
+/** While the body or an instrument has the focus, it takes arrows and Space. @param {KeyboardEvent} event */
 const isForBody = ({ target, code, key }) =>
-  target instanceof HTMLElement && target.classList.contains("softrod-body") && (key in ARROWS || code === "Space");
+  target instanceof Element && target.matches(".softrod-body, .softrod-grip") && (key in ARROWS || code === "Space");
+/** Whether a key acts on the page, and not on what is typed into or on a dialog. @param {KeyboardEvent} event */
+export const isFree = ({ target, ctrlKey, metaKey, altKey }) =>
+  !(ctrlKey || metaKey || altKey || isTyping(target) || dialogIsOpen());
 const dialogIsOpen = () => document.querySelector('[role="dialog"]') !== null;
 /** Nobody else is to act on it. @param {Event} event */
 const swallow = (event) => {
@@ -93,8 +96,7 @@ function openPalette(event) {
 /** @param {KeyboardEvent} event */
 function press(event) {
   if (openPalette(event)) return;
-  if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target) || dialogIsOpen()) return;
-  if (isSlider(event.target) || isForBody(event)) return;
+  if (!isFree(event) || isSlider(event.target) || isForBody(event)) return;
   const arrow = ARROWS[event.key];
   if (arrow) {
     swallow(event);

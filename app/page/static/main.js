@@ -1,12 +1,15 @@
 // @ts-check
 /** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
+import { addArrows } from "./arrow_marks.js";
 import { addBodyKeys } from "./body_keys.js";
 import { fitted, keepFlat } from "./camera.js";
 import { drawBody, shown } from "./canvas.js";
 import { hear } from "./channel.js";
 import { showConnection, watchConnection } from "./connection.js";
+import { addCoordinates } from "./coordinates.js";
 import { mindDialogs } from "./dialogs.js";
 import { showHud } from "./hud.js";
+import { addInstruments } from "./instruments.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { restoreLooks } from "./looks.js";
@@ -18,6 +21,8 @@ import { addOverlay } from "./overlay.js";
 import { listenToPointer } from "./pointer.js";
 import { addHeading } from "./paper.js";
 import { addUnderlay } from "./underlay.js";
+import { hearTools } from "./tools.js";
+import { addTraces } from "./trace.js";
 import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
 
@@ -42,7 +47,7 @@ whenViser((viser) => {
     complain(FAULT);
     return;
   }
-  drawBody(viser, [hear, showHud]);
+  drawBody(viser, [hear, showHud, hearTools]);
   keepFlat();
   mindDialogs();
   listenToKeys();
@@ -53,6 +58,10 @@ whenViser((viser) => {
   addTransport();
   addOverlay();
   addUnderlay();
+  addTraces();
+  addArrows();
+  addCoordinates();
+  addInstruments();
   addHeading();
   addBodyKeys();
   nameControls();

@@ -42,6 +42,15 @@ export function choose(mass) {
 export const chosenMass = () => chosen;
 
 let redraw = () => {};
+/** @type {((seen: Sight) => void)[]} */
+const onlookers = [];
+
+/** Has other marks drawn whenever these are. @param {(seen: Sight) => void} draw */
+export const onSight = (draw) => onlookers.push(draw);
+/** Puts up other marks, under the instruments. @param {SVGSVGElement} svg */
+export const putUp = (svg) => document.body.insertBefore(svg, document.querySelector(".softrod-instruments"));
+/** Draws all marks anew. */
+export const redrawMarks = () => redraw();
 
 /** Whether the page is on its way to paper, where the canvas has another size and nothing is drawn anew. */
 let printing = false;
@@ -50,15 +59,14 @@ let drawnOver = null;
 
 /** Has the marks shrink or grow with the canvas, as they were drawn last; or lets them be. @param {boolean} on */
 export function frameMarks(on) {
-  const svg = document.querySelector(".softrod-overlay");
   printing = on;
-  if (on && drawnOver) {
-    const { left, top, width, height } = drawnOver;
-    svg?.setAttribute("viewBox", `${left} ${top} ${width} ${height}`);
-  } else {
-    svg?.removeAttribute("viewBox");
-    redraw();
+  for (const svg of document.querySelectorAll(".softrod-overlay")) {
+    if (on && drawnOver) {
+      const { left, top, width, height } = drawnOver;
+      svg.setAttribute("viewBox", `${left} ${top} ${width} ${height}`);
+    } else svg.removeAttribute("viewBox");
   }
+  if (!on) redraw();
 }
 
 /**
@@ -136,6 +144,7 @@ export function addOverlay() {
     for (const mark of marks) mark(seen);
     const { left, right, top } = seen.box;
     const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
+    for (const draw of onlookers) draw(seen);
     point(seen.places, { left, right, top, bottom: Math.min(seen.box.bottom, dock?.top ?? Infinity) });
   };
   onPicture(redraw);

@@ -55,7 +55,7 @@ export function readPlan(data) {
  *
  * @param {Float32Array} data sections, each after its length
  */
-function sections(data) {
+export function sections(data) {
   let at = 0;
   return () => {
     const length = data[at] ?? 0;

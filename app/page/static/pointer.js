@@ -9,7 +9,7 @@ import { nearest, onScreen, pointText, screen, worldAt } from "./screen.js";
 import { viser } from "./viser.js";
 
 /** Pixels from a mass within which it is taken hold of. */
-const REACH = { mouse: 12, pen: 16, touch: 26 };
+const REACH = { mouse: 12, pen: 16, touch: 26, disc: 0 };
 /** Pixels within which a press counts as a click. */
 const CLICK = 4;
 
@@ -19,11 +19,14 @@ let pointer = null;
 let hold = null;
 let asked = false;
 
+/** What lies over the canvas and gives way to a mass under the pointer. @param {EventTarget | null} target */
+const givesWay = (target) => target instanceof Element && target.closest(".softrod-instruments") !== null;
+
 /**
  * The mass under a place on the screen, or -1.
  *
  * @param {{x: number, y: number}} place
- * @param {string} kind of pointer
+ * @param {string} kind of pointer; "disc" for the disc itself and nothing around it
  */
 export function massAt(place, kind) {
   const { plan, frame } = shown();
@@ -53,12 +56,14 @@ function report() {
 /** @param {PointerEvent} event */
 function press(event) {
   const { canvas } = viser() ?? {};
-  if (!canvas || event.target !== canvas) return;
+  const under = event.target === canvas ? event.pointerType : givesWay(event.target) ? "disc" : null;
+  if (!canvas || under === null || (under === "disc" && massAt({ x: event.clientX, y: event.clientY }, under) < 0)) return;
   // The keys are the body's again.
-  if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  const focused = document.activeElement;
+  if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
   pointer = { x: event.clientX, y: event.clientY };
   const at = coordinates(pointer);
-  const mass = event.button === 0 && event.isPrimary ? massAt(pointer, event.pointerType) : -1;
+  const mass = event.button === 0 && event.isPrimary ? massAt(pointer, under) : -1;
   if (mass < 0 || !at) return;
   // Neither viser nor its camera may hear of it.
   event.preventDefault();

@@ -1,0 +1,121 @@
+"""Switches of what is measured on the canvas: arrows, traces, coordinates. They are in the Measure tab."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import viser
+
+from ..session.session import Session
+from .arrows import KINDS, Arrows
+
+MOST_TRACES = 8
+"""Masses whose path is drawn at the same time; the one that was chosen first gives way."""
+
+LENGTHS = {"1 s": 1, "2 s": 2, "5 s": 5, "10 s": 10, "30 s": 30}
+"""Simulated seconds of a trace."""
+
+LABELS = {"forces": "Forces", "velocities": "Velocities", "torques": "Torques"}
+HINTS = {
+    "forces": "the net force on each mass; on a held one, dashed, what its support bears",
+    "velocities": "of each mass",
+    "torques": "with which each angular spring turns its second spring",
+}
+
+
+class ToolsPanel:
+    """The switches of one page; made inside the tab.
+
+    Args:
+        client: the page.
+        session: its simulation.
+        act: asks the tab for something, in the ticker's thread: "tools" for `serve`.
+
+    Attributes:
+        outlined: buttons that are not the first thing to press.
+    """
+
+    def __init__(self, client: viser.ClientHandle, session: Session, act: Callable[[str, Any], None]) -> None:
+        self._session = session
+        self._arrows = Arrows(client)
+        self._kinds: frozenset[str] = frozenset()
+        self._chosen: int | None = None
+        self._traced: tuple[int, ...] = ()
+        gui = client.gui
+        self._switches = {
+            kind: gui.add_checkbox(LABELS[kind], initial_value=False, hint=HINTS[kind]) for kind in KINDS
+        }
+        self._coordinates = gui.add_checkbox(
+            "Coordinates", initial_value=False, hint="of the mass under the pointer, or clicked last"
+        )
+        self._trace = gui.add_checkbox(
+            "Trace the chosen mass",
+            initial_value=False,
+            hint="click a mass to choose it; several can have one",
+        )
+        self._length = gui.add_dropdown("Length of a trace", tuple(LENGTHS), initial_value="5 s")
+        clear = gui.add_button("Clear the traces", icon=viser.Icon.ERASER, color="gray")
+        self._told = gui.add_html("")
+        self.outlined = [clear]
+
+        for kind, switch in self._switches.items():
+            self._listen(switch, act, kind)
+        self._listen(self._trace, act, "trace")
+        for control in (self._coordinates, self._length):
+            self._listen(control, act, "tell")
+
+        @clear.on_click
+        async def _(_: object) -> None:
+            act("tools", ("clear", None))
+
+    @staticmethod
+    def _listen(control: Any, act: Callable[[str, Any], None], what: str) -> None:
+        @control.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                act("tools", (what, control.value))
+
+    # --------------------------------------------------------------------- the ticker's
+    def build(self) -> None:
+        """For another body: no mass of the one before is traced."""
+        self._chosen, self._traced = None, ()
+        self._switches["torques"].visible = bool(self._session.scene.angular_springs)
+        self._show()
+
+    def choose(self, mass: int) -> None:
+        """A mass was clicked."""
+        if mass < len(self._session.scene.masses):
+            self._chosen = mass
+            self._show()
+
+    def serve(self, what: str, value: Any) -> None:
+        """Do what a control asks for: a kind of arrows, a trace of the chosen mass, none, or tell."""
+        if what in KINDS:
+            self._kinds = self._kinds | {what} if value else self._kinds - {what}
+        elif what == "trace" and self._chosen is not None:
+            others = tuple(mass for mass in self._traced if mass != self._chosen)
+            self._traced = (*others, self._chosen)[-MOST_TRACES:] if value else others
+        elif what == "clear":
+            self._traced = ()
+        self._show()
+
+    def draw(self, plan: int, now: float, exactly: bool) -> None:
+        """Send what the arrows need, see `Arrows.draw`."""
+        session = self._session
+        kinds = self._kinds if session.scene.angular_springs else self._kinds - {"torques"}
+        self._arrows.draw(session, kinds, plan, now, exactly)
+
+    def _show(self) -> None:
+        """Show what the controls have come to, in them and to the page's script (static/tools.js)."""
+        traced = self._chosen in self._traced
+        if self._trace.value != traced:
+            self._trace.value = traced
+        content = (
+            f'<div id="softrod-tools" hidden data-traced="{" ".join(map(str, self._traced))}" '
+            f'data-seconds="{LENGTHS.get(str(self._length.value), 5)}" '
+            f'data-chosen="{-1 if self._chosen is None else self._chosen}" '
+            f'data-coordinates="{int(bool(self._coordinates.value))}"></div>'
+        )
+        if self._told.content != content:
+            self._told.content = content

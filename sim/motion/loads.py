@@ -1,0 +1,56 @@
+"""What acts on each mass and in each joint at a moment, by `sim.physics`."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..body.system import System
+from ..kernels.core.tables import State
+from ..physics import Physics
+from ..scene.types import Scene
+
+
+class Loads(NamedTuple):
+    """Forces and torques.
+
+    Attributes:
+        forces: (n, 2) the net force on each mass, kg px/s²: of springs, joints, gravity, air and what
+            surrounds the body. That on a mass which an anchor or a hand holds is what its support bears,
+            without the inertia of a held mass that is being moved.
+        torques: (J,) the torque with which each angular spring turns its second spring, kg px²/s²,
+            positive from +x towards +y; its first spring is turned the other way by as much.
+    """
+
+    forces: NDArray[np.float64]
+    torques: NDArray[np.float64]
+
+
+class Weigher:
+    """Computes loads from the tables of a body, which it only reads.
+
+    Args:
+        scene, system, state: of the simulation; the tables are those without what has broken.
+    """
+
+    def __init__(self, scene: Scene, system: System, state: State) -> None:
+        self.system = system
+        self._scene = scene
+        # The time of the gusts in the state is that of the last force that a step has needed.
+        self._state = state.replaced(clock=np.zeros(1))
+        self._physics = Physics(system.body, self._state)
+
+    def loads(self, time: float) -> Loads:
+        """The loads in the present state, at a time (s)."""
+        state, physics, scene = self._state, self._physics, self._scene
+        state.clock[0] = time
+        x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
+        # Held masses have no weight and no friction in the state, so both are computed here for all.
+        u = v - physics.wind(x)
+        air = u.real * abs(u.real) + 1j * (u.imag * abs(u.imag))
+        weight = physics.surroundings.mass * complex(*scene.gravity)
+        net = (physics.forces(x, v) + weight - scene.air_friction * air)[self.system.mass_index]
+        torques = -physics.torques(x, v)[self.system.joint_order] if physics.first.size else np.zeros(0)
+        return Loads(np.column_stack((net.real, net.imag)), torques)

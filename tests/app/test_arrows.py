@@ -1,0 +1,176 @@
+"""What a page is told of forces, velocities and torques, and when."""
+
+from __future__ import annotations
+
+from typing import Any
+from unittest.mock import MagicMock
+
+import numpy as np
+import pytest
+
+import sim
+from app.page.arrows import KINDS, MOST, Arrows, encode, smallest
+from app.page.tools_panel import MOST_TRACES, ToolsPanel
+from app.session import commands
+from tests.app.pages import SessionPage
+
+ALL = frozenset(KINDS)
+
+
+def sections(data: np.ndarray) -> list[np.ndarray]:
+    """As static/plan.js reads them."""
+    found, at = [], 0
+    while at < len(data):
+        length = int(data[at])
+        found.append(data[at + 1 : at + 1 + length])
+        at += 1 + length
+    return found
+
+
+class Wire:
+    """A client that keeps what is sent."""
+
+    def __init__(self) -> None:
+        self.client = MagicMock()
+        self.arrows = Arrows(self.client)
+
+    @property
+    def node(self) -> Any:
+        return self.client.scene.add_point_cloud.return_value
+
+    def sent(self) -> list[np.ndarray]:
+        return sections(self.node.points)
+
+    def draw(self, page: SessionPage, kinds: frozenset[str], now: float = 0.0, exactly: bool = True) -> bool:
+        """Whether something was sent."""
+        self.node.points = None
+        self.arrows.draw(page.session, kinds, 3, now, exactly)
+        return self.node.points is not None
+
+
+def test_the_numbers_are_those_of_the_solver() -> None:
+    page, wire = SessionPage(sim.load_scene("tutorial-3.3")), Wire()
+    page.frames(20)
+    assert wire.draw(page, ALL)
+    head, held, forces, velocities, torques = wire.sent()
+    simulation = page.session.simulation
+    assert head[:4].tolist() == [3.0, np.float32(simulation.time), 1.0, 1.0]
+    assert held.tolist() == [0.0]
+    assert forces.reshape(-1, 2) == pytest.approx(simulation.loads.forces, rel=1e-6, abs=1e-3)
+    assert velocities.reshape(-1, 2) == pytest.approx(simulation.velocities, rel=1e-6, abs=1e-6)
+    assert torques == pytest.approx(simulation.loads.torques, rel=1e-6, abs=1e-3)
+
+
+def test_nothing_is_sent_while_no_switch_is_on_and_only_what_is_asked_for() -> None:
+    page, wire = SessionPage(sim.load_scene("ring")), Wire()
+    assert not wire.draw(page, frozenset())
+    assert not wire.client.mock_calls
+    assert wire.draw(page, frozenset({"velocities"}))
+    assert [len(section) for section in wire.sent()[2:]] == [0, 32, 0]
+    wire.draw(page, frozenset())
+    wire.node.remove.assert_called_once()
+
+
+def test_they_are_right_when_paused_and_after_going_back_in_time() -> None:
+    page, wire = SessionPage(sim.load_scene("tutorial-3.3")), Wire()
+    page.frames(10)
+    page.frames(30, commands.SetValue("gravity", 0.0))
+    then = page.session.simulation.loads.forces
+    page.frames(30, commands.SetValue("rest_angle", 20.0))
+    page.frames(1, commands.Play(False))
+    wire.draw(page, ALL)
+    assert not wire.draw(page, ALL), "it stands"
+    time = page.session.simulation.time
+    page.frames(1, commands.GoTo(time - 30 / 60))
+    assert wire.draw(page, ALL)
+    assert wire.sent()[2].reshape(-1, 2) == pytest.approx(then, rel=0.2, abs=0.05 * np.abs(then).max())
+    assert wire.sent()[2].reshape(-1, 2) == pytest.approx(
+        page.session.simulation.loads.forces, rel=1e-6, abs=1e-3
+    )
+    page.frames(1, commands.SetValue("gravity", 500.0))
+    assert wire.draw(page, ALL), "another setting, at the same moment"
+
+
+def test_a_body_in_motion_is_told_of_thirty_times_a_second_and_one_at_rest_no_more() -> None:
+    page, wire = SessionPage(sim.load_scene("tutorial-3.3")), Wire()
+    page.session.post(commands.SetValue("rest_angle", 10.0))
+    count = 0
+    for frame in range(60):
+        page.frames(1)
+        count += wire.draw(page, ALL, frame / 60, exactly=False)
+    assert 28 <= count <= 31
+    page, wire = SessionPage(sim.load_scene("tutorial-3.3")), Wire()
+    page.frames(900)
+    wire.draw(page, ALL, 0.0, exactly=False)
+    page.frames(2)
+    assert not wire.draw(page, ALL, 1.0, exactly=False)
+
+
+def test_of_a_thousand_masses_some_have_arrows_and_the_held_ones_in_any_case() -> None:
+    scene = sim.cloth(columns=40, rows=25)
+    page, wire = SessionPage(scene), Wire()
+    assert wire.draw(page, ALL)
+    head, held, forces, _, torques = wire.sent()
+    step = int(head[2])
+    assert step == 5
+    chosen = [*range(0, 1000, step), *(int(m) for m in held if m % step)]
+    assert len(forces) == 2 * len(chosen) <= 2 * (MOST + len(held))
+    assert {anchor.mass for anchor in scene.anchors} == set(held.astype(int)) <= set(chosen)
+    assert forces.reshape(-1, 2) == pytest.approx(
+        page.session.simulation.loads.forces[chosen], rel=1e-5, abs=0.1
+    )
+    assert len(torques) <= MOST
+    assert len(wire.node.points) < 4 * MOST + 500
+
+
+def test_the_mass_in_hand_counts_as_held() -> None:
+    page, wire = SessionPage(sim.load_scene("tutorial-3.3")), Wire()
+    page.frames(2, commands.DragStart(5, 300.0, 300.0))
+    wire.draw(page, ALL)
+    assert wire.sent()[1].tolist() == [0.0, 5.0]
+
+
+@pytest.mark.parametrize("name", [info.name for info in sim.list_scenes() if info.built_in])
+def test_what_is_next_to_nothing_is_small_and_positive(name: str) -> None:
+    scene = sim.load_scene(name)
+    least = smallest(scene)
+    assert all(0.0 < part < 1e9 for part in least)
+    simulation = sim.Simulation(scene)
+    simulation.step(20)
+    if np.hypot(*scene.gravity) > 0.0:
+        assert least[0] < np.abs(simulation.loads.forces).max()
+
+
+def test_every_number_of_a_body_without_joints_and_springs_can_be_sent() -> None:
+    data = encode(1, 0.0, (1.0, 1.0, 1.0), [0], [np.zeros((1, 2)), np.zeros(0), np.zeros(0)])
+    assert [len(section) for section in sections(data)] == [7, 1, 2, 0, 0]
+
+
+def panel_of(scene: sim.Scene) -> tuple[ToolsPanel, Any]:
+    """A panel, and the element that the page's script reads."""
+    client = MagicMock()
+    client.gui.add_html.return_value.content = ""
+    client.gui.add_dropdown.return_value.value = "10 s"
+    client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
+    panel = ToolsPanel(client, SessionPage(scene).session, lambda what, argument: None)
+    panel.build()
+    return panel, client.gui.add_html.return_value
+
+
+def test_the_page_is_told_which_masses_are_traced() -> None:
+    panel, told = panel_of(sim.load_scene("ring"))
+    assert 'data-traced="" data-seconds="10" data-chosen="-1"' in told.content
+    panel.serve("trace", True)
+    assert 'data-traced=""' in told.content, "no mass is chosen"
+    for mass in (3, 99, 5, 3):
+        panel.choose(mass)
+        panel.serve("trace", True)
+    assert 'data-traced="5 3"' in told.content
+    panel.serve("trace", False)
+    assert 'data-traced="5"' in told.content
+    for mass in range(MOST_TRACES + 2):
+        panel.choose(mass)
+        panel.serve("trace", True)
+    assert told.content.split('data-traced="')[1].split('"')[0].split() == [str(m) for m in range(2, 10)]
+    panel.serve("clear", None)
+    assert 'data-traced=""' in told.content

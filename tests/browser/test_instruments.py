@@ -1,0 +1,216 @@
+"""What is measured on the canvas: arrows, traces, coordinates, and the box of instruments."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+from playwright.sync_api import Locator
+
+from app.session import commands
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk, Point
+
+
+def middle(element: Locator) -> Point:
+    box = element.bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def named(desk: Desk, kind: str) -> str:
+    """What an instrument on the canvas says that it reads; empty if it is in the box."""
+    found = desk.page.locator(f".softrod-instrument[aria-label^={kind}]")
+    return (found.get_attribute("aria-label") or "") if found.count() else ""
+
+
+def numbers(text: str) -> list[float]:
+    return [float(part) for part in re.findall(r"-?\d+\.\d+", text.replace("−", "-"))]
+
+
+def grips(desk: Desk, kind: str) -> Locator:
+    return desk.page.locator(f".softrod-instrument[aria-label^={kind}] .softrod-grip")
+
+
+def drag(desk: Desk, start: Point, end: Point) -> None:
+    """By the mouse, at once."""
+    desk.page.mouse.move(*start)
+    desk.page.mouse.down()
+    desk.page.mouse.move(*end, steps=3)
+    desk.page.mouse.up()
+
+
+def tool(desk: Desk, name: str) -> Locator:
+    return desk.page.locator(".softrod-box-tools button").filter(has_text=name)
+
+
+def arrow_tips(desk: Desk, kind: str) -> list[str]:
+    """The outlines of a kind of arrows over the body."""
+    paths = desk.page.locator(f".softrod-arrow.softrod-{kind}").all()
+    return [path.get_attribute("d") or "" for path in paths]
+
+
+def test_a_ruler_is_dragged_out_measures_two_masses_and_is_thrown_back(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    desk.page.locator(".softrod-box-lid").click()
+    drag(desk, middle(tool(desk, "Ruler")), (300.0, 200.0))
+    assert "Ruler" in named(desk, "Ruler")
+    one, two = grips(desk, "Ruler").nth(0), grips(desk, "Ruler").nth(1)
+    # A grip is 24 px beyond its end; the end goes onto the mass from 10 px away.
+    (x, y), first = desk.place(2), middle(one)
+    drag(desk, first, (x - 24.0 + 8.0, y + 6.0))
+    assert "At mass 3" in (one.get_attribute("aria-label") or "")
+    (x, y), (gx, gy) = desk.place(9), middle(two)
+    (ax, ay) = desk.place(2)
+    way = np.array((gx - ax, gy - ay)) / np.hypot(gx - ax, gy - ay)
+    drag(desk, (gx, gy), (x + 24.0 * way[0] + 5.0, y + 24.0 * way[1] + 5.0))
+    assert "At mass 10" in (two.get_attribute("aria-label") or "")
+
+    def is_right() -> bool:
+        dx, dy = desk.simulation.positions[9] - desk.simulation.positions[2]
+        return np.allclose(numbers(named(desk, "Ruler")), (np.hypot(dx, dy), dx, dy), atol=0.06)
+
+    desk.until(is_right, "it reads the distance of the masses")
+    # It follows them, does not take them from the pointer, and stays where it is in the scene.
+    desk.tell(commands.SetValue("rest_angle", 25.0), commands.DoSteps(60))
+    desk.until(is_right, "it follows the masses")
+    desk.page.mouse.move(*desk.place(9))
+    desk.page.mouse.down()
+    desk.until(lambda: desk.session.dragged == 9, "the mass under its end is taken hold of")
+    desk.page.mouse.up()
+    desk.until(lambda: desk.session.dragged is None, "and let go")
+    desk.page.reload()
+    desk.page.wait_for_function("window.__softrod?.fitted() > 0")
+    desk.until(lambda: named(desk, "Ruler"), "it is there again after a reload")
+    desk.page.locator(".softrod-box-lid").click()
+    body = grips(desk, "Ruler").locator("xpath=../*[contains(@class, 'softrod-instrument-body')]").first
+    desk.rest(2)
+    drag(desk, middle(body), middle(tool(desk, "Ruler")))
+    desk.until(lambda: not named(desk, "Ruler"), "it is back in the box")
+
+
+def test_a_protractor_measures_a_joint_by_keys_alone(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False), commands.SetValue("rest_angle", 25.0), commands.DoSteps(120))
+    desk.page.locator(".softrod-box-lid").focus()
+    desk.page.keyboard.press("Enter")
+    desk.page.keyboard.press("Shift+Tab")
+    desk.page.keyboard.press("Shift+Tab")
+    assert desk.page.evaluate("document.activeElement.innerText") == "Protractor"
+    desk.page.keyboard.press("Enter")
+    for i, mass in enumerate((4, 5, 6)):
+        grip = grips(desk, "Protractor").nth(i)
+        grip.focus()
+        desk.page.keyboard.press("Shift+ArrowUp")
+        desk.page.keyboard.press("Enter")
+        for _ in range(24):
+            label = grip.get_attribute("aria-label") or ""
+            if f"At mass {mass + 1}." in label:
+                break
+            desk.page.keyboard.press("ArrowRight")
+        assert f"At mass {mass + 1}." in label
+    angle, bend = numbers(named(desk, "Protractor"))
+    assert abs(bend - abs(desk.simulation.angles[4])) < 0.06
+    assert abs(angle + bend - 180.0) < 0.11
+    live = desk.page.locator(".softrod-tell")
+    desk.until(lambda: f"{angle:.1f}°" in live.inner_text(), "it is told what it reads")
+    assert not desk.session.playing, "Enter, Space and arrows are the instrument's"
+    assert not desk.simulation.keys
+    desk.page.keyboard.press("Delete")
+    desk.until(lambda: not named(desk, "Protractor"), "Delete puts it back")
+    assert desk.page.evaluate("document.activeElement.innerText") == "Protractor"
+
+
+def test_a_stopwatch_counts_simulated_time_by_click_and_key(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.page.keyboard.press("t")  # nothing, without a stopwatch
+    desk.page.locator(".softrod-box-lid").click()
+    tool(desk, "Stopwatch").click()
+    desk.until(lambda: numbers(named(desk, "Stopwatch")) == [0.0], "it is there, and stands")
+    start = desk.simulation.time
+    desk.page.keyboard.press("t")
+    desk.until(lambda: numbers(named(desk, "Stopwatch"))[0] > 0.3, "it runs")
+    desk.page.get_by_role("button", name="Lap (L)").click()
+    desk.page.get_by_role("button", name="Stop (T)").click()
+    shown = numbers(named(desk, "Stopwatch"))[0]
+    assert 0.3 < shown <= desk.simulation.time - start + 0.1
+    desk.rest(3)
+    assert numbers(named(desk, "Stopwatch")) == [shown]
+    laps = desk.page.locator(".softrod-watch .softrod-instrument-small")
+    assert 0.0 < numbers(laps.text_content() or "")[0] <= shown
+    desk.page.keyboard.press("l")
+    desk.until(lambda: numbers(named(desk, "Stopwatch")) == [0.0], "back to zero")
+
+
+def test_a_finger_drags_a_ruler_out_of_the_box_and_moves_its_end(open_page: OpenPage) -> None:
+    desk = open_page(size=(390, 844), phone=True)
+    touch = desk.context.new_cdp_session(desk.page)
+
+    def send(kind: str, *points: Point) -> None:
+        places = [{"x": x, "y": y} for x, y in points]
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": places})
+
+    def swipe(start: Point, end: Point) -> None:
+        send("touchStart", start)
+        for part in (0.3, 0.7, 1.0):
+            send("touchMove", (start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1])))
+        send("touchEnd")
+
+    desk.page.locator(".softrod-box-lid").tap()
+    camera = desk.camera()
+    swipe(middle(tool(desk, "Ruler")), (190.0, 220.0))
+    desk.until(lambda: named(desk, "Ruler"), "it is on the canvas")
+    before = numbers(named(desk, "Ruler"))[0]
+    x, y = middle(grips(desk, "Ruler").nth(1))
+    swipe((x + 6.0, y + 6.0), (x + 46.0, y + 6.0))
+    desk.until(lambda: numbers(named(desk, "Ruler"))[0] > before + 10.0, "its end goes with the finger")
+    assert desk.camera().same(camera), "and the view does not"
+
+
+def test_arrows_are_at_their_masses_and_gone_with_their_switch(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.SetValue("rest_angle", 25.0), commands.DoSteps(60), commands.Play(False))
+    desk.show("Measure")
+    assert not desk.page.locator(".softrod-arrows").count()
+    for name in ("Forces", "Torques"):
+        desk.control(name).click()
+    desk.until(lambda: len("".join(arrow_tips(desk, "torques"))) > 100, "there are arrows")
+    forces = desk.simulation.loads.forces
+    words = desk.page.locator(".softrod-arrow-words.softrod-forces")
+
+    def is_right() -> bool:
+        unit = float((words.text_content() or "").split()[1])
+        path = arrow_tips(desk, "forces")[1]
+        mass = int(np.argmax(np.abs(forces[1:]).max(axis=1))) + 1
+        x, y = desk.place(mass)
+        starts = re.findall(r"M(-?[\d.]+) (-?[\d.]+)L", path)
+        near = [float(np.hypot(float(px) - x, float(py) - y)) for px, py in starts]
+        return 0.3 <= np.hypot(*forces[mass]) / unit <= 1.0 and min(near, default=99.0) < 1.0
+
+    desk.until(is_right, "the largest force has an arrow that begins at its mass, in a scale that suits it")
+    assert "kg px/s²" in (words.text_content() or "")
+    for name in ("Forces", "Torques"):
+        desk.control(name).click()
+    desk.until(lambda: not desk.page.locator(".softrod-arrows").count(), "they are gone")
+
+
+def test_a_clicked_mass_is_traced_and_read_out(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    desk.show("Measure")
+    desk.page.mouse.click(*desk.place(11))
+    desk.control("Trace the chosen mass").click()
+    desk.control("Coordinates").click()
+    label = desk.page.locator(".softrod-coordinates text").first
+    x, y = desk.simulation.positions[11]
+    desk.until(lambda: label.text_content() == f"mass 12: {x:.1f}, {y:.1f} px", "its place is told")
+    desk.tell(commands.SetValue("rest_angle", 30.0), commands.Play(True))
+    line = (
+        "() => [...document.querySelectorAll('.softrod-trace path')].map((p) => p.getAttribute('d')).join('')"
+    )
+    desk.until(lambda: len(desk.page.evaluate(line)) > 100, "it leaves a line")
+    desk.tell(commands.Reset(), commands.Play(False))
+    desk.until(lambda: len(desk.page.evaluate(line)) < 60, "which is gone after a reset")
+    desk.button("Clear the traces").click()
+    desk.until(lambda: not desk.page.locator(".softrod-trace").count(), "and no mass is traced any more")

@@ -1,0 +1,177 @@
+"""The net force on each mass and the torque of each joint."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Anchor, AngularSpring, Circle, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.scene.types import ForceLaw
+from tests.sim.around_everything import with_everything
+from tests.sim.bodies import SHAPES, body
+from tests.sim.surrounded import surrounded
+from tests.sim.touching import crumpled
+
+REPLACE = msgspec.structs.replace
+H = 1e-5
+"""Step of the differences, s."""
+
+
+def by_differences(scene: Scene, steps: int = 400) -> tuple[Simulation, np.ndarray, np.ndarray]:
+    """A simulation, its forces, and mass times acceleration by differences of its velocities.
+
+    A held mass has none of the latter.
+    """
+    scene = REPLACE(scene, integrator=Integrator(method="rk4", dt=H))
+    simulation = Simulation(scene)
+    simulation.step(steps - 1)
+    before = simulation.velocities
+    simulation.step()
+    forces = simulation.loads.forces
+    moment = simulation.capture()
+    simulation.step()
+    mass = np.array([m.mass for m in scene.masses])[:, None]
+    differences = mass * (simulation.velocities - before) / (2.0 * H)
+    simulation.restore(moment)
+    assert simulation.loads.forces == pytest.approx(forces, rel=1e-9, abs=1e-6), (
+        "as it was, gone back in time"
+    )
+    return simulation, forces, differences
+
+
+def oscillator(**changes: float) -> Scene:
+    """A mass of 2 kg on a spring along x, stretched by 50 px, and an anchor."""
+    return Scene(
+        name="oscillator",
+        masses=(Mass(position=(0.0, 0.0)), Mass(position=(150.0, 0.0), mass=2.0)),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=900.0, rest_length=100.0, **changes),),
+        anchors=(Anchor(mass=0),),
+        gravity=(0.0, 0.0),
+        integrator=Integrator(method="rk4", dt=1e-3),
+    )
+
+
+@pytest.mark.parametrize("law", ["tutorial", "conservative", "angle"])
+@pytest.mark.parametrize("shape", SHAPES)
+def test_forces_are_mass_times_acceleration(shape: str, law: ForceLaw) -> None:
+    _, forces, differences = by_differences(body(shape, law))
+    assert np.abs(differences).max() > 1e3
+    assert forces == pytest.approx(differences, rel=1e-5, abs=1e-5 * np.abs(differences).max())
+
+
+def test_forces_of_walls_wind_and_fillings_are_in_them() -> None:
+    scene = surrounded("all")
+    _, forces, differences = by_differences(scene, steps=100)
+    for part in ("walls", "wind", "fillings"):
+        without = REPLACE(scene, **{part: None if part == "wind" else ()})
+        assert np.abs(Simulation(scene).loads.forces - Simulation(without).loads.forces).max() > 1.0, part
+    assert forces == pytest.approx(differences, rel=1e-4, abs=1e-4 * np.abs(differences).max())
+
+
+def test_forces_of_contact_are_in_them() -> None:
+    scene = crumpled("girder")
+    _, forces, differences = by_differences(scene, steps=20)
+    without = Simulation(REPLACE(scene, contact=None)).loads.forces
+    assert np.abs(Simulation(scene).loads.forces - without).max() > 1e3
+    assert forces == pytest.approx(differences, rel=1e-4, abs=1e-4 * np.abs(differences).max())
+
+
+def test_what_has_yielded_and_broken_pulls_no_more_than_it_does() -> None:
+    simulation, forces, differences = by_differences(with_everything(), steps=3000)
+    damage = simulation.damage
+    assert damage is not None and damage.broken and any(damage.set_lengths)
+    # The masses of what yields are pulled by a changing rest length, which the differences lag behind.
+    assert forces == pytest.approx(differences, rel=1e-3, abs=1e-3 * np.abs(differences).max())
+
+
+def test_a_joint_whose_spring_is_broken_has_no_torque() -> None:
+    scene = body("tree", damping=0.0)
+    springs = (REPLACE(scene.linear_springs[0], strength=1.0), *scene.linear_springs[1:])
+    simulation = Simulation(REPLACE(scene, linear_springs=springs))
+    assert np.abs(simulation.loads.torques).min() > 0.0
+    simulation.step(400)
+    assert simulation.damage is not None and simulation.damage.broken == (0,)
+    loose = np.array([0 in (joint.a, joint.b) for joint in scene.angular_springs])
+    assert loose.any() and not loose.all()
+    assert (simulation.loads.torques[loose] == 0.0).all()
+    assert np.abs(simulation.loads.torques[~loose]).min() > 0.0
+
+
+def test_a_mass_on_a_spring_is_pulled_as_its_closed_form_says() -> None:
+    k, m, c, x0 = 900.0, 2.0, 6.0, 50.0
+    scene = oscillator(damping=c)
+    simulation = Simulation(scene)
+    decay = c / (2.0 * m)
+    omega = math.sqrt(k / m - decay**2)
+    for t in (0.0, 0.05, 0.31):
+        simulation.step(round((t - simulation.time) / 1e-3))
+        fade, phase = math.exp(-decay * t), omega * t
+        x = x0 * fade * (math.cos(phase) + decay / omega * math.sin(phase))
+        v = -x0 * fade * (decay**2 + omega**2) / omega * math.sin(phase)
+        support, force = simulation.loads.forces
+        assert force == pytest.approx((-k * x - c * v, 0.0), rel=1e-6, abs=1e-3)
+        assert support == pytest.approx(-force, rel=1e-12), "the anchor bears what the spring pulls with"
+
+
+def test_supports_bear_the_weight_of_a_body_at_rest() -> None:
+    scene = sim.load_scene("cloth")
+    simulation = Simulation(REPLACE(scene, pose=sim.equilibrium(scene)))
+    forces, held = simulation.loads.forces, [anchor.mass for anchor in scene.anchors]
+    weight = sum(m.mass for m in scene.masses) * np.array(scene.gravity)
+    assert forces[held].sum(axis=0) == pytest.approx(weight, rel=1e-6, abs=1e-6 * np.abs(weight).max())
+    assert np.abs(np.delete(forces, held, axis=0)).max() < 1e-5 * np.abs(weight).max()
+
+
+def test_a_hand_bears_what_hangs_on_it() -> None:
+    scene = REPLACE(oscillator(damping=50.0), gravity=(0.0, 500.0), air_friction=1.0)
+    simulation = Simulation(scene)
+    simulation.step(20)
+    simulation.grab(1)
+    x, y = simulation.positions[1]
+    pull = 900.0 * (1.0 - 100.0 / math.hypot(x, y))
+    # It is at rest in the hand: neither damping nor air has anything to do with it.
+    assert simulation.loads.forces[1] == pytest.approx((-pull * x, 1000.0 - pull * y))
+
+
+@pytest.mark.parametrize("law", ["tutorial", "conservative", "angle"])
+def test_torques_are_those_of_the_law(law: ForceLaw) -> None:
+    """Of a joint bent by 40° from its rest angle, whose second spring turns at 3 rad/s."""
+    v, rest, stiffness, damping, spin = math.radians(60.0), math.radians(20.0), 500.0, 7.0, 3.0
+    one, other = 30.0, 70.0
+    tip = np.array((other * math.cos(v), other * math.sin(v)))
+    scene = Scene(
+        name="joint",
+        masses=(
+            Mass(position=(-one, 0.0)),
+            Mass(position=(0.0, 0.0)),
+            Mass(position=(tip[0], tip[1]), velocity=(-spin * tip[1], spin * tip[0])),
+        ),
+        linear_springs=(
+            LinearSpring(a=0, b=1, stiffness=0.0, rest_length=one),
+            LinearSpring(a=1, b=2, stiffness=0.0, rest_length=other),
+        ),
+        angular_springs=(AngularSpring(a=0, b=1, stiffness=stiffness, damping=damping, rest_angle=20.0),),
+        gravity=(0.0, 0.0),
+        force_law=law,
+        integrator=Integrator(method="rk4", dt=1e-4),
+    )
+    loads = Simulation(scene).loads
+    size = v - rest if law == "angle" else math.sin(v - rest)
+    wanted = -one * other * (stiffness * size + damping * spin)
+    assert loads.torques == pytest.approx([wanted])
+    # The torque is what turns the second spring about the tip.
+    x, y = loads.forces[2]
+    assert tip[0] * y - tip[1] * x == pytest.approx(wanted)
+
+
+def test_a_mass_that_is_led_in_a_circle_has_no_inertia_in_what_its_support_bears() -> None:
+    circle = (Anchor(mass=0, circle=Circle(radius=50.0, frequency=1.0)),)
+    simulation = Simulation(REPLACE(oscillator(), anchors=circle))
+    simulation.step(100)
+    support, force = simulation.loads.forces
+    assert np.abs(force).max() > 1e3
+    assert support == pytest.approx(-force), "only the spring pulls at it"
