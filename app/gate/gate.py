@@ -79,7 +79,7 @@ EXTRA_FRAME_BURST = 2000.0
 # Frames that wait for viser in memory; four upload parts of half a mebibyte keep an upload going.
 MAX_QUEUED_FRAMES = 4
 
-PAGE_PATHS = ("/", "/index.html")
+PAGE_PATHS = ("/", "/index.html", "/s")
 
 
 @dataclasses.dataclass(frozen=True)

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import viser
 
-from ..gate.gate import GateError, StaticFile
+from ..gate.gate import PAGE_PATHS, GateError, StaticFile
 
 _FOLDER = Path(__file__).parent / "static"
 _TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
 _FOREVER = "public, max-age=31536000, immutable"
-_STYLES = ("page.css", "overlay.css", "dock.css", "looks.css")  # later ones win
+_STYLES = ("page.css", "overlay.css", "dock.css", "dialogs.css", "looks.css")  # later ones win
 _TITLE = "<title>Viser</title>"
 _VISERS_SCRIPT = {
     "<script data-p=": '<script type="module" data-p=',
@@ -39,7 +39,7 @@ def page_files() -> dict[str, StaticFile]:
         for name, text in sources.items()
     }
     index = StaticFile(gzip.compress(_index(folder).encode(), mtime=0), "text/html", "no-cache")
-    return {**files, "/": index, "/index.html": index}
+    return {**files, **dict.fromkeys(PAGE_PATHS, index)}
 
 
 def _index(folder: str) -> str:

@@ -35,13 +35,18 @@ class FilesPanel:
         client: the page.
         session: its simulation.
         notify: tells the user something.
+        share: has the page offer a link to the scene.
 
     Attributes:
         outlined: buttons that are not the first thing to press.
     """
 
     def __init__(
-        self, client: viser.ClientHandle, session: Session, notify: Callable[[Notice], None]
+        self,
+        client: viser.ClientHandle,
+        session: Session,
+        notify: Callable[[Notice], None],
+        share: Callable[[], None],
     ) -> None:
         self._client = client
         self._session = session
@@ -56,18 +61,20 @@ class FilesPanel:
         self._load_button = load = gui.add_button("Load", icon=viser.Icon.FOLDER_OPEN)
         self._delete_button = delete = gui.add_button("Delete", icon=viser.Icon.TRASH, color="red")
         gui.add_divider()
+        link = gui.add_button("Share by a link", icon=viser.Icon.LINK, color="gray")
         download = gui.add_button("Download as a file", icon=viser.Icon.DOWNLOAD, color="gray")
         save_log = gui.add_button("Save a log", icon=viser.Icon.HISTORY, color="gray")
         upload = gui.add_upload_button(
             "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json,.jsonl"
         )
         gui.add_html(ABOUT_LOGS)
-        self.outlined = [load, delete, download, save_log, upload]
+        self.outlined = [load, delete, link, download, save_log, upload]
         self.refresh()
         for button, action in (
             (save, self._save),
             (load, self._load),
             (delete, self._ask),
+            (link, share),
             (download, self._download),
             (save_log, self._save_log),
         ):

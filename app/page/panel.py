@@ -66,7 +66,7 @@ class Panel:
         session: its simulation.
         scenes: for the chooser, names by their labels.
         act: what the tab does beyond the session's commands: "open" a scene by its name, "notice", "theme",
-            "gizmos", "fit", "follow", "energy", "anew", "help".
+            "gizmos", "fit", "follow", "energy", "anew", "share", "help".
 
     Attributes:
         outlined: buttons that are not the first thing to press in their tab.
@@ -204,6 +204,7 @@ class Panel:
             ("Show the whole scene", "0", "fit"),
             ("Energy: follow it, or stop", "", "energy"),
             ("Open this scene anew", "", "anew"),
+            ("Share this scene by a link", "", "share"),
             ("The body's own values", "", commands.OwnValues("body")),
             ("The solver's own values", "", commands.OwnValues("solver")),
             ("Every spring longer, shorter", "↑ ↓, held", "help"),

@@ -6,9 +6,11 @@ viser's event loop or in its pool, only post commands and requests.
 
 from __future__ import annotations
 
+import logging
 import time
 from collections import deque
-from concurrent.futures import Future
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any, Literal, Protocol
 
 import numpy as np
@@ -22,12 +24,15 @@ from sim.scene.types import is_surrounded
 from ..session import commands
 from ..session.pacing import is_large
 from ..session.session import Notice, Session
-from . import keeping, readouts, script, shelf
+from . import keeping, mail, readouts, script, shelf
 from .drawing import Mapping
 from .files_panel import FilesPanel
 from .panel import Panel, set_theme
 from .plan import Picture, broken_of
+from .sharing import Sharing
 from .view import Canvas, Touch
+
+_log = logging.getLogger(__name__)
 
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
@@ -41,7 +46,22 @@ SHELF_EVERY = 0.3
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
+_beside = ThreadPoolExecutor(2, thread_name_prefix="softrod-beside")
+"""For what pages ask for and the event loop must not wait for: scenes that are read, packed and painted."""
+
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
+
+
+def in_thread(work: Callable[..., None], *arguments: Any) -> None:
+    """Have something done soon, in another thread."""
+
+    def do() -> None:
+        try:
+            work(*arguments)
+        except Exception:  # a defect, or a page that went away meanwhile
+            _log.exception("a request of a page failed")
+
+    _beside.submit(do)
 
 
 class Submit(Protocol):
@@ -69,7 +89,7 @@ class Tab:
         self._generation = -1
         self._fits = 0
         self._planned = -1
-        self._parts = keeping.Parts()
+        self._parts = {"resume": keeping.Parts(), "link": keeping.Parts()}
         self._kept: tuple[Any, ...] = ()
         self._shelf = shelf.stamp()
         self._shelf_due = 0.0
@@ -85,6 +105,7 @@ class Tab:
         self._all_ready = False
         self._first = scene
         self._view = Canvas(client, self._touched)
+        self._mail = mail.Mail(client)
         self._session: Session | None = None
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
@@ -98,6 +119,8 @@ class Tab:
             self._open(argument)
         elif what == "notice":
             self.notify(argument)
+        elif what == "share":
+            self._sharing.offer()
         else:
             self._requests.append((what, argument))
 
@@ -159,9 +182,10 @@ class Tab:
 
     def _begin(self, session: Session) -> Session:
         """The panel, which is made after the first picture has been sent."""
+        self._sharing = Sharing(session, self._mail, self.notify)
         self._panel = Panel(self.client, session, shelf.labels(self._first.name), self.request)
         with self._panel.files_tab:
-            self._files = FilesPanel(self.client, session, self.notify)
+            self._files = FilesPanel(self.client, session, self.notify, self._sharing.offer)
         self._panel.outlined += self._files.outlined
 
         @self._panel.channel.on_update
@@ -170,7 +194,10 @@ class Tab:
                 return
             value = self._panel.channel.value
             if part := script.parse_part(value):
-                self._resume(session, *part)
+                self._take_part(session, part)
+                return
+            if ask := mail.parse_ask(value):
+                in_thread(self._answer, ask)
                 return
             match script.parse(value, self._mapping):
                 case None:
@@ -277,8 +304,21 @@ class Tab:
         self._kept = state
         self._keep_due = now + max(KEEP_EVERY, (time.perf_counter() - began) / KEEP_SHARE)
 
-    def _resume(self, session: Session, number: int, of: int, letters: str) -> None:
-        kept = self._parts.add(number, of, letters)
+    def _take_part(self, session: Session, part: script.Part) -> None:
+        letters = self._parts[part.kind].add(part.number, part.of, part.letters)
+        if letters is not None and part.kind == "link":
+            in_thread(self._sharing.open, letters)
+        elif letters is not None:
+            self._resume(session, letters)
+
+    def _answer(self, ask: mail.Ask) -> None:
+        """Do what the page's script asks for, in a thread of its own."""
+        match ask:
+            case mail.Share():
+                self._sharing.share(ask)
+
+    def _resume(self, session: Session, letters: str) -> None:
+        kept = keeping.decode(letters)
         if kept is None:
             return
         self.request("gizmos", kept.gizmos)

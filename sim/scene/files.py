@@ -19,6 +19,7 @@ import msgspec
 import platformdirs
 
 from ..errors import SceneError
+from .link import link_data, unpack
 from .places import line_and_column, place_of
 from .sentences import sentence
 from .types import BODY_FIELDS, FORMAT_VERSION, Scene
@@ -172,6 +173,15 @@ def _with_present_method(raw: dict[str, Any]) -> dict[str, Any]:
     return raw
 
 
+def decode_link(data: str) -> Scene:
+    """The scene in the data of a link, see `sim.scene.link`.
+
+    Raises:
+        SceneError: one sentence that says what is wrong.
+    """
+    return decode_scene(unpack(data, MAX_FILE_BYTES), "the link", places=False)
+
+
 # ------------------------------------------------------------------------- files
 def read_scene(path: Path) -> Scene:
     """The scene in a file.
@@ -191,12 +201,14 @@ def read_scene(path: Path) -> Scene:
 
 
 def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
-    """A scene by its name (a built-in preset, or one saved in the page) or by its file's path.
+    """A scene by its name (a built-in preset, or one saved in the page), its file's path, or a link to it.
 
     Raises:
         SceneError: there is none, or it is not valid.
     """
     text = os.fspath(name_or_path)
+    if (data := link_data(text)) is not None:
+        return decode_link(data)
     path = Path(text)
     if path.suffix == ".json" or path.name != text:
         return read_scene(path)

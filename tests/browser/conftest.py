@@ -110,7 +110,9 @@ def open_page(browser: Browser, serve: Serve, request: pytest.FixtureRequest) ->
     """Opens pages, each in a browser profile of its own, and looks after the test whether they had errors."""
     desks: list[Desk] = []
 
-    def open_one(scene: str = "tutorial-3.3", size: tuple[int, int] = DESKTOP, phone: bool = False) -> Desk:
+    def open_one(
+        scene: str = "tutorial-3.3", size: tuple[int, int] = DESKTOP, phone: bool = False, path: str = "/"
+    ) -> Desk:
         context = browser.new_context(
             viewport={"width": size[0], "height": size[1]},
             has_touch=phone,
@@ -120,7 +122,7 @@ def open_page(browser: Browser, serve: Serve, request: pytest.FixtureRequest) ->
         context.set_default_timeout(20_000)
         desk = Desk(serve(scene), context)
         desks.append(desk)
-        desk.open()
+        desk.open(path)
         return desk
 
     yield open_one

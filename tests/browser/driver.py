@@ -136,7 +136,9 @@ class Desk:
         self._client = -1
         # Without it viser's page draws coarser when it is slow, and pixels would depend on the machine. The
         # gate turns a query away, so the page only believes that it has one.
-        self.page.add_init_script("history.replaceState(null, '', '?fixedDpr=' + devicePixelRatio)")
+        self.page.add_init_script(
+            "history.replaceState(null, '', '?fixedDpr=' + devicePixelRatio + location.hash)"
+        )
         self.page.on("console", self._hear)
         self.page.on("pageerror", lambda error: self.errors.append(f"uncaught: {error}"))
         self.page.on("websocket", lambda socket: socket.on("framereceived", lambda _: self._count()))
@@ -152,10 +154,10 @@ class Desk:
         self.frames += 1
 
     # --------------------------------------------------------------------- opening
-    def open(self) -> None:
+    def open(self, path: str = "/") -> None:
         """Go to the page (or load it again), and wait until the body is drawn and can be used."""
         known = max([*self.served.ticker.tabs, self._client])
-        self.page.goto(self.served.url)
+        self.page.goto(self.served.url + path)
         new = self.until(lambda: [c for c in list(self.served.ticker.tabs) if c > known], "the page connects")
         self._client = new[0]
         self.until(lambda: self.tab._session is not None, "the tab has its session")

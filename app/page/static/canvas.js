@@ -12,6 +12,7 @@
 import * as draw from "./draw.js";
 import { Glide } from "./glide.js";
 import { keep } from "./keep.js";
+import { isMail, open } from "./mail.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "./plan.js";
 
 const PLAN = "/softrod/plan";
@@ -137,6 +138,8 @@ export function drawBody(viser, heard) {
     const { name = "", props, updates } = message;
     if (name === PLAN || name === FRAME || name === DAMAGE) {
       take(name, props?.points ?? updates?.points);
+    } else if (isMail(name)) {
+      open(name, updates?.colors);
     } else if (name === KEEPSAKE) {
       if (updates?.colors) keep(updates.colors);
     } else {

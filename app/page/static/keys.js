@@ -45,7 +45,7 @@ const isSlider = (target) =>
 /** While the body has the focus, body_keys.js takes arrows and Space. @param {KeyboardEvent} event */
 const isForBody = ({ target, code, key }) =>
   target instanceof HTMLElement && target.classList.contains("softrod-body") && (key in ARROWS || code === "Space");
-const dialogIsOpen = () => document.querySelector('[role="dialog"]') !== null;
+const dialogIsOpen = () => document.querySelector('[role="dialog"], dialog[open]') !== null;
 /** Nobody else is to act on it. @param {Event} event */
 const swallow = (event) => {
   event.preventDefault();

@@ -9,6 +9,7 @@ import { mindDialogs } from "./dialogs.js";
 import { showHud } from "./hud.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
+import { listenToLinks, openLink, takeLink } from "./links.js";
 import { restoreLooks } from "./looks.js";
 import { nameControls } from "./names.js";
 import { quietNotices } from "./notices.js";
@@ -16,6 +17,7 @@ import { mindNumbers } from "./numbers.js";
 import { addOverlay } from "./overlay.js";
 import { listenToPointer } from "./pointer.js";
 import { addHeading } from "./paper.js";
+import { addShareDialog } from "./share.js";
 import { addUnderlay } from "./underlay.js";
 import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
@@ -33,6 +35,7 @@ function complain(text) {
 }
 
 const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
+takeLink();
 const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
 watchConnection(showConnection());
 whenViser((viser) => {
@@ -47,9 +50,11 @@ whenViser((viser) => {
   listenToKeys();
   mindNumbers();
   listenToPointer();
-  resume();
+  resume(openLink);
+  listenToLinks();
   restoreLooks();
   addTransport();
+  addShareDialog();
   addOverlay();
   addUnderlay();
   addHeading();
