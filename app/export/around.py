@@ -1,4 +1,4 @@
-"""What surrounds a body in a picture, as lines and polygons in pixels, as static/around.js has it in the page.
+"""What surrounds a body in a picture, as lines and polygons in pixels; as static/around.js has it in a page.
 
 Points are (k, 2) arrays, y downwards. Distances that are pixels in the page go by `Window.unit`.
 """

@@ -64,7 +64,7 @@ def springs(sketch: Sketch, picture: Picture) -> Instances:
         widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), 0.5, 1.2)
     whole = _whole(len(rest), broken_of(picture.damage))
     colors = _colored(strain_colors(sketch), strain)
-    return Instances(*(part[whole] for part in (start, angles, lengths, widths, colors)))
+    return Instances(start[whole], angles[whole], lengths[whole], widths[whole], colors[whole])
 
 
 def ghost(sketch: Sketch, picture: Picture) -> Instances:

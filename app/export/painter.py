@@ -155,7 +155,7 @@ class _Pen:
         self._window = window
         width, height = window.size
         # At 72 points an inch a point is a pixel.
-        self._renderer = RendererAgg(width, height, 72)
+        self._renderer: Any = RendererAgg(width, height, 72)  # its types say less than it takes
         if pixels is not None:
             self._pixels()[:] = pixels
 
@@ -214,7 +214,8 @@ class _Pen:
         moves = self._moves(parts)
         paths, colors = [shape], parts.colors
         if together > 1:
-            corners = np.einsum("kij,cj->kci", moves[:, :2, :2], shape.vertices) + moves[:, None, :2, 2]
+            mesh_corners = np.asarray(shape.vertices, float)
+            corners = np.einsum("kij,cj->kci", moves[:, :2, :2], mesh_corners) + moves[:, None, :2, 2]
             corners = corners.reshape(count // together, -1, 2)
             codes = np.tile(shape.codes, together)  # type: ignore[arg-type]
             paths = [Path(vertices, codes) for vertices in corners]
