@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import msgspec
 import numpy as np
@@ -30,7 +30,27 @@ class Share(Ask, frozen=True):
     origin: Annotated[str, Meta(pattern=r"^https?://[A-Za-z0-9.\[\]:-]{1,250}$")]
 
 
-_decode = msgspec.json.Decoder(Share).decode
+class Scenes(Ask, frozen=True):
+    """All scenes, and pictures of the user's own."""
+
+    dark: bool
+
+
+class OpenScene(Ask, frozen=True, tag="open"):
+    """Open a scene by its name."""
+
+    name: _SceneName
+
+
+class Change(Ask, frozen=True):
+    """Do something with one of the user's own scenes; `name` is that of a deleted one for "restore"."""
+
+    how: Literal["rename", "duplicate", "delete", "restore"]
+    name: _SceneName
+    to: Annotated[str, Meta(max_length=200)] = ""
+
+
+_decode = msgspec.json.Decoder(Share | Scenes | OpenScene | Change).decode
 
 
 def parse_ask(message: object) -> Ask | None:

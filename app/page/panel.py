@@ -64,9 +64,8 @@ class Panel:
     Args:
         client: the page.
         session: its simulation.
-        scenes: for the chooser, names by their labels.
-        act: what the tab does beyond the session's commands: "open" a scene by its name, "notice", "theme",
-            "gizmos", "fit", "follow", "energy", "anew", "share", "help".
+        act: what the tab does beyond the session's commands: "gallery", "notice", "theme", "gizmos", "fit",
+            "follow", "energy", "anew", "share", "help".
 
     Attributes:
         outlined: buttons that are not the first thing to press in their tab.
@@ -76,13 +75,11 @@ class Panel:
         self,
         client: viser.ClientHandle,
         session: Session,
-        scenes: dict[str, str],
         act: Callable[[str, Any], None],
     ) -> None:
         self._client = client
         self._session = session
         self._act = act
-        self._scenes = scenes
         self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
         self._applicable: list[Setting] | None = None
@@ -122,8 +119,9 @@ class Panel:
     def _build_play(self) -> None:
         gui, post = self._client.gui, self._session.post
         with self._play_tab:
-            self.chooser = gui.add_dropdown("Scene", tuple(self._scenes), order=1)
-            # Choosing the scene that is shown once more does nothing in viser.
+            self.chooser = gui.add_button(
+                "Scene", icon=viser.Icon.LAYOUT_GRID, hint="choose another scene (key G)", order=1
+            )
             anew = self._anew = gui.add_button(
                 "Open anew", icon=viser.Icon.REFRESH, hint="open this scene anew", order=1.5
             )
@@ -133,14 +131,11 @@ class Panel:
             self._readout = gui.add_html("", order=LAST + 1)
             self._pad = gui.add_html(readouts.PAD, visible=False, order=LAST + 2)
             help_button = gui.add_button("Help", icon=viser.Icon.HELP, color="gray", order=LAST + 3)
-        self.outlined += [anew, help_button]
+        self.outlined += [self.chooser, anew, help_button]
 
-        @self.chooser.on_update
-        def _(event: viser.GuiEvent[Any]) -> None:
-            # Not on the event loop: a large scene takes a second to read.
-            name = self._scenes.get(self.chooser.value)
-            if event.client_id is not None and name is not None:
-                self._act("open", name)
+        @self.chooser.on_click
+        async def _(_: object) -> None:
+            self._act("gallery", None)
 
         @anew.on_click
         async def _(_: object) -> None:
@@ -204,6 +199,7 @@ class Panel:
             ("Show the whole scene", "0", "fit"),
             ("Energy: follow it, or stop", "", "energy"),
             ("Open this scene anew", "", "anew"),
+            ("Choose another scene", "G", "gallery"),
             ("Share this scene by a link", "", "share"),
             ("The body's own values", "", commands.OwnValues("body")),
             ("The solver's own values", "", commands.OwnValues("solver")),
@@ -222,13 +218,13 @@ class Panel:
                     self._session.post(what)
 
     # --------------------------------------------------------------------- what a scene needs
-    def build(self, name: str) -> None:
+    def build(self) -> None:
         """Put up the controls that the session's scene has a use for.
 
         Those that stay are kept: their user may be in the middle of moving one.
         """
         scene, gui = self._session.scene, self._client.gui
-        self._show_choice(name)
+        self.chooser.label = scene.title or scene.name
         self._about.content = readouts.description(scene)
         self._pad.visible = scene.arrow_keys is not None
         self._follow.visible = self._session.driven is not None
@@ -293,18 +289,6 @@ class Panel:
                 self._session.post(commands.SetValue("template", float(choice.value.rstrip("°"))))
 
     # --------------------------------------------------------------------- what changes
-    def set_scenes(self, scenes: dict[str, str], present: str) -> None:
-        """Offer other scenes in the chooser: names by their labels."""
-        self._scenes = scenes
-        if self.chooser.options != tuple(scenes):
-            self.chooser.options = tuple(scenes)
-        self._show_choice(present)
-
-    def _show_choice(self, name: str) -> None:
-        label = next((label for label, other in self._scenes.items() if other == name), None)
-        if label is not None and self.chooser.value != label:
-            self.chooser.value = label
-
     @property
     def unsettled(self) -> bool:
         """Whether a control shows what is not set."""

@@ -27,6 +27,7 @@ from ..session.session import Notice, Session
 from . import keeping, mail, readouts, script, shelf
 from .drawing import Mapping
 from .files_panel import FilesPanel
+from .gallery import Gallery
 from .panel import Panel, set_theme
 from .plan import Picture, broken_of
 from .sharing import Sharing
@@ -114,13 +115,13 @@ class Tab:
 
     # --------------------------------------------------------------------- handlers, any thread
     def request(self, what: str, argument: Any) -> None:
-        """Ask the ticker for something that is not the session's; scenes are read at once."""
-        if what == "open":
-            self._open(argument)
-        elif what == "notice":
+        """Ask for something that is not the session's: of the ticker, but for what the page's script does."""
+        if what == "notice":
             self.notify(argument)
         elif what == "share":
             self._sharing.offer()
+        elif what == "gallery":
+            self._gallery.offer()
         else:
             self._requests.append((what, argument))
 
@@ -160,7 +161,7 @@ class Tab:
                 return
             session = self._begin(Session(self._first, wait=False))
         else:
-            self._look_at_shelf(session)
+            self._look_at_shelf(session.now())
             self._serve_requests(session)
             self._prepare(session)
             if session.heavy:
@@ -183,7 +184,8 @@ class Tab:
     def _begin(self, session: Session) -> Session:
         """The panel, which is made after the first picture has been sent."""
         self._sharing = Sharing(session, self._mail, self.notify)
-        self._panel = Panel(self.client, session, shelf.labels(self._first.name), self.request)
+        self._gallery = Gallery(session, self._mail, self.notify)
+        self._panel = Panel(self.client, session, self.request)
         with self._panel.files_tab:
             self._files = FilesPanel(self.client, session, self.notify, self._sharing.offer)
         self._panel.outlined += self._files.outlined
@@ -234,11 +236,9 @@ class Tab:
 
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
-        scene = session.scene
         self._plan(session)
         self._view.show_gizmos(self._gizmos)
-        self._panel.build(scene.name)
-        self._panel.set_scenes(shelf.labels(scene.name), scene.name)
+        self._panel.build()
         self._panel.set_style(self._dark)
         self._moved_at = session.now()
         self._generation = session.generation
@@ -316,6 +316,12 @@ class Tab:
         match ask:
             case mail.Share():
                 self._sharing.share(ask)
+            case mail.Scenes():
+                self._gallery.list(ask)
+            case mail.OpenScene():
+                self._gallery.open(ask)
+            case mail.Change():
+                self._gallery.change(ask)
 
     def _resume(self, session: Session, letters: str) -> None:
         kept = keeping.decode(letters)
@@ -326,16 +332,14 @@ class Tab:
             self.request("theme", True)
         session.post(commands.Resume(bytes(kept.session)))
 
-    def _look_at_shelf(self, session: Session) -> None:
-        now = session.now()
+    def _look_at_shelf(self, now: float) -> None:
         if now < self._shelf_due:
             return
         self._shelf_due = now + SHELF_EVERY
         stamp = shelf.stamp()
         if stamp != self._shelf:
             self._shelf = stamp
-            self._files.refresh()
-            self.request("scenes", None)
+            self._gallery.changed()
 
     def _serve_requests(self, session: Session) -> None:
         while self._requests:
@@ -363,21 +367,8 @@ class Tab:
                 if joint is not None:
                     session.post(commands.SelectJoint(joint))
                     session.revision += 1
-            elif what == "scenes":
-                self._panel.set_scenes(shelf.labels(session.scene.name), session.scene.name)
             elif what == "help":
                 self._help()
-
-    def _open(self, name: str) -> None:
-        """Read a scene, in the handler's thread."""
-        try:
-            scene = sim.load_scene(name)
-        except sim.SceneError as error:
-            self.notify(Notice("error", "That scene cannot be opened", str(error)))
-            self.request("scenes", None)
-            return
-        if self._session is not None:
-            self._session.post(commands.Open(scene))
 
     def _help(self) -> None:
         with self.client.gui.add_modal("How to use softrod") as modal:

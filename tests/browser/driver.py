@@ -17,7 +17,6 @@ import numpy as np
 from numpy.typing import NDArray
 from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page
 
-from app.page import shelf
 from app.page.tab import Tab
 from app.server.ticker import Ticker
 from app.session.commands import Command
@@ -367,11 +366,26 @@ class Desk:
         box.press("Enter")
 
     def choose(self, name: str, option: str) -> None:
-        """Choose from a dropdown; a scene by its name."""
-        if name == "Scene":
-            option = next(label for label, scene in shelf.labels("").items() if scene == option)
+        """Choose from a dropdown."""
         self.control(name).click()
         self.page.get_by_role("option", name=option, exact=True).and_(self.page.locator(":visible")).click()
+
+    def gallery(self) -> Locator:
+        """Open the gallery, and wait until its cards are there."""
+        self.page.keyboard.press("g")
+        dialog = self.page.get_by_role("dialog", name="Scenes")
+        dialog.locator(".softrod-card").first.wait_for()
+        return dialog
+
+    def card(self, name: str) -> Locator:
+        """The card of a scene in the gallery, which is open."""
+        return self.page.locator(f'.softrod-card[data-name="{name}"]')
+
+    def open_scene(self, name: str) -> None:
+        """Open a scene from the gallery, and wait until it is there."""
+        self.gallery()
+        self.card(name).locator(".softrod-open").click()
+        self.until(lambda: self.session.scene.name == name, f"{name} is opened")
 
     def button(self, name: str) -> Locator:
         """A button that can be seen."""

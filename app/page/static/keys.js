@@ -16,6 +16,7 @@ const ONCE = {
   KeyJ: "second",
   KeyP: "project",
   Escape: "pause",
+  KeyG: "gallery",
   Digit0: "fit",
   Comma: "back",
   Period: "forward",
@@ -31,6 +32,7 @@ const REPEAT = 150;
 
 /** @type {Set<string>} */
 const held = new Set();
+let openGallery = () => {};
 
 /** @param {EventTarget | null} target */
 const isTyping = (target) =>
@@ -112,6 +114,7 @@ function press(event) {
   if (event.repeat && !REPEATED.has(once)) return;
   if (once === "fit") fit(true);
   else if (once === "project") toggleProjector();
+  else if (once === "gallery") openGallery();
   else if (once === "step") send("do", event.shiftKey ? "steps" : nextStep());
   else send("do", once);
 }
@@ -161,7 +164,7 @@ function listenToPad() {
   document.addEventListener("contextmenu", (event) => padKey(event) && event.preventDefault());
 }
 
-/** Once a scene is chosen, keys act on it and not on the box that it was chosen from. */
+/** Once something is chosen from a box, keys act on the scene and not on the box. */
 function leaveChooser() {
   let scene = told().scene;
   onTold(() => {
@@ -172,8 +175,9 @@ function leaveChooser() {
   });
 }
 
-/** Begins to listen. */
-export function listenToKeys() {
+/** Begins to listen. @param {() => void} gallery opens it */
+export function listenToKeys(gallery) {
+  openGallery = gallery;
   leaveChooser();
   window.addEventListener("keydown", press, true);
   window.addEventListener(

@@ -6,6 +6,7 @@ import { drawBody, shown } from "./canvas.js";
 import { hear } from "./channel.js";
 import { showConnection, watchConnection } from "./connection.js";
 import { mindDialogs } from "./dialogs.js";
+import { addGallery } from "./gallery.js";
 import { showHud } from "./hud.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
@@ -47,7 +48,7 @@ whenViser((viser) => {
   drawBody(viser, [hear, showHud]);
   keepFlat();
   mindDialogs();
-  listenToKeys();
+  listenToKeys(addGallery());
   mindNumbers();
   listenToPointer();
   resume(openLink);
