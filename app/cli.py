@@ -22,6 +22,7 @@ from sim.scene.files import read_scene
 from . import headless
 from .command import Settings, fail, scene_of
 from .linking import Link
+from .page.controls import of_scene
 from .session.log import Log
 from .sweep.measures import MEASURES, parse_measures
 
@@ -165,6 +166,9 @@ class Check:
         for path in self.files:
             try:
                 scene = read_scene(path)
+                of_scene(scene)
+            except InputError as error:
+                failed = fail(f"{path}: {error}")
             except ValueError as error:
                 failed = fail(error)
             else:

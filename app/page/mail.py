@@ -30,6 +30,12 @@ class Share(Ask, frozen=True):
     origin: Annotated[str, Meta(pattern=r"^https?://[A-Za-z0-9.\[\]:-]{1,250}$")]
 
 
+class Offer(Ask, frozen=True):
+    """Have the page open one of its dialogs, if it has the control for it."""
+
+    what: Literal["gallery"]
+
+
 class Scenes(Ask, frozen=True):
     """All scenes, and pictures of the user's own."""
 
@@ -50,7 +56,7 @@ class Change(Ask, frozen=True):
     to: Annotated[str, Meta(max_length=200)] = ""
 
 
-_decode = msgspec.json.Decoder(Share | Scenes | OpenScene | Change).decode
+_decode = msgspec.json.Decoder(Share | Offer | Scenes | OpenScene | Change).decode
 
 
 def parse_ask(message: object) -> Ask | None:

@@ -18,13 +18,15 @@ import viser
 
 import sim
 from sim.compiling.compiler import Compiler, needed_by
+from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.types import is_surrounded
 
 from ..session import commands
 from ..session.pacing import is_large
 from ..session.session import Notice, Session
-from . import keeping, mail, readouts, script, shelf
+from . import controls, keeping, mail, readouts, script, shelf
+from .controls import Controls
 from .drawing import Mapping
 from .files_panel import FilesPanel
 from .gallery import Gallery
@@ -78,9 +80,12 @@ class Tab:
         client: viser's handle of it.
         scene: what it shows first.
         compiler: makes kernels ready in the background.
+        query: of the page's address, which may say which controls there are.
     """
 
-    def __init__(self, client: viser.ClientHandle, scene: sim.Scene, compiler: Compiler) -> None:
+    def __init__(
+        self, client: viser.ClientHandle, scene: sim.Scene, compiler: Compiler, query: str = ""
+    ) -> None:
         self.client = client
         self._compiler = compiler
         self._requests: deque[tuple[str, Any]] = deque(maxlen=100)
@@ -107,6 +112,8 @@ class Tab:
         self._first = scene
         self._view = Canvas(client, self._touched)
         self._mail = mail.Mail(client)
+        self._asked_controls = self._checked(controls.of_query, query)
+        self._controls = controls.ALL
         self._session: Session | None = None
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
@@ -182,13 +189,33 @@ class Tab:
         session.tick(budget)
 
     def _begin(self, session: Session) -> Session:
-        """The panel, which is made after the first picture has been sent."""
+        """What is made after the first picture has been sent."""
         self._sharing = Sharing(session, self._mail, self.notify)
         self._gallery = Gallery(session, self._mail, self.notify)
-        self._panel = Panel(self.client, session, self.request)
-        with self._panel.files_tab:
-            self._files = FilesPanel(self.client, session, self.notify, self._sharing.offer)
-        self._panel.outlined += self._files.outlined
+        self._controls = self._wanted_controls(session.scene)
+        self._make_panel(session)
+        self._session = session
+        return session
+
+    def _wanted_controls(self, scene: sim.Scene) -> Controls:
+        """Those that the page's address names, or else the scene."""
+        return self._asked_controls or self._checked(controls.of_scene, scene) or controls.ALL
+
+    def _checked(self, find: Callable[[Any], Controls | None], source: Any) -> Controls | None:
+        """The controls that are found; if one of them is none, its user is told, and all are there."""
+        try:
+            return find(source)
+        except InputError as error:
+            self.notify(Notice("error", "All controls are shown", str(error)))
+            return None
+
+    def _make_panel(self, session: Session) -> None:
+        """The panel, with the controls that there are."""
+        self._panel = Panel(self.client, session, self.request, self._controls)
+        if self._panel.files_tab is not None:
+            with self._panel.files_tab:
+                files = FilesPanel(self.client, session, self.notify, self._sharing.offer)
+            self._panel.outlined += files.outlined
 
         @self._panel.channel.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -210,9 +237,6 @@ class Tab:
                     self.request("joint", mass)
                 case command:
                     session.post(command)
-
-        self._session = session
-        return session
 
     def _prepare(self, session: Session) -> None:
         """Have compiled first what the session waits for, and say what it is and how far it is."""
@@ -238,6 +262,14 @@ class Tab:
         """Another body: other nodes and other controls."""
         self._plan(session)
         self._view.show_gizmos(self._gizmos)
+        wanted = self._wanted_controls(session.scene)
+        if wanted != self._controls:
+            if wanted.in_panel and not self._controls.in_panel:
+                self.client.gui.main_panel.expand()
+            self._controls = wanted
+            self.client.gui.reset()
+            self._make_panel(session)
+            self._panel.show_looks(self._dark, self._gizmos)
         self._panel.build()
         self._panel.set_style(self._dark)
         self._moved_at = session.now()
@@ -316,6 +348,9 @@ class Tab:
         match ask:
             case mail.Share():
                 self._sharing.share(ask)
+            case mail.Offer():
+                if "chooser" in self._controls:
+                    self._gallery.offer()
             case mail.Scenes():
                 self._gallery.list(ask)
             case mail.OpenScene():

@@ -35,6 +35,14 @@ LIMIT = 20.0
 VISERS = ("Software WebGL", "Uploading ", "Received ")
 """Beginnings of the titles of viser's own notices."""
 
+VISERS_ERRORS = (
+    # At every press on a node that can be dragged.
+    "inside passive event listener",
+    # An update of an element that is taken away in the same batch is applied after that.
+    "Tried to update non-existent component",
+)
+"""Errors of viser 1.1.1 that change nothing."""
+
 _PROJECT = """points => {
   const { camera, canvas, nodeRefFromName } = window.__viserMutable;
   const box = canvas.getBoundingClientRect();
@@ -136,7 +144,8 @@ class Desk:
         # Without it viser's page draws coarser when it is slow, and pixels would depend on the machine. The
         # gate turns a query away, so the page only believes that it has one.
         self.page.add_init_script(
-            "history.replaceState(null, '', '?fixedDpr=' + devicePixelRatio + location.hash)"
+            "history.replaceState(null, '', '?fixedDpr=' + devicePixelRatio"
+            " + location.search.replace('?', '&') + location.hash)"
         )
         self.page.on("console", self._hear)
         self.page.on("pageerror", lambda error: self.errors.append(f"uncaught: {error}"))
@@ -145,8 +154,7 @@ class Desk:
     def _hear(self, message: ConsoleMessage) -> None:
         if "GL_INVALID" in message.text or "WebGL: INVALID" in message.text:
             self.complaints.append(message.text)
-        # The passive listener is viser's own (1.1.1), at every press on a node that can be dragged.
-        elif message.type == "error" and "inside passive event listener" not in message.text:
+        elif message.type == "error" and not any(text in message.text for text in VISERS_ERRORS):
             self.errors.append(message.text)
 
     def _count(self) -> None:
@@ -372,7 +380,7 @@ class Desk:
 
     def gallery(self) -> Locator:
         """Open the gallery, and wait until its cards are there."""
-        self.page.keyboard.press("g")
+        self.page.keyboard.press("o")
         dialog = self.page.get_by_role("dialog", name="Scenes")
         dialog.locator(".softrod-card").first.wait_for()
         return dialog

@@ -46,7 +46,7 @@ export function arrived(key, from, places) {
   return best;
 }
 
-/** Puts up the dialog. @returns {() => void} opens it */
+/** Puts up the dialog, which opens when the server says so. */
 export function addGallery() {
   const { dialog, head, body } = makeDialog("Scenes", "softrod-gallery");
   const search = make("input", "softrod-search");
@@ -256,5 +256,4 @@ export function addGallery() {
     say(text, ...(undo ? [makeButton("Undo", () => ask({ do: "change", how: "restore", name: undo }))] : []));
     list();
   });
-  return show;
 }

@@ -3,6 +3,7 @@
 import { fit } from "./camera.js";
 import { onTold, send, told } from "./channel.js";
 import { toggleProjector } from "./looks.js";
+import { ask } from "./mail.js";
 import { nextStep } from "./transport.js";
 
 /** @type {Record<string, string>} */
@@ -16,7 +17,7 @@ const ONCE = {
   KeyJ: "second",
   KeyP: "project",
   Escape: "pause",
-  KeyG: "gallery",
+  KeyO: "gallery",
   Digit0: "fit",
   Comma: "back",
   Period: "forward",
@@ -32,7 +33,6 @@ const REPEAT = 150;
 
 /** @type {Set<string>} */
 const held = new Set();
-let openGallery = () => {};
 
 /** @param {EventTarget | null} target */
 const isTyping = (target) =>
@@ -114,7 +114,7 @@ function press(event) {
   if (event.repeat && !REPEATED.has(once)) return;
   if (once === "fit") fit(true);
   else if (once === "project") toggleProjector();
-  else if (once === "gallery") openGallery();
+  else if (once === "gallery") ask({ do: "offer", what: "gallery" });
   else if (once === "step") send("do", event.shiftKey ? "steps" : nextStep());
   else send("do", once);
 }
@@ -175,9 +175,8 @@ function leaveChooser() {
   });
 }
 
-/** Begins to listen. @param {() => void} gallery opens it */
-export function listenToKeys(gallery) {
-  openGallery = gallery;
+/** Begins to listen. */
+export function listenToKeys() {
   leaveChooser();
   window.addEventListener("keydown", press, true);
   window.addEventListener(

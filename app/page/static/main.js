@@ -19,6 +19,7 @@ import { addOverlay } from "./overlay.js";
 import { listenToPointer } from "./pointer.js";
 import { addHeading } from "./paper.js";
 import { addShareDialog } from "./share.js";
+import { keepStyles } from "./styles.js";
 import { addUnderlay } from "./underlay.js";
 import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
@@ -45,10 +46,11 @@ whenViser((viser) => {
     complain(FAULT);
     return;
   }
-  drawBody(viser, [hear, showHud]);
+  drawBody(viser, [hear, showHud, keepStyles]);
   keepFlat();
   mindDialogs();
-  listenToKeys(addGallery());
+  listenToKeys();
+  addGallery();
   mindNumbers();
   listenToPointer();
   resume(openLink);
