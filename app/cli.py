@@ -21,6 +21,7 @@ from sim.scene.files import read_scene
 from sim.settings import apply_assignments
 
 from . import headless
+from .export.command import Export
 from .session.log import Log
 from .sweep.measures import MEASURES, parse_measures
 
@@ -399,6 +400,7 @@ COMMANDS = {
     "stability": Stability,
     "study": Study,
     "sweep": Sweep,
+    "export": Export,
 }
 
 
@@ -410,7 +412,7 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 def _main(
-    command: type[Serve | Run | Scenes | Check | Bench | Validate | Stability | Study | Sweep],
+    command: type[Serve | Run | Scenes | Check | Bench | Validate | Stability | Study | Sweep | Export],
     words: list[str],
 ) -> int:
     program = "softrod" if command is Serve else f"softrod {command.__name__.lower()}"

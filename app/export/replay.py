@@ -152,7 +152,9 @@ def _described(clip: Clip) -> tuple[dict[str, object], str]:
     xmin, ymin, xmax, ymax = scene.view.frame
     left, right, low, high = bounds(sketch, scene.view.frame, clip.places())
     middle, half = ((left + right) / 2.0, (low + high) / 2.0), MARGIN / 2.0
-    heads = [(p.rest_length_scale, p.rest_angle_shift, p.ghost is not None) for p in (s.picture for s in shots)]
+    heads = [
+        (p.rest_length_scale, p.rest_angle_shift, p.ghost is not None) for p in (s.picture for s in shots)
+    ]
     about = {
         "frames": len(shots),
         "interval": interval,
