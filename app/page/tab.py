@@ -24,6 +24,7 @@ from ..session.pacing import is_large
 from ..session.session import Notice, Session
 from . import keeping, readouts, script, shelf
 from .drawing import Mapping
+from .export_panel import ExportPanel
 from .files_panel import FilesPanel
 from .panel import Panel, set_theme
 from .plan import Picture, broken_of
@@ -162,7 +163,8 @@ class Tab:
         self._panel = Panel(self.client, session, shelf.labels(self._first.name), self.request)
         with self._panel.files_tab:
             self._files = FilesPanel(self.client, session, self.notify)
-        self._panel.outlined += self._files.outlined
+            take_home = ExportPanel(self.client, session, lambda: self._dark, self.request)
+        self._panel.outlined += [*self._files.outlined, *take_home.outlined]
 
         @self._panel.channel.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -311,6 +313,8 @@ class Tab:
                 self._panel.show_looks(self._dark, self._gizmos)
             elif what == "fit":
                 self._fits += 1
+            elif what == "picture":
+                self._panel.pictures += 1
             elif what == "follow":
                 session.post(commands.Follow(not session.follow))
                 session.revision += 1

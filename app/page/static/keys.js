@@ -3,6 +3,7 @@
 import { fit } from "./camera.js";
 import { onTold, send, told } from "./channel.js";
 import { toggleProjector } from "./looks.js";
+import { takePicture } from "./picture.js";
 import { nextStep } from "./transport.js";
 
 /** @type {Record<string, string>} */
@@ -15,6 +16,7 @@ const ONCE = {
   KeyF: "follow",
   KeyJ: "second",
   KeyP: "project",
+  KeyI: "picture",
   Escape: "pause",
   Digit0: "fit",
   Comma: "back",
@@ -112,6 +114,7 @@ function press(event) {
   if (event.repeat && !REPEATED.has(once)) return;
   if (once === "fit") fit(true);
   else if (once === "project") toggleProjector();
+  else if (once === "picture") void takePicture();
   else if (once === "step") send("do", event.shiftKey ? "steps" : nextStep());
   else send("do", once);
 }
