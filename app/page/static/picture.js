@@ -8,6 +8,7 @@
  *
  * @typedef {import("./viser.js").Renderer} Renderer
  */
+import { hold } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { SVG } from "./overlay.js";
 import { timeNow } from "./transport.js";
@@ -15,6 +16,8 @@ import { viser } from "./viser.js";
 
 /** Pixels of a picture for a pixel of the page, at least. */
 const FINE = 2;
+/** Frames after which all that is drawn is of one picture. */
+const SETTLED = 3;
 /** Pixels of a side at most. */
 const LARGEST = 8192;
 const LAYERS = ':is(svg, canvas)[class*="softrod-"]';
@@ -29,31 +32,15 @@ const STYLES = [
   "transform-origin", "transform-box", "mix-blend-mode",
 ];
 
-/**
- * viser's canvas, drawn at so many pixels for one of the page.
- *
- * @param {number} fine
- * @returns {Promise<HTMLCanvasElement>}
- */
-function drawnAnew(fine) {
-  const { canvas, scene, requestRender } = viser() ?? {};
-  if (!canvas || !scene) return Promise.reject(new Error("there is no canvas"));
-  const copy = document.createElement("canvas");
+/** Once viser has drawn. @returns {Promise<[Renderer, import("./viser.js").Scene, unknown]>} */
+function drawn() {
+  const { scene, requestRender } = viser() ?? {};
+  if (!scene) return Promise.reject(new Error("there is no scene"));
   return new Promise((done) => {
     const before = scene.onAfterRender;
     scene.onAfterRender = (renderer, shown, camera) => {
       scene.onAfterRender = before;
-      // After viser's own frame, but before the browser takes the canvas's content away.
-      queueMicrotask(() => {
-        const ratio = renderer.getPixelRatio();
-        renderer.setPixelRatio(fine);
-        renderer.render(shown, camera);
-        [copy.width, copy.height] = [canvas.width, canvas.height];
-        copy.getContext("2d")?.drawImage(canvas, 0, 0);
-        renderer.setPixelRatio(ratio);
-        renderer.render(shown, camera);
-        done(copy);
-      });
+      setTimeout(() => done([renderer, shown, camera]), 0);
     };
     requestRender?.();
   });
@@ -77,13 +64,13 @@ function dressed(element) {
 }
 
 /**
- * A layer as an image of the canvas's box.
+ * A layer as a file of its own, which shows the canvas's box.
  *
  * @param {SVGSVGElement} layer
  * @param {DOMRect} box
  * @param {number} fine
  */
-async function rastered(layer, box, fine) {
+function alone(layer, box, fine) {
   const root = document.createElementNS(SVG, "svg");
   root.setAttribute("viewBox", `${box.left} ${box.top} ${box.width} ${box.height}`);
   root.setAttribute("width", String(box.width * fine));
@@ -95,36 +82,77 @@ async function rastered(layer, box, fine) {
   group.setAttribute("style", look.getAttribute("style") ?? "");
   group.append(...look.childNodes);
   root.append(group);
-  const url = URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(root)], { type: "image/svg+xml" }));
+  return new Blob([new XMLSerializer().serializeToString(root)], { type: "image/svg+xml" });
+}
+
+/** @param {Blob} file */
+async function image(file) {
+  const url = URL.createObjectURL(file);
   try {
-    const image = new Image();
-    image.src = url;
-    await image.decode();
-    return image;
+    const found = new Image();
+    found.src = url;
+    await found.decode();
+    return found;
   } finally {
     URL.revokeObjectURL(url);
   }
 }
 
-/** What lies under the canvas, and what over it, each from the back to the front. @param {HTMLCanvasElement} canvas */
-function layers(canvas) {
-  const found = [...document.querySelectorAll(LAYERS)].filter(
+/** @typedef {{source: Blob | HTMLCanvasElement, opacity: number, place: DOMRect}} Layer */
+
+/**
+ * How a layer looks now.
+ *
+ * @param {Element} layer
+ * @param {DOMRect} box of the canvas
+ * @param {number} fine
+ * @returns {Layer}
+ */
+function taken(layer, box, fine) {
+  if (layer instanceof SVGSVGElement) return { source: alone(layer, box, fine), opacity: 1, place: box };
+  const copy = document.createElement("canvas");
+  const from = /** @type {HTMLCanvasElement} */ (layer);
+  [copy.width, copy.height] = [from.width, from.height];
+  if (copy.width && copy.height) copy.getContext("2d")?.drawImage(from, 0, 0);
+  return { source: copy, opacity: Number(getComputedStyle(layer).opacity), place: layer.getBoundingClientRect() };
+}
+
+/**
+ * All that is to be seen, from the back to the front, as it is at one time.
+ *
+ * @param {HTMLCanvasElement} canvas
+ * @param {number} fine
+ */
+async function taking(canvas, fine) {
+  // viser's nodes take over a picture some time after it came, and what lies under them goes by that.
+  for (let i = 1; i < SETTLED; i++) await drawn();
+  const [renderer, scene, camera] = await drawn();
+  const box = canvas.getBoundingClientRect();
+  const ratio = renderer.getPixelRatio();
+  renderer.setPixelRatio(fine);
+  renderer.render(scene, camera);
+  const body = taken(canvas, box, fine);
+  renderer.setPixelRatio(ratio);
+  renderer.render(scene, camera);
+  const layers = [...document.querySelectorAll(LAYERS)].filter(
     (layer) => layer !== canvas && !layer.closest(CONTROLS) && layer.getClientRects().length > 0,
   );
   /** @param {Element} layer */
   const height = (layer) => Number(getComputedStyle(layer).zIndex) || 0;
-  found.sort((one, other) => height(one) - height(other));
-  const over = found.filter((layer) => height(layer) >= 0);
-  return { under: found.filter((layer) => height(layer) < 0), over };
+  layers.sort((one, other) => height(one) - height(other));
+  /** @param {boolean} under */
+  const some = (under) => layers.filter((layer) => height(layer) < 0 === under).map((layer) => taken(layer, box, fine));
+  return { box, time: timeNow(), layers: [...some(true), body, ...some(false)] };
 }
 
 /** @returns {Promise<HTMLCanvasElement>} */
 async function picture() {
   const canvas = viser()?.canvas;
   if (!canvas) throw new Error("there is no canvas");
-  const box = canvas.getBoundingClientRect();
-  const fine = Math.min(Math.max(FINE, devicePixelRatio), LARGEST / Math.max(box.width, box.height));
-  const body = await drawnAnew(fine);
+  const { width, height } = canvas.getBoundingClientRect();
+  const fine = Math.min(Math.max(FINE, devicePixelRatio), LARGEST / Math.max(width, height));
+  hold(true);
+  const { box, time, layers } = await taking(canvas, fine).finally(() => hold(false));
   const result = document.createElement("canvas");
   [result.width, result.height] = [Math.round(box.width * fine), Math.round(box.height * fine)];
   const to = result.getContext("2d");
@@ -132,29 +160,21 @@ async function picture() {
   const styles = getComputedStyle(document.documentElement);
   /** @param {string} name @param {string} otherwise */
   const color = (name, otherwise) => styles.getPropertyValue(`--softrod-${name}`) || otherwise;
-  to.fillStyle = color("paper", "#ffffff");
-  to.fillRect(0, 0, result.width, result.height);
-  /** @param {Element} layer */
-  const add = async (layer) => {
-    to.globalAlpha = layer instanceof HTMLCanvasElement ? Number(getComputedStyle(layer).opacity) : 1;
-    if (layer instanceof SVGSVGElement) {
-      to.drawImage(await rastered(layer, box, fine), 0, 0, result.width, result.height);
-    } else if (layer instanceof HTMLCanvasElement && layer.width && layer.height) {
-      const { left, top, width, height } = layer.getBoundingClientRect();
-      to.drawImage(layer, (left - box.left) * fine, (top - box.top) * fine, width * fine, height * fine);
-    }
-    to.globalAlpha = 1;
-  };
-  const { under, over } = layers(canvas);
-  for (const layer of under) await add(layer);
-  to.drawImage(body, 0, 0, result.width, result.height);
-  for (const layer of over) await add(layer);
   to.scale(fine, fine);
+  to.fillStyle = color("paper", "#ffffff");
+  to.fillRect(0, 0, box.width, box.height);
+  for (const { source, opacity, place } of layers) {
+    const look = source instanceof Blob ? await image(source) : source;
+    if (!look.width || !look.height) continue;
+    to.globalAlpha = opacity;
+    to.drawImage(look, place.left - box.left, place.top - box.top, place.width, place.height);
+  }
+  to.globalAlpha = 1;
   to.fillStyle = color("text", "#334155");
   to.font = "600 18px system-ui, sans-serif";
   to.fillText(told().title ?? "", 18, 32);
   to.font = "14px system-ui, sans-serif";
-  to.fillText(`t = ${timeNow().toFixed(2)} s`, 18, 54);
+  to.fillText(`t = ${time.toFixed(2)} s`, 18, 54);
   return result;
 }
 
@@ -165,8 +185,8 @@ export async function takePicture() {
   if (busy) return;
   busy = true;
   try {
-    const image = await picture();
-    const file = await new Promise((/** @type {BlobCallback} */ done) => image.toBlob(done, "image/png"));
+    const made = await picture();
+    const file = await new Promise((/** @type {BlobCallback} */ done) => made.toBlob(done, "image/png"));
     if (!file) throw new Error("the picture could not be packed");
     const link = document.createElement("a");
     link.href = URL.createObjectURL(file);
