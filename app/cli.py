@@ -21,6 +21,7 @@ from sim.scene.files import read_scene
 
 from . import headless
 from .command import Settings, fail, scene_of
+from .export.command import Export
 from .linking import Link
 from .page.controls import of_scene
 from .session.log import Log
@@ -395,6 +396,7 @@ COMMANDS = {
     "stability": Stability,
     "study": Study,
     "sweep": Sweep,
+    "export": Export,
 }
 
 
@@ -406,7 +408,9 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 def _main(
-    command: type[Serve | Run | Scenes | Check | Link | Bench | Validate | Stability | Study | Sweep],
+    command: type[
+        Serve | Run | Scenes | Check | Link | Bench | Validate | Stability | Study | Sweep | Export
+    ],
     words: list[str],
 ) -> int:
     program = "softrod" if command is Serve else f"softrod {command.__name__.lower()}"

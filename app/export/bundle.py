@@ -42,7 +42,9 @@ def _included(path: Path, names: dict[Path, str], parts: list[str]) -> tuple[str
             if list(names.values()).count(names[other]) > 1:
                 raise BundleError(f"{other}: another module has the same name")
             body, exported = _included(other, names, parts)
-            parts.append(f"const {names[other]} = (() => {{\n{body}\nreturn {{ {', '.join(exported)} }};\n}})();")
+            parts.append(
+                f"const {names[other]} = (() => {{\n{body}\nreturn {{ {', '.join(exported)} }};\n}})();"
+            )
         return names[other]
 
     text = _NAMED.sub(lambda match: f"const {{{match[1]}}} = {module(match[2])};", text)

@@ -1,7 +1,8 @@
 """A pose as a model in three dimensions: a GLB file, for programs such as Blender and for viewers on the web.
 
-Masses are balls, springs coils or bars, wedges, supports and walls plates. What fills a loop and what blows is left
-out. glTF measures in metres: a px is a millimetre, the middle of the scene's frame is the origin, and y is up.
+Masses are balls, springs coils or bars, wedges, supports and walls plates. What fills a loop and what blows
+is left out. glTF measures in metres: a px is a millimetre, the middle of the scene's frame is the origin, and
+y is up.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A replay: one HTML file that shows a clip, anywhere and without a server.
 
-The file may load nothing and talk to nobody (its policy says so), and runs only the script whose digest it names. What
-comes from a scene is text in it, never markup.
+The file may load nothing and talk to nobody (its policy says so), and runs only the script whose digest it
+names. What comes from a scene is text in it, never markup.
 """
 
 from __future__ import annotations
@@ -85,9 +85,8 @@ def replay_html(clip: Clip) -> bytes:
 </header>
 <canvas id="canvas" role="img" aria-label="{html.escape(title)}"></canvas>
 <div class="bar">
-<button id="play" type="button" data-icon="play" aria-label="Play"><svg viewBox="0 0 24 24" aria-hidden="true">{
-        icons
-    }</svg></button>
+<button id="play" type="button" data-icon="play" aria-label="Play">
+<svg viewBox="0 0 24 24" aria-hidden="true">{icons}</svg></button>
 <input id="time" type="range" min="0" max="1" step="any" value="0" aria-label="Time shown">
 <output id="clock" for="time"></output>
 <select id="speed" aria-label="Speed">{speeds}</select>
@@ -152,7 +151,9 @@ def _described(clip: Clip) -> tuple[dict[str, object], str]:
     xmin, ymin, xmax, ymax = scene.view.frame
     left, right, low, high = bounds(sketch, scene.view.frame, clip.places())
     middle, half = ((left + right) / 2.0, (low + high) / 2.0), MARGIN / 2.0
-    heads = [(p.rest_length_scale, p.rest_angle_shift, p.ghost is not None) for p in (s.picture for s in shots)]
+    heads = [
+        (p.rest_length_scale, p.rest_angle_shift, p.ghost is not None) for p in (s.picture for s in shots)
+    ]
     about = {
         "frames": len(shots),
         "interval": interval,

@@ -75,6 +75,7 @@ class Panel:
 
     Attributes:
         outlined: buttons that are not the first thing to press in their tab.
+        pictures: how many pictures of the page were asked for.
     """
 
     def __init__(
@@ -93,6 +94,7 @@ class Panel:
         self._applicable: list[Setting] | None = None
         self._templates: list[viser.GuiDropdownHandle[str]] = []
         self.outlined: list[Any] = []
+        self.pictures = 0
         self._shown_revision = -1
         self._told: dict[str, object] = {}
         gui = client.gui
@@ -329,7 +331,8 @@ class Panel:
 
     def set_state(self, scene: str, playing: bool, at_rest: bool = False, broken: int = 0) -> None:
         """Tell the page's script what it has to know, see `script.told`."""
-        told = script.told(_id(self.channel), scene, self._session, playing, at_rest, broken)
+        channel, session = _id(self.channel), self._session
+        told = script.told(channel, scene, session, playing, at_rest, broken, self.pictures)
         if told != self._told:
             self._told = told
             self._state.content = script.told_html(told)

@@ -86,7 +86,13 @@ def style_html(
 
 
 def told(
-    channel: str, scene: str, session: Session, playing: bool, at_rest: bool, broken: int = 0
+    channel: str,
+    scene: str,
+    session: Session,
+    playing: bool,
+    at_rest: bool,
+    broken: int = 0,
+    pictures: int = 0,
 ) -> dict[str, object]:
     """What the script has to know.
 
@@ -97,6 +103,7 @@ def told(
         playing: whether the clock runs, or will as soon as a heavy step is done.
         at_rest: whether the body stands while the clock runs, so that no pictures come.
         broken: how many springs are broken.
+        pictures: how many pictures of the page were asked for.
     """
     frame, history = session.scene.view.frame, session.history
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
@@ -120,6 +127,7 @@ def told(
         "offer": int(session.offer_back),
         "future": int(session.old_future is not None),
         **({"broken": broken} if broken else {}),
+        **({"picture": pictures} if pictures else {}),
     }
 
 

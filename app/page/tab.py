@@ -6,11 +6,10 @@ viser's event loop or in its pool, only post commands and requests.
 
 from __future__ import annotations
 
-import logging
 import time
 from collections import deque
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from typing import Any, Literal, Protocol
 
 import numpy as np
@@ -26,16 +25,14 @@ from ..session import commands
 from ..session.pacing import is_large
 from ..session.session import Notice, Session
 from . import controls, keeping, mail, readouts, script, shelf
+from .answers import Answers
 from .controls import Controls
 from .drawing import Mapping
+from .export_panel import ExportPanel
 from .files_panel import FilesPanel
-from .gallery import Gallery
 from .panel import Panel, set_theme
 from .plan import Picture, broken_of
-from .sharing import Sharing
 from .view import Canvas, Touch
-
-_log = logging.getLogger(__name__)
 
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
@@ -49,22 +46,7 @@ SHELF_EVERY = 0.3
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
-_beside = ThreadPoolExecutor(2, thread_name_prefix="softrod-beside")
-"""For what pages ask for and the event loop must not wait for: scenes that are read, packed and painted."""
-
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
-
-
-def in_thread(work: Callable[..., None], *arguments: Any) -> None:
-    """Have something done soon, in another thread."""
-
-    def do() -> None:
-        try:
-            work(*arguments)
-        except Exception:  # a defect, or a page that went away meanwhile
-            _log.exception("a request of a page failed")
-
-    _beside.submit(do)
 
 
 class Submit(Protocol):
@@ -95,7 +77,6 @@ class Tab:
         self._generation = -1
         self._fits = 0
         self._planned = -1
-        self._parts = {"resume": keeping.Parts(), "link": keeping.Parts()}
         self._kept: tuple[Any, ...] = ()
         self._shelf = shelf.stamp()
         self._shelf_due = 0.0
@@ -126,9 +107,9 @@ class Tab:
         if what == "notice":
             self.notify(argument)
         elif what == "share":
-            self._sharing.offer()
+            self._answers.sharing.offer()
         elif what == "gallery":
-            self._gallery.offer()
+            self._answers.gallery.offer()
         else:
             self._requests.append((what, argument))
 
@@ -190,8 +171,7 @@ class Tab:
 
     def _begin(self, session: Session) -> Session:
         """What is made after the first picture has been sent."""
-        self._sharing = Sharing(session, self._mail, self.notify)
-        self._gallery = Gallery(session, self._mail, self.notify)
+        self._answers = Answers(session, self._mail, self.notify, lambda kept: self._resume(session, kept))
         self._controls = self._wanted_controls(session.scene)
         self._make_panel(session)
         self._session = session
@@ -214,19 +194,16 @@ class Tab:
         self._panel = Panel(self.client, session, self.request, self._controls)
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
-                files = FilesPanel(self.client, session, self.notify, self._sharing.offer)
-            self._panel.outlined += files.outlined
+                files = FilesPanel(self.client, session, self.notify, self._answers.sharing.offer)
+                take_home = ExportPanel(self.client, session, lambda: self._dark, self.request)
+            self._panel.outlined += [*files.outlined, *take_home.outlined]
 
         @self._panel.channel.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is None:
                 return
             value = self._panel.channel.value
-            if part := script.parse_part(value):
-                self._take_part(session, part)
-                return
-            if ask := mail.parse_ask(value):
-                in_thread(self._answer, ask)
+            if self._answers.take(value, self._controls):
                 return
             match script.parse(value, self._mapping):
                 case None:
@@ -266,9 +243,10 @@ class Tab:
         if wanted != self._controls:
             if wanted.in_panel and not self._controls.in_panel:
                 self.client.gui.main_panel.expand()
-            self._controls = wanted
+            self._controls, pictures = wanted, self._panel.pictures
             self.client.gui.reset()
             self._make_panel(session)
+            self._panel.pictures = pictures
             self._panel.show_looks(self._dark, self._gizmos)
         self._panel.build()
         self._panel.set_style(self._dark)
@@ -336,32 +314,7 @@ class Tab:
         self._kept = state
         self._keep_due = now + max(KEEP_EVERY, (time.perf_counter() - began) / KEEP_SHARE)
 
-    def _take_part(self, session: Session, part: script.Part) -> None:
-        letters = self._parts[part.kind].add(part.number, part.of, part.letters)
-        if letters is not None and part.kind == "link":
-            in_thread(self._sharing.open, letters)
-        elif letters is not None:
-            self._resume(session, letters)
-
-    def _answer(self, ask: mail.Ask) -> None:
-        """Do what the page's script asks for, in a thread of its own."""
-        match ask:
-            case mail.Share():
-                self._sharing.share(ask)
-            case mail.Offer():
-                if "chooser" in self._controls:
-                    self._gallery.offer()
-            case mail.Scenes():
-                self._gallery.list(ask)
-            case mail.OpenScene():
-                self._gallery.open(ask)
-            case mail.Change():
-                self._gallery.change(ask)
-
-    def _resume(self, session: Session, letters: str) -> None:
-        kept = keeping.decode(letters)
-        if kept is None:
-            return
+    def _resume(self, session: Session, kept: keeping.Kept) -> None:
         self.request("gizmos", kept.gizmos)
         if kept.dark:
             self.request("theme", True)
@@ -374,7 +327,7 @@ class Tab:
         stamp = shelf.stamp()
         if stamp != self._shelf:
             self._shelf = stamp
-            self._gallery.changed()
+            self._answers.gallery.changed()
 
     def _serve_requests(self, session: Session) -> None:
         while self._requests:
@@ -390,6 +343,8 @@ class Tab:
                 self._panel.show_looks(self._dark, self._gizmos)
             elif what == "fit":
                 self._fits += 1
+            elif what == "picture":
+                self._panel.pictures += 1
             elif what == "follow":
                 session.post(commands.Follow(not session.follow))
                 session.revision += 1

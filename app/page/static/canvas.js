@@ -43,6 +43,8 @@ const colors = new Map();
 /** @type {((frame: Frame, plan: Plan) => void)[]} */
 const listeners = [];
 let asked = false;
+/** Whether the picture that is shown stays. */
+let held = false;
 
 /** What is shown now. */
 export const shown = () => state;
@@ -61,8 +63,15 @@ function ask() {
   asked = true;
 }
 
+/** Has the picture that is shown stay, while frames come in, or lets it go on. @param {boolean} on */
+export function hold(on) {
+  held = on;
+  ask();
+}
+
 function paint() {
   asked = false;
+  if (held) return;
   const { plan } = state;
   const frame = glide.at(seconds());
   if (frame && plan && frame.generation === plan.generation) {

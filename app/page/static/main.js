@@ -16,6 +16,7 @@ import { nameControls } from "./names.js";
 import { quietNotices } from "./notices.js";
 import { mindNumbers } from "./numbers.js";
 import { addOverlay } from "./overlay.js";
+import { mindPictures } from "./picture.js";
 import { listenToPointer } from "./pointer.js";
 import { addHeading } from "./paper.js";
 import { addShareDialog } from "./share.js";
@@ -64,6 +65,7 @@ whenViser((viser) => {
   addBodyKeys();
   nameControls();
   quietNotices();
+  mindPictures();
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted } });
 });
