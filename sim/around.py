@@ -184,7 +184,7 @@ class Touching:
         spring, mass = near_pairs(x, self._masses, self._ends, contact.distance + contact.margin)
         never = np.repeat(np.arange(len(self._ends)), np.diff(contact.apart_start))
         apart = np.isin(spring * x.size + mass, never * x.size + contact.apart)
-        return np.stack((mass, *self._ends[spring].T))[:, ~apart]
+        return np.stack((mass, *self._ends[spring].T))[:, ~apart & (contact.broken[spring] == 0.0)]
 
 
 def _loops(around: Surroundings) -> list[tuple[NDArray[np.int64], Floats]]:

@@ -51,6 +51,10 @@ _HALVINGS = 60
 """Largest number of halvings in a line search."""
 _EPSILON = 4.0 * float(np.finfo(float).eps)
 """Relative rounding error that is allowed for."""
+_TRIALS = 4
+"""Number of trials for the rounding errors of surroundings."""
+_MAGNIFIED = 1e3
+"""Errors of coordinates in a trial, relative to rounding errors."""
 _MOST_MASSES = 1000
 """Largest number of masses for vibrations, which are computed with full matrices."""
 _NOT_HELD = "vibrations: the springs do not hold the body where it starts, so it does not vibrate there"
@@ -198,9 +202,15 @@ class _Resting:
             np.add.at(at_mass, masses, own)
         return np.where(at_mass[1:] > 0.0, at_mass[1:], max(1.0, float(at_mass.max())))
 
+    @property
+    def slides(self) -> bool:
+        """Whether there is anything that a part may fall on and slide along."""
+        around = self.tables.surroundings
+        return bool(around.walls.size or around.contact.present)
+
     def refuse_falling(self) -> None:
         """Refuse a body with a part that is connected to no held mass, unless it may fall on something."""
-        if self.tables.surroundings.walls.size or self.tables.surroundings.contact.present:
+        if self.slides:
             return
         held, parent = self.system.held, self.matrix.parent
         for m in self.matrix.walk.tolist():
@@ -226,7 +236,8 @@ class _Resting:
         """
         matrix, n = self.matrix, self.tables.masses
         kernel = factorise_surrounded if self.surrounded else factorise_matrix
-        regular = kernel(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite)
+        if not kernel(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite):
+            return False
         if self.tables.chain:
             inverse = inverse_pivots(matrix.blocks, n)
         else:
@@ -236,7 +247,7 @@ class _Resting:
         negative = int(np.where(one, 1, 2 * both).sum())
         if self.tables.surroundings.fillings.size:
             negative -= int((np.linalg.eigvals(matrix.corrections[:-1]).real < 0.0).sum())
-        return bool(regular and negative == 0)
+        return negative == 0
 
     @property
     def _rows(self) -> np.ndarray:
@@ -290,7 +301,16 @@ class _Resting:
             np.add.at(force, masses, size * (along * np.abs(x) / length + across))
             np.add.at(force, p + masses, size * (along * np.abs(y) / length + across))
         gravity = np.concatenate((np.abs(self.state.gx), np.abs(self.state.gy)))
-        return force * np.tile(self.state.inverse_mass, 2) + _EPSILON * gravity
+        bound = force * np.tile(self.state.inverse_mass, 2) + _EPSILON * gravity
+        return bound + self._rounding_around(q) if self.surrounded else bound
+
+    def _rounding_around(self, q: Floats) -> Floats:
+        """What surroundings may add to `rounding`: found by trial, with much larger errors of coordinates."""
+        size = _EPSILON * float(np.abs(q).max())
+        signs = np.random.default_rng(2).choice((-1.0, 1.0), (_TRIALS, q.size))
+        here = self.accelerations(q)
+        changes = [self.accelerations(q + _MAGNIFIED * size * some) - here for some in signs]
+        return 2.0 * np.abs(changes).max(0) / _MAGNIFIED
 
     def refuse_shrunk(self, q: Floats) -> None:
         """Refuse positions in which a spring has shrunk to a point, as it may under some force laws."""
@@ -347,8 +367,9 @@ def _continuation(body: _Resting) -> Floats:
         if ratio < np.inf:
             q, a = to_q, body.accelerations(to_q)
             if not np.abs(q).max() <= MAX_COORDINATE:
+                friction = ", and friction holds nothing that is at rest" if body.slides else ""
                 raise InputError(
-                    f"equilibrium: the body would leave ±{MAX_COORDINATE:g} px; nothing stops it"
+                    f"equilibrium: the body would leave ±{MAX_COORDINATE:g} px; nothing stops it{friction}"
                 )
             # In the end a step is one of Newton's method, and its second iteration hardly moves.
             calm = max(turned / _TURN, ratio / _CONTRACTION)
@@ -410,6 +431,8 @@ def _search(body: _Resting, q: Floats, a: Floats) -> tuple[float, Floats, Floats
     shift = 1e-6
     body.factorise(q, shift, definite=True)
     move = body.solve(a)
+    if not np.isfinite(move).all():  # the iteration for contact has not converged
+        move = a
     free = np.tile(body.state.inverse_mass, 2) > 0.0
     along = np.zeros(q.size)
     along[free] = move[free] / np.tile(body.state.inverse_mass, 2)[free]  # a times this is a power

@@ -94,10 +94,13 @@ def stability_polynomial(table: Tableau) -> Floats:
 
 
 def _last_crossing(terms: NDArray[np.complex128], growth: float) -> float:
-    """The largest h > 0 at which a polynomial p with p(0) = 1 has |p(h)|² = 1 + 2 growth h."""
+    """The largest h > 0 at which a polynomial p with p(0) = 1 has |p(h)|² = 1 + 2 growth h.
+
+    It is 0 if |p| is larger everywhere.
+    """
     size = np.polynomial.polynomial.polymul(terms, terms.conj()).real
     size[1] -= 2.0 * growth
     # The roots of |p(h)|² - 1 - 2 growth h but for h = 0.
     roots = np.polynomial.polynomial.polyroots(size[1:])
     real = roots.real[(np.abs(roots.imag) <= 1e-6 * np.abs(roots)) & (roots.real > 0.0)]
-    return float(real.max()) if real.size else np.inf
+    return float(real.max()) if real.size else 0.0

@@ -54,8 +54,14 @@ Cause = Literal[
 
 _FIRST_SIZE = 40
 """Dimension of the Krylov space in the first update."""
+_FIRST_PASSES = 5
+"""Largest number of times that the first update makes it: its matrix depends on the limit that is sought."""
+_SETTLED = 1e-3
+"""Relative change of the limit at which they end."""
 _SIZE = 12
 """Its dimension in later updates, which start from the stiffest motion found before."""
+_NOISE = 1e-3
+"""Size of the noise that is added to that motion, relative to it."""
 
 
 @dataclass(frozen=True)
@@ -91,6 +97,7 @@ class StabilityMeter:
         self._here = slice(1, n + 1)  # the slots of the masses
         # Alternating signs are close to the stiffest mode of a chain, and no mode is orthogonal to noise.
         noise = np.random.default_rng(1).normal(size=(2, n))
+        self._noise = noise / float(np.sqrt((noise * noise).sum()))
         self._start = noise + 3.0 * (-1.0) ** np.arange(n)
         self._limit = 0.0
 
@@ -104,9 +111,7 @@ class StabilityMeter:
         if self._rule is None:
             return StabilityEstimate(np.inf, None)
         body, probe = self._system.body, self._probe
-        n = body.masses
         here = self._here
-        weight = self._rule.damping
         free = state.inverse_mass[here] > 0.0
         for field in ("q", "v", "controls", "clock", "inverse_mass"):
             getattr(probe, field)[:] = getattr(state, field)
@@ -116,10 +121,28 @@ class StabilityMeter:
         air = 2.0 * air_friction * np.abs(np.array([speed.real, speed.imag]))
         # Coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
         root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
-        size = min(_SIZE if self._limit else _FIRST_SIZE, 2 * int(free.sum()))
+        passes, size = (1, _SIZE) if self._limit else (_FIRST_PASSES, _FIRST_SIZE)
+        for _ in range(passes):
+            before = self._limit
+            limit, mode = self._estimate(physics, root, air, min(size, 2 * int(free.sum())))
+            if limit == np.inf:
+                return StabilityEstimate(np.inf, None)
+            self._limit, self._start = limit, mode
+            if abs(limit - before) <= _SETTLED * limit:
+                break
+        return StabilityEstimate(self._limit, self._cause(physics, self._start * root, self._limit, air))
+
+    def _estimate(self, physics: Physics, root: Floats, air: Floats, size: int) -> tuple[float, Floats]:
+        """The limit and the motion that sets it, (2, n), from a Krylov space with at most `size` dimensions.
+
+        The space is that of dt² K + weight dt C with the last limit as dt.
+        """
+        assert self._rule is not None
+        weight, scale = self._rule.damping, self._limit or 1e-3
         basis, k_basis, c_basis = [], [], []
-        q = self._start * free
-        scale = self._limit or 1e-3
+        # Noise, for the motion found before may be that of another body than the one that is stiffest now.
+        start = self._start / max(float(np.sqrt((self._start * self._start).sum())), 1e-300)
+        q = (start + _NOISE * self._noise) * (root > 0.0)
         for _ in range(size):
             for _ in range(2):  # twice makes it orthogonal up to rounding
                 for other in basis:
@@ -134,18 +157,14 @@ class StabilityMeter:
             q = scale * scale * k_basis[-1] + weight * scale * c_basis[-1]
             q = q / max(float(np.sqrt((q * q).sum())), 1e-300)
         if not basis:
-            return StabilityEstimate(np.inf, None)
+            return np.inf, self._start
         flat = np.array(basis).reshape(len(basis), -1)
         k = flat @ np.array(k_basis).reshape(len(basis), -1).T
         c = flat @ np.array(c_basis).reshape(len(basis), -1).T
         if not (np.isfinite(k).all() and np.isfinite(c).all()):
-            return StabilityEstimate(np.inf, None)
+            return np.inf, self._start
         limit, mode = self._rule.solve(k, c)
-        if limit == np.inf:
-            return StabilityEstimate(np.inf, None)
-        self._limit = limit
-        self._start = (mode @ flat).reshape(2, n)
-        return StabilityEstimate(limit, self._cause(physics, self._start * root, limit, air))
+        return limit, (mode @ flat).reshape(2, -1)
 
     def _by_positions(self, physics: Physics, w: Floats) -> Floats:
         """K w, as a difference quotient of forces."""

@@ -12,7 +12,7 @@ from sim.methods.registry import METHODS
 from sim.motion.stability import damped_limit
 from sim.physics import Physics
 from sim.scene.surroundings import Contact, Wall
-from sim.scene.types import Method
+from sim.scene.types import Damage, Method
 from tests.sim.arrays import Arrays
 from tests.sim.inside import same_state, solver_of, system_of
 from tests.sim.surrounded import KINDS
@@ -38,6 +38,21 @@ def run(scene: Scene, seconds: float, method: Method = "auto", **numbers: float)
 
 
 # ------------------------------------------------------------------------- forces
+def test_a_broken_spring_touches_nothing() -> None:
+    scene = crumpled("girder")
+    weak = tuple(REPLACE(spring, strength=1e9) for spring in scene.linear_springs)
+    pose = REPLACE(scene.pose, damage=Damage(broken=(0, 1, 2, 3))) if scene.pose else None
+    arrays = Arrays(REPLACE(scene, linear_springs=weak, pose=pose))
+    expected = Physics(arrays.body, arrays.state).accelerations(
+        arrays.state.x + 1j * arrays.state.y, arrays.state.vx + 1j * arrays.state.vy
+    )
+    flat = np.concatenate((expected.real, expected.imag))[arrays.here]
+    found = arrays.accelerations(arrays.q, arrays.v)
+    assert np.abs(found - flat).max() <= 1e-12 * np.abs(flat).max()
+    whole = Arrays(REPLACE(scene, linear_springs=weak))
+    assert np.abs(found - whole.accelerations(whole.q, whole.v)).max() > 1.0
+
+
 @pytest.mark.parametrize("method", ["rk4", "symplectic_euler"])
 @pytest.mark.parametrize("shape", ["girder", "cloth", "ring", "chain"])
 def test_the_kernels_do_what_the_physics_in_numpy_says(shape: str, method: Method) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import msgspec
 import numpy as np
@@ -10,8 +11,9 @@ import pytest
 
 import sim
 from sim import Anchor, AngularSpring, InputError, Integrator, LinearSpring, Mass, Pose, Scene, Simulation
-from sim.analysis.equilibrium import equilibrium, vibrations
+from sim.analysis.equilibrium import _Resting, equilibrium, vibrations
 from sim.scene.types import ForceLaw
+from tests.sim.arrays import Arrays
 from tests.sim.builders import PRESETS, chain, row, tangle
 from tests.sim.inside import Points, forces_of, is_chain
 
@@ -47,6 +49,68 @@ def stable(scene: Scene, pose: Pose) -> bool:
     simulation = Simulation(moved)
     simulation.step(30)
     return float(np.abs(simulation.positions - positions_of(pose)).max()) < 0.1
+
+
+# ------------------------------------------------------------------------- on walls and on each other
+FLOOR = sim.Wall(point=(300.0, 500.0), normal=(0.0, -1.0))
+
+
+@pytest.mark.parametrize(("hardness", "gravity"), [(8.0, 1000.0), (1e9, 30.0), (1e9, 1000.0), (8e3, 1e5)])
+@pytest.mark.parametrize("maker", [sim.air_balloon, sim.water_balloon, sim.jelly])
+def test_a_soft_body_rests_on_a_floor(maker: Callable[..., Scene], hardness: float, gravity: float) -> None:
+    walls = tuple(
+        REPLACE(FLOOR, normal=normal, point=point, hardness=hardness)
+        for normal, point in (((0.0, -1.0), (300.0, 500.0)), ((1.0, 0.0), (60.0, 0.0)))
+    )
+    scene = maker(walls=walls, gravity=(0.0, gravity))
+    pose = equilibrium(scene)
+    # All of the weight is on the floor.
+    depth = np.maximum(positions_of(pose)[:, 1] - 500.0, 0.0)
+    mass = np.array([m.mass for m in scene.masses])
+    assert float((mass * hardness * depth**2).sum()) == pytest.approx(gravity * mass.sum(), rel=1e-6)
+    weight = gravity * float(mass.sum())
+    assert np.abs(forces_with_walls(scene, pose)).max() <= 1e-6 * weight
+
+
+def forces_with_walls(scene: Scene, pose: Pose) -> Points:
+    """(n, 2) what is left on masses at rest."""
+    arrays = Arrays(REPLACE(scene, pose=pose, integrator=Integrator(method="rk4")))
+    return arrays.pairs_of(arrays.weight * arrays.accelerations(arrays.q, 0.0 * arrays.v))
+
+
+def two_balloons(stiffness: float) -> Scene:
+    """One above the other."""
+    lower = sim.WaterBalloon(masses=12, diameter=60.0, center=(300.0, 380.0))
+    return Scene(
+        name="two",
+        bodies=(lower, REPLACE(lower, center=(300.0, 310.0))),
+        contact=sim.Contact(distance=8.0, stiffness=stiffness),
+        walls=tuple(REPLACE(FLOOR, normal=(x, -1.0), point=(300.0, 420.0)) for x in (0.5, -0.5)),
+        gravity=(0.0, 500.0),
+    )
+
+
+def test_bodies_rest_on_each_other() -> None:
+    scene = two_balloons(8000.0)
+    pose = equilibrium(scene)
+    assert np.abs(forces_with_walls(scene, pose)).max() <= 1e-6 * 500.0 * 0.2
+    assert positions_of(pose)[12:, 1].mean() < positions_of(pose)[:12, 1].mean()
+
+
+def test_a_contact_too_stiff_for_a_step_makes_it_shorter() -> None:
+    body = _Resting(two_balloons(5e6), balanced=True)
+    tangled = body.nudge(body.start, 3.0)
+    shifts = (1e-6, 1e-3, 1e-1)
+    tried = [body.factorise(tangled, shift) for shift in shifts]
+    assert not all(tried)
+    assert body.factorise(tangled, 1e6)
+
+
+@pytest.mark.parametrize("friction", [0.0, 5.0])
+def test_a_slope_holds_nothing_at_rest(friction: float) -> None:
+    slope = REPLACE(FLOOR, normal=(0.3, -1.0), friction=friction)
+    with pytest.raises(InputError, match="nothing stops it, and friction holds nothing that is at rest"):
+        equilibrium(sim.air_balloon(walls=(slope,)))
 
 
 # ------------------------------------------------------------------------- balances

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Anchor, ArrowKeys, Integrator, Scene, Simulation
+from sim import Anchor, ArrowKeys, Integrator, Scene, Simulation, Wind
 from sim.kernels.integrators.rosenbrock import run_rosenbrock
 from sim.methods.registry import METHODS
 from sim.motion.driving import Driver
@@ -37,6 +37,7 @@ class Motion:
         keys: arrow keys held.
         air: air friction, kg/px.
         seed: of the body's random numbers.
+        gusts: whether there are any, in a wind so strong that no velocity relative to it changes sign.
     """
 
     shape: str = "chain"
@@ -46,6 +47,7 @@ class Motion:
     keys: frozenset[str] = frozenset()
     air: float = 0.0
     seed: int = 1
+    gusts: bool = False
 
     def scene(self) -> Scene:
         """The body, a hundred times softer than most."""
@@ -70,17 +72,27 @@ class Motion:
                 for joint in scene.angular_springs
             ),
             anchors=(Anchor(mass=0, circle=circle),),
+            wind=Wind(velocity=(500.0, 600.0), turbulence=0.1, length_scale=1000.0) if self.gusts else None,
             arrow_keys=ArrowKeys(rest_length_factor=1.3, rest_angle_step=30.0, interval=DURATION),
         )
 
     def __str__(self) -> str:
         parts = [self.shape, self.law, self.anchor, *sorted(self.keys)]
-        return " ".join([*parts, *([] if self.damped else ["undamped"]), *(["air"] if self.air else [])])
+        return " ".join(
+            [
+                *parts,
+                *([] if self.damped else ["undamped"]),
+                *(["air"] if self.air else []),
+                *(["gusts"] if self.gusts else []),
+            ]
+        )
 
 
 @cache
 def exact(problem: Motion) -> np.ndarray:
     """(n, 2) where the masses are at the end."""
+    if problem.gusts:  # of which the reference knows nothing
+        return solved(problem, "rk4", 4000)
     scene = problem.scene()
     paths: dict[int, Path] = {}
     if problem.anchor == "led":
@@ -155,6 +167,8 @@ SMOOTH = [
     Motion("ring", "tutorial", anchor="led"),
     Motion(keys=frozenset({"up", "right"})),
     Motion("cloth", keys=frozenset({"up", "right"}), anchor="still"),
+    Motion(air=0.002, gusts=True, anchor="still"),
+    Motion("ring", air=0.002, gusts=True, keys=frozenset({"up", "right"})),
 ]
 
 

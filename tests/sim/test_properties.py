@@ -189,7 +189,8 @@ def is_fine(simulation: Simulation) -> None:
     """Whatever has happened, every number that comes out is one."""
     assert np.isfinite(simulation.positions).all()
     assert np.isfinite(simulation.velocities).all()
-    assert np.abs(simulation.positions).max() <= 1e6
+    # An anchor on a circle is where its center and its phase put it, to rounding.
+    assert np.abs(simulation.positions).max() <= 1e6 + 1e-9
     assert np.abs(simulation.velocities).max() <= 1e9
     assert np.isfinite(simulation.angles).all()
     assert (np.abs(simulation.rest_angles) <= 180.0).all()

@@ -165,6 +165,31 @@ def test_meter_on_presets(preset: str, law: ForceLaw) -> None:
     assert spectral_radius(k, c, 1.02 * limit) > 1.01
 
 
+@pytest.mark.parametrize("damping", [0.5, 1.5, 5.0])
+def test_the_first_estimate_is_as_good_as_later_ones(damping: float) -> None:
+    # The flag's damping and the pole's stiffness each have a limit of their own, far from the step that the
+    # meter begins with.
+    simulation = Simulation(sim.flag_pole(flag_damping=damping, wind=None, integrator=euler()))
+    estimate, limit, (k, c) = estimate_and_limit(simulation)
+    assert estimate == pytest.approx(limit, rel=1e-3)
+    assert spectral_radius(k, c, 0.995 * limit) <= 1.0 + 1e-4
+    assert spectral_radius(k, c, 1.005 * limit) > 1.001
+
+
+def test_the_meter_sees_when_another_body_gets_stiffer() -> None:
+    hanging = chain([(0.0, 0.0), (0.0, 10.0)], stiffness=100.0, held=(0,))
+    stone = sim.Mass(position=(50.0, 99.0))
+    floor = sim.Wall(point=(0.0, 100.0), normal=(0.0, -1.0), hardness=1e6, friction=0.0, bounciness=1.0)
+    integrator = sim.Integrator(method="velocity_verlet", dt=1e-4)
+    scene = REPLACE(hanging, masses=(*hanging.masses, stone), walls=(floor,), integrator=integrator)
+    simulation = Simulation(scene)
+    assert simulation.stability().limit == pytest.approx(2.0 / math.sqrt(100.0), rel=1e-3)
+    put(simulation, np.array([(0.0, 0.0), (0.0, 10.0), (50.0, 102.0)]))
+    estimate = simulation.stability()
+    assert estimate.limit == pytest.approx(2.0 / math.sqrt(2.0 * 1e6 * 2.0), rel=1e-3)
+    assert estimate.cause == "walls"
+
+
 @pytest.mark.parametrize(("preset", "law"), PRESETS_AND_LAWS)
 def test_meter_follows_a_body_in_motion(preset: str, law: ForceLaw) -> None:
     scene = REPLACE(sim.load_scene(preset), force_law=law, integrator=euler(), wind=None)
@@ -262,6 +287,8 @@ def test_a_row_brings_its_own_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     )
     simulation = Simulation(scene)
     assert simulation.dt < simulation.stability().limit < np.inf
+    undamped, _ = limits.runge_kutta(table).solve(np.array([[1e4]]), np.zeros((1, 1)))
+    assert 1e-3 < undamped < 0.1  # without even the damping of rounding errors
     energy = simulation.energy().total
     assert simulation.step(4000) == 4000
     assert simulation.energy().total == pytest.approx(energy, rel=0.02, abs=2e3)

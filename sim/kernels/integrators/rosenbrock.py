@@ -97,6 +97,8 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
                     rest[m], rest[q.size // 2 + m] = 0.0, 0.0
             for j in range(1, q.size - SPARE):
                 x[j] = to_a[j] + right[j] + g * rest[j]
+            if drive.gusty:  # the derivatives are those at the start of the step, like the matrix
+                state.clock[0] = t
             add_resistance(problem, v, rest, -1.0, x)
             solve(problem, x)
             for j in range(1, q.size - SPARE):
