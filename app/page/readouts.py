@@ -249,6 +249,7 @@ KEYS_HELP = (
     ("J", "one second back"),
     ("R", "reset"),
     ("Esc", "pause; close this help, or a question"),
+    ("O", "choose another scene"),
     ("F", "the ringed mass follows the pointer, or stops following"),
     ("0", "show the whole scene"),
     ("P", "larger, for a projector"),

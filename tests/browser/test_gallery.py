@@ -38,7 +38,7 @@ def test_a_scene_is_found_and_opened_by_keys_alone(open_page: OpenPage) -> None:
     dialog = desk.page.get_by_role("dialog", name="Scenes")
     dialog.locator(".softrod-card").first.wait_for()
     assert dialog.get_by_role("grid", name="Tutorial").get_by_role("row").count() == 3
-    desk.until(lambda: dialog.get_by_label("Search the scenes").is_visible(), "there is a search box")
+    desk.until(lambda: dialog.get_by_label("Find a scene").is_visible(), "there is a search box")
     # Down to the present scene, and on by arrows.
     desk.page.keyboard.press("ArrowDown")
     assert focused(desk) == "tutorial-3.3"
@@ -60,7 +60,7 @@ def test_a_scene_is_found_and_opened_by_keys_alone(open_page: OpenPage) -> None:
     for _ in range(4):
         desk.page.keyboard.press("Backspace")
     # Esc leaves, and what had the focus has it again; the keys of the body did nothing.
-    desk.page.get_by_label("Search the scenes").fill("")
+    desk.page.get_by_label("Find a scene").fill("")
     desk.page.keyboard.press("Escape")
     dialog.wait_for(state="hidden")
     assert chooser.evaluate("element => element === document.activeElement")

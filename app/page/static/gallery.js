@@ -51,8 +51,8 @@ export function addGallery() {
   const { dialog, head, body } = makeDialog("Scenes", "softrod-gallery");
   const search = make("input", "softrod-search");
   search.type = "search";
-  search.placeholder = "Search";
-  search.ariaLabel = "Search the scenes";
+  search.placeholder = "Find a scene";
+  search.ariaLabel = "Find a scene";
   head.insertBefore(search, head.lastChild);
   const none = make("p", "softrod-none", "No scene has all of these words.");
   const cards = make("div", "");

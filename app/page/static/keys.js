@@ -3,11 +3,8 @@
 import { fit } from "./camera.js";
 import { onTold, send, told } from "./channel.js";
 import { toggleProjector } from "./looks.js";
-<<<<<<< HEAD
 import { ask } from "./mail.js";
-=======
 import { takePicture } from "./picture.js";
->>>>>>> export
 import { nextStep } from "./transport.js";
 
 /** @type {Record<string, string>} */
@@ -119,11 +116,8 @@ function press(event) {
   if (event.repeat && !REPEATED.has(once)) return;
   if (once === "fit") fit(true);
   else if (once === "project") toggleProjector();
-<<<<<<< HEAD
   else if (once === "gallery") ask({ do: "offer", what: "gallery" });
-=======
   else if (once === "picture") void takePicture();
->>>>>>> export
   else if (once === "step") send("do", event.shiftKey ? "steps" : nextStep());
   else send("do", once);
 }
