@@ -81,7 +81,7 @@ def entries() -> list[Entry]:
         )
         for info in scenes()
     ]
-    return sorted(found, key=lambda entry: GROUPS.index(entry.group))
+    return sorted(found, key=lambda entry: (GROUPS.index(entry.group), entry.name.casefold()))
 
 
 def _group(info: SceneInfo) -> str:
