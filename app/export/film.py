@@ -127,7 +127,7 @@ class _Colors:
             chosen = np.vstack((exact, np.array(nearest, np.uint8).reshape(-1, 3)))[:_COLORS]
         self._palette = chosen.ravel().tolist()
         cells = np.indices((_CELLS,) * 3).reshape(3, -1).T * (256 // _CELLS) + 128 // _CELLS
-        self._nearest = KDTree(chosen.astype(float)).query(cells)[1].astype(np.uint8)
+        self._nearest: NDArray[np.uint8] = np.asarray(KDTree(chosen.astype(float)).query(cells)[1], np.uint8)
         # The most frequent one last: it has its cell.
         for index in range(len(exact) - 1, -1, -1):
             self._nearest[_cell(exact[index])] = index
