@@ -11,6 +11,7 @@ from pathlib import Path
 
 _NAMED = re.compile(r'^import \{([\w\s,]+)\} from "(\.[\w./-]+)";$', re.MULTILINE)
 _WHOLE = re.compile(r'^import \* as (\w+) from "(\.[\w./-]+)";$', re.MULTILINE)
+_AS = re.compile(r"(\w+) as (\w+)")
 _EXPORT = re.compile(r"^export ((?:async )?function|const|class) (\w+)", re.MULTILINE)
 _LEFT = re.compile(r"^(import|export)\b.*", re.MULTILINE)
 
@@ -47,7 +48,9 @@ def _included(path: Path, names: dict[Path, str], parts: list[str]) -> tuple[str
             )
         return names[other]
 
-    text = _NAMED.sub(lambda match: f"const {{{match[1]}}} = {module(match[2])};", text)
+    text = _NAMED.sub(
+        lambda match: "const {" + _AS.sub(r"\1: \2", match[1]) + f"}} = {module(match[2])};", text
+    )
     text = _WHOLE.sub(lambda match: f"const {match[1]} = {module(match[2])};", text)
     exported = [match[2] for match in _EXPORT.finditer(text)]
     text = _EXPORT.sub(r"\1 \2", text)

@@ -134,7 +134,8 @@ class Export:
             return glb(last.scene, last.picture)
 
         def moving() -> bytes:
-            with Progress(console=Console(stderr=True), transient=True) as progress:
+            console = Console(stderr=True)
+            with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
                 task = progress.add_task("painting", total=1.0)
                 clip = Clip(shots, self.seconds)
                 return film.gif(clip, size, self.dark, lambda part: progress.update(task, completed=part))

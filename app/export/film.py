@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
+from scipy.spatial import KDTree
 
 import sim
 
@@ -33,7 +34,10 @@ _SAMPLES = 6
 """Frames from which the film's colours are taken."""
 
 _COLORS, _EXACT = 255, 16
-"""Of a film, and how many of them are the most frequent ones as they are: paper is not to be nearly white."""
+"""Of a film, and how many of them are the most frequent ones as they are."""
+
+_CELLS = 64
+"""On each side of the cube of colours: what is in one cell gets the same colour of the film."""
 
 Progress = Callable[[float], None]
 """Is called now and then with the part that is done, 0..1; what it raises ends the work."""
@@ -72,11 +76,11 @@ def gif(
     tell = progress or (lambda _: None)
     count = clip.count(ticks * TICK)
     film = _paint(clip, ticks * TICK, size, dark)
-    chosen = _chosen_colors(clip, size, dark)
+    reduce = _Colors(clip, size, dark).reduce
 
     def frames() -> Iterator[Image.Image]:
         for done, image in enumerate(film, start=1):
-            yield image.quantize(palette=chosen, dither=Image.Dither.NONE)
+            yield reduce(image)
             tell(0.95 * done / count)
 
     rest = frames()
@@ -102,29 +106,46 @@ def _paint(clip: Clip, interval: float, size: tuple[int, int], dark: bool) -> It
         yield painter.paint(shot.picture)
 
 
-def _chosen_colors(clip: Clip, size: tuple[int, int], dark: bool) -> Image.Image:
-    """An image whose palette is nearest to the colours of some frames.
+class _Colors:
+    """The colours of a film: 255 that are nearest to those of some of its frames.
 
-    How often there is a colour counts by its square root, or all of them would be paper.
+    How often there is a colour counts by its square root, or all of them would be paper. The most frequent
+    ones are kept as they are: Pillow's own way would turn white paper into nearly white paper.
     """
-    some = list(_paint(clip, clip.seconds / (_SAMPLES - 1), size, dark))
-    pixels = np.concatenate([np.asarray(image).reshape(-1, 3) for image in some])
-    packed = pixels.astype(np.uint32) @ np.array((65536, 256, 1), np.uint32)
-    colors, counts = np.unique(packed, return_counts=True)
-    order = np.argsort(counts)[::-1]
-    exact, others = colors[order[:_EXACT]], order[_EXACT:]
-    chosen = list(_channels(exact).ravel())
-    if len(others):
-        weighted = np.repeat(colors[others], np.ceil(np.sqrt(counts[others])).astype(int))
-        nearest = Image.fromarray(_channels(weighted)[None]).quantize(
-            _COLORS - _EXACT, Image.Quantize.MEDIANCUT
-        )
-        chosen += (nearest.getpalette() or [])[: 3 * (_COLORS - _EXACT)]
-    image = Image.new("P", (1, 1))
-    image.putpalette(chosen)
-    return image
+
+    def __init__(self, clip: Clip, size: tuple[int, int], dark: bool) -> None:
+        some = _paint(clip, clip.seconds / (_SAMPLES - 1), size, dark)
+        packed = np.concatenate([np.asarray(image).reshape(-1, 3) for image in some]).astype(np.uint32)
+        colors, counts = np.unique(packed @ np.array((65536, 256, 1), np.uint32), return_counts=True)
+        order = np.argsort(counts, kind="stable")[::-1]
+        exact, others = _channels(colors[order[:_EXACT]]), order[_EXACT:]
+        chosen = exact
+        if len(others):
+            weighted = np.repeat(colors[others], np.ceil(np.sqrt(counts[others])).astype(int))
+            image = Image.fromarray(_channels(weighted)[None])
+            nearest = image.quantize(_COLORS - _EXACT, Image.Quantize.MEDIANCUT).getpalette() or []
+            chosen = np.vstack((exact, np.array(nearest, np.uint8).reshape(-1, 3)))[:_COLORS]
+        self._palette = chosen.ravel().tolist()
+        cells = np.indices((_CELLS,) * 3).reshape(3, -1).T * (256 // _CELLS) + 128 // _CELLS
+        self._nearest: NDArray[np.uint8] = np.asarray(KDTree(chosen.astype(float)).query(cells)[1], np.uint8)
+        # The most frequent one last: it has its cell.
+        for index in range(len(exact) - 1, -1, -1):
+            self._nearest[_cell(exact[index])] = index
+
+    def reduce(self, image: Image.Image) -> Image.Image:
+        """An image in the film's colours."""
+        indices = self._nearest[_cell(np.asarray(image))]
+        reduced = Image.fromarray(indices)
+        reduced.putpalette(self._palette)
+        return reduced
 
 
 def _channels(packed: NDArray[np.uint32]) -> NDArray[np.uint8]:
     """(k, 3) of (k,) colours."""
     return np.stack([packed >> 16, packed >> 8, packed], axis=-1).astype(np.uint8)
+
+
+def _cell(colors: NDArray[np.uint8]) -> NDArray[np.uint32]:
+    """(...) the cell of the cube of colours that each of (..., 3) colours is in."""
+    part = (colors // (256 // _CELLS)).astype(np.uint32)
+    return (part[..., 0] * _CELLS + part[..., 1]) * _CELLS + part[..., 2]

@@ -45,6 +45,11 @@ class Instances(NamedTuple):
     widths: Floats
     colors: NDArray[np.uint8]
 
+    def some(self, which: slice | NDArray[np.bool_]) -> Instances:
+        """A part of the copies."""
+        places, angles, lengths, widths, colors = self
+        return Instances(places[which], angles[which], lengths[which], widths[which], colors[which])
+
 
 def to_world(sketch: Sketch, positions: Floats) -> Floats:
     """(n, 2) in the page's world of (n, 2) px."""
@@ -64,7 +69,7 @@ def springs(sketch: Sketch, picture: Picture) -> Instances:
         widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), 0.5, 1.2)
     whole = _whole(len(rest), broken_of(picture.damage))
     colors = _colored(strain_colors(sketch), strain)
-    return Instances(start[whole], angles[whole], lengths[whole], widths[whole], colors[whole])
+    return Instances(start, angles, lengths, widths, colors).some(whole)
 
 
 def ghost(sketch: Sketch, picture: Picture) -> Instances:

@@ -29,7 +29,7 @@ def simulated(scene: sim.Scene, seconds: float, after: float, console: Console) 
         InputError: the body becomes unstable; the sentence says when and why.
     """
     simulation = sim.Simulation(scene)
-    with Progress(console=console, transient=True) as progress:
+    with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task("simulating", total=after + seconds)
         # In pieces, so that the bar moves.
         while simulation.time < after - simulation.dt / 2.0:
@@ -61,7 +61,7 @@ def replayed(record: Log, console: Console) -> tuple[list[Shot], str | None]:
     player = Player(record, simulation)
     shots = [Shot.of(simulation.capture())]
     total = sum(entry.times for entry in record.entries)
-    with Progress(console=console, transient=True) as progress:
+    with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task("replaying", total=total)
         while not player.ended:
             player.do()

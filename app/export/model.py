@@ -86,7 +86,7 @@ def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trim
     """What there is, by name, in the page's world."""
     count, rest = len(sketch.radius), np.array([joint.rest_angle for joint in scene.angular_springs])
     discs = instances.masses(sketch, picture)
-    fills = Instances(*(part[count : 2 * count] for part in discs))
+    fills = discs.some(slice(count, 2 * count))
     balls = fills._replace(lengths=sketch.radius, widths=sketch.radius)
     found = {"masses": _copies(_ball(sketch.many), balls, sketch.radius)}
     pins = instances.pins(sketch, picture)
@@ -99,7 +99,7 @@ def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trim
     if len(rest):
         wedges = instances.wedges(sketch, picture, rest)
         # The wedge of a joint at its rest angle is nothing.
-        seen = Instances(*(part[wedges.widths > 1e-6] for part in wedges))
+        seen = wedges.some(wedges.widths > 1e-6)
         if len(seen.angles):
             found["wedges"] = _copies(_plate("slice"), seen, _PLATE * seen.lengths)
     if walls := _walls(sketch, scene):

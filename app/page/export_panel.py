@@ -13,7 +13,6 @@ import viser
 
 from sim.errors import InputError
 
-from ..export import film, replay
 from ..export.clip import Clip, Shot
 from ..export.workshop import Breath, workshop
 from ..session.notices import Notice
@@ -123,9 +122,13 @@ class ExportPanel:
         return Clip((Shot.of(moment, ghost) for moment, ghost in moments), seconds)
 
     def _gif(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ..export import film  # as the others: what a page can do without does not delay its start
+
         return "gif", film.gif(self._clip(), dark=self._is_dark(), progress=tell)
 
     def _replay(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ..export import replay
+
         clip = self._clip()
         tell(0.3)
         return "html", replay.replay_html(clip)

@@ -253,6 +253,7 @@ KEYS_HELP = (
     ("F", "the ringed mass follows the pointer, or stops following"),
     ("0", "show the whole scene"),
     ("P", "larger, for a projector"),
+    ("I", "a picture of the page, as a file"),
     ("Tab", "to the body, and on: arrows choose a mass, Space takes it, arrows move it"),
     ("↑ ↓", "held: every spring longer, shorter"),
     ("→ ←", "held: every rest angle up, down"),
