@@ -19,25 +19,16 @@ import sim
 from sim.errors import InputError, SceneError, SettingError
 from sim.motion.quantities import PARTS
 from sim.scene.files import read_scene
-from sim.settings import apply_assignments
 
 from . import headless
+from .command import Settings, fail, scene_of
+from .export.command import Export
+from .linking import Link
+from .page.controls import of_scene
 from .session.log import Log
 from .sweep.measures import MEASURES, parse_measures
 
 DEFAULT_SCENE = "tutorial-3.3"
-
-Settings = Annotated[
-    UseAppendAction[tuple[str, ...]],
-    arg(
-        name="set",
-        metavar="KEY=VALUE",
-        help="set a number of the scene; may be repeated. Keys: linear_stiffness, linear_damping, "
-        "angular_stiffness, angular_damping, rest_length_scale, rest_angle, gravity, air_friction, masses, "
-        "dt, tolerance, template; wind_speed, wind_direction, turbulence; wall_friction, bounciness; "
-        "gas_pressure, liquid_stiffness; strength, yield_force; and force_law and method, which are names",
-    ),
-]
 
 
 @dataclass
@@ -45,7 +36,7 @@ class Serve:
     """Serve a scene in the browser."""
 
     scene: Annotated[Positional[str], arg(metavar="SCENE")] = DEFAULT_SCENE
-    """A preset's name or a file's path."""
+    """A preset's name, a file's path or a link."""
     host: str = "127.0.0.1"
     """Address to listen on. Any other than this machine's own lets other machines in."""
     port: int = 8080
@@ -63,9 +54,9 @@ class Serve:
         from .server.serve import serve
 
         try:
-            serve(_scene(self.scene, self.settings), self.host, self.port, self.open, self.embed)
+            serve(scene_of(self.scene, self.settings), self.host, self.port, self.open, self.embed)
         except (GateError, PortBusy) as error:
-            return _fail(error)
+            return fail(error)
         return 0
 
 
@@ -100,48 +91,48 @@ class Run:
 
     def run(self) -> int:
         """Simulate and write."""
-        scene = _scene(self.scene, self.settings) if self.scene else None
+        scene = scene_of(self.scene, self.settings) if self.scene else None
         if self.out is not None:
             headless.check_output(self.out)
         entries = headless.read_log(self.inputs) if self.inputs is not None else []
         if self.every < 1:
-            return _fail("--every: it must be at least 1")
+            return fail("--every: it must be at least 1")
         if self.energy and self.record:
-            return _fail("--energy: with --record, energies are quantities, as energy.total")
+            return fail("--energy: with --record, energies are quantities, as energy.total")
         if isinstance(entries, Log):
             return self._replay(entries, scene)
         if scene is None:
-            return _fail("run: name a scene, or a recorded log with --inputs")
+            return fail("run: name a scene, or a recorded log with --inputs")
         if self.out is None:
-            return _fail("--out: name the table to write, FILE.csv or FILE.npz")
+            return fail("--out: name the table to write, FILE.csv or FILE.npz")
         steps = self._steps(scene.integrator.dt)
         if isinstance(steps, str):
-            return _fail(steps)
+            return fail(steps)
         recording, problem = headless.run(
             scene, steps, entries, self.every, Console(stderr=True), self.energy, self.record
         )
         recording.write(self.out)
         if problem is not None:
-            return _fail(f"{problem}; {self.out} has the {len(recording)} rows before it")
+            return fail(f"{problem}; {self.out} has the {len(recording)} rows before it")
         return 0
 
     def _replay(self, record: Log, scene: sim.Scene | None) -> int:
         if scene is None and self.settings:
-            return _fail("--set: a recorded log is replayed as it was; name the SCENE to change one")
+            return fail("--set: a recorded log is replayed as it was; name the SCENE to change one")
         if scene is not None and not headless.same_body(scene, record.scene):
-            return _fail(f"{self.inputs}: the log was recorded with another scene than {self.scene}")
+            return fail(f"{self.inputs}: the log was recorded with another scene than {self.scene}")
         steps = None
         if self.steps is not None or self.duration is not None:
             steps = self._steps(record.scene.integrator.dt)
             if isinstance(steps, str):
-                return _fail(steps)
+                return fail(steps)
         recording, player = headless.replay(
             record, steps, self.every, Console(stderr=True), self.energy, self.record
         )
         if self.out is not None:
             recording.write(self.out)
         if not player.agrees:
-            return _fail(f"{self.inputs}: {player.verdict}")
+            return fail(f"{self.inputs}: {player.verdict}")
         print(player.verdict)
         return 0
 
@@ -185,13 +176,16 @@ class Check:
     def run(self) -> int:
         """Check each; 1 if any is not valid."""
         if not self.files:
-            return _fail("check: name at least one file")
+            return fail("check: name at least one file")
         failed = 0
         for path in self.files:
             try:
                 scene = read_scene(path)
+                of_scene(scene)
+            except InputError as error:
+                failed = fail(f"{path}: {error}")
             except ValueError as error:
-                failed = _fail(error)
+                failed = fail(error)
             else:
                 print(f"{path}: {scene.name}, {len(scene.masses)} masses, is valid")
         return failed
@@ -226,7 +220,7 @@ class Bench:
         from .bench.tabs import bench_tabs
 
         if not 1 <= self.repeats <= 1000:
-            return _fail("--repeats: it must be from 1 to 1000")
+            return fail("--repeats: it must be from 1 to 1000")
         benches = {
             "kernels": bench,
             "growth": bench_growth,
@@ -263,7 +257,7 @@ class Stability:
     """Map where each integrator breaks, over two numbers of a scene, or run them all on hard cases."""
 
     scene: Annotated[Positional[str], arg(metavar="SCENE")] = "tutorial-3.1"
-    """A preset's name or a file's path."""
+    """A preset's name, a file's path or a link."""
     out: Path = Path("stability")
     """Folder for the report: stability.md, stability.csv.gz and maps, or hard-cases.md, hard-cases.csv.gz."""
     x: str | None = None
@@ -294,20 +288,20 @@ class Stability:
         if self.hard_cases:
             return hard_case_report(self.out, Console())
         if (self.x is None) != (self.y is None):
-            return _fail("stability: --x and --y belong together")
+            return fail("stability: --x and --y belong together")
         for name, key in (("--x", self.x), ("--y", self.y)):
             if key is not None and key not in AXES:
-                return _fail(f"{name}: {key!r} is not one of {', '.join(AXES)}")
+                return fail(f"{name}: {key!r} is not one of {', '.join(AXES)}")
         if self.x is None and (self.x_range is not None or self.y_range is not None):
-            return _fail("stability: --x-range and --y-range need --x and --y")
+            return fail("stability: --x-range and --y-range need --x and --y")
         if not 2 <= self.size <= 512:
-            return _fail(f"--size: {self.size} is not in the range 2..512")
+            return fail(f"--size: {self.size} is not in the range 2..512")
         if not 0.01 <= self.duration <= 100.0:
-            return _fail(f"--duration: {self.duration:g} is not in the range 0.01..100 s")
+            return fail(f"--duration: {self.duration:g} is not in the range 0.01..100 s")
         ranges = _range("--x-range", self.x_range), _range("--y-range", self.y_range)
         axes = (self.x, self.y) if self.x is not None and self.y is not None else None
         methods = [name.strip() for name in self.integrators.split(",")] if self.integrators else []
-        scene = _scene(self.scene, self.settings)
+        scene = scene_of(self.scene, self.settings)
         return stability(scene, axes, ranges, self.size, methods, self.duration, self.out, Console())
 
 
@@ -348,7 +342,7 @@ class Study:
         from .studies.study import parse_errors, parse_integrators, study, study_scenes
 
         if not 0 <= self.random <= 100_000:
-            return _fail(f"--random: {self.random} is not in the range 0..100000")
+            return fail(f"--random: {self.random} is not in the range 0..100000")
         scenes = [(name, sim.load_scene(name)) for name in self.scenes or study_scenes()]
         integrators, errors = parse_integrators(self.integrators), parse_errors(self.errors)
         return study(scenes, integrators, errors, self.random, self.out, Console())
@@ -359,7 +353,7 @@ class Sweep:
     """Run a scene many times over a grid of its settings; write a table and a plot of what is measured."""
 
     scene: Annotated[Positional[str], arg(metavar="SCENE")]
-    """A preset's name or a file's path."""
+    """A preset's name, a file's path or a link."""
     out: Path
     """Folder for table.csv, plot.png and sweep.jsonl; the same command goes on with what is missing there."""
     vary: Annotated[
@@ -394,11 +388,11 @@ class Sweep:
         from .sweep.workers import cluster, processes
 
         if not 1e-3 <= self.duration <= 1e4:
-            return _fail(f"--duration: {self.duration:g} is not in the range 0.001..10000 s")
+            return fail(f"--duration: {self.duration:g} is not in the range 0.001..10000 s")
         if self.jobs is not None and not 1 <= self.jobs <= 1000:
-            return _fail(f"--jobs: {self.jobs} is not in the range 1..1000")
+            return fail(f"--jobs: {self.jobs} is not in the range 1..1000")
         if self.jobs is not None and self.cluster is not None:
-            return _fail("--jobs: how many compute is up to the cluster")
+            return fail("--jobs: how many compute is up to the cluster")
         grid = make_grid(sim.load_scene(self.scene), self.settings, self.vary)
         measures, address = parse_measures(self.measure), self.cluster
         jobs = self.jobs or os.cpu_count() or 1
@@ -410,11 +404,13 @@ COMMANDS = {
     "run": Run,
     "scenes": Scenes,
     "check": Check,
+    "link": Link,
     "bench": Bench,
     "validate": Validate,
     "stability": Stability,
     "study": Study,
     "sweep": Sweep,
+    "export": Export,
 }
 
 
@@ -426,7 +422,9 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 def _main(
-    command: type[Serve | Run | Scenes | Check | Bench | Validate | Stability | Study | Sweep],
+    command: type[
+        Serve | Run | Scenes | Check | Link | Bench | Validate | Stability | Study | Sweep | Export
+    ],
     words: list[str],
 ) -> int:
     program = "softrod" if command is Serve else f"softrod {command.__name__.lower()}"
@@ -438,14 +436,4 @@ def _main(
     try:
         return parsed.run()
     except (InputError, SceneError, SettingError) as error:
-        return _fail(error)
-
-
-def _scene(name: str, settings: tuple[str, ...]) -> sim.Scene:
-    return apply_assignments(sim.load_scene(name), settings)
-
-
-def _fail(reason: object) -> int:
-    """Say why on the error stream; the exit status is 1."""
-    print(f"softrod: {reason}", file=sys.stderr)
-    return 1
+        return fail(error)

@@ -54,6 +54,11 @@ def recipe_settings(scene: Scene) -> list[Setting]:
     return [setting for setting in every if setting.applies(scene)]
 
 
+def keys_of_recipe(kind: type[AnyRecipe]) -> list[str]:
+    """The keys of a recipe's settings, where it is the only one of its scene."""
+    return [setting.key for setting in _settings(kind, 0, True)]
+
+
 @cache  # so that a panel can tell that the settings are the same as before
 def _settings(kind: type[AnyRecipe], body: int, alone: bool) -> list[Setting]:
     hints = get_type_hints(kind, include_extras=True)

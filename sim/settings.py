@@ -26,8 +26,9 @@ from .body.system import joint_stiffness
 from .errors import SceneError, SettingError
 from .kernels.forces.laws import LAWS
 from .methods.registry import METHODS
-from .recipe_settings import Setting, recipe_settings, scaled, turned
+from .recipe_settings import Setting, keys_of_recipe, recipe_settings, scaled, turned
 from .scene.recipes.assembly import wrapped
+from .scene.recipes.recipe import AnyRecipe
 from .scene.surroundings import Gas, Liquid, Wall, Wind
 from .scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template, rebuilt
 from .scene.validate import number_range, validate
@@ -406,3 +407,8 @@ CHOICES: dict[str, Choice] = {
 """The choices, by their keys."""
 
 assert set(CHOICES["force_law"].options) == set(get_args(ForceLaw))
+
+
+def setting_keys() -> frozenset[str]:
+    """The keys of all settings that any scene can have; those of its only recipe among them."""
+    return frozenset(SETTINGS) | {key for kind in get_args(AnyRecipe) for key in keys_of_recipe(kind)}

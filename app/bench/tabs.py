@@ -17,7 +17,6 @@ from websockets.asyncio.client import connect
 from sim import Anchor, Integrator, LinearSpring, Mass, Scene
 from sim.scene.files import encode_scene
 
-from ..page import shelf
 from ..page.plan import FRAME_TIME
 from .client import CAMERA, Decoder, options_of
 from .serving import is_frame, served, warm
@@ -73,19 +72,18 @@ async def _visit(
     decoder = Decoder()
     async with connect(f"ws://{address}", **options_of(address)) as connection:
         await connection.send(decoder.encode(CAMERA))
-        channel = chooser = ""
+        channel = ""
 
-        async def put(uuid: str, value: str) -> None:
-            message = {"type": "GuiUpdateMessage", "uuid": uuid, "updates": {"value": value}}
+        async def say(text: str) -> None:
+            message = {"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": text}}
             await connection.send(decoder.encode(message))
 
         async def steer() -> None:
             sequence, pressed = 0, False
-            while not (channel and chooser):
+            while not channel:
                 await asyncio.sleep(STEER_EVERY)
             if scene:
-                labels = {name: label for label, name in shelf.labels(scene).items()}
-                await put(chooser, labels[scene])
+                await say(f'0|ask|{{"do":"open","name":"{scene}"}}')
                 await asyncio.sleep(1.0)
             while not stop.is_set():
                 sequence += 1
@@ -95,7 +93,7 @@ async def _visit(
                     text = "do|follow"
                 elif press is not None and press.is_set() and not pressed:
                     text, pressed = "do|pause", True
-                await put(channel, f"{sequence}|{text}")
+                await say(f"{sequence}|{text}")
                 await asyncio.sleep(STEER_EVERY)
 
         steering = asyncio.create_task(steer())
@@ -111,8 +109,6 @@ async def _visit(
                     visitor.times.append(float(message["updates"]["points"][FRAME_TIME]))
                 elif message.get("type") == "GuiTextMessage" and message["props"]["label"] == "softrod":
                     channel = message["uuid"]
-                elif message.get("type") == "GuiDropdownMessage" and message["props"]["label"] == "Scene":
-                    chooser = message["uuid"]
                 elif 'data-playing="0"' in str(message.get("updates", {}).get("content", "")):
                     visitor.paused = time.monotonic()
         await steering

@@ -8,6 +8,9 @@ import socket
 from collections.abc import Sequence
 from typing import Any
 
+PAGE_QUERY = re.compile(r"controls=[\w.,%\[\]-]{0,2000}", re.ASCII)
+"""The one query that a page's address may have; see `app.page.controls`."""
+
 
 class GateError(RuntimeError):
     """The gate could not be put in place, so nothing is served."""

@@ -34,6 +34,7 @@ from websockets.protocol import Event
 from websockets.server import ServerProtocol
 
 from app.gate.address import (
+    PAGE_QUERY,
     GateError,
     PortBusy,
     authorities,
@@ -79,7 +80,7 @@ EXTRA_FRAME_BURST = 2000.0
 # Frames that wait for viser in memory; four upload parts of half a mebibyte keep an upload going.
 MAX_QUEUED_FRAMES = 4
 
-PAGE_PATHS = ("/", "/index.html")
+PAGE_PATHS = ("/", "/index.html", "/s")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -202,7 +203,7 @@ class Gate:
             response = connection.respond(status, sentence + "\n")
             if status is HTTPStatus.TEMPORARY_REDIRECT:
                 response.headers["Location"] = PAGE_PATHS[0]
-        elif (file := self._files.get(request.path)) is not None and "Upgrade" not in request.headers:
+        elif "Upgrade" not in request.headers and (file := self._files.get(request.path.partition("?")[0])):
             response = _respond(file, request)
         else:
             response = viser_answer(connection, request)
@@ -221,10 +222,10 @@ class Gate:
             return "host", HTTPStatus.MISDIRECTED_REQUEST, "This is not the address of this page."
         upgrade = request.headers.get_all("Upgrade")
         if not upgrade:
-            path, query, _ = request.path.partition("?")
+            path, _, query = request.path.partition("?")
             # viser's page would connect to whatever server a query names and run its scripts.
-            if query:
-                return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no parameters."
+            if query and not (path in PAGE_PATHS and PAGE_QUERY.fullmatch(query)):
+                return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no such parameters."
             if path not in PAGE_PATHS and path not in self._files:
                 return "path", HTTPStatus.NOT_FOUND, "There is no such page."
             return None
@@ -236,6 +237,13 @@ class Gate:
         if len(self._tabs) >= MAX_TABS:
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, "Too many tabs are open."
         return None
+
+    def query_of(self, client_id: int) -> str:
+        """The query with which a page connected, which may be anything; empty if it is gone."""
+        assert self._server is not None
+        connection = self._server._websock_server._live_connections.get(client_id)  # viser 1.1.1
+        request = getattr(connection, "request", None)
+        return request.path.partition("?")[2] if request is not None else ""
 
     def _is_own(self, host: str, connection: Connection) -> bool:
         # The address the request came in at is this machine's, whichever network it belongs to.

@@ -9,12 +9,15 @@ from pathlib import Path
 
 import viser
 
-from ..gate.gate import GateError, StaticFile
+from ..gate.gate import PAGE_PATHS, GateError, StaticFile
 
 _FOLDER = Path(__file__).parent / "static"
-_TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
+_TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".webp": "image/webp"}
 _FOREVER = "public, max-age=31536000, immutable"
-_STYLES = ("page.css", "overlay.css", "dock.css", "tools.css", "looks.css")  # later ones win
+_STYLES = (
+    "page.css", "overlay.css", "dock.css", "tools.css", "dialogs.css", "gallery.css", "looks.css",
+)  # fmt: skip
+"""Later ones win."""
 _TITLE = "<title>Viser</title>"
 _VISERS_SCRIPT = {
     "<script data-p=": '<script type="module" data-p=',
@@ -31,7 +34,8 @@ def page_files() -> dict[str, StaticFile]:
     Raises:
         GateError: viser's page is not as it is known here.
     """
-    sources = {file.name: file.read_bytes() for file in sorted(_FOLDER.iterdir()) if file.suffix in _TYPES}
+    paths = (path for path in sorted(_FOLDER.rglob("*")) if path.suffix in _TYPES)
+    sources = {path.relative_to(_FOLDER).as_posix(): path.read_bytes() for path in paths}
     digest = hashlib.sha256(b"".join(sources.values())).hexdigest()[:12]
     folder = f"/softrod/{digest}/"
     files = {
@@ -39,7 +43,7 @@ def page_files() -> dict[str, StaticFile]:
         for name, text in sources.items()
     }
     index = StaticFile(gzip.compress(_index(folder).encode(), mtime=0), "text/html", "no-cache")
-    return {**files, "/": index, "/index.html": index}
+    return {**files, **dict.fromkeys(PAGE_PATHS, index)}
 
 
 def _index(folder: str) -> str:

@@ -45,6 +45,11 @@ def sent(color: Rgb) -> NDArray[np.uint8]:
     return np.rint(np.clip(light, 0.0, 1.0) * 255.0).astype(np.uint8)
 
 
+def plain(color: Rgb) -> NDArray[np.uint8]:
+    """The bytes of (..., 3) sRGB colours 0..255 where nothing changes them on their way."""
+    return np.rint(np.clip(color, 0.0, 255.0)).astype(np.uint8)
+
+
 def sent_one(color: Rgb) -> tuple[int, int, int]:
     """As `sent`, for a single colour of a whole node."""
     red, green, blue = (int(part) for part in sent(color))

@@ -6,6 +6,7 @@ makes their instances from the positions.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import msgspec
@@ -16,7 +17,7 @@ from sim import Scene
 from sim.body.surroundings import new_surroundings
 from sim.scene.types import is_surrounded
 
-from .colors import Palette, sent
+from .colors import Palette, Rgb, sent
 from .shapes import COILS
 
 Floats = NDArray[np.float64]
@@ -68,16 +69,24 @@ class Mapping:
 class Sketch:
     """Everything about a scene's drawing that does not move.
 
+    Args:
+        scene: what is drawn.
+        palette: the colours.
+        encode: makes bytes of colours: `colors.sent` for viser's page, `colors.plain` for a picture.
+
     Attributes:
         mapping: px to world.
-        palette: the colours.
+        palette, encode: as above.
         radius: (n,) of each mass in the world.
         around: the table of what surrounds the body, its masses by their index; None where nothing does.
     """
 
-    def __init__(self, scene: Scene, palette: Palette) -> None:
+    def __init__(
+        self, scene: Scene, palette: Palette, encode: Callable[[Rgb], NDArray[np.uint8]] = sent
+    ) -> None:
         self.mapping = mapping = Mapping.of(scene)
         self.palette = palette
+        self.encode = encode
         n = len(scene.masses)
         self.many = n > MANY
         self.springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
@@ -126,11 +135,11 @@ class Sketch:
         if self.driven is not None:
             fill[self.driven] = self.palette.mass
         shine = fill + (255.0 - fill) * 0.55
-        return sent(np.vstack((np.tile(self.palette.ink, (n, 1)), fill, shine)))
+        return self.encode(np.vstack((np.tile(self.palette.ink, (n, 1)), fill, shine)))
 
     def ink_colors(self) -> NDArray[np.uint8]:
         """(3, 3) colours of the supports, the ring and the ghost."""
-        return sent(np.vstack((self.palette.held, self.palette.driven, self.palette.driven)))
+        return self.encode(np.vstack((self.palette.held, self.palette.driven, self.palette.driven)))
 
     @property
     def pinned(self) -> NDArray[np.int64]:
@@ -158,7 +167,7 @@ class Sketch:
         width = np.where(np.tile(is_major, 2), 0.012, 0.010)
         scales = np.column_stack((np.full(len(places), length), width, np.ones(len(places))))
         colors = np.where(np.tile(is_major, 2)[:, None], self.palette.grid_major, self.palette.grid)
-        return places, turns(angles), scales, sent(colors)
+        return places, turns(angles), scales, self.encode(colors)
 
 
 def turns(angles: Floats) -> Floats:

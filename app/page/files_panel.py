@@ -1,4 +1,4 @@
-"""The Files tab: saving, loading, deleting, downloading and uploading scenes, and logs.
+"""The Files tab: saving, downloading and uploading scenes, and logs; the gallery has those that are saved.
 
 Handlers run in viser's thread pool, since they touch the disk; the running simulation is never touched
 unless a scene was read and found valid.
@@ -18,9 +18,6 @@ from sim.scene import files
 
 from ..session import commands, log
 from ..session.session import Notice, Session
-from . import shelf
-
-NOTHING_SAVED = "(none yet)"
 
 ABOUT_LOGS = (
     '<div class="softrod-text">A log is all that was done since the start or the last reset; opened as a '
@@ -35,13 +32,18 @@ class FilesPanel:
         client: the page.
         session: its simulation.
         notify: tells the user something.
+        share: has the page offer a link to the scene.
 
     Attributes:
         outlined: buttons that are not the first thing to press.
     """
 
     def __init__(
-        self, client: viser.ClientHandle, session: Session, notify: Callable[[Notice], None]
+        self,
+        client: viser.ClientHandle,
+        session: Session,
+        notify: Callable[[Notice], None],
+        share: Callable[[], None],
     ) -> None:
         self._client = client
         self._session = session
@@ -52,22 +54,18 @@ class FilesPanel:
             "With pose", initial_value=False, hint="save where every mass is now, too"
         )
         save = gui.add_button("Save", icon=viser.Icon.DEVICE_FLOPPY)
-        self._saved: viser.GuiDropdownHandle[str] = gui.add_dropdown("Saved", [NOTHING_SAVED])
-        self._load_button = load = gui.add_button("Load", icon=viser.Icon.FOLDER_OPEN)
-        self._delete_button = delete = gui.add_button("Delete", icon=viser.Icon.TRASH, color="red")
         gui.add_divider()
+        link = gui.add_button("Share by a link", icon=viser.Icon.LINK, color="gray")
         download = gui.add_button("Download as a file", icon=viser.Icon.DOWNLOAD, color="gray")
         save_log = gui.add_button("Save a log", icon=viser.Icon.HISTORY, color="gray")
         upload = gui.add_upload_button(
             "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json,.jsonl"
         )
         gui.add_html(ABOUT_LOGS)
-        self.outlined = [load, delete, download, save_log, upload]
-        self.refresh()
+        self.outlined = [link, download, save_log, upload]
         for button, action in (
             (save, self._save),
-            (load, self._load),
-            (delete, self._ask),
+            (link, share),
             (download, self._download),
             (save_log, self._save_log),
         ):
@@ -80,18 +78,6 @@ class FilesPanel:
         def _(event: viser.GuiEvent[Any]) -> None:
             file = upload.value
             self._try(lambda: self._open_bytes(file.content, file.name))
-
-    def refresh(self, choose: str | None = None) -> None:
-        """Show the scenes that are saved now."""
-        saved = tuple(info.name for info in shelf.scenes() if not info.built_in)
-        names = saved or (NOTHING_SAVED,)
-        if self._saved.options != names:
-            self._saved.options = names
-        for button in (self._load_button, self._delete_button):
-            if button.disabled == bool(saved):
-                button.disabled = not saved
-        if choose is not None and choose in names and self._saved.value != choose:
-            self._saved.value = choose
 
     # --------------------------------------------------------------------- inside
     def _try(self, action: Callable[[], None]) -> None:
@@ -110,24 +96,7 @@ class FilesPanel:
 
     def _write(self, scene: sim.Scene, name: str) -> None:
         name = files.save_user_scene(scene, name)
-        self.refresh(choose=name)
         self._notify(Notice("info", "Saved", f"The scene is saved as {name!r}."))
-
-    def _load(self) -> None:
-        if self._saved.value != NOTHING_SAVED:
-            self._session.post(commands.Open(files.read_scene(files.user_path(self._saved.value))))
-
-    def _ask(self) -> None:
-        name = self._saved.value
-        if name != NOTHING_SAVED:
-            self._confirm(
-                f"Delete the saved scene {name!r}? It cannot be undone.", "Delete", lambda: self._delete(name)
-            )
-
-    def _delete(self, name: str) -> None:
-        files.delete_user_scene(name)
-        self.refresh()
-        self._notify(Notice("info", "Deleted", f"The scene {name!r} is deleted."))
 
     def _download(self) -> None:
         scene = self._session.snapshot(self._session.scene.name, self._with_pose.value)

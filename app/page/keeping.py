@@ -28,14 +28,24 @@ def encode(session: bytes, dark: bool, gizmos: bool, plots: tuple[Wish, ...] = (
     return msgspec.json.encode(Kept(session=msgspec.Raw(session), dark=dark, gizmos=gizmos, plots=plots))
 
 
+def decode(letters: str) -> Kept | None:
+    """What a page gives back; None if it makes no sense. Nothing in it is trusted."""
+    try:
+        unpack = zlib.decompressobj()
+        data = unpack.decompress(base64.b64decode(letters, validate=True), MOST_BYTES)
+        return msgspec.json.decode(data, type=Kept)
+    except (binascii.Error, zlib.error, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+        return None
+
+
 class Parts:
-    """Puts together what comes in parts; nothing in it is trusted."""
+    """Puts together what comes in parts."""
 
     def __init__(self) -> None:
         self._letters: list[str] = []
 
-    def add(self, number: int, of: int, letters: str) -> Kept | None:
-        """The whole, once the last part is there; None before that, or if it makes no sense."""
+    def add(self, number: int, of: int, letters: str) -> str | None:
+        """The whole, once the last part is there; None before that, or if a part is missing."""
         if number == 1:
             self._letters = []
         if number != len(self._letters) + 1 or number > of:
@@ -45,9 +55,4 @@ class Parts:
         if number < of:
             return None
         text, self._letters = "".join(self._letters), []
-        try:
-            unpack = zlib.decompressobj()
-            data = unpack.decompress(base64.b64decode(text, validate=True), MOST_BYTES)
-            return msgspec.json.decode(data, type=Kept)
-        except (binascii.Error, zlib.error, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
-            return None
+        return text

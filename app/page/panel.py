@@ -21,6 +21,8 @@ from ..session.commands import Command
 from ..session.session import Notice, Session
 from . import readouts, script
 from .colors import palette
+from .controls import Controls
+from .play_panel import PlayPanel
 from .slider_box import SliderBox
 from .solver_panel import SolverPanel
 
@@ -33,6 +35,9 @@ FOREMOST = (
 
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""
+
+NEEDED = {"gallery": "chooser", "anew": "chooser", "share": "files", "energy": "solver", "help": "help"}
+"""Commands of the palette, and the controls without which they are left out."""
 
 SOLVER_DIALS = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""
@@ -64,101 +69,89 @@ class Panel:
     Args:
         client: the page.
         session: its simulation.
-        scenes: for the chooser, names by their labels.
-        act: what the tab does beyond the session's commands: "open" a scene by its name, "notice", "theme",
-            "gizmos", "fit", "follow", "energy", "foretell", "plot", "anew", "help".
+        act: what the tab does beyond the session's commands: "gallery", "notice", "theme", "gizmos", "fit",
+            "follow", "energy", "foretell", "plot", "anew", "share", "help".
+        controls: which there are; what there is not is not made.
 
     Attributes:
         outlined: buttons that are not the first thing to press in their tab.
+        pictures: how many pictures of the page were asked for.
     """
 
     def __init__(
         self,
         client: viser.ClientHandle,
         session: Session,
-        scenes: dict[str, str],
         act: Callable[[str, Any], None],
+        controls: Controls,
     ) -> None:
+        self._controls = controls
         self._client = client
         self._session = session
         self._act = act
-        self._scenes = scenes
         self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
         self._applicable: list[Setting] | None = None
         self._templates: list[viser.GuiDropdownHandle[str]] = []
         self.outlined: list[Any] = []
+        self.pictures = 0
         self._shown_revision = -1
         self._told: dict[str, object] = {}
         gui = client.gui
         gui.set_panel_label("softrod")
         gui.main_panel.dock_right()
         gui.main_panel.set_width(PANEL_WIDTH)
+        if not controls.in_panel:
+            gui.main_panel.minimize()
         self.channel = gui.add_text("softrod", initial_value="", visible=False)
         self._hud = gui.add_html("")
         self._state = gui.add_html("")
         self._style = gui.add_html("")
-        self.tabs = gui.add_tab_group()
-        self._play_tab = self.tabs.add_tab("Play")
-        self._build_play()
-        self._body_tab = self.tabs.add_tab("Body")
-        with self._body_tab:
-            self._own_values = gui.add_button(
-                "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST
-            )
-        self._solver_tab = self.tabs.add_tab("Solver")
-        with self._solver_tab:
-            self._solver = SolverPanel(client, session)
-        self.outlined += [self._own_values, self._solver.own_values]
-        self.measure_tab = self.tabs.add_tab("Measure")
-        self.files_tab = self.tabs.add_tab("Files")
-        self._build_view()
+        self._play_tab = self._body_tab = self._solver_tab = None
+        self._play = self._own_values = self._solver = None
+        self.measure_tab: viser.GuiTabHandle | None = None
+        self.files_tab: viser.GuiTabHandle | None = None
+        self._looks: tuple[Any, ...] = ()
+        if controls.in_panel:
+            self._build_tabs(gui.add_tab_group())
         self._add_palette_commands()
 
-        @self._own_values.on_click
-        async def _(_: object) -> None:
-            session.post(commands.OwnValues("body"))
+    def _build_tabs(self, tabs: viser.GuiTabGroupHandle) -> None:
+        """The tabs that there are, with what stays in them."""
+        controls = self._controls
+        if controls.in_play_tab:
+            self._play_tab = tabs.add_tab("Play")
+            with self._play_tab:
+                self._play = PlayPanel(self._client, self._session, self._act, controls)
+            self.outlined += self._play.outlined
+        if "body" in controls:
+            self._body_tab = tabs.add_tab("Body")
+            with self._body_tab:
+                self._own_values = self._client.gui.add_button(
+                    "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST
+                )
+            self.outlined.append(self._own_values)
+
+            @self._own_values.on_click
+            async def _(_: object) -> None:
+                self._session.post(commands.OwnValues("body"))
+
+        if "solver" in controls:
+            self._solver_tab = tabs.add_tab("Solver")
+            with self._solver_tab:
+                self._solver = SolverPanel(self._client, self._session)
+            self.outlined.append(self._solver.own_values)
+        if "measure" in controls or "tools" in controls:
+            self.measure_tab = tabs.add_tab("Measure")
+        if "files" in controls:
+            self.files_tab = tabs.add_tab("Files")
+        if "view" in controls:
+            self._build_view(tabs)
 
     # --------------------------------------------------------------------- what stays
-    def _build_play(self) -> None:
-        gui, post = self._client.gui, self._session.post
-        with self._play_tab:
-            self.chooser = gui.add_dropdown("Scene", tuple(self._scenes), order=1)
-            # Choosing the scene that is shown once more does nothing in viser.
-            anew = self._anew = gui.add_button(
-                "Open anew", icon=viser.Icon.REFRESH, hint="open this scene anew", order=1.5
-            )
-            self._about = gui.add_html("", order=2)
-            # Between them are the sliders that make most of the scene.
-            self._follow = gui.add_checkbox("Follow pointer", initial_value=False, hint="key F", order=LAST)
-            self._readout = gui.add_html("", order=LAST + 1)
-            self._pad = gui.add_html(readouts.PAD, visible=False, order=LAST + 2)
-            help_button = gui.add_button("Help", icon=viser.Icon.HELP, color="gray", order=LAST + 3)
-        self.outlined += [anew, help_button]
-
-        @self.chooser.on_update
-        def _(event: viser.GuiEvent[Any]) -> None:
-            # Not on the event loop: a large scene takes a second to read.
-            name = self._scenes.get(self.chooser.value)
-            if event.client_id is not None and name is not None:
-                self._act("open", name)
-
-        @anew.on_click
-        async def _(_: object) -> None:
-            self._act("anew", None)
-
-        @self._follow.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                post(commands.Follow(bool(self._follow.value)))
-
-        @help_button.on_click
-        async def _(_: object) -> None:
-            self._act("help", None)
-
-    def _build_view(self) -> None:
+    def _build_view(self, tabs: viser.GuiTabGroupHandle) -> None:
         gui = self._client.gui
-        with self.tabs.add_tab("View"):
+        with tabs.add_tab("View"):
             dark = gui.add_checkbox("Dark", initial_value=False)
             gizmos = gui.add_checkbox(
                 "Gizmos", initial_value=False, hint="arrows that drag held masses along one axis"
@@ -184,7 +177,7 @@ class Panel:
 
     def show_looks(self, dark: bool, gizmos: bool) -> None:
         """Show in the View tab's switches how the page looks."""
-        for switch, on in zip(self._looks, (dark, gizmos), strict=True):
+        for switch, on in zip(self._looks, (dark, gizmos), strict=False):  # there may be none
             if switch.value != on:
                 switch.value = on
 
@@ -207,6 +200,8 @@ class Panel:
             ("Energy: follow it, or stop", "", "energy"),
             ("Predictability: measure it, or stop", "", "foretell"),
             ("Open this scene anew", "", "anew"),
+            ("Choose another scene", "O", "gallery"),
+            ("Share this scene by a link", "", "share"),
             ("The body's own values", "", commands.OwnValues("body")),
             ("The solver's own values", "", commands.OwnValues("solver")),
             ("Every spring longer, shorter", "↑ ↓, held", "help"),
@@ -214,6 +209,8 @@ class Panel:
             ("Help", "", "help"),
         )
         for label, key, what in entries:
+            if isinstance(what, str) and what in NEEDED and NEEDED[what] not in self._controls:
+                continue
             command = gui.add_command(label, description=f"key {key}" if key else None)
 
             @command.on_trigger
@@ -224,18 +221,17 @@ class Panel:
                     self._session.post(what)
 
     # --------------------------------------------------------------------- what a scene needs
-    def build(self, name: str) -> None:
+    def build(self) -> None:
         """Put up the controls that the session's scene has a use for.
 
         Those that stay are kept: their user may be in the middle of moving one.
         """
         scene, gui = self._session.scene, self._client.gui
-        self._show_choice(name)
-        self._about.content = readouts.description(scene)
-        self._pad.visible = scene.arrow_keys is not None
-        self._follow.visible = self._session.driven is not None
+        if self._play is not None:
+            self._play.build(scene)
         self._shown_revision = -1
-        self._solver.build()
+        if self._solver is not None:
+            self._solver.build()
         applicable = [setting for setting in settings_of(scene) if _has_dial(setting, scene)]
         if self._applicable == applicable:
             return
@@ -247,23 +243,32 @@ class Panel:
         self._body.clear()
         self._sliders.clear()
         self._templates.clear()
-        foremost = sorted((s for s in applicable if s.key in FOREMOST), key=lambda s: FOREMOST.index(s.key))
-        with self._play_tab:
-            for order, setting in enumerate(foremost[:2], start=10):
-                self._add_control(setting, order)
-        with self._body_tab:
-            for order, setting in enumerate(applicable):
-                if setting.key not in SOLVER_DIALS:
-                    self._add_control(setting, order)
-        with self._solver_tab:
-            for order, setting in enumerate(applicable, start=10):
-                if setting.key in SOLVER_DIALS:
-                    self._add_control(setting, order)
-        self._own_values.visible = bool(applicable)
-        with self._body_tab:
+        dials = [setting for setting in applicable if setting.key in SOLVER_DIALS]
+        others = [setting for setting in applicable if setting.key not in SOLVER_DIALS]
+        self._add_controls(self._play_tab, self._foremost(applicable))
+        self._add_controls(self._body_tab, others)
+        self._add_controls(self._solver_tab, dials)
+        if self._body_tab is not None and self._own_values is not None:
+            self._own_values.visible = bool(applicable)
             if not applicable:
-                nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
-                self._body.append(gui.add_html(nothing))
+                with self._body_tab:
+                    nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
+                    self._body.append(gui.add_html(nothing))
+
+    def _foremost(self, applicable: list[Setting]) -> list[Setting]:
+        """The settings of the Play tab: those that are named, or those that make most of the scene."""
+        named = self._controls.foremost(applicable)
+        if named is not None:
+            return named
+        known = (setting for setting in applicable if setting.key in FOREMOST)
+        return sorted(known, key=lambda setting: FOREMOST.index(setting.key))[:2]
+
+    def _add_controls(self, tab: viser.GuiTabHandle | None, settings: list[Setting]) -> None:
+        """Sliders in a tab, if there is that tab; what stays in it stands before or after them."""
+        if tab is not None:
+            with tab:
+                for order, setting in enumerate(settings, start=10):
+                    self._add_control(setting, order)
 
     def _add_control(self, setting: Setting, order: float) -> None:
         if setting.key == "template":
@@ -295,18 +300,6 @@ class Panel:
                 self._session.post(commands.SetValue("template", float(choice.value.rstrip("°"))))
 
     # --------------------------------------------------------------------- what changes
-    def set_scenes(self, scenes: dict[str, str], present: str) -> None:
-        """Offer other scenes in the chooser: names by their labels."""
-        self._scenes = scenes
-        if self.chooser.options != tuple(scenes):
-            self.chooser.options = tuple(scenes)
-        self._show_choice(present)
-
-    def _show_choice(self, name: str) -> None:
-        label = next((label for label, other in self._scenes.items() if other == name), None)
-        if label is not None and self.chooser.value != label:
-            self.chooser.value = label
-
     @property
     def unsettled(self) -> bool:
         """Whether a control shows what is not set."""
@@ -318,9 +311,10 @@ class Panel:
         scene = session.scene
         if self._shown_revision != session.revision:
             self._shown_revision = session.revision
-            self._solver.refresh_controls()
-        if self._follow.value != session.follow:
-            self._follow.value = session.follow
+            if self._solver is not None:
+                self._solver.refresh_controls()
+        if self._play is not None:
+            self._play.refresh_controls()
         for slider_box in self._sliders:
             slider_box.show(slider_box.setting.read(scene))
         template = f"{scene.template}°"
@@ -332,19 +326,20 @@ class Panel:
         """Show the clock, the meter, the angle and the rates as they are now."""
         session = self._session
         colors = palette(session.scene.view.colors, dark)
-        for element, content in (
-            (self._hud, readouts.hud(session, colors, at_rest)),
-            (self._readout, readouts.joint_table(session)),
-        ):
-            if element.content != content:
-                element.content = content
-        self._solver.refresh_readouts()
+        content = readouts.hud(session, colors, at_rest)
+        if self._hud.content != content:
+            self._hud.content = content
+        if self._play is not None:
+            self._play.refresh_readouts()
+        if self._solver is not None:
+            self._solver.refresh_readouts()
 
     def set_state(
         self, scene: str, playing: bool, at_rest: bool = False, broken: int = 0, measures: int = 0
     ) -> None:
         """Tell the page's script what it has to know, see `script.told`."""
-        told = script.told(_id(self.channel), scene, self._session, playing, at_rest, broken, measures)
+        channel, session = _id(self.channel), self._session
+        told = script.told(channel, scene, session, playing, at_rest, broken, measures, self.pictures)
         if told != self._told:
             self._told = told
             self._state.content = script.told_html(told)
@@ -354,6 +349,10 @@ class Panel:
         sliders = [(_id(slider_box.slider), _id(slider_box.box)) for slider_box in self._sliders]
         outlined = [_id(button) for button in self.outlined]
         colors = palette("softrod", dark)
-        content = script.style_html(colors, dark, sliders, outlined, beside=_id(self._anew))
+        anew = self._play.anew if self._play is not None else None
+        content = script.style_html(colors, dark, sliders, outlined, beside=_id(anew) if anew else "")
+        if "play" not in self._controls:
+            # The page's script makes the bar of time for every page.
+            content += "<style>.softrod-dock{display:none}</style>"
         if self._style.content != content:
             self._style.content = content

@@ -17,7 +17,7 @@ from sim.around_settings import STILL_AIR
 from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE, Surroundings
 from sim.scene.types import Damage
 
-from .colors import blend, sent
+from .colors import blend
 from .drawing import Floats, Sketch
 
 CLOCK_PERIOD = 1024.0
@@ -113,8 +113,8 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         rest_angles,
         sketch.pinned,
         sketch.mass_colors(),
-        _strain_colors(sketch),
-        _turn_colors(sketch),
+        strain_colors(sketch),
+        turn_colors(sketch),
         sketch.ink_colors(),
     )
     return joined(*sections, *(_surroundings(sketch.around) if sketch.around is not None else ()))
@@ -178,17 +178,17 @@ def _surroundings(around: Surroundings) -> tuple[ArrayLike, ...]:
     return around.walls[:, : WALL_NORMAL_Y + 1], loops, wind
 
 
-def _strain_colors(sketch: Sketch) -> NDArray[np.uint8]:
+def strain_colors(sketch: Sketch) -> NDArray[np.uint8]:
     """(2 k + 1, 3) from full compression by rest to full stretch."""
     part = np.linspace(1.0, 0.0, _STRAIN_SHADES + 1)
     colors = sketch.palette
     pushed, pulled = blend(colors.rest, colors.pushed, part), blend(colors.rest, colors.pulled, part)
-    return sent(np.vstack((pushed, pulled[-2::-1])))
+    return sketch.encode(np.vstack((pushed, pulled[-2::-1])))
 
 
-def _turn_colors(sketch: Sketch) -> NDArray[np.uint8]:
+def turn_colors(sketch: Sketch) -> NDArray[np.uint8]:
     """(2 k + 1, 3) from the full negative deviation to the full positive one."""
     part = np.maximum(np.linspace(1.0, 0.0, _TURN_SHADES + 1), _PALEST)
     colors = sketch.palette
     minus, plus = (blend(colors.paper, full, part) for full in (colors.torque_minus, colors.torque_plus))
-    return sent(np.vstack((minus, plus[-2::-1])))
+    return sketch.encode(np.vstack((minus, plus[-2::-1])))

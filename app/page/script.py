@@ -23,7 +23,7 @@ _MESSAGE = re.compile(
     rf"|go\|({_NUMBER})|speed\|({_NUMBER})"
     rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}}))"
 )
-_PART = re.compile(r"\d{1,15}\|resume\|(\d{1,2})/(\d{1,2})\|([A-Za-z0-9+/=]{1,48000})")
+_PART = re.compile(r"\d{1,15}\|(resume|link)\|(\d{1,2})/(\d{1,2})\|([\x21-\x7e]{0,48000})")
 
 ONCE: dict[str, Command] = {
     "play": commands.Play(),
@@ -93,6 +93,7 @@ def told(
     at_rest: bool,
     broken: int = 0,
     measures: int = 0,
+    pictures: int = 0,
 ) -> dict[str, object]:
     """What the script has to know.
 
@@ -104,6 +105,7 @@ def told(
         at_rest: whether the body stands while the clock runs, so that no pictures come.
         broken: how many springs are broken.
         measures: how often the Measure tab was to be shown.
+        pictures: how many pictures of the page were asked for.
     """
     frame, history = session.scene.view.frame, session.history
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
@@ -128,6 +130,7 @@ def told(
         "future": int(session.old_future is not None),
         **({"broken": broken} if broken else {}),
         **({"measures": measures} if measures else {}),
+        **({"picture": pictures} if pictures else {}),
     }
 
 
@@ -187,7 +190,22 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAn
     return commands.Point(*point) if all(map(math.isfinite, point)) else None
 
 
-def parse_part(message: object) -> tuple[int, int, str] | None:
-    """A part of what a page gives back: its number from 1, of how many, its letters; None for nonsense."""
+@dataclass(frozen=True)
+class Part:
+    """A part of what is too long for one message: of a keepsake ("resume") or of a link ("link").
+
+    Attributes:
+        number, of: from 1; how many parts there are.
+        letters: neither spaces nor line breaks are among them.
+    """
+
+    kind: str
+    number: int
+    of: int
+    letters: str
+
+
+def parse_part(message: object) -> Part | None:
+    """The part in a message of the script; None for nonsense."""
     match = _PART.fullmatch(message) if isinstance(message, str) else None
-    return (int(match[1]), int(match[2]), match[3]) if match else None
+    return Part(match[1], int(match[2]), int(match[3]), match[4]) if match else None

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import functools
+import re
 import time
 from pathlib import Path
+
+import msgspec
 
 import sim
 from sim.scene import files
@@ -38,17 +41,59 @@ def _read_once(_: Stamp) -> tuple[SceneInfo, ...]:
     return tuple(sim.list_scenes())
 
 
-def labels(present: str) -> dict[str, str]:
-    """The chooser's scenes, the present one among them: names by labels.
+class Entry(msgspec.Struct, frozen=True):
+    """A scene as the gallery shows it.
 
-    Presets go by their titles, saved scenes by the names that they were saved under.
+    Attributes:
+        name: by which it is opened.
+        title: what it is called: presets by their titles, saved scenes by the names they were saved under.
+        line: in one sentence, what it shows.
+        text: all of that, which is searched, too.
+        group: the heading under which it stands.
+        own: whether it is one of the user's own.
     """
-    offered = [info for info in scenes() if not info.group]
-    names = {info.name for info in offered} | {present}
-    found: dict[str, str] = {}
-    for info in offered:
-        by_title = info.built_in and info.title and info.title not in names
-        found[info.title if by_title else info.name] = info.name
-    if present not in found.values():
-        found[present] = present
-    return found
+
+    name: str
+    title: str
+    line: str
+    text: str
+    group: str
+    own: bool
+
+
+OWN = "Your own"
+GROUPS = ("Tutorial", "Lessons", "Bodies", "Surroundings", OWN, "Studies")
+"""Headings of the gallery, in order."""
+
+_FOLDERS = {"study": "Studies", "lessons": "Lessons"}
+
+
+def entries() -> list[Entry]:
+    """All scenes, by their groups and in these by their names."""
+    found = [
+        Entry(
+            name=info.name,
+            title=(info.built_in and info.title) or info.name,
+            line=re.split(r"(?<=[.!?])\s", info.description, maxsplit=1)[0],
+            text=info.description,
+            group=_group(info),
+            own=not info.built_in,
+        )
+        for info in scenes()
+    ]
+    return sorted(found, key=lambda entry: (GROUPS.index(entry.group), entry.name.casefold()))
+
+
+def _group(info: SceneInfo) -> str:
+    if not info.built_in:
+        return OWN
+    if info.group:
+        return _FOLDERS.get(info.group, "Bodies")
+    if info.name.startswith("tutorial"):
+        return "Tutorial"
+    return "Surroundings" if info.surrounded else "Bodies"
+
+
+def find(name: str) -> SceneInfo | None:
+    """The scene of that name, if there is one."""
+    return next((info for info in scenes() if info.name == name), None)

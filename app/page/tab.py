@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from collections import deque
+from collections.abc import Callable
 from concurrent.futures import Future
 from typing import Any, Literal, Protocol
 
@@ -16,14 +17,19 @@ import viser
 
 import sim
 from sim.compiling.compiler import Compiler, needed_by
+from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.types import is_surrounded
 
 from ..session import commands
 from ..session.pacing import is_large
+from ..session.plots import Wish
 from ..session.session import Notice, Session
-from . import keeping, readouts, script, shelf
+from . import controls, keeping, mail, readouts, script, shelf
+from .answers import Answers
+from .controls import Controls
 from .drawing import Mapping
+from .export_panel import ExportPanel
 from .files_panel import FilesPanel
 from .measure_panel import MeasurePanel
 from .panel import Panel, set_theme
@@ -59,9 +65,12 @@ class Tab:
         client: viser's handle of it.
         scene: what it shows first.
         compiler: makes kernels ready in the background.
+        query: of the page's address, which may say which controls there are.
     """
 
-    def __init__(self, client: viser.ClientHandle, scene: sim.Scene, compiler: Compiler) -> None:
+    def __init__(
+        self, client: viser.ClientHandle, scene: sim.Scene, compiler: Compiler, query: str = ""
+    ) -> None:
         self.client = client
         self._compiler = compiler
         self._requests: deque[tuple[str, Any]] = deque(maxlen=100)
@@ -71,7 +80,6 @@ class Tab:
         self._generation = -1
         self._fits = 0
         self._planned = -1
-        self._parts = keeping.Parts()
         self._kept: tuple[Any, ...] = ()
         self._shelf = shelf.stamp()
         self._shelf_due = 0.0
@@ -87,6 +95,12 @@ class Tab:
         self._all_ready = False
         self._first = scene
         self._view = Canvas(client, self._touched)
+        self._mail = mail.Mail(client)
+        self._asked_controls = self._checked(controls.of_query, query)
+        self._controls = controls.ALL
+        self._plots_kept: tuple[Wish, ...] = ()
+        self._measure: MeasurePanel | None = None
+        self._tools: ToolsPanel | None = None
         self._session: Session | None = None
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
@@ -95,11 +109,13 @@ class Tab:
 
     # --------------------------------------------------------------------- handlers, any thread
     def request(self, what: str, argument: Any) -> None:
-        """Ask the ticker for something that is not the session's; scenes are read at once."""
-        if what == "open":
-            self._open(argument)
-        elif what == "notice":
+        """Ask for something that is not the session's: of the ticker, but for what the page's script does."""
+        if what == "notice":
             self.notify(argument)
+        elif what == "share":
+            self._answers.sharing.offer()
+        elif what == "gallery":
+            self._answers.gallery.offer()
         else:
             self._requests.append((what, argument))
 
@@ -148,7 +164,7 @@ class Tab:
                 return
             session = self._begin(Session(self._first, wait=False))
         else:
-            self._look_at_shelf(session)
+            self._look_at_shelf(session.now())
             self._serve_requests(session)
             self._prepare(session)
             if session.heavy:
@@ -159,7 +175,8 @@ class Tab:
             self._rebuild(session)
         if session.revision != self._planned:
             self._plan(session)
-        self._measure.tick()
+        if self._measure is not None:
+            self._measure.tick()
         self._show(session)
         self._tell(session)
         self._keep(session)
@@ -170,22 +187,49 @@ class Tab:
         session.tick(budget)
 
     def _begin(self, session: Session) -> Session:
-        """The panel, which is made after the first picture has been sent."""
-        self._panel = Panel(self.client, session, shelf.labels(self._first.name), self.request)
-        with self._panel.files_tab:
-            self._files = FilesPanel(self.client, session, self.notify)
-        self._measure = MeasurePanel(self.client, self._panel.measure_tab, session, self.notify)
-        with self._panel.measure_tab:
-            self._tools = ToolsPanel(self.client, session, self.request)
-        self._panel.outlined += [*self._files.outlined, *self._tools.outlined]
+        """What is made after the first picture has been sent."""
+        self._answers = Answers(session, self._mail, self.notify, lambda kept: self._resume(session, kept))
+        self._controls = self._wanted_controls(session.scene)
+        self._make_panel(session)
+        self._session = session
+        return session
+
+    def _wanted_controls(self, scene: sim.Scene) -> Controls:
+        """Those that the page's address names, or else the scene."""
+        return self._asked_controls or self._checked(controls.of_scene, scene) or controls.ALL
+
+    def _checked(self, find: Callable[[Any], Controls | None], source: Any) -> Controls | None:
+        """The controls that are found; if one of them is none, its user is told, and all are there."""
+        try:
+            return find(source)
+        except InputError as error:
+            self.notify(Notice("error", "All controls are shown", str(error)))
+            return None
+
+    def _make_panel(self, session: Session) -> None:
+        """The panel, with the controls that there are."""
+        self._panel = Panel(self.client, session, self.request, self._controls)
+        self._measure = self._tools = None
+        if self._panel.measure_tab is not None:
+            if "measure" in self._controls:
+                self._measure = MeasurePanel(self.client, self._panel.measure_tab, session, self.notify)
+                self._measure.remember(self._plots_kept)
+            if "tools" in self._controls:
+                with self._panel.measure_tab:
+                    self._tools = ToolsPanel(self.client, session, self.request)
+                self._panel.outlined += self._tools.outlined
+        if self._panel.files_tab is not None:
+            with self._panel.files_tab:
+                files = FilesPanel(self.client, session, self.notify, self._answers.sharing.offer)
+                take_home = ExportPanel(self.client, session, lambda: self._dark, self.request)
+            self._panel.outlined += [*files.outlined, *take_home.outlined]
 
         @self._panel.channel.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is None:
                 return
             value = self._panel.channel.value
-            if part := script.parse_part(value):
-                self._resume(session, *part)
+            if self._answers.take(value, self._controls):
                 return
             match script.parse(value, self._mapping):
                 case None:
@@ -195,12 +239,10 @@ class Tab:
                 case script.Pick(mass):
                     self.request("joint", mass)
                 case script.PlotAngle():
-                    self._measure.plot_angle()
+                    if self._measure is not None:
+                        self._measure.plot_angle()
                 case command:
                     session.post(command)
-
-        self._session = session
-        return session
 
     def _prepare(self, session: Session) -> None:
         """Have compiled first what the session waits for, and say what it is and how far it is."""
@@ -224,14 +266,25 @@ class Tab:
 
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
-        scene = session.scene
         self._plan(session)
         self._view.show_gizmos(self._gizmos)
-        self._panel.build(scene.name)
-        self._tools.build()
-        self._panel.set_scenes(shelf.labels(scene.name), scene.name)
+        wanted = self._wanted_controls(session.scene)
+        if wanted != self._controls:
+            if wanted.in_panel and not self._controls.in_panel:
+                self.client.gui.main_panel.expand()
+            self._controls, pictures = wanted, self._panel.pictures
+            if self._measure is not None:
+                self._plots_kept = self._measure.wishes
+            self.client.gui.reset()
+            self._make_panel(session)
+            self._panel.pictures = pictures
+            self._panel.show_looks(self._dark, self._gizmos)
+        self._panel.build()
+        if self._tools is not None:
+            self._tools.build()
         self._panel.set_style(self._dark)
-        self._measure.build(self._dark)
+        if self._measure is not None:
+            self._measure.build(self._dark)
         self._moved_at = session.now()
         self._generation = session.generation
 
@@ -256,12 +309,12 @@ class Tab:
         picture = self._picture(session)
         if self._view.draw(picture, now, force=changed or not running):
             self._moved_at = now
-        self._tools.draw(self._view.plan_number, now, exactly=changed or not running)
+        if self._tools is not None:
+            self._tools.draw(self._view.plan_number, now, exactly=changed or not running)
         at_rest = now - self._moved_at > RESTING_AFTER
         self._broken = len(broken_of(picture.damage))
-        self._panel.set_state(
-            self._shown_as, session.playing, at_rest and running, self._broken, self._measure.called
-        )
+        called = self._measure.called if self._measure is not None else 0
+        self._panel.set_state(self._shown_as, session.playing, at_rest and running, self._broken, called)
         still = at_rest and self._was_at_rest and not self._panel.unsettled
         if changed or (now >= self._readouts_due and not still):
             self._readouts_due = now + READOUTS_EVERY
@@ -289,7 +342,7 @@ class Tab:
 
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
-        now, plots = session.now(), self._measure.wishes
+        now, plots = session.now(), self._measure.wishes if self._measure is not None else ()
         state = (session.revision, session.simulation.time, self._dark, self._gizmos, plots)
         # At rest only the clock goes on: that is not worth a message.
         resting = self._was_at_rest and (state[0], plots) == (*self._kept[:1], *self._kept[4:])
@@ -300,26 +353,23 @@ class Tab:
         self._kept = state
         self._keep_due = now + max(KEEP_EVERY, (time.perf_counter() - began) / KEEP_SHARE)
 
-    def _resume(self, session: Session, number: int, of: int, letters: str) -> None:
-        kept = self._parts.add(number, of, letters)
-        if kept is None:
-            return
-        self._measure.remember(kept.plots)
+    def _resume(self, session: Session, kept: keeping.Kept) -> None:
+        self._plots_kept = kept.plots
+        if self._measure is not None:
+            self._measure.remember(kept.plots)
         self.request("gizmos", kept.gizmos)
         if kept.dark:
             self.request("theme", True)
         session.post(commands.Resume(bytes(kept.session)))
 
-    def _look_at_shelf(self, session: Session) -> None:
-        now = session.now()
+    def _look_at_shelf(self, now: float) -> None:
         if now < self._shelf_due:
             return
         self._shelf_due = now + SHELF_EVERY
         stamp = shelf.stamp()
         if stamp != self._shelf:
             self._shelf = stamp
-            self._files.refresh()
-            self.request("scenes", None)
+            self._answers.gallery.changed()
 
     def _serve_requests(self, session: Session) -> None:
         while self._requests:
@@ -335,6 +385,8 @@ class Tab:
                 self._panel.show_looks(self._dark, self._gizmos)
             elif what == "fit":
                 self._fits += 1
+            elif what == "picture":
+                self._panel.pictures += 1
             elif what == "follow":
                 session.post(commands.Follow(not session.follow))
                 session.revision += 1
@@ -345,31 +397,22 @@ class Tab:
             elif what == "anew":
                 session.post(commands.Open(session.opened))
             elif what == "tools":
-                self._tools.serve(*argument)
+                if self._tools is not None:
+                    self._tools.serve(*argument)
             elif what == "joint":
-                self._tools.choose(argument)
+                if self._tools is not None:
+                    self._tools.choose(argument)
                 joint = readouts.joint_of_mass(session.scene, argument)
-                self._measure.choose(argument)
+                if self._measure is not None:
+                    self._measure.choose(argument)
                 if joint is not None:
                     session.post(commands.SelectJoint(joint))
                     session.revision += 1
             elif what == "plot":
-                self._measure.plot_angle()
-            elif what == "scenes":
-                self._panel.set_scenes(shelf.labels(session.scene.name), session.scene.name)
+                if self._measure is not None:
+                    self._measure.plot_angle()
             elif what == "help":
                 self._help()
-
-    def _open(self, name: str) -> None:
-        """Read a scene, in the handler's thread."""
-        try:
-            scene = sim.load_scene(name)
-        except sim.SceneError as error:
-            self.notify(Notice("error", "That scene cannot be opened", str(error)))
-            self.request("scenes", None)
-            return
-        if self._session is not None:
-            self._session.post(commands.Open(scene))
 
     def _help(self) -> None:
         with self.client.gui.add_modal("How to use softrod") as modal:

@@ -45,7 +45,11 @@ def serving(
         PortBusy: something else listens on the port.
     """
     compiler = Compiler()
-    ticker = Ticker(lambda client: Tab(client, scene, compiler))
+
+    def make_tab(client: viser.ClientHandle) -> Tab:
+        return Tab(client, scene, compiler, server.gate.query_of(client.client_id))
+
+    ticker = Ticker(make_tab)
 
     def oversized(client_id: int, name: str) -> None:
         tab = ticker.tabs.get(client_id)

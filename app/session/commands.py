@@ -10,7 +10,7 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Literal
 
-from sim import Scene
+from sim import Moment, Scene
 
 from .log import Log
 
@@ -159,6 +159,15 @@ class Snapshot:
 
 
 @dataclass(frozen=True)
+class Recent:
+    """The moments of the last simulated seconds before the one that is shown are wanted, each with the second
+    body's, or None."""
+
+    seconds: float
+    result: Future[list[tuple[Moment, Moment | None]]]
+
+
+@dataclass(frozen=True)
 class GoTo:
     """Pause, and show the moment nearest to a simulated time, s."""
 
@@ -210,6 +219,6 @@ class Resume:
 
 Command = (
     HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues | Compare
-    | Foretell | KeepBooks | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot
+    | Foretell | KeepBooks | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot | Recent
     | GoTo | GoBack | GoForward | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
 )  # fmt: skip

@@ -186,6 +186,15 @@ class History:
         before = max(self.shown - 1, 0)
         return min(before, self.nearest(self[self.shown].time - seconds)) if seconds > 0.0 else before
 
+    def recent(self, seconds: float) -> list[tuple[Moment, Moment | None]]:
+        """The moments of so many seconds before the one that is shown, and that one, each with the second
+        body's."""
+        if self.shown < 0:
+            return []
+        # One more, so that all of the seconds are covered.
+        first = max(self.nearest(self[self.shown].time - seconds) - 1, 0)
+        return [(f.moment, f.ghost.moment if f.ghost else None) for f in self._frames[first : self.shown + 1]]
+
     def cut(self) -> list[Moment]:
         """Drop what is newer than what is shown, and return it, the moment shown first; or nothing at all."""
         if not self.scrubbed:

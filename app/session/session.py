@@ -120,6 +120,16 @@ class Session(Timeline):
         self.post(request)
         return _answer(request.result)
 
+    def recent(self, seconds: float) -> list[tuple[sim.Moment, sim.Moment | None]]:
+        """What the page has shown in the last simulated seconds; see `commands.Recent`. Any thread may ask.
+
+        Raises:
+            InputError: the ticker did not answer.
+        """
+        request = commands.Recent(seconds, Future())
+        self.post(request)
+        return _answer(request.result)
+
     # --------------------------------------------------------------------- the ticker's
     def tick(self, budget: float) -> None:
         """Go on by one frame, as far as the clock and the budget allow; `drain` comes before.
@@ -257,6 +267,8 @@ class Session(Timeline):
                 if with_pose:
                     scene = msgspec.structs.replace(scene, pose=self.simulation.pose())
                 result.set_result(scene)
+            case commands.Recent(seconds, result):
+                result.set_result(self.history.recent(seconds))
             case commands.SaveLog(result):
                 self._save_log(result)
             case commands.Replay(record):

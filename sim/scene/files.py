@@ -19,9 +19,10 @@ import msgspec
 import platformdirs
 
 from ..errors import SceneError
+from .link import link_data, unpack
 from .places import line_and_column, place_of
 from .sentences import sentence
-from .types import BODY_FIELDS, FORMAT_VERSION, Scene
+from .types import BODY_FIELDS, FORMAT_VERSION, Scene, is_surrounded
 from .validate import consistent, plain, validate
 
 MAX_FILE_BYTES = 5_000_000
@@ -41,6 +42,7 @@ class SceneInfo:
         path: of its file.
         built_in: whether it ships with softrod.
         group: the folder of presets that it is in, such as "study", or empty.
+        surrounded: whether anything acts on the body besides springs and still air.
     """
 
     name: str
@@ -49,6 +51,7 @@ class SceneInfo:
     built_in: bool
     group: str = ""
     title: str = ""
+    surrounded: bool = False
 
 
 def built_in_folder() -> Path:
@@ -172,6 +175,15 @@ def _with_present_method(raw: dict[str, Any]) -> dict[str, Any]:
     return raw
 
 
+def decode_link(data: str) -> Scene:
+    """The scene in the data of a link, see `sim.scene.link`.
+
+    Raises:
+        SceneError: one sentence that says what is wrong.
+    """
+    return decode_scene(unpack(data, MAX_FILE_BYTES), "the link", places=False)
+
+
 # ------------------------------------------------------------------------- files
 def read_scene(path: Path) -> Scene:
     """The scene in a file.
@@ -191,12 +203,14 @@ def read_scene(path: Path) -> Scene:
 
 
 def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
-    """A scene by its name (a built-in preset, or one saved in the page) or by its file's path.
+    """A scene by its name (a built-in preset, or one saved in the page), its file's path, or a link to it.
 
     Raises:
         SceneError: there is none, or it is not valid.
     """
     text = os.fspath(name_or_path)
+    if (data := link_data(text)) is not None:
+        return decode_link(data)
     path = Path(text)
     if path.suffix == ".json" or path.name != text:
         return read_scene(path)
@@ -275,7 +289,8 @@ def list_scenes() -> list[SceneInfo]:
             continue
         built_in = path in presets
         group = path.parent.name if built_in and path.parent != built_in_folder() else ""
-        found.append(SceneInfo(path.stem, scene.description, path, built_in, group, scene.title))
+        about = scene.description, path, built_in, group, scene.title, is_surrounded(scene)
+        found.append(SceneInfo(path.stem, *about))
     return found
 
 
@@ -326,16 +341,3 @@ def save_user_scene(scene: Scene, name: str) -> str:
         raise SceneError(f"{path.parent}: the folder cannot be made ({error.strerror or error})") from None
     save_scene(msgspec.structs.replace(scene, name=path.stem, title=""), path)
     return path.stem
-
-
-def delete_user_scene(name: str) -> None:
-    """Delete one of the user's own scenes.
-
-    Raises:
-        SceneError: it is built in, does not exist, or cannot be deleted.
-    """
-    path = user_path(name)
-    try:
-        path.unlink()
-    except OSError as error:
-        raise SceneError(f"{name!r} cannot be deleted ({error.strerror or error})") from None

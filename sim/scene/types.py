@@ -98,6 +98,10 @@ Readout = Literal["sine", "cosine", "radians", "degrees", "rest_angle"]
 """What the page can show of a joint's angle."""
 
 
+Control = Annotated[str, Meta(min_length=1, max_length=80)]
+"""The name of a control of the page; the page knows which there are."""
+
+
 class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """How the scene is shown.
 
@@ -107,6 +111,7 @@ class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         frame: the region shown initially, (x min, y min, x max, y max) in px.
         colors: the colour scheme: softrod's own, or the tutorial's green springs and red masses.
         readouts: what is shown of a joint's angle.
+        controls: names of the controls that the page has, in order; None for all.
     """
 
     y_down: bool = True
@@ -114,6 +119,7 @@ class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     frame: tuple[Coordinate, Coordinate, Coordinate, Coordinate] = (0.0, 0.0, 600.0, 600.0)
     colors: Literal["softrod", "tutorial"] = "softrod"
     readouts: tuple[Readout, ...] = ("degrees", "rest_angle")
+    controls: Annotated[tuple[Control, ...], Meta(max_length=100)] | None = None
 
 
 class Damage(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -10,6 +10,7 @@ import pytest
 import sim
 from app.page import shelf
 from sim.scene import files
+from sim.scene.own_scenes import trash_user_scene
 
 
 @pytest.fixture
@@ -30,7 +31,7 @@ def test_what_is_saved_and_deleted_is_seen_at_once(home: Path) -> None:
         files.save_user_scene(sim.rope(), name)
         assert name in own()
     assert shelf.stamp() != before
-    files.delete_user_scene("one")
+    trash_user_scene("one")
     assert own() == ["two"]
 
 
@@ -44,19 +45,32 @@ def test_the_folder_is_read_once_for_all_pages(home: Path, monkeypatch: pytest.M
 
 def test_presets_go_by_their_titles_and_saved_scenes_by_their_names(home: Path) -> None:
     files.save_user_scene(sim.load_scene("ring"), "my ring")
-    labels = shelf.labels("elsewhere")
-    assert labels["Rope (3.3)"] == "tutorial-3.3"
-    assert labels["my ring"] == "my ring"
-    assert labels["elsewhere"] == "elsewhere"
-    # Every scene that is offered can be told from the others, and opened.
-    offered = [info.name for info in shelf.scenes() if not info.group]
-    assert sorted(labels.values()) == sorted([*offered, "elsewhere"])
+    entries = {entry.name: entry for entry in shelf.entries()}
+    assert entries["tutorial-3.3"].title == "Rope (3.3)"
+    assert entries["my ring"].title == "my ring"
+    assert entries["study-w1"].title == "study-w1"
+    # Every scene that is offered can be opened.
+    assert [entry.name for entry in shelf.entries()] == list(entries)
+    for name in entries:
+        sim.load_scene(name)
     assert sim.load_scene("my ring").title == ""
 
 
-def test_a_saved_scene_may_be_called_as_a_preset_is_titled(home: Path) -> None:
-    assert shelf.labels("ring")["Flag and pole"] == "flag-pole"
-    files.save_user_scene(sim.rope(), "Flag and pole")
-    labels = shelf.labels("ring")
-    assert labels["Flag and pole"] == "Flag and pole"
-    assert labels["flag-pole"] == "flag-pole"
+def test_scenes_are_grouped_by_what_they_are(home: Path) -> None:
+    files.save_user_scene(sim.load_scene("pile"), "mine")
+    groups: dict[str, list[str]] = {}
+    for entry in shelf.entries():
+        groups.setdefault(entry.group, []).append(entry.name)
+    assert list(groups) == ["Tutorial", "Bodies", "Surroundings", "Your own", "Studies"]
+    assert groups["Tutorial"] == ["tutorial-3.1", "tutorial-3.2", "tutorial-3.3"]
+    assert {"ring", "cloth", "bridge"} <= set(groups["Bodies"])
+    assert {"pile", "jelly", "tree", "water-balloon"} <= set(groups["Surroundings"])
+    assert groups["Your own"] == ["mine"]
+    assert all(name.startswith("study-") for name in groups["Studies"])
+
+
+def test_a_card_has_one_line() -> None:
+    entries = {entry.name: entry for entry in shelf.entries()}
+    assert entries["cloth"].line == "A cloth with slack, hung up by two corners."
+    assert entries["box"].line.startswith("A box without diagonals")
+    assert all(entry.line and "\n" not in entry.line for entry in entries.values() if not entry.own)

@@ -136,6 +136,7 @@ def open_page(
         size: tuple[int, int] = DESKTOP,
         phone: bool = False,
         smooth: bool = False,
+        path: str = "/",
     ) -> Desk:
         served = serve(scene)
         is_usual = size == DESKTOP and not phone and not smooth
@@ -156,7 +157,7 @@ def open_page(
         desks.append(desk)
         if is_usual:
             usual.append(desk)
-        desk.open()
+        desk.open(path)
         return desk
 
     yield open_one

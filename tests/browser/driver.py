@@ -17,7 +17,6 @@ import numpy as np
 from numpy.typing import NDArray
 from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page
 
-from app.page import shelf
 from app.page.tab import Tab
 from app.server.ticker import Ticker
 from app.session.commands import Command
@@ -51,6 +50,14 @@ _FORGET = """() => {
   sessionStorage.clear();
   localStorage.clear();
 }"""
+
+VISERS_ERRORS = (
+    # At every press on a node that can be dragged.
+    "inside passive event listener",
+    # An update of an element that is taken away in the same batch is applied after that.
+    "Tried to update non-existent component",
+)
+"""Errors of viser 1.1.1 that change nothing."""
 
 _PROJECT = """points => {
   const { camera, canvas, nodeRefFromName } = window.__viserMutable;
@@ -156,7 +163,8 @@ class Desk:
         # Without it viser's page draws coarser when it is slow, and pixels would depend on the machine. The
         # gate turns a query away, so the page only believes that it has one.
         self.page.add_init_script(
-            "if (location.host) history.replaceState(null, '', '?fixedDpr=' + devicePixelRatio)"
+            "if (location.host) history.replaceState(null, '', '?fixedDpr=' + devicePixelRatio"
+            " + location.search.replace('?', '&') + location.hash)"
         )
         self.page.add_init_script(_HARDWARE)
         self.page.on("console", self._hear)
@@ -166,18 +174,17 @@ class Desk:
     def _hear(self, message: ConsoleMessage) -> None:
         if "GL_INVALID" in message.text or "WebGL: INVALID" in message.text:
             self.complaints.append(message.text)
-        # The passive listener is viser's own (1.1.1), at every press on a node that can be dragged.
-        elif message.type == "error" and "inside passive event listener" not in message.text:
+        elif message.type == "error" and not any(text in message.text for text in VISERS_ERRORS):
             self.errors.append(message.text)
 
     def _count(self) -> None:
         self.frames += 1
 
     # --------------------------------------------------------------------- opening
-    def open(self) -> None:
+    def open(self, path: str = "/") -> None:
         """Go to the page (or load it again), and wait until the body is drawn and can be used."""
         known = max([*self.served.ticker.tabs, self._client])
-        self.page.goto(self.served.url)
+        self.page.goto(self.served.url + path)
         new = self.until(lambda: [c for c in list(self.served.ticker.tabs) if c > known], "the page connects")
         self._client = new[0]
         self.until(lambda: self.tab._session is not None, "the tab has its session")
@@ -397,11 +404,26 @@ class Desk:
         box.press("Enter")
 
     def choose(self, name: str, option: str) -> None:
-        """Choose from a dropdown; a scene by its name."""
-        if name == "Scene":
-            option = next(label for label, scene in shelf.labels("").items() if scene == option)
+        """Choose from a dropdown."""
         self.control(name).click()
         self.page.get_by_role("option", name=option, exact=True).and_(self.page.locator(":visible")).click()
+
+    def gallery(self) -> Locator:
+        """Open the gallery, and wait until its cards are there."""
+        self.page.keyboard.press("o")
+        dialog = self.page.get_by_role("dialog", name="Scenes")
+        dialog.locator(".softrod-card").first.wait_for()
+        return dialog
+
+    def card(self, name: str) -> Locator:
+        """The card of a scene in the gallery, which is open."""
+        return self.page.locator(f'.softrod-card[data-name="{name}"]')
+
+    def open_scene(self, name: str) -> None:
+        """Open a scene from the gallery, and wait until it is there."""
+        self.gallery()
+        self.card(name).locator(".softrod-open").click()
+        self.until(lambda: self.session.scene.name == name, f"{name} is opened")
 
     def button(self, name: str) -> Locator:
         """A button that can be seen."""

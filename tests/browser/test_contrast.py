@@ -7,7 +7,9 @@ from typing import Any
 
 import pytest
 
+import sim
 from app.session import commands
+from sim.scene import files
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -51,6 +53,16 @@ def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
     for tab in TABS:
         desk.show(tab)
         pale += poor(desk, tab)
+    files.save_user_scene(sim.rope(), "mine")
+    desk.gallery()
+    desk.card("mine").get_by_role("button", name="Delete mine").click()
+    desk.page.get_by_role("button", name="Undo").wait_for()
+    pale += poor(desk, "the gallery")
+    desk.page.keyboard.press("Escape")
+    desk.tab.request("share", None)
+    desk.page.get_by_label("Link to this scene").wait_for()
+    pale += poor(desk, "a link")
+    desk.page.keyboard.press("Escape")
     desk.page.keyboard.press("Control+k")
     desk.page.get_by_placeholder("Search").wait_for()
     pale += poor(desk, "all commands")

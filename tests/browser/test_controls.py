@@ -140,8 +140,7 @@ def test_only_controls_that_the_scene_can_use_are_there(open_page: OpenPage) -> 
     for name, wanted in CONTROLS.items():
         desk.show("Play")
         if desk.session.scene.name != name:
-            desk.choose("Scene", name)
-            desk.until(lambda name=name: desk.session.scene.name == name, f"{name} is opened")
+            desk.open_scene(name)
         pad = desk.page.get_by_role("button", name="rest angle up")
         desk.until(lambda pad=pad, name=name: pad.is_visible() == PADS[name], f"the arrow pad of {name}")
         assert desk.page.get_by_text("Follow pointer", exact=True).is_visible()
@@ -273,8 +272,8 @@ def test_there_is_one_notice_of_a_runaway_and_none_once_it_is_over(open_page: Op
     desk.tell(commands.SetValue("angular_stiffness", 1e8), commands.Play(True))
     desk.until(lambda: desk.notices(), "it runs away once more")
     desk.show("Play")
-    desk.choose("Scene", "ring")
-    desk.until(lambda: desk.session.scene.name == "ring" and not desk.notices(), "another scene ends it")
+    desk.open_scene("ring")
+    desk.until(lambda: not desk.notices(), "another scene ends it")
     desk.until(lambda: desk.simulation.step_count > 40, "and plays")
 
 
@@ -317,7 +316,7 @@ def test_the_play_tab_has_what_makes_most_of_a_scene(open_page: OpenPage) -> Non
     desk.show("Body")
     desk.until(lambda: desk.box("Rest angle").input_value() == "25", "and the slider of the Body tab")
     desk.show("Play")
-    desk.choose("Scene", "tutorial-3.2")
+    desk.open_scene("tutorial-3.2")
     desk.choose("Angle template", "-45°")
     desk.until(lambda: desk.session.scene.template == -45, "a template, where there are some")
 

@@ -1,4 +1,4 @@
-"""The Files tab: scenes are saved, loaded, deleted, downloaded and uploaded; a bad file changes nothing."""
+"""The Files tab: scenes are saved, downloaded and uploaded; a bad file changes nothing."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 import sim
 from app.session import commands
 from sim.scene import files
+from sim.scene.own_scenes import trash_user_scene
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 from tests.browser.looks import assert_shown
@@ -28,13 +29,12 @@ def upload(desk: Desk, path: Path) -> None:
     desk.page.locator("input[type=file]").set_input_files(path)
 
 
-def test_a_scene_is_saved_loaded_and_deleted(open_page: OpenPage, data_folder: Path) -> None:
+def test_a_scene_is_saved_and_opened(open_page: OpenPage, data_folder: Path) -> None:
     desk = open_page()
     desk.tell(commands.SetValue("angular_stiffness", 4321.0))
     desk.show("Files")
     save(desk, "my rope")
-    path = data_folder / "softrod" / "scenes" / "my rope.json"
-    assert path.is_file()
+    assert (data_folder / "softrod" / "scenes" / "my rope.json").is_file()
     desk.control("With pose").check()
     desk.tell(commands.SetValue("rest_angle", 12.0), commands.DoSteps(150))
     pose = desk.simulation.positions
@@ -43,37 +43,15 @@ def test_a_scene_is_saved_loaded_and_deleted(open_page: OpenPage, data_folder: P
     # The page is loaded afresh: it starts from the server's scene, and the saved ones are there.
     desk.open()
     assert desk.session.scene.name == "tutorial-3.3"
-    desk.show("Files")
-    desk.choose("Saved", "my rope")
-    desk.button("Load").click()
-    desk.until(lambda: desk.session.scene.name == "my rope", "the saved scene is loaded")
+    desk.open_scene("my rope")
     assert desk.session.scene.angular_springs[0].stiffness == 4321.0
     assert desk.session.scene.pose is None
-    # With a pose it goes on from where it was; the scene chooser of the Play tab has it, too.
+    # With a pose it goes on from where it was.
     desk.tell(commands.Play(False))
-    desk.show("Play")
-    desk.choose("Scene", "bent rope")
-    desk.until(lambda: desk.session.scene.name == "bent rope", "the other one is loaded")
+    desk.open_scene("bent rope")
     assert np.allclose(desk.simulation.positions, pose, atol=1e-6)
     assert desk.simulation.rest_angles[0] == 12.0
     assert_shown(desk)
-
-    # Deleting asks first.
-    desk.show("Files")
-    desk.choose("Saved", "my rope")
-    desk.button("Delete").click()
-    dialog = desk.page.get_by_role("dialog")
-    dialog.get_by_role("button", name="Cancel").wait_for()
-    assert "my rope" in dialog.inner_text()
-    assert dialog.locator("textarea, input").count() == 0
-    desk.page.keyboard.press("Escape")
-    desk.until(lambda: dialog.count() == 0, "the question goes away")
-    assert path.is_file()
-    desk.button("Delete").click()
-    dialog.get_by_role("button", name="Delete").click()
-    desk.notice("'my rope' is deleted")
-    assert not path.exists()
-    desk.until(lambda: desk.control("Saved").input_value() == "bent rope", "the list is up to date")
 
 
 def test_a_built_in_name_is_refused_and_a_taken_one_asked_about(
@@ -121,23 +99,19 @@ def test_a_download_is_the_scene_and_can_be_opened_again(open_page: OpenPage, tm
     assert not desk.notices()
 
 
-def test_a_scene_saved_in_one_page_is_there_in_another(open_page: OpenPage, data_folder: Path) -> None:
+def test_a_scene_saved_in_one_page_is_there_in_another(open_page: OpenPage) -> None:
     one, other = open_page(size=(720, 460)), open_page(size=(720, 460))
-    for name in sim.list_scenes():
-        if not name.built_in:
-            files.delete_user_scene(name.name)
-    other.show("Files")
-    load, delete = other.button("Load"), other.button("Delete")
-    other.until(lambda: load.is_disabled() and delete.is_disabled(), "there is nothing to load or delete")
+    other.gallery()
+    assert other.card("for both").count() == 0
     one.show("Files")
     save(one, "for both")
-    other.until(lambda: load.is_enabled() and delete.is_enabled(), "now there is")
-    assert other.control("Saved").input_value() == "for both"
-    other.show("Play")
-    other.choose("Scene", "for both")
+    # The other's gallery, which is open, shows it.
+    other.card("for both").locator(".softrod-open").click()
     other.until(lambda: other.session.scene.name == "for both", "it is opened")
-    files.delete_user_scene("for both")
-    one.until(lambda: one.button("Load").is_disabled(), "a scene deleted by another program is gone")
+    one.gallery()
+    one.card("for both").wait_for()
+    trash_user_scene("for both")
+    one.until(lambda: one.card("for both").count() == 0, "a scene deleted by another program is gone")
 
 
 def test_a_log_is_saved_and_played(open_page: OpenPage, tmp_path: Path) -> None:

@@ -172,7 +172,7 @@ def test_the_ringed_mass_follows_the_pointer_without_a_button(open_page: OpenPag
         "the mass is at the pointer",
     )
     # Off the canvas there is nothing to follow.
-    panel = desk.control("Scene").bounding_box()
+    panel = desk.button("Rope (3.3)").bounding_box()
     assert panel is not None
     desk.page.mouse.move(panel["x"] + 20.0, panel["y"] + 300.0)
     steps = desk.simulation.step_count

@@ -19,12 +19,12 @@ from sim.scene.files import (
     MAX_FILE_BYTES,
     built_in_folder,
     decode_scene,
-    delete_user_scene,
     encode_scene,
     safe_name,
     save_user_scene,
     user_folder,
 )
+from sim.scene.own_scenes import trash_user_scene
 from sim.scene.types import Circle
 from tests.sim.builders import PRESETS, star, tangle
 
@@ -366,7 +366,7 @@ def test_names_that_cannot_be_used(name: str, home: Path) -> None:
     with pytest.raises(SceneError):
         save_user_scene(star(3), name)
     with pytest.raises(SceneError):
-        delete_user_scene(name)
+        trash_user_scene(name)
     assert not home.exists() or list(home.iterdir()) == []
 
 
@@ -379,12 +379,12 @@ def test_saving_listing_loading_and_deleting(home: Path) -> None:
     assert load_scene("My- star") == REPLACE(star(5), name="My- star", description="mine")
     save_user_scene(star(6), "My- star")
     assert len(load_scene("My- star").masses) == 7
-    delete_user_scene("My- star")
-    assert list(home.iterdir()) == []
+    trash_user_scene("My- star")
+    assert list(home.glob("*.json")) == []
     with pytest.raises(SceneError, match="there is no scene"):
         load_scene("My- star")
     with pytest.raises(SceneError, match="cannot be deleted"):
-        delete_user_scene("My- star")
+        trash_user_scene("My- star")
 
 
 @pytest.mark.parametrize("name", ["v1.5", "my.json", "a b-c_d", "Größe", "x.JSON"])

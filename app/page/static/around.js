@@ -148,6 +148,28 @@ export function loops({ fillings }, places, gas) {
 }
 
 /**
+ * All that lies behind a body but the wind, as paths.
+ *
+ * @param {{plan: Plan, on: Screen, places: Float64Array, box: Box}} seen
+ * @param {number} size of the scene's frame, px: the larger of its sides
+ */
+export function behind({ plan, on, places, box }, size) {
+  const found = { wall: "", hatch: "", surface: "", gas: "", liquid: "", ...gridLines(plan, size, on, box) };
+  const walls = Array.from({ length: plan.walls.length / 4 }, (_, i) => wallInView(plan, i, on, box));
+  for (const wall of walls) {
+    found.wall += outline(wall.corners);
+    const surface = uncovered(wall, walls.filter((other) => other !== wall));
+    found.hatch += hatching({ ...wall, surface }, plan.scale * on.step);
+    found.surface += outline(surface);
+  }
+  if (plan.fillings.length) {
+    found.gas = loops(plan, places, true);
+    found.liquid = loops(plan, places, false);
+  }
+  return found;
+}
+
+/**
  * The velocity of the air, px/s, at a place that the mean wind carries along: gusts stand still there.
  *
  * @param {Float32Array} wind

@@ -12,6 +12,7 @@
 import * as draw from "./draw.js";
 import { Glide } from "./glide.js";
 import { keep } from "./keep.js";
+import { isMail, open } from "./mail.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "./plan.js";
 
 const PLAN = "/softrod/plan";
@@ -42,6 +43,8 @@ const colors = new Map();
 /** @type {((frame: Frame, plan: Plan) => void)[]} */
 const listeners = [];
 let asked = false;
+/** Whether the picture that is shown stays. */
+let held = false;
 
 /** Who takes the arrays of other nodes that only carry some. @type {Map<string, (data: Float32Array | null) => void>} */
 const carriers = new Map();
@@ -77,8 +80,15 @@ function ask() {
   asked = true;
 }
 
+/** Has the picture that is shown stay, while frames come in, or lets it go on. @param {boolean} on */
+export function hold(on) {
+  held = on;
+  ask();
+}
+
 function paint() {
   asked = false;
+  if (held) return;
   const { plan } = state;
   const frame = glide.at(seconds());
   if (frame && plan && frame.generation === plan.generation) {
@@ -160,6 +170,8 @@ export function drawBody(viser, heard) {
     } else if (carried) {
       const data = props?.points ?? updates?.points ?? null;
       if (data || type === "RemoveSceneNodeMessage") carried(data);
+    } else if (isMail(name)) {
+      open(name, updates?.colors);
     } else if (name === KEEPSAKE) {
       if (updates?.colors) keep(updates.colors);
     } else {

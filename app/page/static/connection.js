@@ -33,6 +33,16 @@ export class Attempts {
 }
 
 /**
+ * What is added to the server's address, for it to know which controls the page's address asks for.
+ *
+ * @param {string} search the query of the page's address
+ */
+export function wantedControls(search) {
+  const controls = new URLSearchParams(search).get("controls");
+  return controls === null ? "" : `/?controls=${encodeURIComponent(controls)}`;
+}
+
+/**
  * Watches every worker that the page makes from now on.
  *
  * @param {(connected: boolean) => void} changed
@@ -61,7 +71,8 @@ export function watchConnection(changed) {
     /** @param {any} message @param {any} [transfer] */
     postMessage(message, transfer) {
       if (message?.type === "retry" && !attempts.begin(performance.now())) return;
-      super.postMessage(message, transfer);
+      const named = message?.type === "set_server" && { ...message, server: message.server + wantedControls(location.search) };
+      super.postMessage(named || message, transfer);
     }
   }
   window.Worker = Watched;

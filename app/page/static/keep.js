@@ -3,12 +3,11 @@
  * What survives a reload, a lost connection and a restart of the server: the tab's own storage keeps what the
  * server says of the session now and then, and every new connection gets it back.
  */
-import { onTold, send, told } from "./channel.js";
+import { onTold, told } from "./channel.js";
+import { sendParts } from "./links.js";
 import { kept, store } from "./storage.js";
 
 const NAME = "softrod";
-/** Characters of a message; the gate takes 64 KiB. */
-const PART = 48_000;
 
 /** What the next connection is to be given, if anything: what was kept before this page began to be kept. */
 let due = kept(NAME);
@@ -28,18 +27,17 @@ async function packed(text) {
   return btoa(letters);
 }
 
-/** Gives it back to a new connection. */
-export function resume() {
+/** Gives it back to each new connection, and then calls back. @param {() => void} then */
+export function resume(then) {
   /** @type {string | undefined} */
   let channel;
   onTold(async () => {
     if (told().channel === channel) return;
     channel = told().channel;
+    if (!channel) return;
     const text = due;
-    if (!channel || !text) return;
     due = null;
-    const letters = await packed(text);
-    const parts = Math.ceil(letters.length / PART);
-    for (let i = 0; i < parts; i++) send("resume", `${i + 1}/${parts}|${letters.slice(PART * i, PART * (i + 1))}`);
+    if (text) sendParts("resume", await packed(text));
+    then();
   });
 }

@@ -3,6 +3,8 @@
 import { fit } from "./camera.js";
 import { onTold, send, told } from "./channel.js";
 import { toggleProjector } from "./looks.js";
+import { ask } from "./mail.js";
+import { takePicture } from "./picture.js";
 import { nextStep } from "./transport.js";
 
 /** @type {Record<string, string>} */
@@ -16,7 +18,9 @@ const ONCE = {
   KeyG: "plot",
   KeyJ: "second",
   KeyP: "project",
+  KeyI: "picture",
   Escape: "pause",
+  KeyO: "gallery",
   Digit0: "fit",
   Comma: "back",
   Period: "forward",
@@ -49,7 +53,7 @@ const isForBody = ({ target, code, key }) =>
 /** Whether a key acts on the page, and not on what is typed into or on a dialog. @param {KeyboardEvent} event */
 export const isFree = ({ target, ctrlKey, metaKey, altKey }) =>
   !(ctrlKey || metaKey || altKey || isTyping(target) || dialogIsOpen());
-const dialogIsOpen = () => document.querySelector('[role="dialog"]') !== null;
+const dialogIsOpen = () => document.querySelector('[role="dialog"], dialog[open]') !== null;
 /** Nobody else is to act on it. @param {Event} event */
 const swallow = (event) => {
   event.preventDefault();
@@ -115,6 +119,8 @@ function press(event) {
   if (event.repeat && !REPEATED.has(once)) return;
   if (once === "fit") fit(true);
   else if (once === "project") toggleProjector();
+  else if (once === "gallery") ask({ do: "offer", what: "gallery" });
+  else if (once === "picture") void takePicture();
   else if (once === "step") send("do", event.shiftKey ? "steps" : nextStep());
   else send("do", once);
 }
@@ -164,7 +170,7 @@ function listenToPad() {
   document.addEventListener("contextmenu", (event) => padKey(event) && event.preventDefault());
 }
 
-/** Once a scene is chosen, keys act on it and not on the box that it was chosen from. */
+/** Once something is chosen from a box, keys act on the scene and not on the box. */
 function leaveChooser() {
   let scene = told().scene;
   onTold(() => {

@@ -8,18 +8,23 @@ import { hear } from "./channel.js";
 import { showConnection, watchConnection } from "./connection.js";
 import { addCoordinates } from "./coordinates.js";
 import { mindDialogs } from "./dialogs.js";
+import { addGallery } from "./gallery.js";
 import { showHud } from "./hud.js";
 import { addInstruments } from "./instruments.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
+import { listenToLinks, openLink, takeLink } from "./links.js";
 import { restoreLooks } from "./looks.js";
 import { showMeasures } from "./measure.js";
 import { nameControls } from "./names.js";
 import { quietNotices } from "./notices.js";
 import { mindNumbers } from "./numbers.js";
 import { addOverlay } from "./overlay.js";
+import { mindPictures } from "./picture.js";
 import { listenToPointer } from "./pointer.js";
 import { addHeading } from "./paper.js";
+import { addShareDialog } from "./share.js";
+import { keepStyles } from "./styles.js";
 import { addUnderlay } from "./underlay.js";
 import { hearTools } from "./tools.js";
 import { addTraces } from "./trace.js";
@@ -39,6 +44,7 @@ function complain(text) {
 }
 
 const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
+takeLink();
 const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
 watchConnection(showConnection());
 whenViser((viser) => {
@@ -47,15 +53,18 @@ whenViser((viser) => {
     complain(FAULT);
     return;
   }
-  drawBody(viser, [hear, showHud, hearTools]);
+  drawBody(viser, [hear, showHud, hearTools, keepStyles]);
   keepFlat();
   mindDialogs();
   listenToKeys();
+  addGallery();
   mindNumbers();
   listenToPointer();
-  resume();
+  resume(openLink);
+  listenToLinks();
   restoreLooks();
   addTransport();
+  addShareDialog();
   addOverlay();
   addUnderlay();
   addTraces();
@@ -67,6 +76,7 @@ whenViser((viser) => {
   nameControls();
   showMeasures();
   quietNotices();
+  mindPictures();
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted } });
 });

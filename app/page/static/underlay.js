@@ -3,7 +3,7 @@
  * Behind the body: walls, what fills its loops, the wind, and below them the grid, which viser draws for scenes that
  * have none of these.
  */
-import { gridLines, hatching, loops, outline, streaks, uncovered, wallInView } from "./around.js";
+import { behind, streaks } from "./around.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { SVG, sight } from "./overlay.js";
@@ -17,33 +17,10 @@ const MARGIN = 150;
 /** From the back to the front. */
 const KINDS = /** @type {const} */ (["grid", "major", "wall", "hatch", "surface", "gas", "liquid"]);
 
-/** @typedef {Record<typeof KINDS[number], string>} Outlines */
-
 /** Whether there is anything to draw. */
 function surrounded() {
   const { plan } = shown();
   return plan !== null && plan.walls.length + plan.fillings.length + plan.wind.length > 0;
-}
-
-/**
- * @param {import("./overlay.js").Sight} seen
- * @returns {Outlines}
- */
-function outlines({ plan, on, places, box }) {
-  const size = Math.max(Number(told().width), Number(told().height)) / plan.scale;
-  const found = { wall: "", hatch: "", surface: "", gas: "", liquid: "", ...gridLines(plan, size, on, box) };
-  const walls = Array.from({ length: plan.walls.length / 4 }, (_, i) => wallInView(plan, i, on, box));
-  for (const wall of walls) {
-    found.wall += outline(wall.corners);
-    const surface = uncovered(wall, walls.filter((other) => other !== wall));
-    found.hatch += hatching({ ...wall, surface }, plan.scale * on.step);
-    found.surface += outline(surface);
-  }
-  if (plan.fillings.length) {
-    found.gas = loops(plan, places, true);
-    found.liquid = loops(plan, places, false);
-  }
-  return found;
 }
 
 /** @param {Element} element @param {string} name @param {string} value */
@@ -103,7 +80,7 @@ export function addUnderlay() {
     if (canvas.previousSibling !== svg) canvas.before(svg);
     const { left, top, width, height } = seen.box;
     set(svg, "viewBox", `${left} ${top} ${width} ${height}`);
-    const found = outlines(seen);
+    const found = behind(seen, Math.max(Number(told().width), Number(told().height)) / seen.plan.scale);
     KINDS.forEach((kind, i) => set(paths[i], "d", found[kind]));
     if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
     else set(wind, "d", "");

@@ -14,9 +14,13 @@
  *   setLookAt(...values: (number | boolean)[]): void, update(seconds: number): void}} Controls
  * @typedef {{type: string, name?: string, owner?: string, props?: Record<string, any>,
  *   updates?: Record<string, any>, [key: string]: any}} Message
+ * @typedef {{getPixelRatio(): number, setPixelRatio(ratio: number): void, render(scene: Scene, camera: unknown): void}}
+ *   Renderer
+ * @typedef {{onBeforeRender: () => void, onAfterRender: (renderer: Renderer, scene: Scene, camera: unknown) => void}}
+ *   Scene
  * @typedef {object} Viser
  * @property {HTMLCanvasElement | null} canvas
- * @property {{onBeforeRender: () => void} | null} scene called whenever it is about to be drawn
+ * @property {Scene | null} scene whose methods are called whenever it is about to be drawn, and when it is
  * @property {Camera | null} camera
  * @property {Controls | null} cameraControl
  * @property {Record<string, {matrixWorld: Matrix} | undefined>} nodeRefFromName

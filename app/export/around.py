@@ -1,0 +1,192 @@
+"""What surrounds a body in a picture, as lines and polygons in pixels; as static/around.js has it in a page.
+
+Points are (k, 2) arrays, y downwards. Distances that are pixels in the page go by `Window.unit`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from sim.around_settings import STILL_AIR
+from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE
+
+from ..page.drawing import Floats, Sketch, nice
+from .window import Window
+
+DENSE = 5.0
+"""Pixels between two lines of the grid below which it has only every fifth."""
+
+HATCH, STROKE = 13.0, 8.0
+"""Between two strokes of the hatching of a wall, about, and their reach along and into the wall."""
+
+STREAKS, STREAK, PARTS, POINT = 150.0, 44.0, 8, 4.0
+"""Between two streaks of the wind, about; the length of one in the mean wind, its straight parts, and its
+point."""
+
+
+class Wall(NamedTuple):
+    """What a picture shows of a wall.
+
+    Attributes:
+        at, normal: (2,) a point of the surface, and the direction to the free side.
+        corners: (k, 2) of the part in view.
+        surface: (2, 2) ends of the surface in view, or (0, 2).
+    """
+
+    at: Floats
+    normal: Floats
+    corners: Floats
+    surface: Floats
+
+
+def walls(sketch: Sketch, window: Window) -> list[Wall]:
+    """The scene's walls, each with the part of its surface that no other covers."""
+    if sketch.around is None:
+        return []
+    found = [_in_view(row, sketch, window) for row in sketch.around.walls[:, : WALL_NORMAL_Y + 1]]
+    return [
+        wall._replace(surface=_uncovered(wall, [other for other in found if other is not wall]))
+        for wall in found
+    ]
+
+
+def _in_view(row: Floats, sketch: Sketch, window: Window) -> Wall:
+    at = window.pixels(sketch.mapping.to_world(row[None, :2])[:, :2])[0]
+    normal = np.array((row[2], -row[3] * sketch.mapping.flip))
+    width, height = window.size
+    box = np.array(((0.0, 0.0), (width, 0.0), (width, height), (0.0, height)))
+    depths = (at - box) @ normal
+    corners: list[Floats] = []
+    surface: list[Floats] = []
+    for i in range(4):
+        depth, after = depths[i], depths[(i + 1) % 4]
+        if depth >= 0.0:
+            corners.append(box[i])
+        if (depth >= 0.0) != (after >= 0.0):
+            crossing = box[i] + depth / (depth - after) * (box[(i + 1) % 4] - box[i])
+            corners.append(crossing)
+            surface.append(crossing)
+    return Wall(at, normal, np.array(corners).reshape(-1, 2), np.array(surface).reshape(-1, 2))
+
+
+def _uncovered(wall: Wall, others: list[Wall]) -> Floats:
+    ends = wall.surface
+    for other in others:
+        if len(ends) < 2:
+            break
+        a, b = (ends - other.at) @ other.normal
+        if a < 0.0 and b < 0.0:
+            return np.zeros((0, 2))
+        if (a < 0.0) != (b < 0.0):
+            crossing = ends[0] + a / (a - b) * (ends[1] - ends[0])
+            ends = np.array((crossing, ends[1]) if a < 0.0 else (ends[0], crossing))
+    return ends
+
+
+def hatching(wall: Wall, sketch: Sketch, window: Window) -> Floats:
+    """(k, 2, 2) strokes along a wall's surface, which stay where they are in the scene."""
+    if len(wall.surface) < 2:
+        return np.zeros((0, 2, 2))
+    along = np.array((-wall.normal[1], wall.normal[0]))
+    low, high = sorted((wall.surface - wall.at) @ along)
+    scale = sketch.mapping.scale * window.step
+    gap = 2.0 ** round(math.log2(HATCH * window.unit / scale)) * scale
+    k = np.arange(math.ceil(low / gap), math.floor(high / gap) + 1)
+    begin = wall.at + (k * gap)[:, None] * along
+    return np.stack((begin, begin - STROKE * window.unit * (wall.normal + along)), axis=1)
+
+
+def fillings(sketch: Sketch, positions: Floats, window: Window) -> list[tuple[bool, Floats]]:
+    """Of each filling whether it is a gas, and the polygon of its loop."""
+    around = sketch.around
+    if around is None or not len(around.fillings):
+        return []
+    places = window.pixels(sketch.mapping.to_world(positions)[:, :2])
+    starts = around.loop_start
+    return [
+        (bool(filling[FILLING_GAS]), places[around.loop[starts[k] : starts[k + 1]]])
+        for k, filling in enumerate(around.fillings)
+    ]
+
+
+def grid(sketch: Sketch, frame: tuple[float, float, float, float], window: Window) -> tuple[Floats, Floats]:
+    """(k, 2, 2) thin lines, and every fifth, at round numbers; over all of the picture."""
+    xmin, ymin, xmax, ymax = frame
+    scale = sketch.mapping.scale * window.step
+    major = nice(max(xmax - xmin, ymax - ymin) / 5.0)
+    dense = major / 5.0 * scale < DENSE
+    every = (major if dense else major / 5.0) * scale
+    origin = window.pixels(sketch.mapping.to_world(np.zeros((1, 2)))[:, :2])[0]
+    thin: list[Floats] = []
+    thick: list[Floats] = []
+    if major * scale < DENSE:
+        return np.zeros((0, 2, 2)), np.zeros((0, 2, 2))
+    for axis in (0, 1):
+        extent, across = window.size[axis], window.size[1 - axis]
+        k = np.arange(math.ceil(-origin[axis] / every), math.floor((extent - origin[axis]) / every) + 1)
+        lines = np.zeros((len(k), 2, 2))
+        lines[:, :, axis] = (origin[axis] + k * every)[:, None]
+        lines[:, 1, 1 - axis] = across
+        fifth = np.full(len(k), dense) | (k % 5 == 0)
+        thin.append(lines[~fifth])
+        thick.append(lines[fifth])
+    return np.concatenate(thin), np.concatenate(thick)
+
+
+def streaks(sketch: Sketch, time: float, window: Window) -> list[Floats]:
+    """Lines of the wind, one in each cell of a lattice that drifts with the mean wind, with their points.
+
+    Gusts stand still for who moves with the mean wind: a streak is a piece of a line of that still pattern.
+
+    Args:
+        sketch: of the scene.
+        time: simulated seconds.
+        window: of the picture.
+    """
+    around = sketch.around
+    if around is None or math.hypot(around.wind_x, around.wind_y) < STILL_AIR:
+        return []
+    mapping, scale = sketch.mapping, sketch.mapping.scale * window.step
+    wind = np.array((around.wind_x, around.wind_y))
+    cell = 2.0 ** round(math.log2(STREAKS * window.unit / scale))
+    drift = wind * time
+    corners = np.array(((0.0, 0.0), window.size))
+    world = (corners - (window.x, window.y)) / (window.step, -window.step)
+    ends = np.array([mapping.to_scene(x, y) for x, y in world])
+    first = np.floor((ends.min(0) - drift) / cell).astype(int)
+    last = np.ceil((ends.max(0) - drift) / cell).astype(int)
+    i, j = (part.ravel() for part in np.meshgrid(*(np.arange(first[k], last[k] + 1) for k in (0, 1))))
+    place = np.column_stack(((i + _chance(i, j, 0)) * cell, (j + _chance(i, j, 1)) * cell))
+    lasting = STREAK * window.unit / (math.hypot(*wind) * scale * PARTS)
+    points = [place + drift]
+    for _ in range(PARTS):
+        place = place - lasting * _air(around.waves[:, :WAVE_RATE], wind, place)
+        points.append(place + drift)
+    flat = mapping.to_world(np.concatenate(points))[:, :2]
+    lines = window.pixels(flat).reshape(PARTS + 1, -1, 2).swapaxes(0, 1)
+    return [*lines, *_points(lines[:, 0], lines[:, 1], POINT * window.unit)]
+
+
+def _air(waves: Floats, wind: Floats, places: Floats) -> Floats:
+    """(n, 2) velocity of the air, px/s, at places that the mean wind carries along."""
+    sine = np.sin(places @ waves[:, :2].T + waves[:, 4])
+    return wind + sine @ waves[:, 2:4]
+
+
+def _chance(i: np.ndarray, j: np.ndarray, k: int) -> Floats:
+    """Numbers from 0 to 1 that look like chance, always the same for a cell."""
+    value = np.sin(127.1 * i + 311.7 * j + 74.7 * k) * 43758.5453
+    return value - np.floor(value)
+
+
+def _points(tips: Floats, after: Floats, size: float) -> list[Floats]:
+    """The points of arrows that come from somewhere."""
+    back = after - tips
+    length = np.hypot(*back.T)
+    back = back[length > 0.0] / length[length > 0.0][:, None] * size
+    tips = tips[length > 0.0]
+    side = np.column_stack((-back[:, 1], back[:, 0])) * 0.7
+    return list(np.stack((tips + back + side, tips, tips + back - side), axis=1))

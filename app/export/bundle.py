@@ -1,0 +1,59 @@
+"""Modules of the page's script as one script, for a file that fetches nothing.
+
+Each module becomes a function that returns what it exports. It knows the forms of import and export that
+softrod's own modules use, and refuses others; it is no bundler for scripts in general.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+_NAMED = re.compile(r'^import \{([\w\s,]+)\} from "(\.[\w./-]+)";$', re.MULTILINE)
+_WHOLE = re.compile(r'^import \* as (\w+) from "(\.[\w./-]+)";$', re.MULTILINE)
+_AS = re.compile(r"(\w+) as (\w+)")
+_EXPORT = re.compile(r"^export ((?:async )?function|const|class) (\w+)", re.MULTILINE)
+_LEFT = re.compile(r"^(import|export)\b.*", re.MULTILINE)
+
+
+class BundleError(ValueError):
+    """A module has a form that is not known here."""
+
+
+def bundle(start: Path) -> str:
+    """A module and all that it imports, as the text of one module.
+
+    Raises:
+        BundleError: a module imports or exports in another form.
+    """
+    names: dict[Path, str] = {}
+    parts: list[str] = []
+    text = _included(start.resolve(), names, parts)[0]
+    return "\n".join((*parts, text))
+
+
+def _included(path: Path, names: dict[Path, str], parts: list[str]) -> tuple[str, list[str]]:
+    """The text of a module without its imports and exports, after all that it needs, and what it exports."""
+    text = path.read_text(encoding="utf-8")
+
+    def module(where: str) -> str:
+        other = (path.parent / where).resolve()
+        if other not in names:
+            names[other] = f"module_{other.stem}"
+            if list(names.values()).count(names[other]) > 1:
+                raise BundleError(f"{other}: another module has the same name")
+            body, exported = _included(other, names, parts)
+            parts.append(
+                f"const {names[other]} = (() => {{\n{body}\nreturn {{ {', '.join(exported)} }};\n}})();"
+            )
+        return names[other]
+
+    text = _NAMED.sub(
+        lambda match: "const {" + _AS.sub(r"\1: \2", match[1]) + f"}} = {module(match[2])};", text
+    )
+    text = _WHOLE.sub(lambda match: f"const {match[1]} = {module(match[2])};", text)
+    exported = [match[2] for match in _EXPORT.finditer(text)]
+    text = _EXPORT.sub(r"\1 \2", text)
+    if left := _LEFT.search(text):
+        raise BundleError(f"{path}: {left[0]!r} is not known to the bundler")
+    return text, exported

@@ -1,0 +1,124 @@
+"""A piece of a body's motion: what a film and a replay are made of."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+import sim
+from sim.errors import InputError
+from sim.motion.moment import Moment
+
+from ..page.drawing import Floats
+from ..page.plan import Picture, broken_of
+
+SHORTEST = 0.2
+"""Seconds of a clip at least: less is a picture."""
+
+LONGEST = 60.0
+"""Seconds of a clip at most."""
+
+
+@dataclass(frozen=True)
+class Shot:
+    """One moment.
+
+    Attributes:
+        scene: the body and its settings then.
+        picture: what is drawn.
+    """
+
+    scene: sim.Scene
+    picture: Picture
+
+    @staticmethod
+    def of(moment: Moment, ghost: Moment | None = None) -> Shot:
+        """A moment of a body, and one of a second body at the same time."""
+        picture = Picture(
+            np.array(moment.positions),
+            moment.time,
+            moment.rest_length_scale,
+            moment.rest_angle_shift,
+            None if ghost is None else np.array(ghost.positions),
+            moment.damage,
+            broken_of(ghost.damage) if ghost is not None else (),
+        )
+        return Shot(moment.scene, picture)
+
+
+class Clip:
+    """Moments of one body, ascending in time.
+
+    Args:
+        shots: at least one; those before the body got other parts are left out.
+        seconds: simulated seconds before the last one, beyond which they are left out, too.
+
+    Raises:
+        InputError: a position is not a finite number, or what is left is shorter than `SHORTEST`.
+    """
+
+    def __init__(self, shots: Iterable[Shot], seconds: float = LONGEST) -> None:
+        every = list(shots)
+        if not every:
+            raise InputError("there is no motion yet; press Play first")
+        begin = len(every) - 1
+        last = every[-1]
+        while begin > 0 and _same_parts(every[begin - 1].scene, last.scene):
+            if every[begin].picture.time <= last.picture.time - seconds + 1e-9:
+                break
+            begin -= 1
+        self.shots = every[begin:]
+        self._times = [shot.picture.time for shot in self.shots]
+        # A step may be longer than what is asked for.
+        self.seconds = min(self._times[-1] - self._times[0], seconds)
+        if self.seconds < SHORTEST:
+            raise InputError(
+                f"there are only {self.seconds:.2g} s of motion, and {SHORTEST:g} s are needed; "
+                "press Play, and try again a moment later"
+            )
+        if not all(np.isfinite(shot.picture.positions).all() for shot in self.shots):
+            raise InputError("a position is not a finite number")
+
+    @property
+    def scene(self) -> sim.Scene:
+        """The body as it is at the end."""
+        return self.shots[-1].scene
+
+    def places(self) -> Floats:
+        """(k, 2) px, the corners of what each moment takes up."""
+        corners = [(p.min(0), p.max(0)) for p in (shot.picture.positions for shot in self.shots)]
+        return np.array(corners).reshape(-1, 2)
+
+    def count(self, interval: float) -> int:
+        """How many moments an interval of so many seconds apart there are, the last one among them."""
+        return int(self.seconds / interval + 1e-6) + 1
+
+    def at(self, interval: float) -> Iterable[Shot]:
+        """Moments an interval of so many seconds apart, ascending; the last is the last of all."""
+        for k in range(self.count(interval) - 1, -1, -1):
+            yield self._between(self._times[-1] - k * interval) if k else self.shots[-1]
+
+    def _between(self, time: float) -> Shot:
+        after = max(bisect_right(self._times, time), 1)
+        if after == len(self.shots):
+            return self.shots[-1]
+        one, two = self.shots[after - 1], self.shots[after]
+        share = (time - one.picture.time) / (two.picture.time - one.picture.time)
+        before, later = one.picture, two.picture
+        ghost = before.ghost
+        if ghost is not None and later.ghost is not None:
+            ghost = ghost + share * (later.ghost - ghost)
+        positions = before.positions + share * (later.positions - before.positions)
+        return replace(one, picture=replace(before, positions=positions, time=time, ghost=ghost))
+
+
+def _same_parts(one: sim.Scene, other: sim.Scene) -> bool:
+    """Whether two scenes have the same masses and springs, as far as a drawing goes."""
+    if one is other:
+        return True
+    return len(one.masses) == len(other.masses) and [(s.a, s.b) for s in one.linear_springs] == [
+        (s.a, s.b) for s in other.linear_springs
+    ]

@@ -1,0 +1,148 @@
+"""`softrod export`: pictures, films, replays and models of a scene, without a page."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+from rich.console import Console
+from rich.progress import Progress
+from tyro.conf import Positional, UseAppendAction, arg
+
+import sim
+from sim.errors import InputError
+from sim.scene.files import write_atomically
+from sim.settings import apply_assignments
+
+from ..headless import read_log
+from ..session.log import Log
+from .clip import LONGEST, SHORTEST, Clip, Shot
+
+PICTURE = 1280
+"""Pixels of a picture's longer side."""
+
+_SIZE = re.compile(r"(\d{2,4})x(\d{2,4})")
+
+
+@dataclass
+class Export:
+    """Write a picture, a film, a replay or a model of a scene, or of a log that a page recorded."""
+
+    scene: Annotated[Positional[str], arg(metavar="SCENE")] = ""
+    """A preset's name or a file's path; a recorded log has its own."""
+    png: Path | None = None
+    """A picture of the end, FILE.png."""
+    gif: Path | None = None
+    """A film, FILE.gif."""
+    html: Path | None = None
+    """A replay that any browser shows without a network, FILE.html."""
+    glb: Path | None = None
+    """A model of the end in three dimensions, FILE.glb."""
+    seconds: float = 5.0
+    """Simulated seconds, 0..60: of a log the last ones."""
+    after: float = 0.0
+    """Simulated seconds before these."""
+    size: str = ""
+    """Of the picture and the film, pixels, as in 640x360; by the scene's frame unless given."""
+    dark: bool = False
+    """On dark paper."""
+    inputs: Path | None = None
+    """A log that a page recorded."""
+    settings: Annotated[
+        UseAppendAction[tuple[str, ...]],
+        arg(name="set", metavar="KEY=VALUE", help="as for `softrod run`; may be repeated"),
+    ] = ()
+
+    def run(self) -> int:
+        """Simulate and write.
+
+        Raises:
+            InputError, SceneError, SettingError: it cannot be done; what is not written yet is not written.
+        """
+        wanted = {"png": self.png, "gif": self.gif, "html": self.html, "glb": self.glb}
+        outputs = {kind: path for kind, path in wanted.items() if path is not None}
+        size = self._checked(outputs)
+        shots = self._shots()
+        makers = self._makers(shots, size)
+        for kind, path in outputs.items():
+            data = makers[kind]()
+            try:
+                write_atomically(path, data)
+            except OSError as error:
+                raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+            print(f"{path}: {len(data) / 1000:.0f} kB")
+        return 0
+
+    def _checked(self, outputs: dict[str, Path]) -> tuple[int, int] | None:
+        """The size, before any time goes into simulating.
+
+        Raises:
+            InputError: an option is out of its range, or a file could not be written.
+        """
+        from .painter import LARGEST, SMALLEST
+
+        if not outputs:
+            raise InputError("export: name what to write, with --png, --gif, --html or --glb")
+        for kind, path in outputs.items():
+            if path.suffix.lower() != f".{kind}":
+                raise InputError(f"--{kind} {path}: the file must end in .{kind}")
+            if not path.parent.is_dir():
+                raise InputError(f"--{kind} {path}: the folder {path.parent} does not exist")
+        least = SHORTEST if {"gif", "html"} & set(outputs) else 0.0
+        if not least <= self.seconds <= LONGEST:
+            raise InputError(f"--seconds: {self.seconds:g} is not in the range {least:g}..{LONGEST:g} s")
+        if not 0.0 <= self.after <= 1e4:
+            raise InputError(f"--after: {self.after:g} is not in the range 0..10000 s")
+        if not self.size:
+            return None
+        match = _SIZE.fullmatch(self.size)
+        size = (int(match[1]), int(match[2])) if match else (0, 0)
+        if not all(SMALLEST <= side <= LARGEST for side in size):
+            raise InputError(f"--size {self.size}: two numbers from {SMALLEST} to {LARGEST}, as in 640x360")
+        return size
+
+    def _shots(self) -> list[Shot]:
+        from .making import replayed, simulated
+
+        console = Console(stderr=True)
+        if self.inputs is None:
+            if not self.scene:
+                raise InputError("export: name a scene, or a recorded log with --inputs")
+            scene = apply_assignments(sim.load_scene(self.scene), self.settings)
+            return simulated(scene, self.seconds, self.after, console)
+        record = read_log(self.inputs)
+        if not isinstance(record, Log):
+            raise InputError(f"{self.inputs}: this is no log that a page recorded")
+        if self.scene or self.settings or self.after:
+            raise InputError("export: a recorded log is shown as it was, without SCENE, --set and --after")
+        shots, differs = replayed(record, console)
+        if differs is not None:
+            console.print(f"softrod: {self.inputs}: {differs}", highlight=False)
+        return shots
+
+    def _makers(self, shots: list[Shot], size: tuple[int, int] | None) -> dict[str, Callable[[], bytes]]:
+        from . import film, picture, replay
+
+        last = shots[-1]
+
+        def model() -> bytes:
+            from .model import glb
+
+            return glb(last.scene, last.picture)
+
+        def moving() -> bytes:
+            console = Console(stderr=True)
+            with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
+                task = progress.add_task("painting", total=1.0)
+                clip = Clip(shots, self.seconds)
+                return film.gif(clip, size, self.dark, lambda part: progress.update(task, completed=part))
+
+        return {
+            "png": lambda: picture.png(last, size or film.size_of(last.scene, longer=PICTURE), self.dark),
+            "gif": moving,
+            "html": lambda: replay.replay_html(Clip(shots, self.seconds)),
+            "glb": model,
+        }

@@ -1,0 +1,172 @@
+"""Where the parts of a body lie in a picture: what static/draw.js does in the page, for all parts at once.
+
+A test holds the two against each other.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..page.drawing import Floats, Sketch
+from ..page.plan import Picture, broken_of, strain_colors, turn_colors
+
+FULL_STRAIN = 0.1
+"""Relative stretch at which a spring has its full colour."""
+
+FULL_DEVIATION = 30.0
+"""Degrees off the rest angle at which a wedge has its full colour."""
+
+GHOST_WIDTH = 0.025
+"""Width of a ghost's springs, in the world."""
+
+FILL, SHINE, RING, PIN, WEDGE = 0.8, 0.22, 1.75, 2.0, 2.6
+"""Radii in those of the mass."""
+
+WIDEST = 1.2
+"""Radians beyond which half a wedge's triangle would become a needle."""
+
+
+class Instances(NamedTuple):
+    """Copies of one flat mesh in the page's world.
+
+    Attributes:
+        places: (k, 2) where the mesh's origin is.
+        angles: (k,) radians, anticlockwise.
+        lengths, widths: (k,) factors along and across.
+        colors: (k, 3) sRGB.
+    """
+
+    places: Floats
+    angles: Floats
+    lengths: Floats
+    widths: Floats
+    colors: NDArray[np.uint8]
+
+    def some(self, which: slice | NDArray[np.bool_]) -> Instances:
+        """A part of the copies."""
+        places, angles, lengths, widths, colors = self
+        return Instances(places[which], angles[which], lengths[which], widths[which], colors[which])
+
+
+def to_world(sketch: Sketch, positions: Floats) -> Floats:
+    """(n, 2) in the page's world of (n, 2) px."""
+    return sketch.mapping.to_world(positions)[:, :2]
+
+
+def springs(sketch: Sketch, picture: Picture) -> Instances:
+    """Coils or bars; none for a spring that is broken."""
+    start, angles, lengths = _between(sketch, picture.positions)
+    moved = picture.damage.set_lengths if picture.damage is not None else ()
+    rest = sketch.rest_length * picture.rest_length_scale + (np.array(moved) if moved else 0.0)
+    rest = np.maximum(rest * sketch.mapping.scale, 1e-9)
+    strain = (lengths / rest - 1.0) / FULL_STRAIN
+    widths = sketch.thickness
+    if not sketch.many:
+        # A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
+        widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), 0.5, 1.2)
+    whole = _whole(len(rest), broken_of(picture.damage))
+    colors = _colored(strain_colors(sketch), strain)
+    return Instances(start, angles, lengths, widths, colors).some(whole)
+
+
+def ghost(sketch: Sketch, picture: Picture) -> Instances:
+    """Thin bars for the springs of a second body, which there must be."""
+    assert picture.ghost is not None
+    start, angles, lengths = _between(sketch, picture.ghost)
+    whole = _whole(len(lengths), picture.ghost_broken)
+    start, angles, lengths = start[whole], angles[whole], lengths[whole]
+    count = len(lengths)
+    colors = np.tile(sketch.ink_colors()[2], (count, 1))
+    return Instances(start, angles, lengths, np.full(count, GHOST_WIDTH), colors)
+
+
+def deviations(sketch: Sketch, picture: Picture, rest_angles: Floats) -> Floats:
+    """(J,) how far each joint is off its rest angle, degrees in (-180, 180].
+
+    Args:
+        sketch: of the scene.
+        picture: what is drawn.
+        rest_angles: (J,) degrees, without the shift of the arrow keys and without what has yielded.
+    """
+    along = picture.positions[sketch.springs[:, 1]] - picture.positions[sketch.springs[:, 0]]
+    a, b = along[sketch.joint_a], along[sketch.joint_b]
+    cross, dot = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1]
+    moved = picture.damage.set_angles if picture.damage is not None else ()
+    rest = rest_angles + picture.rest_angle_shift + (np.array(moved) if moved else 0.0)
+    off = np.degrees(np.arctan2(cross, dot)) - rest
+    return off - 360.0 * np.ceil((off - 180.0) / 360.0)
+
+
+def wedges(sketch: Sketch, picture: Picture, rest_angles: Floats) -> Instances:
+    """Thin triangles from the rest angle to the present one, `sketch.slices` of them for each whole joint."""
+    off = deviations(sketch, picture, rest_angles)
+    broken = np.array(broken_of(picture.damage), np.int64)
+    whole = ~(np.isin(sketch.joint_a, broken) | np.isin(sketch.joint_b, broken))
+    off, tip, sense = off[whole], sketch.joint_mass[whole], sketch.joint_sense[whole]
+    world, slices = to_world(sketch, picture.positions), sketch.slices
+    ends = sketch.springs[sketch.joint_b[whole]]
+    along = (world[ends[:, 1]] - world[ends[:, 0]]) * sense[:, None]
+    present = np.arctan2(along[:, 1], along[:, 0])
+    turn = np.radians(off) * sketch.mapping.flip
+    half = np.minimum(np.minimum(np.abs(turn) / slices, 3.0) / 2.0, WIDEST)
+    reach = WEDGE * sketch.radius[tip] * (np.cos(half) if slices == 1 else 1.0)
+    part = 1.0 - (np.arange(slices) + 0.5) / slices
+    return Instances(
+        np.repeat(world[tip], slices, axis=0),
+        (present[:, None] - turn[:, None] * part).ravel(),
+        np.repeat(reach, slices),
+        np.repeat(2.0 * reach * np.tan(half), slices),
+        np.repeat(_colored(turn_colors(sketch), off / FULL_DEVIATION), slices, axis=0),
+    )
+
+
+def masses(sketch: Sketch, picture: Picture) -> Instances:
+    """Rims, then fills, then shines: discs."""
+    world, radius = to_world(sketch, picture.positions), sketch.radius
+    shine = world + 0.3 * radius[:, None] * np.array((-1.0, 1.0))
+    sizes = np.concatenate((radius, FILL * radius, SHINE * radius))
+    return Instances(
+        np.vstack((world, world, shine)), np.zeros(len(sizes)), sizes, sizes, sketch.mass_colors()
+    )
+
+
+def pins(sketch: Sketch, picture: Picture) -> Instances:
+    """Supports of the masses that are held."""
+    return _upright(sketch, picture, sketch.pinned, PIN, 0)
+
+
+def ring(sketch: Sketch, picture: Picture) -> Instances:
+    """Around the driven mass, if there is one."""
+    driven = () if sketch.driven is None else (sketch.driven,)
+    return _upright(sketch, picture, np.array(driven, np.int64), RING, 1)
+
+
+def _upright(
+    sketch: Sketch, picture: Picture, which: NDArray[np.int64], factor: float, ink: int
+) -> Instances:
+    sizes = factor * sketch.radius[which]
+    colors = np.tile(sketch.ink_colors()[ink], (len(which), 1))
+    return Instances(to_world(sketch, picture.positions[which]), np.zeros(len(which)), sizes, sizes, colors)
+
+
+def _between(sketch: Sketch, positions: Floats) -> tuple[Floats, Floats, Floats]:
+    """Where each spring starts, its angle and its length, in the world."""
+    world = to_world(sketch, positions)
+    start = world[sketch.springs[:, 0]]
+    dx, dy = (world[sketch.springs[:, 1]] - start).T
+    return start, np.arctan2(dy, dx), np.hypot(dx, dy)
+
+
+def _whole(count: int, broken: tuple[int, ...]) -> NDArray[np.bool_]:
+    whole = np.ones(count, bool)
+    whole[list(broken)] = False
+    return whole
+
+
+def _colored(table: NDArray[np.uint8], values: Floats) -> NDArray[np.uint8]:
+    """The colours of a table for values from -1 to 1."""
+    last = len(table) - 1
+    return table[np.floor((np.clip(values, -1.0, 1.0) + 1.0) / 2.0 * last + 0.5).astype(np.int64)]

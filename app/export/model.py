@@ -1,0 +1,229 @@
+"""A pose as a model in three dimensions: a GLB file, for programs such as Blender and for viewers on the web.
+
+Masses are balls, springs coils or bars, wedges, supports and walls plates. What fills a loop and what blows
+is left out. glTF measures in metres: a px is a millimetre, the middle of the scene's frame is the origin, and
+y is up.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import sim
+
+from ..page.colors import palette, plain
+from ..page.drawing import Floats, Sketch
+from ..page.plan import Picture
+from ..page.shapes import COILS, meshes
+from . import around, instances
+from .instances import Instances
+from .outlines import outlines
+from .window import Window
+
+if TYPE_CHECKING:
+    from trimesh import Trimesh
+
+METRES_PER_PX = 0.001
+
+MOST_PARTS = 20_000
+"""Masses and springs together, beyond which a file would be too large for most viewers."""
+
+_WIRE, _SIDES, _SAMPLES = 0.15, 6, 12
+"""Radius of a coil's wire in those of the coil, sides of the wire, and its places in a turn."""
+
+_PLATE = 0.3
+"""Thickness of wedges and supports, in radii of their mass; each is drawn where the mass is."""
+
+Solid = tuple[Floats, NDArray[np.int64]]
+"""Vertices (k, 3) and triangles (m, 3)."""
+
+
+def glb(scene: sim.Scene, picture: Picture) -> bytes:
+    """The model of a pose.
+
+    Raises:
+        sim.InputError: the scene has too many parts, or a position is not a finite number.
+    """
+    from trimesh import Scene as Group
+    from trimesh.exchange.gltf import export_glb
+
+    if len(scene.masses) + len(scene.linear_springs) > MOST_PARTS:
+        raise sim.InputError(f"a model has {MOST_PARTS} masses and springs at most")
+    if not np.isfinite(picture.positions).all():
+        raise sim.InputError("a position is not a finite number")
+    sketch = Sketch(scene, palette(scene.view.colors, dark=False), plain)
+    group = Group()
+    for name, mesh in _parts(sketch, scene, picture).items():
+        # From the page's world to metres.
+        mesh.apply_scale(METRES_PER_PX / sketch.mapping.scale)
+        group.add_geometry(mesh, geom_name=name, node_name=name)
+    title = scene.title or scene.name
+
+    def finish(tree: dict[str, Any]) -> None:
+        tree["asset"]["generator"] = "softrod"
+        extras = {"title": title, "time": picture.time, "metres_per_px": METRES_PER_PX}
+        tree["asset"]["extras"] = extras
+        tree["materials"] = [
+            {
+                "name": "softrod",
+                "doubleSided": True,
+                "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.6},
+            }
+        ]
+        for mesh in tree["meshes"]:
+            for primitive in mesh["primitives"]:
+                primitive["material"] = 0
+
+    data = export_glb(group, include_normals=True, tree_postprocessor=finish)
+    assert isinstance(data, bytes)
+    return data
+
+
+def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trimesh]:
+    """What there is, by name, in the page's world."""
+    count, rest = len(sketch.radius), np.array([joint.rest_angle for joint in scene.angular_springs])
+    discs = instances.masses(sketch, picture)
+    fills = discs.some(slice(count, 2 * count))
+    balls = fills._replace(lengths=sketch.radius, widths=sketch.radius)
+    found = {"masses": _copies(_ball(sketch.many), balls, sketch.radius)}
+    pins = instances.pins(sketch, picture)
+    if len(pins.angles):
+        found["supports"] = _copies(_plate("pin"), pins, _PLATE * pins.widths)
+    if len(sketch.springs):
+        springs = instances.springs(sketch, picture)
+        solid = _rod() if sketch.many else _coil(sketch.spring_shape)
+        found["springs"] = _copies(solid, springs, springs.widths)
+    if len(rest):
+        wedges = instances.wedges(sketch, picture, rest)
+        # The wedge of a joint at its rest angle is nothing.
+        seen = wedges.some(wedges.widths > 1e-6)
+        if len(seen.angles):
+            found["wedges"] = _copies(_plate("slice"), seen, _PLATE * seen.lengths)
+    if walls := _walls(sketch, scene):
+        found["walls"] = walls
+    return {name: mesh for name, mesh in found.items() if len(mesh.faces)}
+
+
+def _copies(solid: Solid, parts: Instances, depths: Floats) -> Trimesh:
+    """Copies of a solid, each so many times as deep, as one mesh with colours."""
+    vertices, faces = solid
+    cosine, sine = np.cos(parts.angles)[:, None], np.sin(parts.angles)[:, None]
+    x, y = vertices[:, 0] * parts.lengths[:, None], vertices[:, 1] * parts.widths[:, None]
+    places = np.stack(
+        (
+            parts.places[:, :1] + x * cosine - y * sine,
+            parts.places[:, 1:] + x * sine + y * cosine,
+            vertices[:, 2] * depths[:, None],
+        ),
+        axis=-1,
+    ).reshape(-1, 3)
+    every = (faces + len(vertices) * np.arange(len(cosine))[:, None, None]).reshape(-1, 3)
+    return _colored(places, every, np.repeat(parts.colors, len(vertices), axis=0))
+
+
+def _colored(vertices: Floats, faces: NDArray[np.int64], colors: NDArray[np.uint8]) -> Trimesh:
+    """A mesh with a colour at each vertex: glTF has them in linear light."""
+    from trimesh import Trimesh
+
+    c = colors / 255.0
+    linear = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
+    light = np.column_stack((plain(255.0 * linear), np.full(len(colors), 255, np.uint8)))
+    return Trimesh(vertices, faces, vertex_colors=light, process=False)
+
+
+def _ball(many: bool) -> Solid:
+    """A ball of radius 1."""
+    from trimesh.creation import icosphere
+
+    ball = icosphere(subdivisions=1 if many else 2)
+    return np.array(ball.vertices), np.array(ball.faces)
+
+
+def _rod() -> Solid:
+    """A bar from (0, 0) to (1, 0), 1 thick."""
+    return _tube(np.array(((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))), 0.5, 1.0)
+
+
+def _coil(shape: str) -> Solid:
+    """A helix from (0, 0) to (1, 0), of radius 1, with straight ends; see `app.page.shapes`."""
+    slimness = COILS.get(shape, 7.0)
+    turns = round(3 + 0.75 * slimness)
+    lead = 0.5 / slimness
+    t = np.linspace(0.0, turns, turns * _SAMPLES + 1)
+    swell = np.clip(np.minimum(t, turns - t) / 0.5, 0.0, 1.0)
+    angle = 2.0 * np.pi * t
+    along = lead + (1.0 - 2.0 * lead) * t / turns
+    wire = np.column_stack((along, swell * np.sin(angle), swell * np.cos(angle)))
+    path = np.vstack(((0.0, 0.0, 0.0), wire, (1.0, 0.0, 0.0)))
+    return _tube(path, _WIRE, slimness)
+
+
+def _tube(path: Floats, radius: float, slimness: float) -> Solid:
+    """A tube around a path, whose x is `slimness` times as long in the end."""
+    stretch = np.array((slimness, 1.0, 1.0))
+    path = path * stretch
+    along = np.gradient(path, axis=0)
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    # A direction that turns with the path without twisting: from the one before, without its part along.
+    normals = np.empty_like(path)
+    last = np.array((0.0, 0.0, 1.0)) if abs(along[0, 2]) < 0.9 else np.array((0.0, 1.0, 0.0))
+    for i, direction in enumerate(along):
+        last = last - (last @ direction) * direction
+        last = last / np.linalg.norm(last)
+        normals[i] = last
+    others = np.cross(along, normals)
+    turn = np.arange(_SIDES) * 2.0 * np.pi / _SIDES
+    rim = np.cos(turn)[:, None] * normals[:, None] + np.sin(turn)[:, None] * others[:, None]
+    vertices = (path[:, None] + radius * rim).reshape(-1, 3) / stretch
+    i, j = np.meshgrid(np.arange(len(path) - 1), np.arange(_SIDES), indexing="ij")
+    a, b = i * _SIDES + j, i * _SIDES + (j + 1) % _SIDES
+    sides = np.concatenate((np.stack((a, b, b + _SIDES), -1), np.stack((a, b + _SIDES, a + _SIDES), -1)))
+    fan = np.column_stack((np.zeros(_SIDES - 2, int), np.arange(1, _SIDES - 1), np.arange(2, _SIDES)))
+    end = len(vertices) - _SIDES
+    return vertices, np.concatenate((sides.reshape(-1, 3), fan[:, ::-1], fan + end))
+
+
+def _plate(name: str) -> Solid:
+    """A flat mesh of `app.page.shapes`, 1 thick, halfway to either side."""
+    mesh = meshes()[name]
+    return _thick(mesh.vertices[:, :2], mesh.faces, outlines(name))
+
+
+def _thick(flat: Floats, faces: NDArray[np.int64], lines: tuple[Floats, ...]) -> Solid:
+    vertices = [np.column_stack((flat, np.full(len(flat), z))) for z in (0.5, -0.5)]
+    every = [faces, faces[:, ::-1] + len(flat)]
+    start = 2 * len(flat)
+    for line in lines:
+        n, k = len(line), np.arange(len(line))
+        vertices += [np.column_stack((line, np.full(n, z))) for z in (0.5, -0.5)]
+        after = (k + 1) % n
+        every.append(start + np.column_stack((k, n + k, n + after)))
+        every.append(start + np.column_stack((k, n + after, after)))
+        start += 2 * n
+    return np.concatenate(vertices), np.concatenate(every)
+
+
+def _walls(sketch: Sketch, scene: sim.Scene) -> Trimesh | None:
+    """Plates where walls are, as far as the scene's frame and a little more goes."""
+    from trimesh.util import concatenate
+
+    window = Window.fit(sketch, scene.view.frame, (1000, 1000))
+    origin = np.array((window.x, window.y))
+    depth = 4.0 * float(np.median(sketch.radius))
+    found: list[Trimesh] = []
+    for wall in around.walls(sketch, window):
+        n = len(wall.corners)
+        if n < 3:
+            continue
+        corners = ((wall.corners - origin) / (window.step, -window.step))[::-1]
+        fan = np.column_stack((np.zeros(n - 2, int), np.arange(1, n - 1), np.arange(2, n)))
+        vertices, faces = _thick(corners, fan, (corners,))
+        color = plain(np.tile(sketch.palette.grid_major, (len(vertices), 1)))
+        found.append(_colored(vertices * (1.0, 1.0, depth), faces, color))
+    if not found:
+        return None
+    whole: Any = concatenate(found)
+    return whole

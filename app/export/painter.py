@@ -1,0 +1,291 @@
+"""Draws one pose of a scene into an image, as the page draws it.
+
+Matplotlib's renderer fills the outlines, which it smooths by the area that they cover; nothing else of
+Matplotlib is used. It is imported with the first picture, since it takes a while.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from sim import Scene
+
+from ..page.colors import palette, plain, rgb
+from ..page.drawing import Floats, Sketch
+from ..page.plan import Picture
+from . import around, instances
+from .instances import Instances
+from .outlines import outlines
+from .window import Window
+
+if TYPE_CHECKING:
+    from matplotlib.path import Path
+
+SMALLEST, LARGEST = 16, 4096
+"""Pixels of a side of a picture."""
+
+LIQUID = rgb("1c8fe0")
+
+TOGETHER = 400
+"""Parts that are drawn in one call, which holds the interpreter: some milliseconds."""
+
+_GROUND = 100_000_000
+"""Numbers beyond which the renderer's integers would overflow."""
+
+
+class Painter:
+    """Draws pictures of a scene, one after the other.
+
+    Args:
+        scene: what is drawn.
+        size: width and height, pixels, `SMALLEST`..`LARGEST` each.
+        dark: whether on dark paper.
+        grid: whether the paper has a grid.
+        window: which part is shown; the scene's frame unless given.
+
+    Raises:
+        ValueError: the size is out of range.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        size: tuple[int, int],
+        dark: bool = False,
+        grid: bool = True,
+        window: Window | None = None,
+    ) -> None:
+        if not all(SMALLEST <= side <= LARGEST for side in size):
+            raise ValueError(f"a picture has {SMALLEST} to {LARGEST} pixels on each side, not {size}")
+        self.scene = scene
+        self.sketch = Sketch(scene, palette(scene.view.colors, dark), plain)
+        self.window = window or Window.fit(self.sketch, scene.view.frame, size)
+        self._own = palette("softrod", dark)
+        self._rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])
+        self._paper = self._blank(size, grid)
+
+    def paint(self, picture: Picture) -> Image.Image:
+        """An RGB image of a pose.
+
+        Raises:
+            ValueError: a position is not a finite number.
+        """
+        if not np.isfinite(picture.positions).all():
+            raise ValueError("a position is not a finite number")
+        sketch, pen = self.sketch, self._paper.copy()
+        for gas, polygon in around.fillings(sketch, picture.positions, self.window):
+            color = self._own.driven if gas else LIQUID
+            pen.fill([polygon], color, 0.12 if gas else 0.35)
+        pen.lines(
+            around.streaks(sketch, picture.time, self.window), self._own.text, 1.4, 0.35, round_ends=True
+        )
+        pen.stamp("pin", instances.pins(sketch, picture))
+        if len(sketch.springs):
+            pen.stamp(sketch.spring_shape, instances.springs(sketch, picture))
+        if len(self._rest_angles):
+            wedges = instances.wedges(sketch, picture, self._rest_angles)
+            pen.stamp("slice", wedges, together=sketch.slices)
+        pen.stamp("ring", instances.ring(sketch, picture))
+        pen.stamp("disc", instances.masses(sketch, picture))
+        if picture.ghost is not None and np.isfinite(picture.ghost).all():
+            pen.stamp("bar", instances.ghost(sketch, picture))
+        return pen.image()
+
+    def _blank(self, size: tuple[int, int], grid: bool) -> _Pen:
+        """Paper, grid and walls, which stay."""
+        sketch, window, own = self.sketch, self.window, self._own
+        pen = _Pen(window)
+        width, height = size
+        pen.fill([np.array(((0, 0), (width, 0), (width, height), (0, height)), float)], own.paper)
+        if grid:
+            thin, thick = around.grid(sketch, self.scene.view.frame, window)
+            for lines, color in ((thin, own.grid), (thick, own.grid_major)):
+                pen.lines(list(lines), color, 1.0, crisp=True)
+        walls = around.walls(sketch, window)
+        pen.fill([wall.corners for wall in walls if len(wall.corners)], own.text, 0.1)
+        strokes = [stroke for wall in walls for stroke in around.hatching(wall, sketch, window)]
+        pen.lines(strokes, own.text, 1.2, 0.55)
+        pen.lines([wall.surface for wall in walls if len(wall.surface)], own.text, 2.0)
+        return pen
+
+
+def paint(
+    scene: Scene,
+    positions: Floats | None = None,
+    size: tuple[int, int] = (640, 360),
+    dark: bool = False,
+    grid: bool = True,
+    ghost: Floats | None = None,
+) -> Image.Image:
+    """An RGB image of one pose of a scene.
+
+    Args:
+        scene: what is drawn.
+        positions: (n, 2) px; where the scene starts unless given.
+        size: width and height, pixels, `SMALLEST`..`LARGEST` each.
+        dark: whether on dark paper.
+        grid: whether the paper has a grid.
+        ghost: (n, 2) px of a second body, drawn as thin lines, or None.
+
+    Raises:
+        ValueError: the size is out of range, or a position is not a finite number.
+    """
+    picture = Picture.at_start(scene)
+    if positions is not None:
+        picture = replace(picture, positions=np.asarray(positions, float))
+    return Painter(scene, size, dark, grid).paint(replace(picture, ghost=ghost))
+
+
+class _Pen:
+    """An image that is being drawn.
+
+    Args:
+        window: of the picture.
+        pixels: what it begins with, (height, width, 4); nothing unless given.
+    """
+
+    def __init__(self, window: Window, pixels: NDArray[np.uint8] | None = None) -> None:
+        from matplotlib.backends.backend_agg import RendererAgg
+
+        self._window = window
+        width, height = window.size
+        # At 72 points an inch a point is a pixel.
+        self._renderer: Any = RendererAgg(width, height, 72)  # its types say less than it takes
+        if pixels is not None:
+            self._pixels()[:] = pixels
+
+    def copy(self) -> _Pen:
+        """The same, to be drawn on."""
+        return _Pen(self._window, self._pixels())
+
+    def image(self) -> Image.Image:
+        """What is drawn, without transparency."""
+        return Image.frombuffer("RGBA", self._window.size, self._renderer.buffer_rgba()).convert("RGB")
+
+    def _pixels(self) -> NDArray[np.uint8]:
+        return np.asarray(self._renderer.buffer_rgba())
+
+    def fill(self, polygons: list[Floats], color: Floats, opacity: float = 1.0) -> None:
+        """Fill polygons, pixels, as one area: where they overlap they are no darker."""
+        if polygons:
+            self._draw(_area(polygons), color, opacity, 0.0)
+
+    def lines(
+        self,
+        lines: list[Floats],
+        color: Floats,
+        width: float,
+        opacity: float = 1.0,
+        crisp: bool = False,
+        round_ends: bool = False,
+    ) -> None:
+        """Draw lines, pixels, so wide in units of the window's thin line.
+
+        Args:
+            lines: (k, 2) each.
+            color, width, opacity: of all.
+            crisp: whether they are moved onto whole pixels, of which they take one at least.
+            round_ends: whether they end in half circles.
+        """
+        if lines:
+            width = max(width * self._window.unit, 1.0 if crisp else 0.0)
+            self._draw(_strokes(lines), color, opacity, width, crisp, round_ends)
+
+    def stamp(self, mesh: str, parts: Instances, together: int = 1) -> None:
+        """Fill copies of a mesh, in their order.
+
+        Args:
+            mesh: its name, see `app.page.shapes`.
+            parts: the copies.
+            together: how many that follow each other are one area of one colour, without seams.
+        """
+        from matplotlib.path import Path
+        from matplotlib.transforms import IdentityTransform
+
+        count = len(parts.angles)
+        if not count:
+            return
+        shape = _area(list(outlines(mesh)))
+        moves = self._moves(parts)
+        paths, colors = [shape], parts.colors
+        if together > 1:
+            mesh_corners = np.asarray(shape.vertices, float)
+            corners = np.einsum("kij,cj->kci", moves[:, :2, :2], mesh_corners) + moves[:, None, :2, 2]
+            corners = corners.reshape(count // together, -1, 2)
+            codes = np.tile(shape.codes, together)  # type: ignore[arg-type]
+            paths = [Path(vertices, codes) for vertices in corners]
+            moves, colors = np.zeros((0, 3, 3)), colors[::together]
+        faces = np.column_stack((colors / 255.0, np.ones(len(colors))))
+        context, same = self._renderer.new_gc(), IdentityTransform()
+        for i in range(0, len(faces), TOGETHER):
+            part = slice(i, i + TOGETHER)
+            some: Any = paths[part] if together > 1 else paths
+            offsets = np.zeros((len(faces[part]), 2))  # there are as many copies as offsets
+            self._renderer.draw_path_collection(
+                context, same, some, moves[part], offsets, same, faces[part], np.zeros((0, 4)), [], [],
+                [True], [], "screen",
+            )  # fmt: skip
+        context.restore()
+
+    def _moves(self, parts: Instances) -> Floats:
+        """(k, 3, 3) from a mesh to the renderer's pixels, whose y grows upwards."""
+        cosine, sine = np.cos(parts.angles), np.sin(parts.angles)
+        step = self._window.step
+        moves = np.zeros((len(parts.angles), 3, 3))
+        moves[:, 0, 0], moves[:, 0, 1] = step * parts.lengths * cosine, -step * parts.widths * sine
+        moves[:, 1, 0], moves[:, 1, 1] = step * parts.lengths * sine, step * parts.widths * cosine
+        moves[:, :2, 2] = self._upwards(self._window.pixels(parts.places))
+        moves[:, 2, 2] = 1.0
+        return np.clip(moves, -_GROUND, _GROUND)
+
+    def _upwards(self, points: Floats) -> Floats:
+        return np.column_stack((points[:, 0], self._window.size[1] - points[:, 1]))
+
+    def _draw(
+        self,
+        path: Path,
+        color: Floats,
+        opacity: float,
+        width: float,
+        crisp: bool = False,
+        round_ends: bool = False,
+    ) -> None:
+        from matplotlib.transforms import Affine2D
+
+        context = self._renderer.new_gc()
+        red, green, blue = (float(part) / 255.0 for part in color)
+        context.set_linewidth(width)
+        context.set_foreground((red, green, blue, opacity), isRGBA=True)
+        context.set_alpha(opacity)
+        context.set_snap(crisp)
+        context.set_capstyle("round" if round_ends else "butt")
+        flip = Affine2D().scale(1.0, -1.0).translate(0.0, self._window.size[1])
+        face = (red, green, blue, opacity) if width == 0.0 else None
+        self._renderer.draw_path(context, path, flip, face)
+        context.restore()
+
+
+def _area(polygons: list[Floats]) -> Path:
+    """Closed polygons as one path."""
+    from matplotlib.path import Path
+
+    vertices = np.concatenate([np.vstack((polygon, polygon[:1])) for polygon in polygons])
+    codes = np.full(len(vertices), Path.LINETO)
+    ends = np.cumsum([len(polygon) + 1 for polygon in polygons])
+    codes[ends - 1] = Path.CLOSEPOLY
+    codes[[0, *ends[:-1]]] = Path.MOVETO
+    return Path(vertices, codes)
+
+
+def _strokes(lines: list[Floats]) -> Path:
+    """Open lines as one path."""
+    from matplotlib.path import Path
+
+    codes = np.full(sum(map(len, lines)), Path.LINETO)
+    codes[np.cumsum([0, *(len(line) for line in lines[:-1])])] = Path.MOVETO
+    return Path(np.concatenate(lines), codes)

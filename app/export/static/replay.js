@@ -1,0 +1,269 @@
+// @ts-check
+/**
+ * The script of a replay file: reads the motion that the file holds, and draws it into a canvas with what the page
+ * draws by. It fetches nothing.
+ *
+ * @typedef {import("../../page/static/plan.js").Plan} Plan
+ * @typedef {import("../../page/static/plan.js").Damage} Damage
+ * @typedef {import("../../page/static/draw.js").Instances} Instances
+ * @typedef {import("../../page/static/screen.js").Screen} Screen
+ * @typedef {[number, number]} Part where an array begins in the data, bytes, and how many numbers it has
+ * @typedef {object} About what the file says of its motion
+ * @property {number} frames how many
+ * @property {number} interval seconds between two
+ * @property {number} start simulated time of the first, s
+ * @property {number} numbers of a frame: x and y of each mass, and of each of the second body's, if it has one
+ * @property {number} masses
+ * @property {number} size of the scene's frame, px: the larger of its sides
+ * @property {number[]} box left, right, low and high of what is shown, in the page's world
+ * @property {number[]} least x and y, px, of the number 0
+ * @property {number[]} quantum px of a step, in x and y
+ * @property {string} springs the mesh that springs are drawn with
+ * @property {Record<string, number[][]>} meshes outlines: x and y of each corner
+ * @property {{from: number, light: Part, dark: Part}[]} plans and from which frame on
+ * @property {{from: number, at: Part}[]} damages
+ * @property {Part} heads of each frame the factor of rest lengths, the shift of rest angles, and whether it has a
+ *   second body
+ * @property {Part} low bytes of the differences, one number after the other, each through all frames
+ * @property {Part} high
+ */
+import { behind, streaks } from "../../page/static/around.js";
+import * as draw from "../../page/static/draw.js";
+import { readDamage, readPlan, UNHARMED } from "../../page/static/plan.js";
+
+/** What is smaller than that, in the world, is not to be seen. */
+const UNSEEN = 2e-6;
+/** Numbers of a frame's head. */
+const HEAD = 3;
+/** Seconds that an arrow key goes. */
+const [NUDGE, LEAP] = [0.1, 1];
+/** Widths and opacities of the lines and areas behind the body, as in the page's styles. */
+const STROKES = /** @type {const} */ ([
+  ["grid", "grid", 1, 1], ["major", "line", 1, 1], ["hatch", "text", 1.2, 0.55], ["surface", "text", 2, 1],
+  ["wind", "text", 1.4, 0.35],
+]);
+const AREAS = /** @type {const} */ ([["wall", "text", 0.1], ["gas", "brand", 0.12], ["liquid", "liquid", 0.35]]);
+/** From the back to the front. */
+const ORDER = ["grid", "major", "wall", "hatch", "surface", "gas", "liquid", "wind"];
+
+/** @template {Element} T @param {string} id @param {new () => T} kind @returns {T} */
+function element(id, kind) {
+  const found = document.getElementById(id);
+  if (!(found instanceof kind)) throw new Error(`there is no ${id}`);
+  return found;
+}
+
+/** The bytes of the file's data. @param {string} text base64 of what was packed */
+async function unpack(text) {
+  const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).arrayBuffer();
+}
+
+/** @param {About} about @param {ArrayBuffer} data */
+function readMotion(about, data) {
+  /** @param {Part} part */
+  const floats = ([at, count]) => new Float32Array(data, at, count);
+  const { frames, numbers, masses, least, quantum } = about;
+  const [low, high] = [about.low, about.high].map(([at, count]) => new Uint8Array(data, at, count));
+  const places = new Float32Array(frames * numbers);
+  for (let k = 0; k < numbers; k++) {
+    for (let i = 0, sum = 0; i < frames; i++) {
+      sum = (sum + low[k * frames + i] + 256 * high[k * frames + i]) & 0xffff;
+      places[i * numbers + k] = least[k % 2] + quantum[k % 2] * sum;
+    }
+  }
+  const heads = floats(about.heads);
+  const plans = about.plans.map(({ from, light, dark }) => ({
+    from, light: readPlan(floats(light)), dark: readPlan(floats(dark)),
+  }));
+  const damages = about.damages.map(({ from, at }) => ({ from, damage: readDamage(floats(at)) }));
+  /** @template {{from: number}} T @param {T[]} list @param {number} frame */
+  const present = (list, frame) => list.filter(({ from }) => from <= frame).at(-1);
+  return {
+    /** What there is at a time, seconds from the beginning. @param {number} time @param {boolean} dark */
+    at(time, dark) {
+      const [at, last] = [time / about.interval, frames - 1];
+      const before = Math.min(Math.max(Math.floor(at + 1e-6), 0), last);
+      const share = before < last ? Math.min(Math.max(at - before, 0), 1) : 0;
+      const [one, two] = [before * numbers, Math.min(before + 1, last) * numbers];
+      const both = new Float32Array(numbers);
+      for (let k = 0; k < numbers; k++) both[k] = places[one + k] + share * (places[two + k] - places[one + k]);
+      const plan = present(plans, before)?.[dark ? "dark" : "light"];
+      if (!plan) throw new Error("a frame has no plan");
+      const [lengthScale, angleShift, second] = heads.subarray(HEAD * before, HEAD * before + HEAD);
+      const positions = both.subarray(0, 2 * masses);
+      const ghost = second ? both.subarray(2 * masses) : null;
+      const frame = { generation: 0, wall: 0, time: about.start + time, lengthScale, angleShift, positions, ghost };
+      return { plan, frame, damage: present(damages, before)?.damage ?? UNHARMED };
+    },
+  };
+}
+
+/**
+ * Fills copies of a mesh; those that follow each other in one colour are one area, without seams.
+ *
+ * @param {CanvasRenderingContext2D} to
+ * @param {number[][]} lines
+ * @param {Instances} parts
+ * @param {Screen} on
+ */
+function stamp(to, lines, parts, on) {
+  const { batched_positions: p, batched_wxyzs: q, batched_scales: s, batched_colors: c } = parts;
+  let last = "";
+  for (let i = 0; i < s.length / 3; i++) {
+    if (!c || !(s[3 * i] > UNSEEN)) continue;
+    const color = `rgb(${c[3 * i]} ${c[3 * i + 1]} ${c[3 * i + 2]})`;
+    if (color !== last) {
+      if (last) to.fill();
+      to.beginPath();
+      to.fillStyle = last = color;
+    }
+    const [w, z] = [q[4 * i], q[4 * i + 3]];
+    const [cosine, sine] = [w * w - z * z, 2 * w * z];
+    for (const line of lines) {
+      for (let k = 0; k < line.length; k += 2) {
+        const [along, across] = [line[k] * s[3 * i], line[k + 1] * s[3 * i + 1]];
+        const x = on.x + on.step * (p[3 * i] + along * cosine - across * sine);
+        const y = on.y - on.step * (p[3 * i + 1] + along * sine + across * cosine);
+        if (k) to.lineTo(x, y);
+        else to.moveTo(x, y);
+      }
+      to.closePath();
+    }
+  }
+  if (last) to.fill();
+}
+
+/** @param {About} about @param {ReturnType<typeof readMotion>} motion @param {HTMLCanvasElement} canvas */
+function painter(about, motion, canvas) {
+  const to = canvas.getContext("2d");
+  if (!to) throw new Error("there is no canvas");
+  const [left, right, low, high] = about.box;
+  const night = matchMedia("(prefers-color-scheme: dark)");
+  /** @param {number} time seconds from the beginning */
+  return (time) => {
+    const { width, height } = canvas.getBoundingClientRect();
+    const fine = devicePixelRatio;
+    const [across, down] = [Math.round(width * fine), Math.round(height * fine)];
+    if (canvas.width !== across || canvas.height !== down) [canvas.width, canvas.height] = [across, down];
+    const step = Math.min(width / (right - left), height / (high - low));
+    const on = { x: width / 2 - (step * (left + right)) / 2, y: height / 2 + (step * (low + high)) / 2, step };
+    const { plan, frame, damage } = motion.at(time, night.matches);
+    const world = draw.toWorld(plan, frame.positions);
+    const places = world.map((value, i) => (i % 2 ? on.y - step * value : on.x + step * value));
+    const box = { left: 0, right: width, top: 0, bottom: height };
+    const wind = plan.wind.length ? streaks(plan, frame.time, on, box) : "";
+    /** @type {Record<string, string>} */
+    const paths = { ...behind({ plan, on, places, box }, about.size), wind };
+    const styles = getComputedStyle(document.documentElement);
+    /** @param {string} name */
+    const color = (name) => styles.getPropertyValue(`--${name}`);
+    to.setTransform(fine, 0, 0, fine, 0, 0);
+    to.clearRect(0, 0, width, height);
+    for (const kind of ORDER) {
+      const path = new Path2D(paths[kind]);
+      for (const [name, ink, wide, opacity] of STROKES.filter(([name]) => name === kind)) {
+        Object.assign(to, { strokeStyle: color(ink), lineWidth: wide, globalAlpha: opacity });
+        to.lineCap = name === "wind" ? "round" : "butt";
+        to.stroke(path);
+      }
+      for (const [, ink, opacity] of AREAS.filter(([name]) => name === kind)) {
+        Object.assign(to, { fillStyle: color(ink), globalAlpha: opacity });
+        to.fill(path);
+      }
+    }
+    to.globalAlpha = 1;
+    /** @param {string} mesh @param {Instances} parts */
+    const put = (mesh, parts) => stamp(to, about.meshes[mesh], parts, on);
+    put("pin", draw.pins(plan, world));
+    put(about.springs, draw.springs(plan, frame, world, damage));
+    put("slice", draw.wedges(plan, frame, world, damage));
+    if (plan.driven >= 0) put("ring", draw.ring(plan, world));
+    put("disc", draw.masses(plan, world));
+    if (frame.ghost) put("bar", draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage));
+    return frame;
+  };
+}
+
+/** @param {About} about @param {(time: number) => import("../../page/static/plan.js").Frame} paint */
+function player(about, paint) {
+  const play = element("play", HTMLButtonElement);
+  const slider = element("time", HTMLInputElement);
+  const speed = element("speed", HTMLSelectElement);
+  const clock = element("clock", HTMLOutputElement);
+  const canvas = element("canvas", HTMLCanvasElement);
+  const seconds = (about.frames - 1) * about.interval;
+  let [time, playing, asked, before] = [0, false, false, 0];
+  slider.max = String(seconds);
+  const show = () => {
+    const frame = paint(time);
+    slider.value = String(time);
+    clock.value = `${frame.time.toFixed(2)} s`;
+    slider.setAttribute("aria-valuetext", clock.value);
+    play.dataset.icon = playing ? "pause" : time >= seconds ? "again" : "play";
+    play.ariaLabel = { pause: "Pause", again: "Play again", play: "Play" }[play.dataset.icon] ?? "";
+  };
+  /** @param {number} now ms */
+  const next = (now) => {
+    asked = false;
+    if (playing) time = Math.min(time + (Math.min(now - before, 100) / 1e3) * Number(speed.value), seconds);
+    before = now;
+    if (time >= seconds) playing = false;
+    show();
+    if (playing) ask();
+  };
+  const ask = () => {
+    if (!asked) requestAnimationFrame(next);
+    asked = true;
+  };
+  /** @param {boolean} on */
+  const set = (on) => {
+    playing = on;
+    before = performance.now();
+    if (on && time >= seconds) time = 0;
+    ask();
+  };
+  /** @param {number} to */
+  const go = (to) => {
+    playing = false;
+    time = Math.min(Math.max(to, 0), seconds);
+    ask();
+  };
+  play.addEventListener("click", () => set(!playing));
+  canvas.addEventListener("click", () => set(!playing));
+  slider.addEventListener("input", () => go(Number(slider.value)));
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target === speed) return;
+    const far = event.shiftKey ? LEAP : NUDGE;
+    /** @type {Record<string, () => void>} */
+    const keys = {
+      " ": () => set(!playing),
+      ArrowLeft: () => go(time - far),
+      ArrowRight: () => go(time + far),
+      Home: () => go(0),
+      End: () => go(seconds),
+    };
+    if (!keys[event.key] || (event.key === " " && event.repeat)) return;
+    event.preventDefault();
+    keys[event.key]();
+  });
+  new ResizeObserver(ask).observe(canvas);
+  for (const query of ["(prefers-color-scheme: dark)", `(resolution: ${devicePixelRatio}dppx)`]) {
+    matchMedia(query).addEventListener("change", ask);
+  }
+  set(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+  // For the browser tests.
+  Object.assign(window, { __softrod: { playing: () => playing, shown: () => paint(time) } });
+}
+
+try {
+  const [about, text] = ["about", "data"].map((id) => element(id, HTMLScriptElement).textContent ?? "");
+  const told = /** @type {About} */ (JSON.parse(about));
+  const motion = readMotion(told, await unpack(JSON.parse(text)));
+  player(told, painter(told, motion, element("canvas", HTMLCanvasElement)));
+} catch (error) {
+  const said = document.querySelector("[role=alert]");
+  if (said) said.textContent = "This browser cannot play the file; a newer one can.";
+  throw error;
+}

@@ -1,0 +1,111 @@
+"""Which controls a page has, for prepared lessons: all, or those that its address or its scene names.
+
+It is a matter of tidiness, not of security: what is left out can still be done by keys, and by whoever opens
+the page without the list.
+"""
+
+from __future__ import annotations
+
+import re
+import urllib.parse
+from dataclasses import dataclass
+
+from sim.errors import InputError
+from sim.scene.types import Scene
+from sim.settings import Setting, setting_keys
+
+from ..gate.address import PAGE_QUERY
+
+PARTS = {
+    "play": "the bar of time under the body",
+    "chooser": "the button with the scene's title, which opens the gallery, and Open anew",
+    "about": "what the scene shows, in words",
+    "follow": "the switch that has the ringed mass follow the pointer",
+    "angle": "the table of the joint's angle",
+    "keys": "the arrow pad",
+    "help": "the Help button",
+    "body": "the Body tab",
+    "solver": "the Solver tab",
+    "measure": "the Measure tab",
+    "tools": "the instruments",
+    "files": "the Files tab",
+    "view": "the View tab",
+}
+"""Names of controls, and what they stand for; besides them, the key of any setting stands for its slider."""
+
+IN_PLAY_TAB = ("chooser", "about", "follow", "angle", "keys", "help")
+"""Those that stand in the Play tab, as the sliders of single settings do."""
+
+TABS = ("body", "solver", "measure", "tools", "files", "view")
+
+
+@dataclass(frozen=True)
+class Controls:
+    """The controls of a page; see `PARTS`.
+
+    Attributes:
+        names: which there are, in order; None for all.
+    """
+
+    names: tuple[str, ...] | None = None
+
+    def __contains__(self, name: str) -> bool:
+        return self.names is None or name in self.names
+
+    @property
+    def in_play_tab(self) -> bool:
+        """Whether the Play tab has anything."""
+        return self.names is None or any(n in IN_PLAY_TAB or n not in PARTS for n in self.names)
+
+    @property
+    def in_panel(self) -> bool:
+        """Whether the panel has anything."""
+        return self.in_play_tab or any(tab in self for tab in TABS)
+
+    def foremost(self, applicable: list[Setting]) -> list[Setting] | None:
+        """The settings that are named, of those that the scene has; None if none is to be named."""
+        if self.names is None:
+            return None
+        known = {setting.key: setting for setting in applicable}
+        return [known[name] for name in self.names if name in known]
+
+
+ALL = Controls()
+
+
+def checked(names: tuple[str, ...], source: str) -> Controls:
+    """Controls of that list.
+
+    Raises:
+        InputError: one of them is no control; one sentence that begins with the source and has all there are.
+    """
+    known = setting_keys()
+    for name in names:
+        if name not in PARTS and re.sub(r"^bodies\[\d+\]\.", "", name) not in known:
+            raise InputError(
+                f"{source}: there is no control called {name!r}; there are {', '.join(PARTS)}, and the "
+                f"settings {', '.join(sorted(known))}"
+            )
+    return Controls(tuple(dict.fromkeys(names)))
+
+
+def of_scene(scene: Scene) -> Controls:
+    """What a scene asks for.
+
+    Raises:
+        InputError: as `checked`.
+    """
+    return ALL if scene.view.controls is None else checked(scene.view.controls, "view.controls")
+
+
+def of_query(query: str) -> Controls | None:
+    """What the query of a page's address asks for, as in `controls=play,rest_angle`; None if it has none.
+
+    Raises:
+        InputError: as `checked`.
+    """
+    if not PAGE_QUERY.fullmatch(query):
+        return None
+    text = urllib.parse.unquote(query.partition("=")[2])
+    names = tuple(name for part in text.split(",") if (name := part.strip()[:80]))
+    return checked(names, "the address, controls")

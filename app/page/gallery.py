@@ -1,0 +1,106 @@
+"""The gallery: all scenes on cards, to open one; the user's own are renamed, copied and deleted there.
+
+What it does takes a while: call it in a thread.
+"""
+
+from __future__ import annotations
+
+import base64
+import functools
+from collections.abc import Callable
+from pathlib import Path
+
+import sim
+from sim.errors import SceneError
+from sim.scene import own_scenes
+from sim.scene.files import read_scene
+
+from ..session import commands
+from ..session.session import Notice, Session
+from . import shelf, thumbnails
+from .mail import Change, Mail, OpenScene, Scenes
+
+MOST_PAINTED = 200
+"""Own scenes that get a picture; the others have their names."""
+
+PAINTED_AT_ONCE = 8
+"""Pictures after which those that are ready are sent."""
+
+
+class Gallery:
+    """One page's gallery.
+
+    Args:
+        session: the page's simulation.
+        mail: to the page's script.
+        notify: tells the user something.
+    """
+
+    def __init__(self, session: Session, mail: Mail, notify: Callable[[Notice], None]) -> None:
+        self._session = session
+        self._mail = mail
+        self._notify = notify
+
+    def offer(self) -> None:
+        """Have the page show it."""
+        self._mail.send("gallery", open=True)
+
+    def changed(self) -> None:
+        """Have the page ask anew, if it shows it."""
+        self._mail.send("gallery", changed=True)
+
+    def open(self, ask: OpenScene) -> None:
+        """Open a scene; if it cannot be read, nothing changes."""
+        try:
+            # Only what is listed: a name could be the path of any file.
+            if shelf.find(ask.name) is None:
+                raise SceneError(f"there is no scene called {ask.name!r} any more")
+            scene = sim.load_scene(ask.name)
+        except SceneError as error:
+            self._notify(Notice("error", "That scene cannot be opened", str(error)))
+        else:
+            self._session.post(commands.Open(scene))
+
+    def list(self, ask: Scenes) -> None:
+        """Send the page all scenes, then the pictures of the user's own as they get ready."""
+        entries = shelf.entries()
+        self._mail.send("gallery", scenes=entries, present=self._session.scene.name)
+        pictures: dict[str, str] = {}
+        own = [info for entry in entries if entry.own and (info := shelf.find(entry.name)) is not None]
+        for count, info in enumerate(own[:MOST_PAINTED], start=1):
+            if picture := _picture(info.path, ask.dark):
+                pictures[info.name] = picture
+            if count % PAINTED_AT_ONCE == 0 or count == len(own[:MOST_PAINTED]):
+                self._mail.send("pictures", pictures=pictures)
+
+    def change(self, ask: Change) -> None:
+        """Rename, copy, delete or bring back one of the user's own scenes, and say what was done."""
+        trashed = ""
+        try:
+            match ask.how:
+                case "rename":
+                    said = f"It is called {own_scenes.rename_user_scene(ask.name, ask.to)!r} now."
+                case "duplicate":
+                    said = f"The copy is called {own_scenes.duplicate_user_scene(ask.name)!r}."
+                case "delete":
+                    trashed = own_scenes.trash_user_scene(ask.name)
+                    said = f"{ask.name!r} is deleted."
+                case "restore":
+                    said = f"{own_scenes.restore_user_scene(ask.name)!r} is back."
+        except SceneError as error:
+            said = str(error)
+        self._mail.send("said", text=said, undo=trashed)
+
+
+def _picture(path: Path, dark: bool) -> str:
+    """A saved scene's picture, as an address that an image can have; empty if it cannot be read."""
+    try:
+        return _painted(path, path.stat().st_mtime_ns, dark)
+    except (OSError, SceneError, ValueError):
+        return ""
+
+
+@functools.lru_cache(maxsize=2 * MOST_PAINTED)
+def _painted(path: Path, _: int, dark: bool) -> str:
+    data = thumbnails.picture(read_scene(path), dark)
+    return f"data:image/webp;base64,{base64.b64encode(data).decode()}"

@@ -1,0 +1,48 @@
+// @ts-check
+/**
+ * Links that hold a scene after their #. A browser keeps that to itself, so it is sent to the server here. Nothing in
+ * it is read in the page, and the address is given back without it: a reload then goes on with what is kept.
+ */
+import { send, told } from "./channel.js";
+
+const PATH = "/s";
+/** How the data begins: the number of its way of packing, and a dot. */
+const BEGIN = /^#\d+\./;
+/** Characters of a message; the gate takes 64 KiB. */
+const PART = 48_000;
+
+/** The data of a link that is to be opened. */
+let due = "";
+
+/** Takes a link out of the page's address; before viser's page begins, which would connect to all of that. */
+export function takeLink() {
+  const { hash, pathname, search } = location;
+  if (pathname === PATH || BEGIN.test(hash)) due = hash.slice(1);
+  if (hash || pathname === PATH) history.replaceState(null, "", `/${search}`);
+}
+
+/**
+ * Sends a text in parts.
+ *
+ * @param {string} kind
+ * @param {string} letters
+ */
+export function sendParts(kind, letters) {
+  const parts = Math.max(1, Math.ceil(letters.length / PART));
+  for (let i = 0; i < parts; i++) send(kind, `${i + 1}/${parts}|${letters.slice(PART * i, PART * (i + 1))}`);
+}
+
+/** Has the server open the link that the page was opened with, if there is a connection. */
+export function openLink() {
+  if (!due || !told().channel) return;
+  sendParts("link", due);
+  due = "";
+}
+
+/** Begins to take links that are put into the address of the page that is there. */
+export function listenToLinks() {
+  window.addEventListener("hashchange", () => {
+    takeLink();
+    openLink();
+  });
+}

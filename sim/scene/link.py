@@ -1,0 +1,112 @@
+"""A scene as the end of a link: after the `#`, the number of the way of packing, a dot, and the packed scene.
+
+It is packed as compact JSON, by zlib, in the letters of base64 that a link may have. zlib's checksum finds a
+link of which a letter was lost or changed.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import re
+import zlib
+from typing import Any
+
+import msgspec
+
+from ..errors import SceneError
+from .numbers import of_python
+from .types import BODY_FIELDS, FORMAT_VERSION, Scene
+from .validate import validate
+
+PACKING = 1
+"""The number of the way in which this release packs; later ones are refused."""
+
+MAX_LINK = 2_000_000
+"""Characters that a link's data may have; browsers take some two million."""
+
+PATH = "/s"
+"""Where a page takes such links."""
+
+_LINK = re.compile(r"https?://[^\s#]+#(.*)", re.DOTALL)
+_DATA = re.compile(r"(\d{1,6})\.([A-Za-z0-9_-]+)")
+_BROKEN = "the link is broken: a part of it is missing or was changed"
+
+
+def link_data(text: str) -> str | None:
+    """What stands after the `#` of a link, or None if a text is no link."""
+    match = _LINK.fullmatch(text.strip())
+    return match[1] if match else None
+
+
+def pack_scene(scene: Scene) -> str:
+    """The data of a link to a scene.
+
+    Raises:
+        SceneError: the scene is not valid, or too large for a link.
+    """
+    validate(scene)
+    fields = {**_without_defaults(scene), "format": FORMAT_VERSION}
+    if scene.bodies:
+        for field in BODY_FIELDS:
+            fields.pop(field, None)
+    packed = zlib.compress(msgspec.json.encode(fields, enc_hook=of_python), 9)
+    data = f"{PACKING}.{base64.urlsafe_b64encode(packed).decode().rstrip('=')}"
+    if len(data) > MAX_LINK:
+        raise SceneError(
+            f"a link to {scene.name!r} would have {len(data)} characters, more than the {MAX_LINK} allowed; "
+            "send the scene as a file"
+        )
+    return data
+
+
+def unpack(data: str, most: int) -> bytes:
+    """The scene in a link's data, JSON; nothing in it is trusted.
+
+    Args:
+        data: what stands after the `#`.
+        most: bytes that the scene may have.
+
+    Raises:
+        SceneError: one sentence that says what is wrong.
+    """
+    if len(data) > MAX_LINK:
+        raise SceneError(f"the link has {len(data)} characters, more than the {MAX_LINK} allowed")
+    match = _DATA.fullmatch(data)
+    if match is None:
+        raise SceneError(f"{_BROKEN}; a link to a scene ends with #{PACKING}. and letters, digits, - and _")
+    packing = int(match[1])
+    if packing > PACKING:
+        raise SceneError(
+            f"the link is of format {packing}, newer than {PACKING}, the newest that this softrod reads; a "
+            "newer softrod can open it"
+        )
+    if packing < 1:
+        raise SceneError(f"{_BROKEN}; there is no format {packing}")
+    letters = match[2]
+    try:
+        packed = base64.b64decode(letters + "=" * (-len(letters) % 4), b"-_", validate=True)
+        unpacking = zlib.decompressobj()
+        # A few bytes may stand for gigabytes.
+        found = unpacking.decompress(packed, most + 1)
+    except (binascii.Error, zlib.error):
+        raise SceneError(_BROKEN) from None
+    if len(found) > most:
+        raise SceneError(f"the link: unpacked it has more than the {most} bytes that a scene may have")
+    if not unpacking.eof or unpacking.unused_data:
+        raise SceneError(_BROKEN)
+    return found
+
+
+def _without_defaults(value: Any) -> Any:
+    """As dicts, lists, numbers and strings, without what is as it is by default."""
+    if isinstance(value, msgspec.Struct):
+        config = value.__struct_config__
+        tag = {} if config.tag_field is None else {config.tag_field: config.tag}
+        return tag | {
+            field.encode_name: _without_defaults(item)
+            for field in msgspec.structs.fields(value)
+            for item in (getattr(value, field.name),)
+            if field.required or item != field.default
+        }
+    return [_without_defaults(item) for item in value] if isinstance(value, tuple) else value

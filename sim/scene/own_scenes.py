@@ -1,0 +1,122 @@
+"""What can be done with the user's own scenes besides saving: none is overwritten, and none lost at once.
+
+A scene that is deleted goes to a folder of its own, where the last ones stay.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+import threading
+import time
+from pathlib import Path
+
+from ..errors import SceneError
+from .files import read_scene, save_user_scene, user_folder, user_path
+
+MOST_IN_TRASH, MOST_TRASH_BYTES = 50, 50_000_000
+"""How many deleted scenes are kept at most, and how many bytes of them; the newest always is."""
+
+_TRASHED = re.compile(r"\d{20}-(.+)\.json")
+
+# Pages of one server may do this at the same moment.
+_one_at_a_time = threading.RLock()
+
+
+def trash_folder() -> Path:
+    """Where deleted scenes are; it need not exist yet."""
+    return user_folder() / "trash"
+
+
+def rename_user_scene(name: str, wanted: str) -> str:
+    """Give a scene another name, and return the one used, see `sim.scene.files.safe_name`.
+
+    Raises:
+        SceneError: it does not exist, the name is not usable or taken, or a file cannot be written.
+    """
+    with _one_at_a_time:
+        old, new = user_path(name), user_path(wanted)
+        if new == old:
+            return old.stem
+        if new.exists():
+            raise SceneError(f"there is a scene called {new.stem!r} already; choose another name")
+        used = save_user_scene(read_scene(old), wanted)
+        _remove(old)
+        return used
+
+
+def duplicate_user_scene(name: str) -> str:
+    """Save a scene once more, and return the name of the copy.
+
+    Raises:
+        SceneError: it does not exist, or the copy cannot be written.
+    """
+    with _one_at_a_time:
+        path = user_path(name)
+        return save_user_scene(read_scene(path), _free_name(path.stem))
+
+
+def trash_user_scene(name: str) -> str:
+    """Delete a scene, and return by what `restore_user_scene` finds it.
+
+    Raises:
+        SceneError: it does not exist, or cannot be deleted.
+    """
+    with _one_at_a_time:
+        path, folder = user_path(name), trash_folder()
+        trashed = folder / f"{time.time_ns():020d}-{path.stem}.json"
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            path.rename(trashed)
+        except OSError as error:
+            raise SceneError(f"{name!r} cannot be deleted ({error.strerror or error})") from None
+        _take_out()
+        return trashed.name
+
+
+def restore_user_scene(trashed: str) -> str:
+    """Bring a deleted scene back, and return its name: another one if its own has been taken meanwhile.
+
+    Raises:
+        SceneError: it is no longer there, or cannot be moved.
+    """
+    match = _TRASHED.fullmatch(trashed)
+    path = trash_folder() / trashed
+    with _one_at_a_time:
+        if match is None or path.name != trashed or not path.is_file():
+            raise SceneError("that scene is no longer in the trash")
+        name = _free_name(match[1])
+        if name == match[1]:
+            try:
+                path.rename(user_path(name))
+            except OSError as error:
+                raise SceneError(f"{name!r} cannot be brought back ({error.strerror or error})") from None
+            return name
+        used = save_user_scene(read_scene(path), name)
+        _remove(path)
+        return used
+
+
+def _free_name(name: str) -> str:
+    """The name itself, or the first of "name 2", "name 3", ... that no scene has."""
+    base = re.sub(r" \d{1,4}$", "", name)
+    others = (f"{base[:54].rstrip(' .-_')} {number}" for number in itertools.count(2))
+    return next(each for each in itertools.chain((name,), others) if not user_path(each).exists())
+
+
+def _take_out() -> None:
+    """Delete for good what is too much in the trash, the oldest first."""
+    # Their names begin with the time.
+    newest, *others = sorted(trash_folder().glob("*.json"), reverse=True)
+    size = newest.stat().st_size
+    for count, path in enumerate(others, start=2):
+        size += path.stat().st_size
+        if count > MOST_IN_TRASH or size > MOST_TRASH_BYTES:
+            _remove(path)
+
+
+def _remove(path: Path) -> None:
+    try:
+        path.unlink()
+    except OSError as error:
+        raise SceneError(f"{path.name!r} cannot be deleted ({error.strerror or error})") from None

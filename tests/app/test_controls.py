@@ -1,0 +1,126 @@
+"""Which controls a page has: by its address, by its scene; what is left out is not made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import msgspec
+import pytest
+
+import sim
+from app.cli import main
+from app.page import controls
+from app.page.controls import ALL, PARTS, Controls, of_query, of_scene
+from sim.errors import InputError, SceneError
+from sim.scene.files import decode_scene, encode_scene
+from sim.settings import setting_keys, settings_of
+from tests.app.hostile import Sandbox, answer
+
+
+def with_controls(*names: str, scene: str = "tutorial-3.3") -> sim.Scene:
+    found = sim.load_scene(scene)
+    return msgspec.structs.replace(found, view=msgspec.structs.replace(found.view, controls=names))
+
+
+def test_an_address_names_controls() -> None:
+    assert of_query("controls=play,rest_angle%2Ckeys,,play") == Controls(("play", "rest_angle", "keys"))
+    assert of_query("controls=") == Controls(())
+    assert of_query("") is None
+    assert of_query("websocket=ws://evil.example") is None
+
+
+def test_a_scene_names_controls() -> None:
+    assert of_scene(sim.load_scene("ring")) is ALL
+    scene = with_controls("play", "gravity")
+    assert of_scene(scene) == Controls(("play", "gravity"))
+    assert decode_scene(encode_scene(scene), "x") == scene
+
+
+@pytest.mark.parametrize("name", ["foo", "Play", "bodies[1].foo", "method", "play "])
+def test_what_is_no_control_is_one_sentence(name: str) -> None:
+    with pytest.raises(InputError, match=r"there is no control called .*; there are play, chooser") as caught:
+        of_scene(with_controls("play", name))
+    assert "\n" not in str(caught.value)
+    assert str(caught.value).startswith("view.controls: ")
+    with pytest.raises(InputError, match=r"^the address, controls: there is no control called 'foo'"):
+        of_query("controls=foo")
+
+
+def test_every_setting_of_every_preset_can_be_named() -> None:
+    keys = setting_keys()
+    assert not keys & set(PARTS)
+    for info in sim.list_scenes():
+        scene = sim.load_scene(info.name)
+        of_scene(scene)
+        named = controls.checked(tuple(setting.key for setting in settings_of(scene)), info.name)
+        assert named.foremost(settings_of(scene)) == settings_of(scene)
+
+
+def test_what_a_list_says() -> None:
+    some = Controls(("play", "gravity", "rest_angle", "view"))
+    assert "play" in some
+    assert "body" not in some
+    assert some.in_play_tab
+    applicable = settings_of(sim.load_scene("tutorial-3.3"))
+    named = some.foremost(applicable)
+    assert named is not None
+    assert [setting.key for setting in named] == ["gravity", "rest_angle"]
+    assert ALL.foremost(applicable) is None
+    assert all(part in ALL for part in PARTS)
+    assert not Controls(("play",)).in_panel
+    assert not Controls(("view",)).in_play_tab
+    assert Controls(("view",)).in_panel
+
+
+@pytest.mark.parametrize("names", [[1], "play", [""], ["x" * 81], ["play"] * 101])
+def test_a_file_s_list_is_held_to_its_type(names: object) -> None:
+    fields = msgspec.json.decode(encode_scene(sim.load_scene("ring")))
+    fields["view"]["controls"] = names
+    with pytest.raises(SceneError, match=r"^x: view\.controls"):
+        decode_scene(msgspec.json.encode(fields), "x")
+
+
+def test_softrod_check_knows_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "lesson.json"
+    for name, status in (("keys", 0), ("kees", 1)):
+        sim.save_scene(with_controls("play", name), path)
+        with pytest.raises(SystemExit) as ended:
+            main(["check", str(path)])
+        assert ended.value.code == status
+    error = capsys.readouterr().err
+    assert error.startswith(f"softrod: {path}: view.controls: there is no control called 'kees'")
+
+
+# ------------------------------------------------------------------------- the gate
+@pytest.fixture(scope="module")
+def sandbox() -> Iterator[Sandbox]:
+    sandbox = Sandbox()
+    yield sandbox
+    sandbox.close()
+
+
+@pytest.mark.parametrize(
+    ("target", "status"),
+    [
+        ("/?controls=play,rest_angle", 200),
+        ("/?controls=play%2Cbodies[1].pressure", 200),
+        ("/?controls=", 200),
+        ("/?controls=play&websocket=ws://evil.example", 307),
+        ("/?websocket=ws://evil.example&controls=play", 307),
+        ("/?controls=play;x", 307),
+        ("/?controls=<script>", 307),
+        ("/?controls=" + "x" * 2001, 307),
+        ("/?Controls=play", 307),
+        ("/package.json?controls=play", 307),
+        ("//evil.example/?controls=play", 307),
+    ],
+)
+def test_the_gate_takes_that_query_alone(sandbox: Sandbox, target: str, status: int) -> None:
+    assert answer(sandbox.port, [("Host", f"127.0.0.1:{sandbox.port}")], target)[0] == status
+
+
+def test_the_gate_tells_with_which_query_a_page_connected(sandbox: Sandbox) -> None:
+    user = sandbox.user()
+    assert sandbox.server.gate.query_of(user.client.client_id) == ""
+    assert sandbox.server.gate.query_of(12345) == ""

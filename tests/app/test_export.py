@@ -1,0 +1,321 @@
+"""What is taken home from a scene: films, replays and models, and the command that writes them."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import io
+import json
+import re
+import threading
+import zlib
+from concurrent.futures import Future
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from msgspec.structs import replace as changed
+from PIL import Image
+
+import sim
+from app.cli import main
+from app.export import film, model, replay
+from app.export.bundle import BundleError, bundle
+from app.export.clip import Clip, Shot
+from app.export.workshop import Workshop
+from app.page.plan import Picture
+from app.session import commands
+from app.session.session import Session
+from sim.errors import InputError
+from sim.scene.types import Damage
+from tests.app.clips import swing
+
+ROPE = sim.rope(masses=5, length=200.0)
+
+
+# ------------------------------------------------------------------------- clips
+def test_a_clip_is_sampled_evenly_between_its_moments_and_ends_with_the_last() -> None:
+    shots = swing(ROPE, 1.0, rate=17.0)
+    clip = Clip(shots)
+    found = list(clip.at(0.04))
+    assert len(found) == clip.count(0.04) == 26
+    assert np.diff([shot.picture.time for shot in found]) == pytest.approx(0.04)
+    assert found[-1] is shots[-1]
+    times = np.array([shot.picture.time for shot in shots])
+    tips = np.array([shot.picture.positions[-1, 0] for shot in shots])
+    for shot in found:
+        assert shot.picture.positions[-1, 0] == pytest.approx(np.interp(shot.picture.time, times, tips))
+
+
+def test_a_clip_has_the_last_seconds_of_one_body_only() -> None:
+    assert Clip(swing(ROPE, 2.0), 0.5).seconds == pytest.approx(0.5)
+    other = [replace(shot, picture=replace(shot.picture, time=shot.picture.time - 2.0)) for shot in swing(
+        sim.rope(masses=4, length=200.0), 1.0
+    )]  # fmt: skip
+    clip = Clip([*other, *swing(ROPE, 0.5)])
+    assert clip.seconds == pytest.approx(0.5)
+    assert {len(shot.picture.positions) for shot in clip.shots} == {5}
+    with pytest.raises(InputError, match="press Play"):
+        Clip(swing(ROPE, 0.1))
+    with pytest.raises(InputError, match="press Play"):
+        Clip([])
+    bad = swing(ROPE, 0.5)
+    bad[3].picture.positions[0] = np.nan
+    with pytest.raises(InputError, match="finite"):
+        Clip(bad)
+
+
+def test_a_session_hands_out_what_its_page_has_shown() -> None:
+    clock = iter(np.arange(0.0, 1e3, 1.0 / 60.0))
+    session = Session(ROPE, lambda: float(next(clock)))
+
+    def recent(seconds: float) -> list[sim.Moment]:
+        command = commands.Recent(seconds, Future())
+        session.post(command)
+        session.drain()
+        return [moment for moment, ghost in command.result.result(0) if ghost is None]
+
+    assert len(recent(1.0)) <= 1
+    for _ in range(60):
+        session.drain()
+        session.tick(1.0)
+    moments = recent(0.3)
+    assert moments[-1].time == session.simulation.time
+    assert (moments[-1].positions == session.simulation.positions).all()
+    assert 0.3 <= moments[-1].time - moments[0].time < 0.4
+    # What is gone back to is what ends it.
+    session.post(commands.GoBack(0.2))
+    assert recent(0.1)[-1].time == session.simulation.time < moments[-1].time
+
+
+# ------------------------------------------------------------------------- films
+def test_a_film_goes_at_real_speed_and_shows_the_body_where_it_is() -> None:
+    clip = Clip(swing(ROPE, 0.8))
+    told: list[float] = []
+    data = film.gif(clip, (160, 120), progress=told.append)
+    assert told == sorted(told)
+    assert told[-1] == 1.0
+    image = Image.open(io.BytesIO(data))
+    assert image.size == (160, 120)
+    durations, held = [], []
+    for k in range(image.n_frames):  # type: ignore[attr-defined]
+        image.seek(k)
+        durations.append(image.info["duration"])
+        frame = np.asarray(image.convert("RGB")).astype(int)
+        red = (frame[:, :, 0] > 200) & (frame[:, :, 1] < 230) & (frame[:, :, 2] < 90)
+        held.append(float(np.nonzero(red)[1].mean()))
+    assert sum(durations[:-1]) == pytest.approx(800, abs=1)
+    assert set(durations[:-1]) == {40}
+    # Sideways and back: the discs, yellow, on their way.
+    assert max(held) - min(held) > 3.0
+    # Paper is white, not nearly.
+    assert (np.asarray(image.convert("RGB")).reshape(-1, 3) == 255).all(1).mean() > 0.5
+    assert film.gif(clip, (160, 120)) == data
+
+
+def test_a_long_or_large_film_has_fewer_frames(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(film, "MOST_PIXELS", 11 * 64 * 64)
+    image = Image.open(io.BytesIO(film.gif(Clip(swing(ROPE, 1.0)), (64, 64))))
+    assert image.n_frames <= 11  # type: ignore[attr-defined]
+    wide = changed(ROPE, view=sim.View(frame=(0.0, 0.0, 900.0, 100.0)))
+    assert film.size_of(wide) == (640, 320)
+    assert film.size_of(changed(ROPE, view=sim.View(frame=(0.0, 0.0, 300.0, 400.0))))[1] == 640
+
+
+# ------------------------------------------------------------------------- replays
+def parts(text: str) -> tuple[dict, bytes]:
+    about = json.loads(re.search(r'id="about">(.*?)</script>', text)[1])  # type: ignore[index]
+    data = json.loads(re.search(r'id="data">(.*?)</script>', text)[1])  # type: ignore[index]
+    return about, zlib.decompress(base64.b64decode(data))
+
+
+def test_a_replay_has_every_pose_to_a_hundredth_of_a_pixel() -> None:
+    shots = swing(ROPE, 1.0)
+    text = replay.replay_html(Clip(shots)).decode()
+    assert len(text) < 100_000
+    about, data = parts(text)
+    assert about["frames"] == 61
+    assert about["start"] == 2.0
+
+    def array(name: str) -> np.ndarray:
+        at, count = about[name]
+        return np.frombuffer(data, np.uint8, count, at).reshape(about["numbers"], -1).T.astype(np.uint16)
+
+    steps = np.cumsum(array("low") + 256 * array("high"), axis=0, dtype=np.uint16)
+    for k, shot in enumerate(shots):
+        positions = np.array(about["least"]) + np.array(about["quantum"]) * steps[k].reshape(-1, 2)
+        assert positions == pytest.approx(shot.picture.positions, abs=0.01)
+
+
+def test_a_replay_loads_nothing_and_runs_one_script() -> None:
+    text = replay.replay_html(Clip(swing(ROPE))).decode()
+    policy = re.search(r'Content-Security-Policy" content="(.*?)"', text)[1]  # type: ignore[index]
+    assert policy.startswith("default-src 'none'; script-src 'sha256-")
+    assert "unsafe" not in policy
+    script = re.search(r'<script type="module">(.*?)</script>', text, re.DOTALL)[1]  # type: ignore[index]
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    assert f"script-src 'sha256-{digest}'" in policy
+    assert not re.search(r'(?:src|href)="|url\(|https?://(?!www\.w3\.org)|style="|\son\w+="', text)
+
+
+def test_nothing_of_a_scene_is_markup_in_a_replay() -> None:
+    evil = '</script><script>document.title="evil"</script><img src=x onerror=alert(1)>"\'&'
+    scene = changed(ROPE, title=evil[:100], description=evil)
+    text = replay.replay_html(Clip(swing(scene))).decode()
+    assert text.count("<script") == 3
+    assert text.count("</script") == 3
+    assert "<img" not in text
+    assert "&lt;/script&gt;&lt;script&gt;" in text
+
+
+def test_what_breaks_yields_or_is_set_anew_is_in_a_replay() -> None:
+    shots = swing(ROPE)
+    stiff = changed(ROPE, gravity=(0.0, 5.0))
+    damage = Damage(broken=(2,))
+    for k in range(30, 61):
+        shots[k] = Shot(stiff, replace(shots[k].picture, damage=damage))
+    about, _ = parts(replay.replay_html(Clip(shots)).decode())
+    assert [plan["from"] for plan in about["plans"]] == [0, 30]
+    assert [change["from"] for change in about["damages"]] == [0, 30]
+
+
+def test_a_large_body_has_fewer_frames_in_a_replay(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(replay, "MOST_NUMBERS", 200)
+    about, _ = parts(replay.replay_html(Clip(swing(ROPE))).decode())
+    assert about["frames"] * about["numbers"] <= 200
+    assert about["interval"] * (about["frames"] - 1) <= 1.0 + 1e-6
+
+
+def test_the_bundler_refuses_what_it_does_not_know(tmp_path: Path) -> None:
+    (tmp_path / "a.js").write_text('import b from "./b.js";\n')
+    (tmp_path / "b.js").write_text("export const b = 1;\n")
+    with pytest.raises(BundleError, match="is not known"):
+        bundle(tmp_path / "a.js")
+    (tmp_path / "a.js").write_text(
+        'import { b as c } from "./b.js";\nimport * as all from "./b.js";\nc + all.b;\n'
+    )
+    text = bundle(tmp_path / "a.js")
+    assert text.count("const b = 1;") == 1
+    assert "const { b: c } = module_b;" in text
+    assert "import" not in text
+
+
+# ------------------------------------------------------------------------- models
+def test_a_model_has_the_bodys_parts_and_colours() -> None:
+    scene = sim.load_scene("girder")
+    picture = Picture.at_start(scene)
+    data = model.glb(scene, replace(picture, damage=Damage(broken=(0, 1))))
+    loaded = trimesh.load_scene(io.BytesIO(data), file_type="glb")
+    assert set(loaded.geometry) == {"masses", "springs", "supports"}
+    low, high = picture.positions.min(0), picture.positions.max(0)
+    radius = max(mass.radius for mass in scene.masses)
+    reach = loaded.geometry["masses"].bounds
+    assert reach[1][0] - reach[0][0] == pytest.approx(0.001 * (high[0] - low[0] + 2 * radius), rel=0.05)
+    balls = loaded.geometry["masses"].split()
+    assert len(balls) == len(scene.masses)
+    assert all(ball.is_watertight and ball.volume > 0.0 for ball in balls)
+    coils = loaded.geometry["springs"].split()
+    assert len(coils) == len(scene.linear_springs) - 2
+    assert all(coil.volume > 0.0 for coil in coils)
+    # Linear light: the yellow of a mass has little blue.
+    red, green, blue = np.median(loaded.geometry["masses"].visual.vertex_attributes["color"], axis=0)[:3]
+    assert red > 240
+    assert 110 < green < 160
+    assert blue < 10
+    words = json.loads(data[20 : 20 + int.from_bytes(data[12:16], "little")])
+    assert words["asset"]["extras"]["metres_per_px"] == 0.001
+    with pytest.raises(InputError, match="finite"):
+        model.glb(scene, replace(picture, positions=picture.positions * np.nan))
+
+
+def test_walls_and_wedges_are_in_a_model_where_there_are_any() -> None:
+    scene = sim.load_scene("water-balloon")
+    start = Picture.at_start(scene)
+    loaded = trimesh.load_scene(
+        io.BytesIO(model.glb(scene, replace(start, positions=start.positions * (1.0, 0.8)))), file_type="glb"
+    )
+    assert {"walls", "wedges"} <= set(loaded.geometry)
+    assert loaded.geometry["walls"].bounds[1][1] <= loaded.geometry["masses"].bounds[0][1] + 1e-3
+
+
+# ------------------------------------------------------------------------- the command
+def export(*words: object) -> int:
+    with pytest.raises(SystemExit) as ended:
+        main(["export", *map(str, words)])
+    return int(ended.value.code or 0)
+
+
+def test_the_command_writes_all_four(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    files = {kind: tmp_path / f"rope.{kind}" for kind in ("png", "gif", "html", "glb")}
+    words = [word for kind, path in files.items() for word in (f"--{kind}", path)]
+    assert export("tutorial-3.3", *words, "--seconds", 0.4, "--size", "120x90", "--dark") == 0
+    assert Image.open(files["png"]).size == Image.open(files["gif"]).size == (120, 90)
+    assert np.asarray(Image.open(files["png"]))[2, 2].max() < 60
+    assert files["html"].read_text().startswith("<!doctype html>")
+    assert files["glb"].read_bytes()[:4] == b"glTF"
+    assert str(files["glb"]) in capsys.readouterr().out
+    assert {path.name for path in tmp_path.iterdir()} == {path.name for path in files.values()}
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ((), "--png, --gif, --html or --glb"),
+        (("--gif", "a.png"), "must end in .gif"),
+        (("--gif", "nowhere/a.gif"), "the folder nowhere does not exist"),
+        (("--gif", "a.gif", "--seconds", 0), "0.2..60 s"),
+        (("--png", "a.png", "--seconds", "nan"), "0..60 s"),
+        (("--png", "a.png", "--size", "9000x10"), "16 to 4096"),
+        (("--png", "a.png", "--after", "inf"), "0..10000 s"),
+        (("--png", "a.png", "--set", "dt=0.5", "--set", "method=symplectic_euler"), "time step"),
+    ],
+)
+def test_the_command_says_what_is_wrong_and_writes_nothing(
+    words: tuple[object, ...],
+    said: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert export("tutorial-3.3", *words) == 1
+    error = capsys.readouterr().err
+    assert said in error
+    assert error.count("\n") == 1
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_command_shows_a_recorded_log(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    clock = iter(np.arange(0.0, 1e3, 1.0 / 60.0))
+    session = Session(sim.load_scene("tutorial-3.3"), lambda: float(next(clock)))
+    session.post(commands.SetValue("rest_angle", 20.0))
+    for _ in range(40):
+        session.drain()
+        session.tick(1.0)
+    log = tmp_path / "log.jsonl"
+    log.write_bytes(session.recorder.file())
+    out = tmp_path / "rope.html"
+    assert export("--inputs", log, "--html", out, "--seconds", 0.3) == 0
+    about, _ = parts(out.read_text())
+    end = about["start"] + about["interval"] * (about["frames"] - 1)
+    assert end == pytest.approx(session.simulation.time)
+    assert "differs" not in capsys.readouterr().err
+    assert export("ring", "--inputs", log, "--html", out) == 1
+
+
+# ------------------------------------------------------------------------- the workshop
+def test_the_workshop_does_one_thing_after_the_other_and_survives_a_defect() -> None:
+    done: list[int] = []
+    shop, last = Workshop(), threading.Event()
+
+    def defect() -> None:
+        raise RuntimeError("a defect")
+
+    shop.submit(lambda: done.append(1))
+    shop.submit(defect)
+    shop.submit(lambda: done.append(2))
+    shop.submit(last.set)
+    assert last.wait(10.0)
+    assert done == [1, 2]

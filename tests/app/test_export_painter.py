@@ -1,0 +1,152 @@
+"""Pictures made without a page: the same parts in the same places as in the page, and in its colours."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import sim
+from app.export import around, instances
+from app.export.outlines import outlines
+from app.export.painter import Painter, paint
+from app.export.window import Window
+from app.page.colors import palette, plain, rgb
+from app.page.drawing import Floats, Sketch
+from app.page.plan import Picture
+from app.page.shapes import COILS
+from sim.scene.types import Damage
+from tests.app.page_script import after, drawn
+
+
+def pixel(image: Image.Image, window: Window, sketch: Sketch, place: Floats) -> np.ndarray:
+    """(3,) the colour at a place of the scene, px."""
+    x, y = window.pixels(sketch.mapping.to_world(np.array([place]))[:, :2])[0]
+    return np.asarray(image)[round(float(y) - 0.5), round(float(x) - 0.5)].astype(int)
+
+
+@pytest.mark.parametrize("name", ["tutorial-3.3", "box", "flag-pole", "water-balloon"])
+def test_parts_lie_where_the_page_draws_them(name: str) -> None:
+    scene = sim.load_scene(name)
+    _, picture = after(scene, 120)
+    count = len(scene.linear_springs)
+    damage = Damage(broken=(1,), set_lengths=tuple(np.linspace(-2.0, 2.0, count)))
+    ghost = picture.positions + np.array((7.0, -3.0))
+    picture = replace(picture, damage=damage, ghost=ghost, ghost_broken=(0,), rest_angle_shift=5.0)
+    nodes = drawn(scene, picture)
+    sketch = Sketch(scene, palette(scene.view.colors, dark=False))
+    rest = np.array([joint.rest_angle for joint in scene.angular_springs])
+    found = {
+        "springs": instances.springs(sketch, picture),
+        "wedges": instances.wedges(sketch, picture, rest),
+        "masses": instances.masses(sketch, picture),
+        "pins": instances.pins(sketch, picture),
+        "ring": instances.ring(sketch, picture),
+        "ghost": instances.ghost(sketch, picture),
+    }
+    assert instances.deviations(sketch, picture, rest) == pytest.approx(nodes["deviations"], abs=1e-3)
+    for kind, parts in found.items():
+        node = nodes[kind]
+        if node is None:
+            assert not len(parts.angles), kind
+            continue
+        # The page keeps a place for what is broken, too small to be seen.
+        there = node["scales"][:, 0] > 2e-6
+        assert len(parts.angles) == there.sum(), kind
+        if kind in ("springs", "ghost"):
+            assert not there.all()
+        turns = 2.0 * np.arctan2(node["wxyzs"][there, 3], node["wxyzs"][there, 0])
+        off = (parts.angles - turns + np.pi) % (2.0 * np.pi) - np.pi
+        big = parts.lengths > 1e-3
+        assert parts.places == pytest.approx(node["positions"][there, :2], abs=1e-5), kind
+        assert off[big] == pytest.approx(0.0, abs=1e-4), kind
+        assert parts.lengths == pytest.approx(node["scales"][there, 0], abs=1e-5), kind
+        assert parts.widths == pytest.approx(node["scales"][there, 1], abs=1e-5), kind
+        # Single precision can fall on the other side of the edge between two shades.
+        assert np.abs(parts.colors.astype(int) - node["colors"][there]).max(initial=0) <= 16, kind
+
+
+@pytest.mark.parametrize("name", ["disc", "ring", "bar", "slice", "pin", *COILS])
+def test_an_outline_goes_around_its_mesh(name: str) -> None:
+    lines = outlines(name)
+    assert len(lines) == {"ring": 2, "pin": 2}.get(name, 1)
+    areas = [
+        0.5 * float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) for x, y in (line.T for line in lines)
+    ]
+    if name == "disc":
+        assert sum(areas) == pytest.approx(np.pi, rel=0.01)
+    if name == "ring":
+        assert sum(areas) == pytest.approx(np.pi * (1.0 - 0.82**2), rel=0.01)
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_a_picture_has_the_colours_of_its_parts(dark: bool) -> None:
+    scene = sim.load_scene("water-balloon")
+    _, picture = after(scene, 200)
+    painter = Painter(scene, (640, 480), dark)
+    image, sketch = painter.paint(picture), painter.sketch
+    colors, free = palette(scene.view.colors, dark), ~np.isin(np.arange(len(scene.masses)), sketch.held)
+    for place in picture.positions[free]:
+        assert pixel(image, painter.window, sketch, place) == pytest.approx(colors.mass, abs=2)
+    paper = palette("softrod", dark).paper
+    # The liquid, between the lines of the grid under it.
+    around_middle = picture.positions.mean(0) + np.mgrid[-9:10:3, -9:10:3].reshape(2, -1).T
+    inside = np.median([pixel(image, painter.window, sketch, place) for place in around_middle], axis=0)
+    assert inside == pytest.approx(paper + 0.35 * (rgb("1c8fe0") - paper), abs=3)
+    corner = np.asarray(image)[3, 3]
+    assert min(np.abs(corner - color).max() for color in (paper, colors.grid, colors.grid_major)) <= 2
+    # The floor.
+    floor = np.asarray(image)[-4, 5:60].reshape(-1, 3).astype(float)
+    wanted = paper + 0.1 * (palette("softrod", dark).text - paper)
+    assert np.median(floor, axis=0) == pytest.approx(wanted, abs=3)
+
+
+def test_pictures_are_the_same_every_time_and_of_any_size() -> None:
+    scene = sim.load_scene("flag-pole")
+    one, other = (paint(scene, size=(320, 180)).tobytes() for _ in range(2))
+    assert one == other
+    assert paint(scene, size=(160, 500)).size == (160, 500)
+    for size in ((8, 100), (100, 5000)):
+        with pytest.raises(ValueError, match="16 to 4096"):
+            paint(scene, size=size)
+    with pytest.raises(ValueError, match="finite"):
+        paint(scene, np.full((len(scene.masses), 2), np.nan))
+    far = np.array([mass.position for mass in scene.masses]) + 1e30
+    assert paint(scene, far, size=(160, 90)).size == (160, 90)
+
+
+def test_a_broken_spring_is_absent_and_a_ghost_is_drawn() -> None:
+    scene = sim.rope(masses=3, length=200.0)
+    painter = Painter(scene, (400, 400), grid=False)
+    whole = Picture.at_start(scene)
+    middle = whole.positions[:2].mean(0)
+
+    def inked(picture: Picture, place: Floats) -> bool:
+        x, y = painter.window.pixels(painter.sketch.mapping.to_world(place[None])[:, :2])[0]
+        patch = np.asarray(painter.paint(picture))[int(y) - 6 : int(y) + 6, int(x) - 6 : int(x) + 6]
+        return bool((patch < 250).any())
+
+    assert inked(whole, middle)
+    assert not inked(replace(whole, damage=Damage(broken=(0,))), middle)
+    aside = np.array((60.0, 0.0))
+    assert not inked(whole, middle + aside)
+    assert inked(replace(whole, ghost=whole.positions + aside), middle + aside)
+
+
+def test_the_window_shows_the_frame_near_walls_and_a_body_that_leaves_a_little() -> None:
+    scene = sim.load_scene("water-balloon")
+    sketch = Sketch(scene, palette("softrod", dark=False), plain)
+    frame = scene.view.frame
+    window = Window.fit(sketch, frame, (600, 600))
+    surface = [wall.surface for wall in around.walls(sketch, window) if len(wall.surface)]
+    assert surface
+    assert (surface[0][:, 1] < 600.0).all()
+    size = max(frame[2] - frame[0], frame[3] - frame[1])
+    aside = np.array([[frame[2] + 0.3 * size, frame[1]]])
+    near = Window.fit(sketch, frame, (600, 600), aside)
+    assert (near.pixels(sketch.mapping.to_world(aside)[:, :2]) > 0.0).all()
+    assert (near.pixels(sketch.mapping.to_world(aside)[:, :2]) < 600.0).all()
+    far = Window.fit(sketch, frame, (600, 600), aside + 1e9)
+    assert far.step > 0.4 * window.step

@@ -1,0 +1,124 @@
+"""The gallery on the server's side, and the pictures of the presets."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+from PIL import Image
+
+import sim
+from app.page import gallery, thumbnails
+from app.page.assets import page_files
+from app.page.gallery import Gallery
+from app.page.mail import Change, OpenScene, Scenes
+from app.session.notices import Notice
+from sim.scene import files
+from tests.app.pages import SessionPage
+from tests.app.test_links import Letters
+
+MOST_BYTES = 300_000
+
+
+class Page(SessionPage):
+    """A session with its gallery."""
+
+    def __init__(self) -> None:
+        super().__init__(sim.load_scene("ring"))
+        self.letters, self.notices = Letters(), list[Notice]()
+        self.gallery = Gallery(self.session, self.letters, self.notices.append)
+
+
+@pytest.fixture
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    return files.user_folder()
+
+
+# ------------------------------------------------------------------------- pictures
+def test_the_pictures_are_of_the_presets_as_they_are() -> None:
+    known = msgspec.json.decode(thumbnails.DIGESTS.read_bytes())
+    assert known == thumbnails.digests(), "run: python -m app.page.thumbnails"
+
+
+def test_every_preset_has_two_small_pictures() -> None:
+    size = 0
+    for name in thumbnails.digests():
+        for dark in (False, True):
+            path = thumbnails.FOLDER / thumbnails.file_name(name, dark)
+            size += path.stat().st_size
+            with Image.open(path) as image:
+                assert image.size == thumbnails.SIZE
+                # It shows something.
+                assert len(np.unique(np.asarray(image.convert("L")))) > 20
+                light = image.getpixel((2, 2))
+                assert isinstance(light, tuple)
+                assert (sum(light) < 300) == dark
+    assert size < MOST_BYTES
+    assert any(path.endswith("/thumbnails/ring-dark.webp") for path in page_files())
+
+
+def test_a_picture_is_of_where_the_masses_are() -> None:
+    scene = sim.load_scene("rod")
+    still, moved = thumbnails.picture(scene, False), sim.Simulation(scene)
+    moved.advance(0.5)
+    assert thumbnails.picture(scene, False, moved.positions) != still
+    with Image.open(io.BytesIO(still)) as image:
+        assert image.format == "WEBP"
+
+
+# ------------------------------------------------------------------------- the server's side
+def test_what_is_listed_opens_and_nothing_else(home: Path, tmp_path: Path) -> None:
+    page = Page()
+    files.save_user_scene(sim.rope(masses=5), "mine")
+    sim.save_scene(sim.rope(masses=7), tmp_path / "elsewhere.json")
+    page.gallery.open(OpenScene(name="mine"))
+    page.frames(1)
+    assert len(page.session.scene.masses) == 5
+    for name in (str(tmp_path / "elsewhere.json"), "../elsewhere", "http://x/s#1.AAAA", "nothing"):
+        page.gallery.open(OpenScene(name=name))
+        page.frames(1)
+        assert "there is no scene called" in page.notices.pop().text
+    assert len(page.session.scene.masses) == 5
+
+
+def test_the_list_has_all_scenes_and_own_ones_are_painted_once(
+    home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    files.save_user_scene(sim.rope(), "mine")
+    (home / "broken.json").write_text("{")
+    page = Page()
+    page.gallery.list(Scenes(dark=True))
+    listed, painted = page.letters.sent
+    names = [entry.name for entry in listed["scenes"]]
+    assert {"ring", "mine", "study-w1"} <= set(names)
+    assert "broken" not in names
+    assert listed["present"] == "ring"
+    assert list(painted["pictures"]) == ["mine"]
+    assert painted["pictures"]["mine"].startswith("data:image/webp;base64,")
+    monkeypatch.setattr(thumbnails, "picture", lambda *_: pytest.fail("painted again"))
+    page.gallery.list(Scenes(dark=True))
+    assert page.letters.sent[-1] == painted
+    assert gallery._painted.cache_parameters()["maxsize"] is not None
+
+
+def test_what_is_done_is_said_and_can_be_undone(home: Path) -> None:
+    files.save_user_scene(sim.rope(), "mine")
+    page = Page()
+    page.gallery.change(Change(how="delete", name="mine"))
+    letter = page.letters.sent[-1]
+    assert letter["text"] == "'mine' is deleted."
+    page.gallery.change(Change(how="restore", name=letter["undo"]))
+    assert page.letters.sent[-1]["text"] == "'mine' is back."
+    assert not page.letters.sent[-1]["undo"]
+    page.gallery.change(Change(how="duplicate", name="mine"))
+    page.gallery.change(Change(how="rename", name="mine 2", to="ring"))
+    assert "built-in" in page.letters.sent[-1]["text"]
+    assert sorted(path.stem for path in home.glob("*.json")) == ["mine", "mine 2"]
+    # A preset cannot be deleted.
+    page.gallery.change(Change(how="delete", name="ring"))
+    assert "built-in" in page.letters.sent[-1]["text"]
+    assert files.load_scene("ring")

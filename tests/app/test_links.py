@@ -1,0 +1,177 @@
+"""Links that a page makes and opens, without a browser; and `softrod link`."""
+
+from __future__ import annotations
+
+import threading
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+
+import sim
+from app.cli import main
+from app.page import mail, script
+from app.page.keeping import Parts
+from app.page.mail import Mail, Share, parse_ask
+from app.page.sharing import Sharing
+from app.session import commands
+from app.session.notices import Notice
+from sim.scene.files import decode_link
+from sim.scene.link import pack_scene
+from tests.app.hostile import Sandbox, answer
+from tests.app.pages import SessionPage
+
+ORIGIN = "http://127.0.0.1:8080"
+
+
+class Letters(Mail):
+    """Keeps what would be sent."""
+
+    def __init__(self) -> None:
+        self.sent: list[dict[str, Any]] = []
+
+    def send(self, kind: str, **content: Any) -> None:
+        self.sent.append({"kind": kind, **content})
+
+
+class Page(SessionPage):
+    """A session with its links."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(sim.load_scene(name))
+        self.letters, self.notices = Letters(), list[Notice]()
+        self.sharing = Sharing(self.session, self.letters, self.notices.append)
+
+    def link(self, pose: bool) -> dict[str, Any]:
+        """What comes back when a link is asked for."""
+        asking = threading.Thread(target=self.sharing.share, args=(Share(pose=pose, origin=ORIGIN),))
+        asking.start()
+        while asking.is_alive():
+            self.session.drain()
+            asking.join(0.001)
+        return self.letters.sent[-1]
+
+
+def test_a_link_has_the_scene_as_it_is_now() -> None:
+    page = Page("tutorial-3.3")
+    page.frames(30, commands.SetValue("gravity", 321.0))
+    plain, posed = page.link(pose=False), page.link(pose=True)
+    scene = decode_link(plain["link"].removeprefix(f"{ORIGIN}/s#"))
+    assert scene == page.session.scene
+    assert plain["qr"].startswith("data:image/svg+xml")
+    there = decode_link(posed["link"].removeprefix(f"{ORIGIN}/s#"))
+    assert (sim.Simulation(there).positions == page.session.simulation.positions).all()
+
+
+def test_a_long_link_has_no_qr_code() -> None:
+    assert not Page("tree").link(pose=True)["qr"]
+
+
+def test_a_link_opens_and_a_bad_one_is_one_sentence() -> None:
+    page = Page("ring")
+    rope = sim.load_scene("tutorial-3.3")
+    page.sharing.open(pack_scene(rope)[:-5])
+    page.frames(1)
+    (notice,) = page.notices
+    assert (notice.kind, notice.title) == ("error", "That link cannot be opened")
+    assert "broken" in notice.text
+    assert page.session.scene.name == "ring"
+    page.sharing.open(pack_scene(rope))
+    page.frames(1)
+    assert page.session.scene == rope
+
+
+@pytest.mark.parametrize(
+    "message",
+    [
+        "1|ask|", "1|ask|{}", "1|ask|{", '1|ask|{"do":"share"}', '1|ask|{"do":"format"}', "1|ask|[]", None, 7,
+        '1|ask|{"do":"share","pose":1,"origin":"http://x"}',
+        '1|ask|{"do":"share","pose":true,"origin":"javascript:alert(1)"}',
+        '1|ask|{"do":"share","pose":true,"origin":"http://x/\\"><script>"}',
+        '1|ask|{"do":"share","pose":true,"origin":"http://x","more":1}',
+        '1|ask|{"do":"share","pose":true,"origin":"http://' + "x" * 2000 + '"}',
+        "1|ask|" + "{" * 900 + "}", '1|ask|{"do":"share","pose":true,"origin":"http://x"}\n',
+        'x|ask|{"do":"share","pose":true,"origin":"http://x"}', "1|ask|{\ud800}}",
+    ],
+)  # fmt: skip
+def test_what_makes_no_sense_is_not_answered(message: object) -> None:
+    assert parse_ask(message) is None
+
+
+def test_what_the_page_asks_for_is_understood() -> None:
+    message = '12|ask|{"do":"share","pose":true,"origin":"http://[::1]:8080"}'
+    assert parse_ask(message) == Share(pose=True, origin="http://[::1]:8080")
+    assert issubclass(Share, mail.Ask)
+
+
+def test_parts_are_put_together_in_their_order() -> None:
+    part = script.parse_part("7|link|1/2|1.ab<>%")
+    assert part == script.Part("link", 1, 2, "1.ab<>%")
+    assert script.parse_part("7|link|1/2|a b") is None
+    assert script.parse_part("7|rm|1/1|a") is None
+    parts = Parts()
+    assert parts.add(1, 2, "a") is None
+    assert parts.add(1, 2, "b") is None  # begun anew
+    assert parts.add(2, 2, "c") == "bc"
+    assert parts.add(2, 2, "c") is None
+    assert parts.add(3, 2, "c") is None
+
+
+def test_the_gate_serves_a_page_for_links() -> None:
+    sandbox = Sandbox()
+    try:
+        host = [("Host", f"127.0.0.1:{sandbox.port}")]
+        assert answer(sandbox.port, host, "/s/")[0] == 404
+        assert answer(sandbox.port, host, "/s?websocket=ws://evil.example")[0] == 307
+    finally:
+        sandbox.close()
+
+
+def ran(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
+    """Exit status, output and error output of a command."""
+    with pytest.raises(SystemExit) as ended:
+        main(list(words))
+    out, error = capsys.readouterr()
+    assert isinstance(ended.value.code, int)
+    return ended.value.code, out, error
+
+
+def test_the_command_prints_a_link_that_every_command_takes(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, _ = ran(capsys, "link", "ring", "--set", "gravity=321", "--address", "http://10.0.0.4:8080/")
+    link = out.strip()
+    assert status == 0
+    assert link.startswith("http://10.0.0.4:8080/s#1.")
+    assert sim.load_scene(link) == sim.set_value(sim.load_scene("ring"), "gravity", 321.0)
+    assert ran(capsys, "link", link, "--address", "http://10.0.0.4:8080")[1] == out
+    status, out, _ = ran(capsys, "link", "ring", "--qr")
+    assert len(out.splitlines()) > 20
+
+
+def test_the_command_keeps_a_pose_where_it_is_told_to(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    simulation = sim.Simulation(sim.load_scene("ring"))
+    simulation.step(50)
+    posed = msgspec.structs.replace(simulation.scene, pose=simulation.pose())
+    sim.save_scene(posed, tmp_path / "posed.json")
+    path = str(tmp_path / "posed.json")
+    assert sim.load_scene(ran(capsys, "link", path)[1].strip()).pose is None
+    assert sim.load_scene(ran(capsys, "link", path, "--pose")[1].strip()) == posed
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("link", "http://x/s#1.AAAA"), "the link is broken"),
+        (("link", "ring", "--address", "nowhere"), "--address: 'nowhere'"),
+        (("link", "study-cloth", "--address", "http://" + "x" * 3000, "--qr"), "too long for a QR code"),
+    ],
+)
+def test_a_command_that_cannot_be_done_says_why(
+    capsys: pytest.CaptureFixture[str], words: tuple[str, ...], said: str
+) -> None:
+    status, _, error = ran(capsys, *words)
+    assert status == 1
+    assert said in error
+    assert error.count("\n") == 1

@@ -1,0 +1,137 @@
+"""The gallery: scenes on cards, by pointer and by keys; own ones are renamed, copied, deleted and back."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import msgspec
+
+import sim
+from sim.scene import files
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk
+
+SMALL = (820, 520)
+EVIL = "<img src=x onerror=window.pwned=1>"
+
+
+def focused(desk: Desk) -> str | None:
+    """The scene whose card has the focus."""
+    return desk.page.evaluate("document.activeElement.closest('.softrod-card')?.dataset.name ?? null")
+
+
+def titles(desk: Desk) -> list[str]:
+    """What stands on the cards that are shown."""
+    return desk.page.locator(".softrod-card:visible b").all_inner_texts()
+
+
+def said(desk: Desk) -> str:
+    """What the gallery says was done."""
+    return desk.page.locator(".softrod-gallery [role=status]").inner_text()
+
+
+def test_a_scene_is_found_and_opened_by_keys_alone(open_page: OpenPage) -> None:
+    desk = open_page(size=SMALL)
+    chooser = desk.button("Rope (3.3)")
+    chooser.focus()
+    desk.page.keyboard.press("Enter")
+    dialog = desk.page.get_by_role("dialog", name="Scenes")
+    dialog.locator(".softrod-card").first.wait_for()
+    assert dialog.get_by_role("grid", name="Tutorial").get_by_role("row").count() == 3
+    desk.until(lambda: dialog.get_by_label("Find a scene").is_visible(), "there is a search box")
+    # Down to the present scene, and on by arrows.
+    desk.page.keyboard.press("ArrowDown")
+    assert focused(desk) == "tutorial-3.3"
+    desk.page.keyboard.press("ArrowLeft")
+    assert focused(desk) == "tutorial-3.2"
+    desk.page.keyboard.press("ArrowDown")
+    below = focused(desk)
+    assert below not in (None, "tutorial-3.2")
+    desk.page.keyboard.press("ArrowUp")
+    assert focused(desk) == "tutorial-3.2"
+    # Every picture is there.
+    loaded = "[...document.querySelectorAll('.softrod-card img')].slice(0, 6).every(i => i.naturalWidth > 0)"
+    desk.until(lambda: desk.page.evaluate(loaded), "the pictures are loaded")
+    # Letters search, whatever card has the focus; each word counts.
+    desk.page.keyboard.type("wind flag")
+    desk.until(lambda: titles(desk) == ["Flag and pole"], "one scene is found")
+    desk.page.keyboard.type(" xyz")
+    desk.page.get_by_text("No scene has all of these words").wait_for()
+    for _ in range(4):
+        desk.page.keyboard.press("Backspace")
+    # Esc leaves, and what had the focus has it again; the keys of the body did nothing.
+    desk.page.get_by_label("Find a scene").fill("")
+    desk.page.keyboard.press("Escape")
+    dialog.wait_for(state="hidden")
+    assert chooser.evaluate("element => element === document.activeElement")
+    assert desk.session.playing
+    assert desk.session.scene.name == "tutorial-3.3"
+    desk.page.keyboard.press("Enter")
+    dialog.wait_for()
+    desk.page.keyboard.type("flag")
+    desk.until(lambda: titles(desk) == ["Flag and pole"], "it is found again")
+    desk.page.keyboard.press("Enter")
+    desk.until(lambda: desk.session.scene.name == "flag-pole", "it is opened")
+    dialog.wait_for(state="hidden")
+    desk.button("Flag and pole").wait_for()
+    # The keys are the body's now.
+    desk.page.keyboard.press("Space")
+    desk.until(lambda: not desk.session.playing, "Space pauses")
+
+
+def test_own_scenes_are_renamed_copied_deleted_and_brought_back(
+    open_page: OpenPage, data_folder: Path
+) -> None:
+    ring = sim.set_value(sim.load_scene("ring"), "gravity", 77.0)
+    files.save_user_scene(ring, "mine")
+    folder = data_folder / "softrod" / "scenes"
+    desk = open_page(size=SMALL)
+    desk.gallery()
+    card = desk.card("mine")
+    card.wait_for()
+    picture = card.locator("img")
+    desk.until(lambda: str(picture.get_attribute("src")).startswith("data:image/webp"), "it is painted")
+    card.get_by_role("button", name="Copy mine").click()
+    desk.card("mine 2").wait_for()
+    assert files.read_scene(folder / "mine 2.json").gravity == ring.gravity
+    # A taken name is refused in words, and nothing is lost.
+    desk.card("mine 2").get_by_role("button", name="Rename mine 2").click()
+    field = desk.page.get_by_label("New name of mine 2")
+    field.fill("mine")
+    field.press("Enter")
+    desk.until(lambda: "already" in said(desk), "it says why not")
+    desk.card("mine 2").get_by_role("button", name="Rename mine 2").click()
+    field.fill("other ring")
+    field.press("Enter")
+    desk.card("other ring").wait_for()
+    assert desk.card("mine 2").count() == 0
+    desk.card("other ring").get_by_role("button", name="Delete other ring").click()
+    desk.until(lambda: desk.card("other ring").count() == 0, "it is gone")
+    assert not (folder / "other ring.json").exists()
+    desk.page.get_by_role("button", name="Undo").click()
+    desk.card("other ring").wait_for()
+    assert files.read_scene(folder / "other ring.json").gravity == ring.gravity
+    # Presets have no such buttons.
+    assert desk.card("ring").get_by_role("button").count() == 1
+
+
+def test_on_a_phone_a_tap_opens(open_page: OpenPage) -> None:
+    desk = open_page(size=(390, 700), phone=True)
+    desk.button("Rope (3.3)").tap()
+    card = desk.card("rod")
+    card.wait_for()
+    # Its keyboard does not come up over the cards.
+    assert desk.page.evaluate("document.activeElement.tagName") == "DIALOG"
+    wide = desk.page.evaluate("document.querySelector('.softrod-gallery').scrollWidth")
+    assert wide <= 390
+    card.locator(".softrod-open").tap()
+    desk.until(lambda: desk.session.scene.name == "rod", "it is opened")
+
+
+def test_what_a_file_says_is_text(open_page: OpenPage) -> None:
+    files.save_user_scene(msgspec.structs.replace(sim.rope(), description=EVIL), "evil")
+    desk = open_page(size=SMALL)
+    desk.gallery()
+    desk.card("evil").get_by_text("onerror").wait_for()
+    desk.rest(3)
+    assert desk.page.evaluate("window.pwned") is None
