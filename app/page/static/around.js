@@ -148,6 +148,23 @@ export function loops({ fillings }, places, gas) {
 }
 
 /**
+ * The springs that are not broken, as lines: as wide as contact reaches, they touch where it begins.
+ *
+ * @param {Plan} plan
+ * @param {Float64Array} places of the masses in pixels of the window, x and y of each
+ * @param {Set<number>} broken
+ */
+export function skin({ springs }, places, broken) {
+  let lines = "";
+  for (let i = 0; i < springs.length / 2; i++) {
+    if (broken.has(i)) continue;
+    const [a, b] = [2 * springs[2 * i], 2 * springs[2 * i + 1]];
+    lines += `M${text({ x: places[a], y: places[a + 1] })}L${text({ x: places[b], y: places[b + 1] })}`;
+  }
+  return lines;
+}
+
+/**
  * The velocity of the air, px/s, at a place that the mean wind carries along: gusts stand still there.
  *
  * @param {Float32Array} wind
