@@ -357,15 +357,15 @@ _ALL = (
         largest_of("walls", Wall, "bounciness"), scaled_of("walls", Wall, "bounciness"), _has_walls,
     ),
     _setting(
-        "contact_distance", "Distance of contact", (0.0, 40.0), number_range(Contact, "distance"),
+        "contact_distance", "Contact distance", (0.0, 40.0), number_range(Contact, "distance"),
         of_contact("distance"), with_contact("distance"), _has_contact,
     ),
     _setting(
-        "contact_stiffness", "Stiffness of contact", (10.0, 1e5), number_range(Contact, "stiffness"),
+        "contact_stiffness", "Contact stiffness", (10.0, 1e5), number_range(Contact, "stiffness"),
         of_contact("stiffness"), with_contact("stiffness"), _has_contact, logarithmic=True,
     ),
     _setting(
-        "contact_friction", "Friction of contact", (0.0, 2.0), number_range(Contact, "friction"),
+        "contact_friction", "Contact friction", (0.0, 2.0), number_range(Contact, "friction"),
         of_contact("friction"), with_contact("friction"), _has_contact,
     ),
     _setting(
