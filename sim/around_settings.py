@@ -46,6 +46,22 @@ def with_turbulence(scene: Scene, value: float) -> Scene:
     return msgspec.structs.replace(scene, wind=msgspec.structs.replace(scene.wind, turbulence=value))
 
 
+def of_contact(field: str) -> Callable[[Scene], float]:
+    """A number of a scene's contact; 0 where there is none."""
+    return lambda scene: getattr(scene.contact, field) if scene.contact else 0.0
+
+
+def with_contact(field: str) -> Callable[[Scene, float], Scene]:
+    """The scene, which has contact, with another number of it."""
+
+    def write(scene: Scene, value: float) -> Scene:
+        assert scene.contact is not None
+        contact = msgspec.structs.replace(scene.contact, **{field: value})
+        return msgspec.structs.replace(scene, contact=contact)
+
+    return write
+
+
 def largest_of(parts: str, kind: type, field: str) -> Callable[[Scene], float]:
     """The largest of a number of those parts of a scene that are of a kind and have the number."""
 

@@ -16,9 +16,11 @@ import msgspec
 
 from .around_settings import (
     largest_of,
+    of_contact,
     scaled_of,
     wind_direction,
     wind_speed,
+    with_contact,
     with_turbulence,
     with_wind,
 )
@@ -29,7 +31,7 @@ from .methods.registry import METHODS
 from .recipe_settings import Setting, keys_of_recipe, recipe_settings, scaled, turned
 from .scene.recipes.assembly import wrapped
 from .scene.recipes.recipe import AnyRecipe
-from .scene.surroundings import Gas, Liquid, Wall, Wind
+from .scene.surroundings import Contact, Gas, Liquid, Wall, Wind
 from .scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template, rebuilt
 from .scene.validate import number_range, validate
 
@@ -256,6 +258,10 @@ def _has_walls(scene: Scene) -> bool:
     return moves(scene) and bool(scene.walls)
 
 
+def _has_contact(scene: Scene) -> bool:
+    return _has_springs(scene) and scene.contact is not None
+
+
 def _has_filling(kind: type) -> Callable[[Scene], bool]:
     """Whether a loop is filled so; recipes have settings of their own for what fills them."""
     return lambda scene: (
@@ -350,6 +356,18 @@ _ALL = (
     _setting(
         "bounciness", "Bounciness of walls", (0.0, 1.0), number_range(Wall, "bounciness"),
         largest_of("walls", Wall, "bounciness"), scaled_of("walls", Wall, "bounciness"), _has_walls,
+    ),
+    _setting(
+        "contact_distance", "Contact distance", (0.0, 40.0), number_range(Contact, "distance"),
+        of_contact("distance"), with_contact("distance"), _has_contact,
+    ),
+    _setting(
+        "contact_stiffness", "Contact stiffness", (10.0, 1e5), number_range(Contact, "stiffness"),
+        of_contact("stiffness"), with_contact("stiffness"), _has_contact, logarithmic=True,
+    ),
+    _setting(
+        "contact_friction", "Contact friction", (0.0, 2.0), number_range(Contact, "friction"),
+        of_contact("friction"), with_contact("friction"), _has_contact,
     ),
     _setting(
         "gas_pressure", "Gas pressure", (1.0, 1e4), number_range(Gas, "pressure"),

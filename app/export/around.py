@@ -13,7 +13,7 @@ import numpy as np
 from sim.around_settings import STILL_AIR
 from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE
 
-from ..page.drawing import Floats, Sketch, nice
+from ..page.drawing import Floats, Sketch
 from .window import Window
 
 DENSE = 5.0
@@ -110,6 +110,22 @@ def fillings(sketch: Sketch, positions: Floats, window: Window) -> list[tuple[bo
         (bool(filling[FILLING_GAS]), places[around.loop[starts[k] : starts[k + 1]]])
         for k, filling in enumerate(around.fillings)
     ]
+
+
+def skin(sketch: Sketch, positions: Floats, broken: tuple[int, ...], window: Window) -> tuple[Floats, float]:
+    """(k, 2, 2) the springs that are not broken, and how wide they are, pixels, so that they touch where
+    contact begins; none where there is no contact."""
+    if not sketch.contact:
+        return np.zeros((0, 2, 2)), 0.0
+    places = window.pixels(sketch.mapping.to_world(positions)[:, :2])
+    lines = places[np.delete(sketch.springs, list(broken), axis=0)]
+    return lines, sketch.contact * sketch.mapping.scale * window.step
+
+
+def nice(value: float) -> float:
+    """The next of 1, 2, 5, 10, 20, ... at or below a positive value."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return power * max(step for step in (1.0, 2.0, 5.0) if step * power <= value * (1.0 + 1e-9))
 
 
 def grid(sketch: Sketch, frame: tuple[float, float, float, float], window: Window) -> tuple[Floats, Floats]:

@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..page.drawing import Floats, Sketch
-from ..page.plan import Picture, broken_of, strain_colors, turn_colors
-
-FULL_STRAIN = 0.1
-"""Relative stretch at which a spring has its full colour."""
+from ..page.plan import YIELDED, Picture, broken_of, strain_colors, turn_colors
 
 FULL_DEVIATION = 30.0
 """Degrees off the rest angle at which a wedge has its full colour."""
+
+CREASE = 0.34
+"""Width of the line along a spring that has yielded, in that of the spring."""
 
 GHOST_WIDTH = 0.025
 """Width of a ghost's springs, in the world."""
@@ -62,14 +62,25 @@ def springs(sketch: Sketch, picture: Picture) -> Instances:
     moved = picture.damage.set_lengths if picture.damage is not None else ()
     rest = sketch.rest_length * picture.rest_length_scale + (np.array(moved) if moved else 0.0)
     rest = np.maximum(rest * sketch.mapping.scale, 1e-9)
-    strain = (lengths / rest - 1.0) / FULL_STRAIN
+    strain = (lengths / rest - 1.0) / sketch.full_strain
     widths = sketch.thickness
-    if not sketch.many:
+    if not sketch.bars:
         # A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
         widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), 0.5, 1.2)
     whole = _whole(len(rest), broken_of(picture.damage))
     colors = _colored(strain_colors(sketch), strain)
     return Instances(start, angles, lengths, widths, colors).some(whole)
+
+
+def yielded(sketch: Sketch, picture: Picture) -> Instances:
+    """Bars along the springs that have yielded and are not broken."""
+    start, angles, lengths = _between(sketch, picture.positions)
+    count = len(lengths)
+    moved = picture.damage.set_lengths if picture.damage is not None else ()
+    marked = np.abs(np.array(moved) if moved else np.zeros(count)) > YIELDED * sketch.rest_length
+    marked &= _whole(count, broken_of(picture.damage))
+    colors = np.tile(sketch.ink_colors()[3], (count, 1))
+    return Instances(start, angles, lengths, CREASE * sketch.thickness, colors).some(marked)
 
 
 def ghost(sketch: Sketch, picture: Picture) -> Instances:

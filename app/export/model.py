@@ -94,7 +94,7 @@ def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trim
         found["supports"] = _copies(_plate("pin"), pins, _PLATE * pins.widths)
     if len(sketch.springs):
         springs = instances.springs(sketch, picture)
-        solid = _rod() if sketch.many else _coil(sketch.spring_shape)
+        solid = _rod() if sketch.bars else _coil(sketch.spring_shape)
         found["springs"] = _copies(solid, springs, springs.widths)
     if len(rest):
         wedges = instances.wedges(sketch, picture, rest)

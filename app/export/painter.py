@@ -17,7 +17,7 @@ from sim import Scene
 
 from ..page.colors import palette, plain, rgb
 from ..page.drawing import Floats, Sketch
-from ..page.plan import Picture
+from ..page.plan import Picture, broken_of
 from . import around, instances
 from .instances import Instances
 from .outlines import outlines
@@ -78,6 +78,9 @@ class Painter:
         if not np.isfinite(picture.positions).all():
             raise ValueError("a position is not a finite number")
         sketch, pen = self.sketch, self._paper.copy()
+        broken = broken_of(picture.damage)
+        lines, wide = around.skin(sketch, picture.positions, broken, self.window)
+        pen.lines(list(lines), self._own.text, wide / self.window.unit, 0.13, round_ends=True)
         for gas, polygon in around.fillings(sketch, picture.positions, self.window):
             color = self._own.driven if gas else LIQUID
             pen.fill([polygon], color, 0.12 if gas else 0.35)
@@ -87,6 +90,8 @@ class Painter:
         pen.stamp("pin", instances.pins(sketch, picture))
         if len(sketch.springs):
             pen.stamp(sketch.spring_shape, instances.springs(sketch, picture))
+        if sketch.yields:
+            pen.stamp("bar", instances.yielded(sketch, picture))
         if len(self._rest_angles):
             wedges = instances.wedges(sketch, picture, self._rest_angles)
             pen.stamp("slice", wedges, together=sketch.slices)

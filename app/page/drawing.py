@@ -1,11 +1,12 @@
 """What the drawing of a scene needs besides where its masses are: pure numpy, no viser.
 
 Every kind of thing is one instanced node: all masses, all springs, all wedges, all pins. The page's script
-makes their instances from the positions.
+makes their instances from the positions, and draws what is behind the body.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -13,7 +14,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from sim import Scene
+from sim import LinearSpring, Scene
 from sim.body.surroundings import new_surroundings
 from sim.scene.types import is_surrounded
 
@@ -23,17 +24,24 @@ from .shapes import COILS
 Floats = NDArray[np.float64]
 
 MANY = 40
-"""From so many masses on, springs are bars instead of coils and wedges have one slice: as legible, and less
-to send."""
+"""Beyond so many masses, springs are thin bars instead of coils and wedges have one slice: as legible, and
+less to send."""
+
+NET = 1.25
+"""Springs per mass beyond which a body is a net, as a girder or a cloth: its springs are bars, too, since
+coils would run into each other."""
+
+FULL_STRAIN, LEAST_STRAIN = 0.1, 1e-6
+"""Relative stretch at which a spring has its full colour, at most and at least."""
 
 WEDGE_SLICES = 6
 
 WORLD_SIZE = 6.0
 """What the longer side of the scene's frame measures in the page's world."""
 
-Z_GRID, Z_GIZMO = -0.4, -0.3
-"""Depths in the world: the page draws what is nearer later. The body lies in front of both (static/draw.js).
-A press on a mass takes hold of the mass, not of a gizmo's arrow across it."""
+Z_GIZMO = -0.3
+"""Depth in the world: the page draws what is nearer later. The body lies in front (static/draw.js), so that a
+press on a mass takes hold of the mass, not of a gizmo's arrow across it."""
 
 
 @dataclass(frozen=True)
@@ -77,8 +85,12 @@ class Sketch:
     Attributes:
         mapping: px to world.
         palette, encode: as above.
+        full_strain: strain at which each spring has its full colour, (S,), or (1,) where none has a limit.
+        bars: whether springs are bars instead of coils.
+        yields: whether any spring can yield.
         radius: (n,) of each mass in the world.
         around: the table of what surrounds the body, its masses by their index; None where nothing does.
+        contact: px, the distance at which contact begins; 0 where there is none.
     """
 
     def __init__(
@@ -90,6 +102,9 @@ class Sketch:
         n = len(scene.masses)
         self.many = n > MANY
         self.springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
+        self.bars = self.many or len(self.springs) > NET * n
+        self.full_strain = _full_strains(scene)
+        self.yields = any(s.yield_force is not None for s in scene.linear_springs)
         self.rest_length = np.array([s.rest_length for s in scene.linear_springs])
         self.radius = np.array([m.radius for m in scene.masses]) * mapping.scale
         self.held = np.array([a.mass for a in scene.anchors], np.int64)
@@ -105,9 +120,10 @@ class Sketch:
         self.joint_sense = np.where(leaves, 1.0, -1.0)
         self.around = None
         if is_surrounded(scene):
-            # Contact is not drawn.
+            # Of contact, nothing but its distance is drawn.
             drawn = msgspec.structs.replace(scene, contact=None)
             self.around = new_surroundings(drawn, np.arange(n), self.springs, n)
+        self.contact = scene.contact.distance if scene.contact else 0.0
         self.thickness = self._spring_thickness()
         self.spring_shape = self._spring_shape()
 
@@ -116,13 +132,13 @@ class Sketch:
         if not len(self.springs):
             return np.zeros(0)
         smaller = self.radius[self.springs].min(1)
-        if self.many:
-            return 0.55 * smaller
+        if self.bars:
+            return (0.55 if self.many else 0.8) * smaller
         return np.minimum(0.95 * smaller, 0.32 * np.maximum(self.rest_length * self.mapping.scale, 1e-3))
 
     def _spring_shape(self) -> str:
         """The mesh that suits most of the springs: a bar, or the coil nearest to their slimness."""
-        if self.many or not len(self.springs):
+        if self.bars or not len(self.springs):
             return "bar"
         slimness = float(np.median(np.maximum(self.rest_length * self.mapping.scale, 1e-9) / self.thickness))
         return min(COILS, key=lambda name: abs(np.log(COILS[name] / slimness)))
@@ -138,47 +154,23 @@ class Sketch:
         return self.encode(np.vstack((np.tile(self.palette.ink, (n, 1)), fill, shine)))
 
     def ink_colors(self) -> NDArray[np.uint8]:
-        """(3, 3) colours of the supports, the ring and the ghost."""
-        return self.encode(np.vstack((self.palette.held, self.palette.driven, self.palette.driven)))
+        """(4, 3) colours of the supports, the ring, the ghost and the mark of springs that have yielded."""
+        colors = self.palette
+        return self.encode(np.vstack((colors.held, colors.driven, colors.driven, colors.ink)))
 
     @property
     def pinned(self) -> NDArray[np.int64]:
         """Held masses that are not driven."""
         return self.held[self.held != self.driven] if self.driven is not None else self.held
 
-    # --------------------------------------------------------------------- paper
-    def grid(self, scene: Scene) -> tuple[Floats, Floats, Floats, NDArray[np.uint8]]:
-        """Thin bars far beyond the frame: positions (k, 3), turns (k, 4), scales (k, 3), colours (k, 3)."""
-        xmin, ymin, xmax, ymax = scene.view.frame
-        size = max(xmax - xmin, ymax - ymin)
-        major = nice(size / 5.0)
-        minor = major / 5.0
-        steps = int(np.ceil(1.6 * size / minor / 5.0)) * 5
-        cx, cy = (round(c / major) * major for c in self.mapping.center)
-        offset = np.arange(-steps, steps + 1) * minor
-        reach = steps * minor
-        across = np.column_stack((np.full(len(offset), cx - reach), cy + offset))
-        upward = np.column_stack((cx + offset, np.full(len(offset), cy - reach * self.mapping.flip)))
-        is_major = np.arange(-steps, steps + 1) % 5 == 0
-        places = self.mapping.to_world(np.vstack((across, upward)), Z_GRID)
-        places[:, 2] += 0.01 * np.tile(is_major, 2)
-        angles = np.repeat((0.0, np.pi / 2.0), len(offset))
-        length = 2.0 * reach * self.mapping.scale
-        width = np.where(np.tile(is_major, 2), 0.012, 0.010)
-        scales = np.column_stack((np.full(len(places), length), width, np.ones(len(places))))
-        colors = np.where(np.tile(is_major, 2)[:, None], self.palette.grid_major, self.palette.grid)
-        return places, turns(angles), scales, self.encode(colors)
 
+def _full_strains(scene: Scene) -> Floats:
+    """See `Sketch`: a spring that yields or breaks before FULL_STRAIN has its full colour there."""
 
-def turns(angles: Floats) -> Floats:
-    """(n, 4) quaternions (w, x, y, z) of turns about z, in radians."""
-    result = np.zeros((len(angles), 4))
-    result[:, 0] = np.cos(angles / 2.0)
-    result[:, 3] = np.sin(angles / 2.0)
-    return result
+    def full(spring: LinearSpring) -> float:
+        force = min((f for f in (spring.strength, spring.yield_force) if f is not None), default=math.inf)
+        stiffness = spring.stiffness * spring.rest_length
+        return force / stiffness if force < FULL_STRAIN * stiffness else FULL_STRAIN
 
-
-def nice(value: float) -> float:
-    """The next of 1, 2, 5, 10, 20, ... at or below a positive value."""
-    power = 10.0 ** np.floor(np.log10(value))
-    return float(power * max(step for step in (1.0, 2.0, 5.0) if step * power <= value * (1.0 + 1e-9)))
+    strains = np.array([full(spring) for spring in scene.linear_springs])
+    return np.maximum(strains, LEAST_STRAIN) if (strains < FULL_STRAIN).any() else np.array([FULL_STRAIN])

@@ -26,6 +26,10 @@ CLOCK_PERIOD = 1024.0
 FRAME_HEAD, FRAME_TIME = 6, 2
 """Numbers of a frame before the positions, and the index of the simulated time among them."""
 
+YIELDED = 0.002
+"""Part of its rest length by which that of a spring has moved for good once it has yielded, as the proof
+strength of metals is defined. The page's script has it, too (static/draw.js)."""
+
 _STRAIN_SHADES = 32
 """Shades between a spring's colour at rest and its full colour, on either side."""
 
@@ -84,6 +88,15 @@ def broken_of(damage: Damage | None) -> tuple[int, ...]:
     return damage.broken if damage is not None else ()
 
 
+def yielded_of(damage: Damage | None, rest_lengths: Floats) -> int:
+    """How many springs have yielded and are not broken: their rest length has moved by more than YIELDED."""
+    if damage is None or not damage.set_lengths:
+        return 0
+    yielded = np.abs(damage.set_lengths) > YIELDED * rest_lengths
+    yielded[list(damage.broken)] = False
+    return int(np.count_nonzero(yielded))
+
+
 def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray[np.float32]:
     """The plan of a body.
 
@@ -99,6 +112,7 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         *mapping.center,
         mapping.flip,
         sketch.many,
+        sketch.bars,
         sketch.slices,
         -1 if sketch.driven is None else sketch.driven,
     )
@@ -109,6 +123,7 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         sketch.springs,
         sketch.rest_length,
         sketch.thickness,
+        sketch.full_strain,
         np.column_stack(joints),
         rest_angles,
         sketch.pinned,
@@ -117,7 +132,7 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         turn_colors(sketch),
         sketch.ink_colors(),
     )
-    return joined(*sections, *(_surroundings(sketch.around) if sketch.around is not None else ()))
+    return joined(*sections, *(_surroundings(sketch, sketch.around) if sketch.around is not None else ()))
 
 
 def encode_frame(generation: int, wall: float, picture: Picture) -> NDArray[np.float32]:
@@ -163,8 +178,8 @@ def joined(*sections: ArrayLike) -> NDArray[np.float32]:
     return np.concatenate([part for section in flat for part in ([len(section)], section)], dtype=np.float32)
 
 
-def _surroundings(around: Surroundings) -> tuple[ArrayLike, ...]:
-    """Walls, fillings and wind.
+def _surroundings(sketch: Sketch, around: Surroundings) -> tuple[ArrayLike, ...]:
+    """Walls, fillings, wind, and the distance of contact (px).
 
     Of each wall a point (px) and its normal; of each filling whether it is a gas, how many masses its loop
     has, and which; of wind its mean velocity (px/s), and wave vector, amplitude and phase of each wave.
@@ -175,7 +190,7 @@ def _surroundings(around: Surroundings) -> tuple[ArrayLike, ...]:
         loops += [filling[FILLING_GAS], len(loop), *loop]
     blows = math.hypot(around.wind_x, around.wind_y) >= STILL_AIR
     wind = (around.wind_x, around.wind_y, *around.waves[:, :WAVE_RATE].ravel()) if blows else ()
-    return around.walls[:, : WALL_NORMAL_Y + 1], loops, wind
+    return around.walls[:, : WALL_NORMAL_Y + 1], loops, wind, [sketch.contact] if sketch.contact else ()
 
 
 def strain_colors(sketch: Sketch) -> NDArray[np.uint8]:

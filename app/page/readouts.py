@@ -5,13 +5,15 @@ from __future__ import annotations
 import html
 import math
 
+import numpy as np
+
 import sim
 from sim.analysis.predictability import factor_of
 from sim.methods.registry import METHODS
 
 from ..session.session import Session
 from .colors import Palette
-from .plan import broken_of
+from .plan import broken_of, yielded_of
 
 _NAMES = {
     "sine": "sine",
@@ -48,8 +50,7 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
     """
     state = _state(session, at_rest)
     lines = [f"<b>{state}</b>"] if state else []
-    if broken := len(broken_of(session.simulation.damage)):
-        lines.append(f"{broken} {'spring' if broken == 1 else 'springs'} broken")
+    lines += _harm(session, colors)
     rates = session.pacer.rates(session.now())
     if rates.losing > 0.05:
         lines.append(
@@ -73,6 +74,24 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
             "stretched"
         )
     return f'<div id="softrod-hud" hidden>{"<br>".join(lines)}</div>'
+
+
+def _harm(session: Session, colors: Palette) -> list[str]:
+    """How many springs are broken, and how many have yielded, with the key of their mark."""
+    damage, lines = session.simulation.damage, []
+    if broken := len(broken_of(damage)):
+        lines.append(f"{_springs(broken)} broken")
+    if damage is not None and damage.set_lengths:
+        rest = np.array([spring.rest_length for spring in session.simulation.scene.linear_springs])
+        if yielded := yielded_of(damage, rest):
+            side, middle = colors.css("rest"), colors.css("ink")
+            mark = f"linear-gradient({side} 33%,{middle} 33% 67%,{side} 67%)"
+            lines.append(f'{_springs(yielded)} yielded<i class="softrod-key" style="background:{mark}"></i>')
+    return lines
+
+
+def _springs(count: int) -> str:
+    return f"{count} {'spring' if count == 1 else 'springs'}"
 
 
 def _state(session: Session, at_rest: bool) -> str:
@@ -191,10 +210,11 @@ _ENERGY_NAMES = {
     "gravity": "height",
     "walls": "depth in walls",
     "fillings": "gases and liquids",
+    "contact": "contact",
     "anchors": "work of your hand",
     "damping": "lost to damping",
     "air": "lost to air",
-    "friction": "lost to walls",
+    "friction": "lost to walls and contact",
     "plastic": "lost in yielding",
     "broken": "lost in breaking",
     "law": "made by the tutorial's law",

@@ -80,15 +80,14 @@ class Canvas:
             rest_angles: (J,) degrees without the arrow keys' shift; None for the scene's own.
         """
         self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
-        surrounded = sketch.around is not None
-        shape = (scene.view, dark, surrounded, *self._kinds(sketch), *sketch.held.tolist())
+        shape = (scene.view, *self._kinds(sketch), *sketch.held.tolist())
         if rest_angles is None:
             rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])
         with self._client.atomic():
             if shape != self._built:
                 self._clear()
                 self._built = shape
-                self._add_nodes(scene, sketch)
+                self._add_nodes(sketch)
             plan = encode_plan(0, sketch, rest_angles)
             if self._plan is None or not np.array_equal(plan, self._plan):
                 self._plan = plan
@@ -101,21 +100,21 @@ class Canvas:
         """Which kinds of things there are to draw."""
         return (
             sketch.spring_shape if len(sketch.springs) else "",
+            sketch.yields,
             len(sketch.joint_a) > 0,
             len(sketch.pinned) > 0,
             sketch.driven,
         )
 
-    def _add_nodes(self, scene: Scene, sketch: Sketch) -> None:
+    def _add_nodes(self, sketch: Sketch) -> None:
         # The page's script takes these for itself; viser never sees them.
         for name in (PLAN, FRAME, KEEPSAKE):
             self._add_carrier(name)
         self._plan = None
-        springs, joints, pins, driven = self._kinds(sketch)
-        if sketch.around is None:  # or the page draws it, below what surrounds the body
-            self._add("/paper", "bar", *sketch.grid(scene))
+        springs, yields, joints, pins, driven = self._kinds(sketch)
         for name, mesh in (
             ("springs", springs),
+            ("yielded", "bar" if yields else ""),
             ("wedges", "slice" if joints else ""),
             ("pins", "pin" if pins else ""),
             ("ring", "ring" if driven is not None else ""),
@@ -238,26 +237,15 @@ class Canvas:
 
     def _add_empty(self, name: str, mesh: str) -> None:
         """A node that the page's script fills in."""
-        self._add(name, mesh, np.zeros((1, 3)), np.array([[1.0, 0.0, 0.0, 0.0]]), np.full((1, 3), 1e-6))
-
-    def _add(
-        self,
-        name: str,
-        mesh: str,
-        positions: Floats,
-        wxyzs: Floats,
-        scales: Floats,
-        colors: NDArray[np.uint8] | None = None,
-    ) -> None:
         shape = meshes()[mesh]
         self._nodes[name] = self._client.scene.add_batched_meshes_simple(
             name,
             shape.vertices,
             shape.faces,
-            batched_wxyzs=wxyzs,
-            batched_positions=positions,
-            batched_scales=scales,
-            batched_colors=np.zeros((len(positions), 3), np.uint8) if colors is None else colors,
+            batched_wxyzs=np.array([[1.0, 0.0, 0.0, 0.0]]),
+            batched_positions=np.zeros((1, 3)),
+            batched_scales=np.full((1, 3), 1e-6),
+            batched_colors=np.zeros((1, 3), np.uint8),
             side="double",
             **_FLAT,
         )

@@ -7,6 +7,7 @@ order in which they were. A line is written by one call, and one that a power cu
 from __future__ import annotations
 
 import hashlib
+import math
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -112,6 +113,10 @@ class Folder:
                 f"{' and '.join(dict.fromkeys(differ))}; give the same options to go on with it, or another "
                 "folder"
             )
+        runs = math.prod(len(values) for _, values in plan.vary)
+        for number, line in enumerate(found, start=2):
+            if not 0 <= line.run < runs or len(line.row.values) != len(plan.measures):
+                raise InputError(f"{self._path}: line {number} is not of a run of this sweep")
         self.rows = {line.run: line.row for line in found}
         return whole
 

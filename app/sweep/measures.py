@@ -15,8 +15,11 @@ from sim.analysis.predictability import GrowthMeter
 from sim.errors import InputError
 
 Floats = NDArray[np.float64]
-Value = float | bool | None
-"""A measure of a run; None where it has none."""
+Value = float | bool | str | None
+"""A measure of a run; None where it has none, and GAVE_UP for one word of `survived`."""
+
+GAVE_UP = "gave up"
+"""Instead of whether a body survived: its method would hardly ever have got to the end."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +48,11 @@ _ALL = (
     Measure("error", "px", "largest distance of a mass at the end from a near-exact run of the same scene"),
     Measure("stretch", "", "largest |L - rest length| / rest length of a linear spring"),
     Measure("growth", "", "factor by which a small error grows in a second, see `sim.predictability`"),
-    Measure("survived", "", "yes; no where the body ran away, and then the rest is empty; always there"),
+    Measure(
+        "survived", "",
+        "yes; no where the body ran away, or gave up where the method hardly got on, and then the rest is "
+        "empty; always there",
+    ),
 )  # fmt: skip
 
 MEASURES: dict[str, Measure] = {measure.name: measure for measure in _ALL}

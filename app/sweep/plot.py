@@ -10,6 +10,7 @@ import numpy as np
 from ..studies.figures import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, new_figure, tidy
 from .folder import heading
 from .grid import Axis, Grid
+from .measures import GAVE_UP
 from .runs import Row
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ def _values(grid: Grid, rows: dict[int, Row], column: int) -> Values:
     flat = np.full(int(np.prod(shape)), np.nan)
     for number, row in rows.items():
         value = row.values[column]
-        flat[number] = np.nan if value is None else float(value)
+        flat[number] = np.nan if value is None else 0.0 if value == GAVE_UP else float(value)
     return flat.reshape(shape)
 
 

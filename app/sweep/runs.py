@@ -16,7 +16,7 @@ from sim.scene.files import decode_scene, encode_scene
 from sim.settings import apply_assignments
 
 from ..session.log import this_machine
-from .measures import Track, Value
+from .measures import GAVE_UP, Track, Value
 
 LOOKS = 120
 """Looks at the body per simulated second, where time steps are not longer; a whole number of steps apart."""
@@ -28,6 +28,10 @@ EXACT = 1e-9
 FINER = 1e-3
 """Its tolerance relative to the smallest one of a sweep."""
 _FINEST = 1e-12
+
+MOST_ATTEMPTS = 1e7
+"""Steps that a method with error control may try per simulated second: with so many they are a tenth of the
+shortest step that a scene can have. With more it would hardly ever get to the end."""
 
 Points = tuple[tuple[float, float], ...]
 
@@ -67,13 +71,24 @@ def run(
     steps = steps_of(scene, duration)
     between = max(1, round(1.0 / (LOOKS * scene.integrator.dt)))
     while simulation.step_count < steps:
-        simulation.step(min(between, steps - simulation.step_count))
-        if simulation.divergence is not None:
-            return Row(tuple(False if name == "survived" else None for name in measures), made_by())
+        arrived = _go(simulation, min(between, steps - simulation.step_count))
+        if not arrived:
+            ended = GAVE_UP if simulation.divergence is None else False
+            return Row(tuple(ended if name == "survived" else None for name in measures), made_by())
         track.look()
     exact = None if reference is None else np.array(reference)
     values = track.values(measures, exact)
-    return Row(tuple(None if not math.isfinite(v or 0.0) else v for v in values), made_by())
+    return Row(tuple(map(_finite, values)), made_by())
+
+
+def _go(simulation: sim.Simulation, steps: int) -> bool:
+    """Do so many time steps, and return whether they could be done."""
+    attempts = math.ceil(MOST_ATTEMPTS * steps * simulation.dt)
+    return simulation.step(steps, attempts) == steps
+
+
+def _finite(value: Value) -> Value:
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def steps_of(scene: sim.Scene, duration: float) -> int:
@@ -113,10 +128,9 @@ def reference_of(scene: sim.Scene, duration: float, smallest: float) -> Referenc
 
 def run_reference(data: bytes, end: float) -> Points | None:
     """The positions at the end of a near-exact run, px; None where it does not get there."""
-    seconds = math.ceil(end)
-    simulation = sim.Simulation(decode_scene(data, "the reference"), dt=end / seconds)
-    simulation.step(seconds)
-    if simulation.divergence is not None:
+    parts = math.ceil(LOOKS * end)
+    simulation = sim.Simulation(decode_scene(data, "the reference"), dt=end / parts)
+    if not all(_go(simulation, 1) for _ in range(parts)):
         return None
     return tuple((x, y) for x, y in simulation.positions.tolist())
 

@@ -101,9 +101,11 @@ class Sweep:
                     else:
                         exact[what] = call.result()
                         ready.extend((number, exact[what]) for number in asked.pop(what))
-        except workers.failures as error:
-            reason = " ".join(str(error).split()) or type(error).__name__
-            raise InputError(f"sweep: a worker was lost ({reason}); the same command goes on") from None
+        except tuple(workers.failures) as error:
+            what = next(text for kind, text in workers.failures.items() if isinstance(error, kind))
+            if reason := " ".join(str(error).split()):
+                what += f" ({reason})"
+            raise InputError(f"sweep: {what}; what is done is kept, and the same command goes on") from None
 
 
 def sweep(

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import concurrent.futures
+import logging
 import multiprocessing
 import os
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from sim.errors import InputError
 
@@ -23,11 +24,13 @@ class Workers:
 
     Attributes:
         executor: takes the calls.
-        failures: what a future raises if a worker is lost for good.
+        failures: what it, or a future of it, raises if nothing more can come, and what that means.
     """
 
     executor: concurrent.futures.Executor
-    failures: tuple[type[BaseException], ...] = (concurrent.futures.BrokenExecutor,)
+    failures: Mapping[type[BaseException], str] = field(
+        default_factory=lambda: {concurrent.futures.BrokenExecutor: "a worker was lost"}
+    )
 
 
 Making = Callable[[], AbstractContextManager[Workers]]
@@ -68,6 +71,7 @@ def cluster(address: str) -> Iterator[Workers]:
     """
     try:
         from distributed import Client, KilledWorker
+        from distributed.client import ClosedClientError
     except ImportError:
         raise InputError(
             "--cluster needs Dask; uv sync --extra cluster, or pip install 'softrod[cluster]', installs it"
@@ -77,6 +81,15 @@ def cluster(address: str) -> Iterator[Workers]:
     except (OSError, ValueError, TypeError) as error:
         reason = str(error).partition("\n")[0]
         raise InputError(f"--cluster {address}: no scheduler answers ({reason})") from None
-    lost = (KilledWorker, concurrent.futures.CancelledError, ImportError, OSError)
+    gone, unfit = "the connection to the scheduler is lost", "a worker cannot do it"
+    failures = {
+        concurrent.futures.CancelledError: gone,
+        ClosedClientError: gone,
+        KilledWorker: "several workers were lost over the same run",
+        ImportError: unfit,
+        OSError: unfit,
+    }
+    # It would write a traceback of its own when the scheduler goes.
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
     with client:
-        yield Workers(client.get_executor(pure=False), lost)
+        yield Workers(client.get_executor(pure=False), failures)

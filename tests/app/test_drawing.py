@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import msgspec
 import numpy as np
 import pytest
 import trimesh
 
 import sim
 from app.page.colors import LIGHT_GAIN, rgb, sent
-from app.page.drawing import MANY, Mapping, nice
+from app.page.drawing import FULL_STRAIN, MANY, Mapping
 from app.page.plan import Picture
 from app.page.shapes import COILS, meshes
 from tests.app.page_script import after, drawn, sketch_of
@@ -118,7 +119,7 @@ def test_discs_pins_and_ring_are_at_their_masses() -> None:
     assert (discs["colors"] == sketch.mass_colors()).all()
     assert nodes["pins"]["positions"][:, :2] == pytest.approx(world[sketch.pinned], abs=1e-5)
     assert nodes["ring"]["positions"][:, :2] == pytest.approx(world[sketch.held[:1]], abs=1e-5)
-    held, driven, _ = sketch.ink_colors()
+    held, driven, *_ = sketch.ink_colors()
     assert (nodes["pins"]["colors"] == held).all()
     assert (nodes["ring"]["colors"] == driven).all()
 
@@ -127,6 +128,37 @@ def test_many_masses_are_drawn_with_less() -> None:
     few, many = sketch_of(sim.rope(masses=MANY)), sketch_of(sim.rope(masses=MANY + 1))
     assert few.slices > many.slices == 1
     assert (few.many, many.many) == (False, True)
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_nets_are_drawn_with_bars_and_chains_trees_and_rings_with_coils(name: str) -> None:
+    net = name in ("girder", "bridge", "cloth", "jelly", "flag-pole", "study-cloth")
+    sketch = sketch_of(sim.load_scene(name))
+    assert sketch.bars == (net or sketch.many)
+    assert (sketch.spring_shape == "bar") == sketch.bars
+    assert (sketch.spring_shape in COILS) != sketch.bars
+
+
+def test_a_bar_has_the_same_width_however_long_it_is() -> None:
+    scene = sim.load_scene("girder")
+    picture = Picture.at_start(scene)
+    near, far = (drawn(scene, replace(picture, positions=k * picture.positions)) for k in (1.0, 2.0))
+    assert far["springs"]["scales"][:, 1] == pytest.approx(near["springs"]["scales"][:, 1])
+    assert far["springs"]["scales"][:, 0] == pytest.approx(2.0 * near["springs"]["scales"][:, 0], rel=1e-5)
+
+
+def test_a_spring_has_its_full_colour_where_it_yields_or_breaks() -> None:
+    spring = sim.LinearSpring(a=0, b=1, stiffness=1000.0, damping=0.0, rest_length=100.0)
+    kinds = ({}, {"strength": 2000.0}, {"strength": 2000.0, "yield_force": 1000.0}, {"strength": 1e9})
+    springs = tuple(msgspec.structs.replace(spring, b=i, **kind) for i, kind in enumerate(kinds, 1))
+    around = ((100.0, 0.0), (0.0, 102.0), (-101.0, 0.0), (0.0, -110.0))
+    masses = tuple(sim.Mass(position=place) for place in ((0.0, 0.0), *around))
+    scene = sim.Scene(name="star", masses=masses, linear_springs=springs)
+    assert sketch_of(scene).full_strain == pytest.approx([FULL_STRAIN, 0.02, 0.01, FULL_STRAIN])
+    colors = drawn(scene, Picture.at_start(scene))["springs"]["colors"]
+    full = sent(sketch_of(scene).palette.pulled)
+    assert (colors == full).all(1).tolist() == [False, True, True, True]
+    assert sketch_of(sim.rope()).full_strain.tolist() == [FULL_STRAIN]
 
 
 def test_only_held_masses_have_pins_and_only_the_driven_one_has_none() -> None:
@@ -167,8 +199,3 @@ def test_the_tone_map_is_inverted() -> None:
         linear = np.clip(fitted @ out.T, 0.0, 1.0)
         shown = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055) * 255.0
         assert shown == pytest.approx(rgb(color), abs=9.0)
-
-
-@pytest.mark.parametrize(("value", "expected"), [(120.0, 100.0), (0.3, 0.2), (1.0, 1.0), (9.9e5, 5e5)])
-def test_grid_squares_are_round_numbers(value: float, expected: float) -> None:
-    assert nice(value) == pytest.approx(expected)

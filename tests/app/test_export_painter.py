@@ -40,6 +40,7 @@ def test_parts_lie_where_the_page_draws_them(name: str) -> None:
     rest = np.array([joint.rest_angle for joint in scene.angular_springs])
     found = {
         "springs": instances.springs(sketch, picture),
+        "yielded": instances.yielded(sketch, picture),
         "wedges": instances.wedges(sketch, picture, rest),
         "masses": instances.masses(sketch, picture),
         "pins": instances.pins(sketch, picture),
@@ -55,8 +56,9 @@ def test_parts_lie_where_the_page_draws_them(name: str) -> None:
         # The page keeps a place for what is broken, too small to be seen.
         there = node["scales"][:, 0] > 2e-6
         assert len(parts.angles) == there.sum(), kind
-        if kind in ("springs", "ghost"):
+        if kind in ("springs", "yielded", "ghost"):
             assert not there.all()
+            assert there.any()
         turns = 2.0 * np.arctan2(node["wxyzs"][there, 3], node["wxyzs"][there, 0])
         off = (parts.angles - turns + np.pi) % (2.0 * np.pi) - np.pi
         big = parts.lengths > 1e-3

@@ -101,7 +101,7 @@ def test_one_node_per_kind(stage: Stage) -> None:
     with stage.page() as page:
         tab = stage.new_tab(set())
         eventually(lambda: "/body/springs" in tab._view._nodes)
-        assert drawn_nodes(tab) == {"/paper", "/body/springs", "/body/wedges", "/body/ring", "/body/masses"}
+        assert drawn_nodes(tab) == {"/body/springs", "/body/wedges", "/body/ring", "/body/masses"}
         assert not tab._view._gizmos
         tab.request("gizmos", True)
         eventually(lambda: len(tab._view._gizmos) == 1)
@@ -114,7 +114,7 @@ def test_a_scene_pays_only_for_what_it_has(stage: Stage) -> None:
         bare = sim.rope(masses=5, joints=False, driven=None, held=())
         session_of(tab).post(Open(bare))
         eventually(lambda: session_of(tab).generation == 1 and tab._generation == 1)
-        assert drawn_nodes(tab) == {"/paper", "/body/springs", "/body/masses"}
+        assert drawn_nodes(tab) == {"/body/springs", "/body/masses"}
         assert not tab._view._gizmos
         keys = {slider_box.setting.key for slider_box in tab._panel._sliders}
         assert "angular_stiffness" not in keys

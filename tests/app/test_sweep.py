@@ -11,9 +11,9 @@ import pytest
 import sim
 from app.sweep.folder import Folder, make_plan
 from app.sweep.grid import make_grid, parse_axis
-from app.sweep.measures import MEASURES, parse_measures
+from app.sweep.measures import GAVE_UP, MEASURES, parse_measures
 from app.sweep.plot import COLOURS, plot
-from app.sweep.runs import Row, run
+from app.sweep.runs import Row, reference_of, run, run_reference
 from sim.errors import InputError
 from sim.scene.files import encode_scene
 from tests.app.sweeping import ROPE, numbers_of, rows_of, swept
@@ -188,6 +188,36 @@ def test_a_file_that_is_no_sweep_is_refused(tmp_path: Path) -> None:
     plan = make_plan(make_grid(ROPE, (), ("gravity=1,2",)), ("sag", "survived"), 1.0)
     with pytest.raises(InputError, match="this is not the file of a sweep"):
         Folder(tmp_path, plan)
+
+
+@pytest.mark.parametrize(("part", "instead"), [('"run":1', '"run":2'), ('"values":[', '"values":[1.0,')])
+def test_rows_of_other_runs_are_refused(tmp_path: Path, part: str, instead: str) -> None:
+    swept(tmp_path, ROPE, ("gravity=1,2",), ("sag",))
+    path = tmp_path / "sweep.jsonl"
+    path.write_text(path.read_text().replace(part, instead))
+    before = path.read_bytes()
+    with pytest.raises(InputError, match=r"sweep\.jsonl: line [23] is not of a run of this sweep"):
+        swept(tmp_path, ROPE, ("gravity=1,2",), ("sag",))
+    assert path.read_bytes() == before
+
+
+def test_a_run_that_would_never_end_is_given_up(tmp_path: Path) -> None:
+    """The others are done, and the table says which one it was."""
+    hopeless = sim.rope(5, 100.0, direction=(1.0, 0.5), driven=None, stiffness=1e15)
+    swept(tmp_path, hopeless, ("method=adams,stable_spring",), ("sag", "error"), duration=0.01)
+    first, second = rows_of(tmp_path)
+    assert (first["survived"], first["sag [px]"], first["error [px]"]) == ("gave up", "", "")
+    assert second["survived"] == "yes"
+    assert float(second["sag [px]"]) >= 0.0
+    figure = plot(
+        make_grid(ROPE, (), ("gravity=1,2",)), ("survived",), {0: Row((GAVE_UP,), ""), 1: Row((True,), "")}
+    )
+    assert list(figure.axes[0].lines[0].get_ydata()) == [0.0, 1.0]
+
+
+def test_a_near_exact_run_that_would_never_end_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("app.sweep.runs.MOST_ATTEMPTS", 100.0)
+    assert run_reference(*reference_of(ROPE, 0.05, 0.1)) is None
 
 
 def test_rows_of_different_machines_are_pointed_out(tmp_path: Path) -> None:

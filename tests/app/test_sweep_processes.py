@@ -6,10 +6,11 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
 from functools import cache, partial
 from pathlib import Path
+from typing import NamedTuple
 
 import msgspec
 import pytest
@@ -86,6 +87,15 @@ def test_a_sweep_that_was_interrupted_ends_with_the_same_table(undisturbed: byte
 
 
 # ------------------------------------------------------------------------- a cluster
+class Cluster(NamedTuple):
+    """A scheduler, one of its workers, and a way to start more."""
+
+    address: str
+    scheduler: subprocess.Popen[str]
+    worker: subprocess.Popen[str]
+    another_worker: Callable[[], AbstractContextManager[subprocess.Popen[str]]]
+
+
 @contextmanager
 def started(*words: str | Path) -> Iterator[subprocess.Popen[str]]:
     """A process of Dask, which is ended with this context."""
@@ -100,30 +110,58 @@ def started(*words: str | Path) -> Iterator[subprocess.Popen[str]]:
         process.wait()
 
 
-def test_a_cluster_that_loses_a_worker_gives_the_same_table(undisturbed: bytes, tmp_path: Path) -> None:
-    where, out = tmp_path / "scheduler.json", tmp_path / "out"
+@contextmanager
+def cluster(folder: Path) -> Iterator[Cluster]:
+    """A scheduler and a worker of it."""
+    folder.mkdir()
+    where = folder / "scheduler.json"
     to_it = ("--scheduler-file", where, "--no-dashboard")
     worker = ("worker", *to_it, "--nthreads", "1", "--no-nanny", "--host", "127.0.0.1")
-    with started("scheduler", *to_it, "--host", "127.0.0.1", "--port", "0"), started(*worker) as doomed:
+    with (
+        started("scheduler", *to_it, "--host", "127.0.0.1", "--port", "0") as scheduler,
+        started(*worker) as first,
+    ):
         patience = time.monotonic() + PATIENCE
         while not where.exists() and time.monotonic() < patience:
             time.sleep(0.01)
         address = msgspec.json.decode(where.read_bytes())["address"]
-        with started(*worker):
-            process = subprocess.Popen(
-                command(out, "--cluster", address),
-                stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT,
-                text=True,
-            )
-            try:
-                wait_for_rows(out, 4, process)
-                assert doomed.poll() is None
-                doomed.kill()
-                assert len(numbers_of(out)) < 24
-                said, _ = process.communicate(timeout=PATIENCE)
-            finally:
-                process.kill()
-    assert process.returncode == 0, said
+        yield Cluster(address, scheduler, first, lambda: started(*worker))
+
+
+def swept_by(cluster: Cluster, out: Path, rows: int, doomed: subprocess.Popen[str]) -> tuple[int, str]:
+    """The exit status of a sweep during which a process is ended, after so many rows, and what it said."""
+    process = subprocess.Popen(
+        command(out, "--cluster", cluster.address),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    try:
+        wait_for_rows(out, rows, process)
+        assert doomed.poll() is None
+        doomed.kill()
+        assert len(numbers_of(out)) < 24
+        said, _ = process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+    return process.returncode, said
+
+
+def test_a_sweep_bears_the_loss_of_its_scheduler_and_of_a_worker(undisturbed: bytes, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    with cluster(tmp_path / "first") as first:
+        status, said = swept_by(first, out, 2, first.scheduler)
+    assert status == 1, said
+    sentence = said.split("softrod: ")[-1]
+    assert "the connection to the scheduler is lost" in sentence
+    assert "the same command goes on" in sentence
+    assert "Traceback" not in said
+    before = numbers_of(out)
+    assert 2 <= len(before) < 24
+    assert len(rows_of(out)) == len(before)
+    with cluster(tmp_path / "second") as second, second.another_worker():
+        status, said = swept_by(second, out, len(before) + 2, second.worker)
+    assert status == 0, said
+    assert numbers_of(out)[: len(before)] == before
     assert sorted(numbers_of(out)) == list(range(24))
     assert (out / "table.csv").read_bytes() == undisturbed

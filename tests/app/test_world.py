@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from dataclasses import fields, replace
+from functools import partial
 from unittest.mock import MagicMock
 
 import msgspec
@@ -13,7 +14,7 @@ import pytest
 import sim
 from app.page import readouts
 from app.page.colors import sent
-from app.page.plan import Picture, encode_plan
+from app.page.plan import YIELDED, Picture, encode_plan, yielded_of
 from app.page.view import DAMAGE, Canvas
 from app.session import commands
 from app.session.history import History
@@ -21,7 +22,7 @@ from app.session.notices import runaway
 from sim.around import wind
 from sim.body.system import build_system
 from sim.motion.stability import StabilityEstimate
-from sim.scene.surroundings import Wall
+from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Damage
 from tests.app.page_script import drawn, sketch_of
 from tests.app.pages import SessionPage
@@ -51,7 +52,7 @@ def test_a_scene_without_surroundings_is_told_nothing_of_them() -> None:
     plan, at, sections = encode_plan(1, sketch_of(scene), np.zeros(4)), 0, 0
     while at < len(plan):
         at, sections = at + 1 + int(plan[at]), sections + 1
-    assert (at, sections) == (len(plan), 12)
+    assert (at, sections) == (len(plan), 13)
 
 
 def test_a_floor_is_filled_below_its_surface() -> None:
@@ -85,6 +86,15 @@ def test_a_filling_is_where_its_loop_is_however_that_is_bent(liquid: bool) -> No
     assert not inside(corners, 260.0, 300.0)
 
 
+def test_the_skin_of_contact_is_along_the_springs_that_are_not_broken() -> None:
+    scene = chain_under_load(contact=Contact(distance=8.0))
+    picture = Picture.at_start(scene)
+    corners = points(drawn(scene, replace(picture, damage=HURT))["outlines"]["skin"]).reshape(-1, 2, 2)
+    wanted = [picture.positions[[spring.a, spring.b]] for spring in scene.linear_springs]
+    assert corners == pytest.approx(np.array([wanted[0], wanted[2], wanted[3]]))
+    assert drawn(chain_under_load(), picture)["outlines"]["skin"] == ""
+
+
 def test_the_wind_that_is_drawn_is_that_which_blows() -> None:
     scene = balloon(wind=GUSTS, air_friction=0.01)
     air = drawn(scene, Picture.at_start(scene))["air"]
@@ -115,6 +125,30 @@ def test_broken_springs_and_their_wedges_vanish_of_the_ghost_too() -> None:
     gone = (nodes["wedges"]["scales"][:, 0] < 1e-5).reshape(-1, slices)
     assert gone.all(1).tolist() == [True, True, False]
     assert gone.any(1).tolist() == [True, True, False]
+
+
+def test_springs_that_have_yielded_have_a_mark_as_long_as_they_are_broken() -> None:
+    scene = chain_under_load()
+    picture = Picture.at_start(scene)
+    hurt = Damage(broken=(1,), set_lengths=(0.9 * YIELDED * 50.0, 30.0, -30.0, 1.1 * YIELDED * 50.0))
+    marks = drawn(scene, replace(picture, damage=hurt))["yielded"]
+    springs = drawn(scene, picture)["springs"]
+    assert (marks["scales"][:, 0] > 1e-5).tolist() == [False, False, True, True]
+    assert marks["scales"][2:, 0] == pytest.approx(springs["scales"][2:, 0])
+    assert (marks["scales"][2:, 1] < 0.5 * springs["scales"][2:, 1]).all()
+    assert yielded_of(hurt, np.full(4, 50.0)) == 2
+    assert yielded_of(Damage(broken=(1,)), np.full(4, 50.0)) == yielded_of(None, np.full(4, 50.0)) == 0
+
+
+def test_only_a_scene_whose_springs_can_yield_has_a_node_for_marks() -> None:
+    for yields in (None, 100.0):
+        scene, client = chain_under_load(), MagicMock()
+        springs = tuple(msgspec.structs.replace(s, yield_force=yields) for s in scene.linear_springs)
+        Canvas(client, lambda touch: None).build(
+            msgspec.structs.replace(scene, linear_springs=springs), dark=False
+        )
+        names = [call.args[0] for call in client.scene.add_batched_meshes_simple.call_args_list]
+        assert ("/body/yielded" in names) == (yields is not None)
 
 
 def test_colours_and_wedges_go_by_the_present_rest_lengths_and_angles() -> None:
@@ -191,6 +225,20 @@ def test_the_head_up_display_counts_broken_springs() -> None:
     assert "1 spring broken" in readouts.hud(page.session, sketch_of(page.session.scene).palette, False)
 
 
+def test_the_head_up_display_counts_springs_that_have_yielded() -> None:
+    """The girder yields long before it breaks, and not under the load that it comes with."""
+    scene = sim.load_scene("girder")
+    page = SessionPage(scene)
+    shown = partial(readouts.hud, page.session, sketch_of(scene).palette, False)
+    page.frames(60)
+    assert "yielded" not in shown()
+    page.frames(60, commands.SetValue("load", 130.0))
+    assert "springs yielded" in shown()
+    assert "broken" not in shown()
+    page.frames(120, commands.SetValue("load", 250.0))
+    assert "springs broken" in shown()
+
+
 def test_moments_share_damage_that_does_not_change() -> None:
     ring, simulation = History(), sim.Simulation(chain_under_load())
     for _ in range(60):
@@ -198,6 +246,10 @@ def test_moments_share_damage_that_does_not_change() -> None:
         ring.add(simulation.capture())
     assert ring[ring.last].damage is not None
     assert ring[ring.last].damage is ring[ring.last - 1].damage
+
+
+def test_every_entry_of_the_energy_balance_has_a_name() -> None:
+    assert set(readouts._ENERGY_NAMES) == {field.name for field in fields(sim.EnergyBook)}
 
 
 def test_energies_of_surroundings_and_losses_have_names() -> None:

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+import sim
 from app.page.colors import palette
 from tests.browser.driver import Desk
 
-PRESETS = ("box", "flag-pole", "hair-tuft", "ring", "tutorial-3.1", "tutorial-3.2", "tutorial-3.3")
+PRESETS = tuple(
+    info.name for info in sim.list_scenes() if info.built_in and not info.name.startswith("study-")
+)
 
 
 def colors_off(desk: Desk, dark: bool = False) -> list[float]:

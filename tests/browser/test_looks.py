@@ -98,7 +98,7 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
     assert np.median(picture) > 250.0
     body = picture[picture.shape[0] // 4 :]
     reddish = body[:, :, 0] - body[:, :, 1:].max(2)
-    assert (reddish > 80.0).sum() > 300  # the masses
+    assert (reddish > 160.0).sum() > 300  # the masses, which are not pale
     assert (body.max(2) < 120.0).mean() < 0.02  # and no dark grid
     desk.page.emulate_media(media="screen")
     desk.until(lambda: desk.page.locator(".softrod-dock").is_visible(), "the page is back")

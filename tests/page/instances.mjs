@@ -1,7 +1,7 @@
 // Reads lines {plan, frame, damage} from standard input and writes, for each, what the page would draw.
 import { createInterface } from "node:readline";
 import * as draw from "../../app/page/static/draw.js";
-import { airAt, loops, outline, wallInView } from "../../app/page/static/around.js";
+import { airAt, loops, outline, skin, wallInView } from "../../app/page/static/around.js";
 import { readDamage, readFrame, readPlan } from "../../app/page/static/plan.js";
 
 const plain = (instances) =>
@@ -19,6 +19,7 @@ for await (const line of createInterface({ input: process.stdin })) {
   console.log(
     JSON.stringify({
       springs: plain(draw.springs(plan, frame, world, damage)),
+      yielded: plain(draw.yielded(plan, world, damage)),
       wedges: plain(draw.wedges(plan, frame, world, damage)),
       masses: plain(draw.masses(plan, world)),
       pins: plain(draw.pins(plan, world)),
@@ -30,6 +31,7 @@ for await (const line of createInterface({ input: process.stdin })) {
         wall: plan.walls.length ? outline(wallInView(plan, 0, on, view).corners) : "",
         gas: loops(plan, places, true),
         liquid: loops(plan, places, false),
+        skin: plan.contact ? skin(plan, places, damage.broken) : "",
       },
       air: plan.wind.length ? Object.values(airAt(plan.wind, 120, 250)) : [],
     }),

@@ -5,14 +5,14 @@ from __future__ import annotations
 import msgspec
 
 from sim import Scene
-from sim.scene.surroundings import Gas, Liquid, Wall, Wind
+from sim.scene.surroundings import Contact, Gas, Liquid, Wall, Wind
 from tests.sim.builders import tangle
 
 REPLACE = msgspec.structs.replace
 
 OF_SURROUNDINGS = {
     "wind_speed", "wind_direction", "turbulence", "wall_friction", "bounciness", "gas_pressure",
-    "liquid_stiffness",
+    "liquid_stiffness", "contact_distance", "contact_stiffness", "contact_friction",
 }  # fmt: skip
 OF_STRENGTH = {"strength", "yield_force"}
 
@@ -33,6 +33,7 @@ def with_everything() -> Scene:
             Wall(point=(0.0, 900.0), normal=(0.0, -1.0), friction=0.4, bounciness=0.6),
             Wall(point=(-500.0, 0.0), normal=(1.0, 0.0), friction=0.2, bounciness=0.3),
         ),
+        contact=Contact(distance=5.0, friction=0.3),
         fillings=(
             Gas(masses=(0, 1, 2), pressure=50.0, area=500.0),
             Gas(masses=(2, 1, 3), pressure=20.0, area=500.0),

@@ -30,6 +30,11 @@ def test_what_surrounds_a_body_and_what_breaks_has_settings_only_where_it_is() -
         "turbulence",
     }
     assert keys_of(whole) - keys_of(REPLACE(whole, walls=())) == {"wall_friction", "bounciness"}
+    assert keys_of(whole) - keys_of(REPLACE(whole, contact=None)) == {
+        "contact_distance",
+        "contact_stiffness",
+        "contact_friction",
+    }
     assert keys_of(whole) - keys_of(REPLACE(whole, fillings=whole.fillings[:2])) == {"liquid_stiffness"}
     assert keys_of(whole) - keys_of(REPLACE(whole, fillings=whole.fillings[2:])) == {"gas_pressure"}
 
@@ -90,6 +95,7 @@ def test_a_change_of_the_surroundings_lets_the_motion_go_on() -> None:
         ("wall_friction", 0.1),
         ("wind_speed", 900.0),
         ("gas_pressure", 10.0),
+        ("contact_distance", 7.0),
         ("strength", 9e3),
     ):
         simulation.replace(set_value(simulation.scene, key, value))

@@ -333,3 +333,12 @@ def test_nothing_is_left_at_rest(make: Any) -> None:
     # Gravity has moved it.
     moved = np.array(equilibrium(scene).positions) - [m.position for m in scene.masses]
     assert 0.1 < moved[:, 1].max() < 200.0
+
+
+@pytest.mark.parametrize("change", [{"strength": 100.0}, {"stiffness": 0.0, "strength": None}])
+def test_members_that_cannot_yield_do_not_so_that_no_slider_is_stuck(change: dict[str, Any]) -> None:
+    tough = sim.Girder(strength=300.0, yield_force=200.0, hardening=50.0)
+    assert {spring.yield_force for spring in tough.expand().linear_springs} == {200.0}
+    scene = validate(scene_of(msgspec.structs.replace(tough, **change)))
+    assert {spring.yield_force for spring in scene.linear_springs} == {None}
+    assert "hardening" in refused(scene_of(sim.Girder(hardening=50.0)))

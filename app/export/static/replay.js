@@ -27,7 +27,7 @@
  * @property {Part} low bytes of the differences, one number after the other, each through all frames
  * @property {Part} high
  */
-import { behind, streaks } from "../../page/static/around.js";
+import { moving, standing, streaks } from "../../page/static/around.js";
 import * as draw from "../../page/static/draw.js";
 import { readDamage, readPlan, UNHARMED } from "../../page/static/plan.js";
 
@@ -37,14 +37,16 @@ const UNSEEN = 2e-6;
 const HEAD = 3;
 /** Seconds that an arrow key goes. */
 const [NUDGE, LEAP] = [0.1, 1];
-/** Widths and opacities of the lines and areas behind the body, as in the page's styles. */
+/** Widths (0 where contact has it) and opacities of the lines and areas behind the body, as in the page's styles. */
 const STROKES = /** @type {const} */ ([
   ["grid", "grid", 1, 1], ["major", "line", 1, 1], ["hatch", "text", 1.2, 0.55], ["surface", "text", 2, 1],
-  ["wind", "text", 1.4, 0.35],
+  ["skin", "text", 0, 0.13], ["wind", "text", 1.4, 0.35],
 ]);
+/** Lines that end in half circles. */
+const ROUND = new Set(["skin", "wind"]);
 const AREAS = /** @type {const} */ ([["wall", "text", 0.1], ["gas", "brand", 0.12], ["liquid", "liquid", 0.35]]);
 /** From the back to the front. */
-const ORDER = ["grid", "major", "wall", "hatch", "surface", "gas", "liquid", "wind"];
+const ORDER = ["grid", "major", "wall", "hatch", "surface", "skin", "gas", "liquid", "wind"];
 
 /** @template {Element} T @param {string} id @param {new () => T} kind @returns {T} */
 function element(id, kind) {
@@ -155,7 +157,7 @@ function painter(about, motion, canvas) {
     const box = { left: 0, right: width, top: 0, bottom: height };
     const wind = plan.wind.length ? streaks(plan, frame.time, on, box) : "";
     /** @type {Record<string, string>} */
-    const paths = { ...behind({ plan, on, places, box }, about.size), wind };
+    const paths = { ...standing({ plan, on, box }, about.size), ...moving({ plan, places }, damage.broken), wind };
     const styles = getComputedStyle(document.documentElement);
     /** @param {string} name */
     const color = (name) => styles.getPropertyValue(`--${name}`);
@@ -164,8 +166,8 @@ function painter(about, motion, canvas) {
     for (const kind of ORDER) {
       const path = new Path2D(paths[kind]);
       for (const [name, ink, wide, opacity] of STROKES.filter(([name]) => name === kind)) {
-        Object.assign(to, { strokeStyle: color(ink), lineWidth: wide, globalAlpha: opacity });
-        to.lineCap = name === "wind" ? "round" : "butt";
+        Object.assign(to, { strokeStyle: color(ink), lineWidth: wide || plan.contact * plan.scale * step, globalAlpha: opacity });
+        to.lineCap = ROUND.has(name) ? "round" : "butt";
         to.stroke(path);
       }
       for (const [, ink, opacity] of AREAS.filter(([name]) => name === kind)) {
@@ -178,6 +180,7 @@ function painter(about, motion, canvas) {
     const put = (mesh, parts) => stamp(to, about.meshes[mesh], parts, on);
     put("pin", draw.pins(plan, world));
     put(about.springs, draw.springs(plan, frame, world, damage));
+    put("bar", draw.yielded(plan, world, damage));
     put("slice", draw.wedges(plan, frame, world, damage));
     if (plan.driven >= 0) put("ring", draw.ring(plan, world));
     put("disc", draw.masses(plan, world));

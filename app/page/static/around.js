@@ -148,13 +148,13 @@ export function loops({ fillings }, places, gas) {
 }
 
 /**
- * All that lies behind a body but the wind, as paths.
+ * What stays where it is as long as the camera does: the grid and the walls.
  *
- * @param {{plan: Plan, on: Screen, places: Float64Array, box: Box}} seen
+ * @param {{plan: Plan, on: Screen, box: Box}} seen
  * @param {number} size of the scene's frame, px: the larger of its sides
  */
-export function behind({ plan, on, places, box }, size) {
-  const found = { wall: "", hatch: "", surface: "", gas: "", liquid: "", ...gridLines(plan, size, on, box) };
+export function standing({ plan, on, box }, size) {
+  const found = { wall: "", hatch: "", surface: "", ...gridLines(plan, size, on, box) };
   const walls = Array.from({ length: plan.walls.length / 4 }, (_, i) => wallInView(plan, i, on, box));
   for (const wall of walls) {
     found.wall += outline(wall.corners);
@@ -162,11 +162,36 @@ export function behind({ plan, on, places, box }, size) {
     found.hatch += hatching({ ...wall, surface }, plan.scale * on.step);
     found.surface += outline(surface);
   }
-  if (plan.fillings.length) {
-    found.gas = loops(plan, places, true);
-    found.liquid = loops(plan, places, false);
-  }
   return found;
+}
+
+/**
+ * What moves with the body.
+ *
+ * @param {{plan: Plan, places: Float64Array}} seen
+ * @param {Set<number>} broken
+ */
+export const moving = ({ plan, places }, broken) => ({
+  skin: plan.contact ? skin(plan, places, broken) : "",
+  gas: loops(plan, places, true),
+  liquid: loops(plan, places, false),
+});
+
+/**
+ * The springs that are not broken, as lines: as wide as contact reaches, they touch where it begins.
+ *
+ * @param {Plan} plan
+ * @param {Float64Array} places of the masses in pixels of the window, x and y of each
+ * @param {Set<number>} broken
+ */
+export function skin({ springs }, places, broken) {
+  let lines = "";
+  for (let i = 0; i < springs.length / 2; i++) {
+    if (broken.has(i)) continue;
+    const [a, b] = [2 * springs[2 * i], 2 * springs[2 * i + 1]];
+    lines += `M${text({ x: places[a], y: places[a + 1] })}L${text({ x: places[b], y: places[b + 1] })}`;
+  }
+  return lines;
 }
 
 /**

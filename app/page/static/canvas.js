@@ -106,6 +106,7 @@ function paint() {
 function show(plan, frame, damage) {
   const world = draw.toWorld(plan, frame.positions);
   put("springs", draw.springs(plan, frame, world, damage));
+  if (owners.has(`${BODY}yielded`)) put("yielded", draw.yielded(plan, world, damage));
   put("wedges", draw.wedges(plan, frame, world, damage));
   if (plan.pinned.length) put("pins", draw.pins(plan, world));
   if (plan.driven >= 0) put("ring", draw.ring(plan, world));

@@ -15,11 +15,13 @@
 import { UNHARMED } from "./plan.js";
 
 // Depths: what is nearer is drawn over the rest.
-const Z = { pin: -0.15, spring: -0.12, wedge: -0.06, ring: 0.0, rim: 0.02, mass: 0.03, shine: 0.04, ghost: 0.06 };
-/** Relative stretch at which a spring has its full colour. */
-const FULL_STRAIN = 0.1;
+const Z = { pin: -0.15, spring: -0.12, yielded: -0.1, wedge: -0.06, ring: 0.0, rim: 0.02, mass: 0.03, shine: 0.04, ghost: 0.06 };
 /** Degrees off the rest angle at which a wedge has its full colour. */
 const FULL_DEVIATION = 30;
+/** Part of its rest length by which that of a spring has moved for good once it has yielded; plan.py has it, too. */
+const YIELDED = 0.002;
+/** Width of the line along a spring that has yielded, in that of the spring. */
+const CREASE = 0.34;
 /** Width of a ghost's springs, in the world. */
 const GHOST_WIDTH = 0.025;
 /** Radii in those of the mass. */
@@ -147,13 +149,34 @@ export function springs(plan, frame, world, damage = UNHARMED) {
     const length = Math.hypot(dx, dy);
     const restLength = plan.restLength[i] * frame.lengthScale + (damage.setLength[i] ?? 0);
     const rest = Math.max(restLength * plan.scale, 1e-9);
-    strain[i] = (length / rest - 1) / FULL_STRAIN;
+    strain[i] = (length / rest - 1) / plan.fullStrain[plan.fullStrain.length > 1 ? i : 0];
     // A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
-    const part = plan.many ? 1 : Math.min(1.2, Math.max(0.5, Math.sqrt(rest / length)));
+    const part = plan.bars ? 1 : Math.min(1.2, Math.max(0.5, Math.sqrt(rest / length)));
     const [long, wide] = damage.broken.has(i) ? [VANISHED, VANISHED] : [length, part * plan.thickness[i]];
     put(result, i, world[a], world[a + 1], Z.spring, Math.atan2(dy, dx), long, wide);
   }
   return { ...result, batched_colors: colored(plan.strainColors, strain, 1) };
+}
+
+/**
+ * Lines along the springs that have yielded and are not broken.
+ *
+ * @param {Plan} plan
+ * @param {Float64Array} world
+ * @param {Damage} damage
+ * @returns {Instances}
+ */
+export function yielded(plan, world, damage) {
+  const count = plan.restLength.length;
+  const result = instances(count);
+  for (let i = 0; i < count; i++) {
+    const [a, b] = [2 * plan.springs[2 * i], 2 * plan.springs[2 * i + 1]];
+    const [dx, dy] = [world[b] - world[a], world[b + 1] - world[a + 1]];
+    const marked = Math.abs(damage.setLength[i] ?? 0) > YIELDED * plan.restLength[i] && !damage.broken.has(i);
+    const [long, wide] = marked ? [Math.hypot(dx, dy), CREASE * plan.thickness[i]] : [VANISHED, VANISHED];
+    put(result, i, world[a], world[a + 1], Z.yielded, Math.atan2(dy, dx), long, wide);
+  }
+  return { ...result, batched_colors: inked(plan, 3, count) };
 }
 
 /**

@@ -16,23 +16,26 @@ export const CLOCK_PERIOD = 1024;
  * @property {number} x the middle of the scene's frame, px
  * @property {number} y
  * @property {number} flip -1 where y grows downwards
- * @property {boolean} many whether springs are bars, and wedges one triangle each
+ * @property {boolean} many whether there are so many masses that they are drawn with less
+ * @property {boolean} bars whether springs are bars instead of coils
  * @property {number} slices triangles of a wedge
  * @property {number} driven the mass that the pointer drives, or -1
  * @property {Float32Array} radius of each mass, in the world
  * @property {Float32Array} springs two masses each
  * @property {Float32Array} restLength px, one for each spring
  * @property {Float32Array} thickness amplitude of the coil or width of the bar, in the world
+ * @property {Float32Array} fullStrain relative stretch at which each spring has its full colour; or one for all
  * @property {Float32Array} joints spring a, spring b, the mass at the tip, and whether b leaves it (1) or not (-1)
  * @property {Float32Array} restAngle degrees
  * @property {Float32Array} pinned the held masses that have a support
  * @property {Float32Array} massColors three a mass: of rim, fill and shine
  * @property {Float32Array} strainColors a table, from full compression to full stretch
  * @property {Float32Array} turnColors a table, from the full negative deviation to the full positive one
- * @property {Float32Array} inkColors of pins, ring and ghost
+ * @property {Float32Array} inkColors of pins, ring, ghost and the mark of springs that have yielded
  * @property {Float32Array} walls of each a point of the surface, px, and the unit vector to the free side
  * @property {Float32Array} fillings of each whether it is a gas, how many masses its loop has, and which
  * @property {Float32Array} wind velocity, px/s; of each wave of its gusts wave vector, amplitude and phase; or nothing
+ * @property {number} contact px, the distance at which contact begins; 0 where there is none
  */
 
 /**
@@ -41,12 +44,12 @@ export const CLOCK_PERIOD = 1024;
  */
 export function readPlan(data) {
   const take = sections(data);
-  const [generation, scale, x, y, flip, many, slices, driven] = take();
+  const [generation, scale, x, y, flip, many, bars, slices, driven] = take();
   return {
-    generation, scale, x, y, flip, many: many === 1, slices, driven,
-    radius: take(), springs: take(), restLength: take(), thickness: take(), joints: take(),
+    generation, scale, x, y, flip, many: many === 1, bars: bars === 1, slices, driven,
+    radius: take(), springs: take(), restLength: take(), thickness: take(), fullStrain: take(), joints: take(),
     restAngle: take(), pinned: take(), massColors: take(), strainColors: take(), turnColors: take(),
-    inkColors: take(), walls: take(), fillings: take(), wind: take(),
+    inkColors: take(), walls: take(), fillings: take(), wind: take(), contact: take()[0] ?? 0,
   };
 }
 

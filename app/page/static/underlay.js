@@ -1,9 +1,8 @@
 // @ts-check
 /**
- * Behind the body: walls, what fills its loops, the wind, and below them the grid, which viser draws for scenes that
- * have none of these.
+ * Behind the body: the grid, walls, how far contact reaches, what fills its loops, and the wind.
  */
-import { behind, streaks } from "./around.js";
+import { moving, standing, streaks } from "./around.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { SVG, sight } from "./overlay.js";
@@ -15,13 +14,12 @@ const DRIFT_EVERY = 40;
 /** Pixels by which streaks may have drifted before they are made anew. */
 const MARGIN = 150;
 /** From the back to the front. */
-const KINDS = /** @type {const} */ (["grid", "major", "wall", "hatch", "surface", "gas", "liquid"]);
+const KINDS = /** @type {const} */ (["grid", "major", "wall", "hatch", "surface", "skin", "gas", "liquid"]);
 
-/** Whether there is anything to draw. */
-function surrounded() {
-  const { plan } = shown();
-  return plan !== null && plan.walls.length + plan.fillings.length + plan.wind.length > 0;
-}
+/** What a picture of the same body, seen from the same place, has in common with others. @param {import("./overlay.js").Sight} seen */
+const viewOf = ({ plan, on, box }) => [plan.generation, on.x, on.y, on.step, box.width, box.height].join(" ");
+
+/** @typedef {typeof KINDS[number]} Kind */
 
 /** @param {Element} element @param {string} name @param {string} value */
 const set = (element, name, value) => element.getAttribute(name) === value || element.setAttribute(name, value);
@@ -35,8 +33,9 @@ const set = (element, name, value) => element.getAttribute(name) === value || el
 function windMark(path) {
   let [made, since] = ["", 0];
   /** @param {import("./overlay.js").Sight} seen @param {number} time */
-  return ({ plan, on, box }, time) => {
-    const view = [plan.generation, on.x, on.y, on.step, box.width, box.height].join(" ");
+  return (seen, time) => {
+    const { plan, on, box } = seen;
+    const view = viewOf(seen);
     const [u, v] = plan.wind;
     const drift = plan.scale * on.step * (time - since);
     if (view !== made || !(Math.hypot(u, v) * Math.abs(drift) < MARGIN)) {
@@ -63,25 +62,32 @@ export function addUnderlay() {
     svg.append(path);
     return path;
   };
-  const paths = KINDS.map(add);
+  const paths = /** @type {Record<Kind, SVGPathElement>} */ (Object.fromEntries(KINDS.map((kind) => [kind, add(kind)])));
+  /** @param {Partial<Record<Kind, string>>} outlines */
+  const show = (outlines) => {
+    for (const kind of KINDS) if (kind in outlines) set(paths[kind], "d", outlines[kind] ?? "");
+  };
   const wind = add("wind");
   const blow = windMark(wind);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
+  let stood = "";
   /** The picture that there was when viser drew last. @type {import("./plan.js").Frame | null} */
   let before = null;
   const draw = () => {
     const { plan, frame } = shown();
     const canvas = viser()?.canvas;
-    if (!surrounded()) svg.remove();
-    // The first picture of a new body may still be on its way.
-    if (!canvas || !surrounded() || plan?.generation !== frame?.generation) return;
+    // The first picture of a new body, and what is told of it, may still be on their way.
+    if (!canvas || !told().width || plan?.generation !== frame?.generation) return;
     const seen = sight(before?.generation === plan?.generation ? before : frame);
     if (!seen) return;
     if (canvas.previousSibling !== svg) canvas.before(svg);
     const { left, top, width, height } = seen.box;
     set(svg, "viewBox", `${left} ${top} ${width} ${height}`);
-    const found = behind(seen, Math.max(Number(told().width), Number(told().height)) / seen.plan.scale);
-    KINDS.forEach((kind, i) => set(paths[i], "d", found[kind]));
+    const view = [viewOf(seen), told().width, told().height].join(" ");
+    if (view !== stood) show(standing(seen, Math.max(Number(told().width), Number(told().height)) / seen.plan.scale));
+    stood = view;
+    show(moving(seen, shown().damage.broken));
+    set(paths.skin, "stroke-width", (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2));
     if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
     else set(wind, "d", "");
   };
@@ -93,7 +99,7 @@ export function addUnderlay() {
   };
   const listen = () => {
     const scene = viser()?.scene;
-    if (scene && surrounded()) scene.onBeforeRender = drawn;
+    if (scene) scene.onBeforeRender = drawn;
     else draw();
   };
   onPicture(listen);

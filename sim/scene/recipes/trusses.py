@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 from typing import Annotated, Literal
 
@@ -33,7 +34,8 @@ class Girder(Sprung, frozen=True, kw_only=True):
             lower, as they are longer.
         load: 0..1e6 kg, added to the mass at mid-span of the lower chord, or left of it if the number of
             panels is odd.
-        strength, yield_force, hardening: of every member, see `LinearSpring`.
+        strength, yield_force, hardening: of every member, see `LinearSpring`. Members whose strength is below
+            the yield force, or that have no stiffness, do not yield.
     """
 
     truss: Literal["warren", "pratt"] = "warren"
@@ -75,6 +77,10 @@ class Girder(Sprung, frozen=True, kw_only=True):
                 members.append((upper[i - 1], lower[i + 1]) if i < middle else (upper[i], lower[i]))
         lengths = [body.distance(a, b) for a, b in members]
         shortest = min(lengths)
+        yield_force, hardening = self.yield_force, self.hardening
+        strength = math.inf if self.strength is None else self.strength
+        if yield_force is not None and (yield_force > strength or not self.stiffness):
+            yield_force, hardening = None, 0.0
         for (a, b), length in zip(members, lengths, strict=True):
             member = LinearSpring(
                 a=a,
@@ -83,8 +89,8 @@ class Girder(Sprung, frozen=True, kw_only=True):
                 damping=self.damping * (shortest / length),
                 rest_length=length,
                 strength=self.strength,
-                yield_force=self.yield_force,
-                hardening=self.hardening * (shortest / length),
+                yield_force=yield_force,
+                hardening=hardening * (shortest / length),
             )
             body.add_spring(member)
         body.hold((lower[0], lower[-1]), self.driven)
