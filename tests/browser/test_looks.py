@@ -86,7 +86,7 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
         desk.until(lambda: desk.tab._dark, "it is dark")
         desk.wait_drawn()
     desk.tell(commands.Play(False))
-    time = desk.clock()
+    time, seen = desk.clock(), desk.camera()
     desk.page.emulate_media(media="print")
     heading = desk.page.locator(".softrod-paper")
     desk.until(lambda: heading.inner_text().startswith("Rope (3.3)\n"), "the heading is there")
@@ -99,6 +99,7 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
     reddish = body[:, :, 0] - body[:, :, 1:].max(2)
     assert (reddish > 160.0).sum() > 300  # the masses, which are not pale
     assert (body.max(2) < 120.0).mean() < 0.02  # and no dark grid
+    assert desk.camera().same(seen)  # the canvas has another size, but what is drawn in it has not
     desk.page.emulate_media(media="screen")
     desk.until(lambda: desk.page.locator(".softrod-dock").is_visible(), "the page is back")
     overlay = desk.page.locator(".softrod-overlay")
