@@ -212,7 +212,7 @@ def test_a_run_that_would_never_end_is_given_up(tmp_path: Path) -> None:
     figure = plot(
         make_grid(ROPE, (), ("gravity=1,2",)), ("survived",), {0: Row((GAVE_UP,), ""), 1: Row((True,), "")}
     )
-    assert list(figure.axes[0].lines[0].get_ydata()) == [0.0, 1.0]
+    assert np.asarray(figure.axes[0].lines[0].get_ydata()).tolist() == [0.0, 1.0]
 
 
 def test_a_near_exact_run_that_would_never_end_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -88,6 +88,7 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
     desk.tell(commands.Play(False))
     desk.until(desk.clock_is_right, "the clock shows where it stands")
     time = desk.clock()
+    seen = desk.camera()
     desk.page.emulate_media(media="print")
     heading = desk.page.locator(".softrod-paper")
     desk.until(lambda: heading.inner_text().startswith("Rope (3.3)\n"), "the heading is there")
@@ -100,6 +101,7 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
     reddish = body[:, :, 0] - body[:, :, 1:].max(2)
     assert (reddish > 160.0).sum() > 300  # the masses, which are not pale
     assert (body.max(2) < 120.0).mean() < 0.02  # and no dark grid
+    assert desk.camera().same(seen)  # the canvas has another size, but what is drawn in it has not
     desk.page.emulate_media(media="screen")
     desk.until(lambda: desk.page.locator(".softrod-dock").is_visible(), "the page is back")
     overlay = desk.page.locator(".softrod-overlay")

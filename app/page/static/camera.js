@@ -153,9 +153,11 @@ export function keepFlat() {
   let scene;
   let size = "";
   let covers = 0;
+  const paper = matchMedia("print");
   const look = () => {
     const { canvas, cameraControl: controls } = viser() ?? {};
-    if (!canvas || !controls) return;
+    // On paper the canvas has another size, but what is drawn in it has not.
+    if (!canvas || !controls || paper.matches) return;
     if (flat !== controls || controls.mouseButtons.left !== controls.constructor.ACTION.TRUCK) {
       flat = controls;
       flatten(controls);
