@@ -270,3 +270,19 @@ def test_an_open_address_says_what_it_exposes() -> None:
         process.kill()
     assert "password" in output
     assert os.linesep in output
+
+
+def test_run_records_quantities_with_units_instead_of_positions(tmp_path: Path) -> None:
+    out = tmp_path / "swing.csv"
+    words = ("run", "tutorial-3.3", "--steps", "100", "--every", "25", "--out", out)
+    asked = ("--record", "mass11.y", "--record", "energy.residual", "--record", "joint3.angle")
+    assert softrod(*words, *asked).returncode == 0
+    header, *rows = rows_of(out)
+    assert header == ["time [s]", "mass11.y [px]", "energy.residual [kg px^2/s^2]", "joint3.angle [deg]"]
+    simulation = sim.Simulation(sim.load_scene("tutorial-3.3"))
+    simulation.keep_books(True)
+    simulation.step(100)
+    row = [simulation.time, simulation.positions[11, 1], simulation.energy().residual, simulation.angles[3]]
+    assert [float(value) for value in rows[-1]] == row
+    assert len(rows) == 4
+    refused(softrod(*words, "--record", "joint99.angle"), "joint 99 does not exist (0..9)")

@@ -5,14 +5,18 @@ from __future__ import annotations
 import csv
 import io
 import math
+from typing import Any
 
 import numpy as np
 import pytest
+import viser
 
 import sim
+from app.page.measure_panel import MeasurePanel
 from app.session import commands
 from app.session.history import SPAN
-from app.session.plots import Plot, Wish, curve
+from app.session.notices import Notice
+from app.session.plots import MOST_PLOTS, Plot, Wish, curve
 from sim.errors import InputError
 from tests.app.pages import SessionPage
 from tests.app.recording import agrees
@@ -157,3 +161,40 @@ def test_a_body_that_ran_away_leaves_finite_values() -> None:
     drawn = curve(page.plot, 10.0, 50)
     assert len(drawn[0]) >= 1
     assert all(map(math.isfinite, drawn[0]))
+
+
+def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -> None:
+    page = SessionPage(sim.load_scene("rod"))
+    server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
+    told: list[Notice] = []
+    try:
+        client: Any = server  # has the same `gui`
+        tab = server.gui.add_tab_group().add_tab("Measure")
+        panel = MeasurePanel(client, tab, page.session, told.append)
+        panel.tick()
+        panel._part.value = "joint999999"
+        panel._what.value = "<b>"
+        panel._over.value = "nan"
+        panel._asked += [panel._add_chosen, panel._offer]
+        panel.tick()
+        assert "not a quantity" in told[0].text
+        assert panel._part.value == "joint0"
+        assert panel._what.value == "angle"
+        for _ in range(3):
+            panel.plot_angle()  # twice the same is one plot
+        panel._asked += [panel._add_chosen] * 5
+        panel.tick()
+        assert len(panel.wishes) == MOST_PLOTS
+        assert "room for 4 plots" in told[-1].text
+        # Another scene keeps what it has, too; one without joints keeps nothing.
+        page.frames(1, commands.Open(sim.load_scene("tutorial-3.3")))
+        panel.build(dark=True)
+        assert len(panel.wishes) == MOST_PLOTS
+        page.frames(1, commands.Open(sim.rope(3, joints=False)))
+        panel.build(dark=True)
+        assert panel.wishes == ()
+        panel.plot_angle()
+        panel.tick()
+        assert told[-1].text == "This scene has no joints."
+    finally:
+        server.stop()
