@@ -18,13 +18,16 @@ from tyro.conf import Positional, UseAppendAction, arg
 import sim
 from sim.errors import InputError, SceneError, SettingError
 from sim.scene.files import read_scene
-from sim.settings import apply_assignments
+from sim.settings import apply_assignments, scene_of_step
 
 from . import headless
 from .session.log import Log
 from .sweep.measures import MEASURES, parse_measures
 
 DEFAULT_SCENE = "tutorial-3.3"
+
+_GROUPS = {"lessons": "scenes with steps beside the body", "study": "scenes of `softrod study`"}
+"""What the groups of presets are."""
 
 Settings = Annotated[
     UseAppendAction[tuple[str, ...]],
@@ -153,7 +156,7 @@ class Scenes:
         for info in sim.list_scenes():
             if info.group and info.group != group:
                 table.add_row()
-                table.add_row(f"[bold]{info.group}[/]", f"scenes of `softrod {info.group}`")
+                table.add_row(f"[bold]{info.group}[/]", _GROUPS.get(info.group, ""))
             group = info.group
             table.add_row(info.name if info.built_in else f"{info.name} (saved)", info.description)
         Console().print(table)
@@ -174,6 +177,11 @@ class Check:
         for path in self.files:
             try:
                 scene = read_scene(path)
+                step = scene
+                for number in range(len(scene.lesson.steps) if scene.lesson else 0):
+                    step = scene_of_step(step, number)
+            except SettingError as error:
+                failed = _fail(f"{path}: {error}")
             except ValueError as error:
                 failed = _fail(error)
             else:

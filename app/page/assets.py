@@ -14,7 +14,7 @@ from ..gate.gate import GateError, StaticFile
 _FOLDER = Path(__file__).parent / "static"
 _TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
 _FOREVER = "public, max-age=31536000, immutable"
-_STYLES = ("page.css", "overlay.css", "dock.css", "looks.css")  # later ones win
+_STYLES = ("page.css", "overlay.css", "dock.css", "lesson.css", "looks.css")  # later ones win
 _TITLE = "<title>Viser</title>"
 _VISERS_SCRIPT = {
     "<script data-p=": '<script type="module" data-p=',

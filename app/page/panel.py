@@ -21,6 +21,7 @@ from ..session.commands import Command
 from ..session.session import Notice, Session
 from . import readouts, script
 from .colors import palette
+from .lesson_card import lesson_html
 from .slider_box import SliderBox
 from .solver_panel import SolverPanel
 
@@ -98,6 +99,7 @@ class Panel:
         self._hud = gui.add_html("")
         self._state = gui.add_html("")
         self._style = gui.add_html("")
+        self._lesson: viser.GuiHtmlHandle | None = None
         self.tabs = gui.add_tab_group()
         self._play_tab = self.tabs.add_tab("Play")
         self._build_play()
@@ -230,6 +232,7 @@ class Panel:
         self._show_choice(name)
         self._about.content = readouts.description(scene)
         self._pad.visible = scene.arrow_keys is not None
+        self._show_lesson(scene)
         self._follow.visible = self._session.driven is not None
         self._shown_revision = -1
         self._solver.build()
@@ -261,6 +264,15 @@ class Panel:
             if not applicable:
                 nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
                 self._body.append(gui.add_html(nothing))
+
+    def _show_lesson(self, scene: Scene) -> None:
+        """Hand the scene's lesson to the page's script, or take away that of the scene before."""
+        content = lesson_html(scene.lesson) if scene.lesson else ""
+        if self._lesson is not None and self._lesson.content != content:
+            self._lesson.remove()
+            self._lesson = None
+        if content and self._lesson is None:
+            self._lesson = self._client.gui.add_html(content)
 
     def _add_control(self, setting: Setting, order: float) -> None:
         if setting.key == "template":

@@ -21,13 +21,14 @@ _NUMBER = r"-?\d{1,7}(?:\.\d{1,6})?"
 _MESSAGE = re.compile(
     rf"\d{{1,15}}\|(?:keys\|([UDLR]{{0,4}})|at\|({_NUMBER}),({_NUMBER})|do\|([a-z]{{1,10}})"
     rf"|go\|({_NUMBER})|speed\|({_NUMBER})"
-    rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}}))"
+    rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}})|lesson\|(\d{{1,2}}))"
 )
 _PART = re.compile(r"\d{1,15}\|resume\|(\d{1,2})/(\d{1,2})\|([A-Za-z0-9+/=]{1,48000})")
 
 ONCE: dict[str, Command] = {
     "play": commands.Play(),
     "pause": commands.Play(False),
+    "run": commands.Play(True),
     "step": commands.DoSteps(1),
     "steps": commands.DoSteps(10),
     "reset": commands.Reset(),
@@ -120,6 +121,7 @@ def told(
         "offer": int(session.offer_back),
         "future": int(session.old_future is not None),
         **({"broken": broken} if broken else {}),
+        **({"lesson": 1} if session.scene.lesson else {}),
     }
 
 
@@ -141,7 +143,14 @@ class Switch:
     """The switch that has the driven mass follow the pointer was pressed."""
 
 
-def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | None:
+@dataclass(frozen=True)
+class Begin:
+    """A step of the scene's lesson begins."""
+
+    step: int
+
+
+def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | Begin | None:
     """What a message of the script asks for, or None for nonsense.
 
     Args:
@@ -151,7 +160,7 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | None:
     match = _MESSAGE.fullmatch(message) if isinstance(message, str) else None
     if match is None:
         return None
-    keys, x, y, word, time, speed, mass, grab_x, grab_y, drop, picked = match.groups()
+    keys, x, y, word, time, speed, mass, grab_x, grab_y, drop, picked, step = match.groups()
     if keys is not None:
         return commands.HoldKeys(frozenset(_KEYS[key] for key in keys))
     if word is not None:
@@ -164,6 +173,8 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | None:
         return commands.DragEnd()
     if picked is not None:
         return Pick(int(picked))
+    if step is not None:
+        return Begin(int(step))
     if mass is not None:
         point = mapping.to_scene(float(grab_x), float(grab_y))
         return commands.DragStart(int(mass), *point) if all(map(math.isfinite, point)) else None

@@ -43,7 +43,7 @@ def labels(present: str) -> dict[str, str]:
 
     Presets go by their titles, saved scenes by the names that they were saved under.
     """
-    offered = [info for info in scenes() if not info.group]
+    offered = [info for info in scenes() if info.group != "study"]
     names = {info.name for info in offered} | {present}
     found: dict[str, str] = {}
     for info in offered:

@@ -18,6 +18,7 @@ import sim
 from sim.compiling.compiler import Compiler, needed_by
 from sim.methods.registry import METHODS
 from sim.scene.types import is_surrounded
+from sim.settings import scene_of_step
 
 from ..session import commands
 from ..session.pacing import is_large
@@ -179,6 +180,8 @@ class Tab:
                     self.request("follow", None)
                 case script.Pick(mass):
                     self.request("joint", mass)
+                case script.Begin(step):
+                    self.request("lesson", step)
                 case command:
                     session.post(command)
 
@@ -318,6 +321,8 @@ class Tab:
                 session.post(commands.KeepBooks(not session.books))
             elif what == "anew":
                 session.post(commands.Open(session.opened))
+            elif what == "lesson":
+                self._begin_step(session, argument)
             elif what == "joint":
                 joint = readouts.joint_of_mass(session.scene, argument)
                 if joint is not None:
@@ -338,6 +343,19 @@ class Tab:
             return
         if self._session is not None:
             self._session.post(commands.Open(scene))
+
+    def _begin_step(self, session: Session, number: int) -> None:
+        """The scene anew, as a step of its lesson wants it; it waits while the step has a question."""
+        lesson = session.scene.lesson
+        if lesson is None:
+            return
+        try:
+            scene = scene_of_step(session.opened, number)
+        except sim.SettingError as error:
+            self.notify(Notice("error", "This step cannot begin", str(error)))
+            return
+        session.post(commands.Open(scene))
+        session.post(commands.Play(lesson.steps[number].question is None))
 
     def _help(self) -> None:
         with self.client.gui.add_modal("How to use softrod") as modal:

@@ -9,6 +9,7 @@ import { mindDialogs } from "./dialogs.js";
 import { showHud } from "./hud.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
+import { addLesson, hearLesson } from "./lesson.js";
 import { restoreLooks } from "./looks.js";
 import { nameControls } from "./names.js";
 import { quietNotices } from "./notices.js";
@@ -41,7 +42,7 @@ whenViser((viser) => {
     complain(FAULT);
     return;
   }
-  drawBody(viser, [hear, showHud]);
+  drawBody(viser, [hear, hearLesson, showHud]);
   keepFlat();
   mindDialogs();
   listenToKeys();
@@ -53,6 +54,7 @@ whenViser((viser) => {
   addOverlay();
   addUnderlay();
   addHeading();
+  addLesson();
   addBodyKeys();
   nameControls();
   quietNotices();
