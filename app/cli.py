@@ -19,6 +19,7 @@ import sim
 from sim.errors import InputError, SceneError, SettingError
 from sim.motion.quantities import PARTS
 from sim.scene.files import read_scene
+from sim.settings import scene_of_step
 
 from . import headless
 from .command import Settings, fail, scene_of
@@ -29,6 +30,9 @@ from .session.log import Log
 from .sweep.measures import MEASURES, parse_measures
 
 DEFAULT_SCENE = "tutorial-3.3"
+
+_GROUPS = {"lessons": "scenes with steps beside the body", "study": "scenes of `softrod study`"}
+"""What the groups of presets are."""
 
 
 @dataclass
@@ -160,7 +164,7 @@ class Scenes:
         for info in sim.list_scenes():
             if info.group and info.group != group:
                 table.add_row()
-                table.add_row(f"[bold]{info.group}[/]", f"scenes of `softrod {info.group}`")
+                table.add_row(f"[bold]{info.group}[/]", _GROUPS.get(info.group, ""))
             group = info.group
             table.add_row(info.name if info.built_in else f"{info.name} (saved)", info.description)
         Console().print(table)
@@ -182,7 +186,10 @@ class Check:
             try:
                 scene = read_scene(path)
                 of_scene(scene)
-            except InputError as error:
+                step = scene
+                for number in range(len(scene.lesson.steps) if scene.lesson else 0):
+                    step = scene_of_step(step, number)
+            except (InputError, SettingError) as error:
                 failed = fail(f"{path}: {error}")
             except ValueError as error:
                 failed = fail(error)

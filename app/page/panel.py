@@ -22,6 +22,7 @@ from ..session.session import Notice, Session
 from . import readouts, script
 from .colors import palette
 from .controls import Controls
+from .lesson_card import lesson_html
 from .play_panel import PlayPanel
 from .slider_box import SliderBox
 from .solver_panel import SolverPanel
@@ -107,6 +108,7 @@ class Panel:
         self._hud = gui.add_html("")
         self._state = gui.add_html("")
         self._style = gui.add_html("")
+        self._lesson: viser.GuiHtmlHandle | None = None
         self._play_tab = self._body_tab = self._solver_tab = None
         self._play = self._own_values = self._solver = None
         self.measure_tab: viser.GuiTabHandle | None = None
@@ -229,6 +231,7 @@ class Panel:
         scene, gui = self._session.scene, self._client.gui
         if self._play is not None:
             self._play.build(scene)
+        self._show_lesson(scene)
         self._shown_revision = -1
         if self._solver is not None:
             self._solver.build()
@@ -269,6 +272,15 @@ class Panel:
             with tab:
                 for order, setting in enumerate(settings, start=10):
                     self._add_control(setting, order)
+
+    def _show_lesson(self, scene: Scene) -> None:
+        """Hand the scene's lesson to the page's script, or take away that of the scene before."""
+        content = lesson_html(scene.lesson) if scene.lesson else ""
+        if self._lesson is not None and self._lesson.content != content:
+            self._lesson.remove()
+            self._lesson = None
+        if content and self._lesson is None:
+            self._lesson = self._client.gui.add_html(content)
 
     def _add_control(self, setting: Setting, order: float) -> None:
         if setting.key == "template":

@@ -21,13 +21,14 @@ _NUMBER = r"-?\d{1,7}(?:\.\d{1,6})?"
 _MESSAGE = re.compile(
     rf"\d{{1,15}}\|(?:keys\|([UDLR]{{0,4}})|at\|({_NUMBER}),({_NUMBER})|do\|([a-z]{{1,10}})"
     rf"|go\|({_NUMBER})|speed\|({_NUMBER})"
-    rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}}))"
+    rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}})|lesson\|(\d{{1,2}}))"
 )
 _PART = re.compile(r"\d{1,15}\|(resume|link)\|(\d{1,2})/(\d{1,2})\|([\x21-\x7e]{0,48000})")
 
 ONCE: dict[str, Command] = {
     "play": commands.Play(),
     "pause": commands.Play(False),
+    "run": commands.Play(True),
     "step": commands.DoSteps(1),
     "steps": commands.DoSteps(10),
     "reset": commands.Reset(),
@@ -131,6 +132,7 @@ def told(
         **({"broken": broken} if broken else {}),
         **({"measures": measures} if measures else {}),
         **({"picture": pictures} if pictures else {}),
+        **({"lesson": 1} if session.scene.lesson else {}),
     }
 
 
@@ -157,10 +159,17 @@ class PlotAngle:
     """The angle of the joint that is read out is to be plotted."""
 
 
+@dataclass(frozen=True)
+class Begin:
+    """A step of the scene's lesson begins."""
+
+    step: int
+
+
 _ASKED: dict[str, Switch | PlotAngle] = {"follow": Switch(), "plot": PlotAngle()}
 
 
-def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAngle | None:
+def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAngle | Begin | None:
     """What a message of the script asks for, or None for nonsense.
 
     Args:
@@ -170,7 +179,7 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAn
     match = _MESSAGE.fullmatch(message) if isinstance(message, str) else None
     if match is None:
         return None
-    keys, x, y, word, time, speed, mass, grab_x, grab_y, drop, picked = match.groups()
+    keys, x, y, word, time, speed, mass, grab_x, grab_y, drop, picked, step = match.groups()
     if keys is not None:
         return commands.HoldKeys(frozenset(_KEYS[key] for key in keys))
     if word is not None:
@@ -183,6 +192,8 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAn
         return commands.DragEnd()
     if picked is not None:
         return Pick(int(picked))
+    if step is not None:
+        return Begin(int(step))
     if mass is not None:
         point = mapping.to_scene(float(grab_x), float(grab_y))
         return commands.DragStart(int(mass), *point) if all(map(math.isfinite, point)) else None

@@ -20,6 +20,7 @@ from sim.compiling.compiler import Compiler, needed_by
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.types import is_surrounded
+from sim.settings import scene_of_step
 
 from ..session import commands
 from ..session.pacing import is_large
@@ -241,6 +242,8 @@ class Tab:
                 case script.PlotAngle():
                     if self._measure is not None:
                         self._measure.plot_angle()
+                case script.Begin(step):
+                    self.request("lesson", step)
                 case command:
                     session.post(command)
 
@@ -399,6 +402,8 @@ class Tab:
             elif what == "tools":
                 if self._tools is not None:
                     self._tools.serve(*argument)
+            elif what == "lesson":
+                self._begin_step(session, argument)
             elif what == "joint":
                 if self._tools is not None:
                     self._tools.choose(argument)
@@ -413,6 +418,19 @@ class Tab:
                     self._measure.plot_angle()
             elif what == "help":
                 self._help()
+
+    def _begin_step(self, session: Session, number: int) -> None:
+        """The scene anew, as a step of its lesson wants it; it waits while the step has a question."""
+        lesson = session.scene.lesson
+        if lesson is None:
+            return
+        try:
+            scene = scene_of_step(session.opened, number)
+        except sim.SettingError as error:
+            self.notify(Notice("error", "This step cannot begin", str(error)))
+            return
+        session.post(commands.Open(scene))
+        session.post(commands.Play(lesson.steps[number].question is None))
 
     def _help(self) -> None:
         with self.client.gui.add_modal("How to use softrod") as modal:

@@ -83,6 +83,8 @@ def encode_scene(scene: Scene) -> bytes:
     if scene.bodies:
         for field in BODY_FIELDS:
             fields.pop(field, None)
+    if scene.lesson is None:
+        fields.pop("lesson")
     text = msgspec.json.format(msgspec.json.encode({**fields, "format": FORMAT_VERSION}), indent=2) + b"\n"
     return _TEXT_OR_NUMBERS.sub(_on_one_line, text)
 

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta
 
+from .lesson import Lesson
 from .numbers import Angle, Coordinate, Force, Index, Name, Speed, Vector, bounded, of_python
 from .parts import Anchor, AngularSpring, Circle, LinearSpring, Mass
 from .recipes.recipe import AnyRecipe, Rope, expand
@@ -27,6 +28,7 @@ __all__ = [
     "Circle",
     "ForceLaw",
     "Integrator",
+    "Lesson",
     "LinearSpring",
     "Mass",
     "Method",
@@ -180,6 +182,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         force_law: the force law of the angular springs, see `AngularSpring`.
         integrator, arrow_keys, view: see their types; without `arrow_keys` the keys have no effect.
         pose: a saved state to start from, or None to start from the masses' own positions.
+        lesson: steps to follow beside the body, or None.
     """
 
     format: Annotated[int, Meta(ge=1)] = FORMAT_VERSION
@@ -205,6 +208,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     arrow_keys: ArrowKeys | None = None
     view: View = View()
     pose: Pose | None = None
+    lesson: Lesson | None = None
 
     def __post_init__(self) -> None:
         # Every scene is made here, those from files included, so this is where recipes are expanded.

@@ -14,6 +14,7 @@ from typing import Any, get_args, get_type_hints
 import msgspec
 
 from ..errors import SceneError
+from .lesson import texts_of
 from .numbers import MAX_MASSES, MAX_SPRINGS, of_python
 from .recipes.assembly import TooLarge, loop_area
 from .recipes.recipe import expand
@@ -101,6 +102,7 @@ def _problems(scene: Scene) -> Iterator[str]:
     ):
         if _HALF.search(text):
             yield f"{field}: it has characters that cannot be written to a file"
+    yield from _lesson_problems(scene)
     yield from _recipe_problems(scene)
     n, springs = len(scene.masses), len(scene.linear_springs)
     if n == 0:
@@ -122,6 +124,16 @@ def _problems(scene: Scene) -> Iterator[str]:
     if not (xmax - xmin > 1e-3 and ymax - ymin > 1e-3):
         yield "view.frame: it must run from (x min, y min) to a larger (x max, y max)"
     yield from _pose_problems(scene, scene.pose)
+
+
+def _lesson_problems(scene: Scene) -> Iterator[str]:
+    for i, step in enumerate(scene.lesson.steps if scene.lesson else ()):
+        question = step.question
+        if question is not None and question.answer >= len(question.choices):
+            where = f"lesson.steps[{i}].question.answer"
+            yield f"{where}: choice {question.answer} does not exist ({_span(len(question.choices))})"
+        if any(_HALF.search(text) for text in texts_of(step)):
+            yield f"lesson.steps[{i}]: it has characters that cannot be written to a file"
 
 
 def _recipe_problems(scene: Scene) -> Iterator[str]:

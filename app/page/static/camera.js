@@ -3,6 +3,7 @@
 import { shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { toWorld } from "./draw.js";
+import { placeLesson } from "./lesson.js";
 import { placeTransport } from "./transport.js";
 import { viser } from "./viser.js";
 
@@ -58,7 +59,7 @@ function covered(canvas, box) {
   let top = box.bottom;
   for (const element of document.elementsFromPoint(box.left + box.width / 2, box.bottom - 4)) {
     if (element === canvas || element.contains(canvas)) break;
-    if (element.closest(".softrod-dock")) continue;
+    if (element.closest(".softrod-dock, .softrod-lesson")) continue;
     const { top: edge, width } = element.getBoundingClientRect();
     if (width > 0.9 * box.width && edge > box.top + 0.2 * box.height) top = Math.min(top, edge);
   }
@@ -122,13 +123,15 @@ export function fit(withBody = false) {
   if (!canvas || !camera || !controls || !root || !(width > 0 && height > 0)) return false;
   const box = canvas.getBoundingClientRect();
   const sheet = covered(canvas, box);
-  const hidden = sheet + placeTransport(box, sheet);
-  const free = box.height - hidden;
-  if (!(box.width > 0 && free > 0)) return false;
+  const dock = sheet + placeTransport(box, sheet);
+  const card = placeLesson(box, dock);
+  const hidden = dock + card.bottom;
+  const [wide, free] = [box.width - card.left, box.height - hidden];
+  if (!(wide > 0 && free > 0)) return false;
   const { left, right, low, high } = bounds(width, height, withBody);
-  const perPixel = MARGIN * Math.max((right - left) / box.width, (high - low) / free);
+  const perPixel = MARGIN * Math.max((right - left) / wide, (high - low) / free);
   const distance = (perPixel * box.height) / (2 * Math.tan((camera.fov * Math.PI) / 360));
-  const [x, y] = [(left + right) / 2, (low + high) / 2 - (perPixel * hidden) / 2];
+  const [x, y] = [(left + right) / 2 - (perPixel * card.left) / 2, (low + high) / 2 - (perPixel * hidden) / 2];
   controls.minAzimuthAngle = -Infinity;
   controls.maxAzimuthAngle = Infinity;
   // From the nodes' coordinates to those of the camera.
@@ -152,7 +155,7 @@ export function keepFlat() {
   /** @type {string | undefined} */
   let scene;
   let size = "";
-  let covers = 0;
+  let covers = "";
   const paper = matchMedia("print");
   const look = () => {
     const { canvas, cameraControl: controls } = viser() ?? {};
@@ -166,15 +169,16 @@ export function keepFlat() {
     const now = `${canvas.clientWidth}x${canvas.clientHeight}`;
     const box = canvas.getBoundingClientRect();
     const sheet = covered(canvas, box);
-    placeTransport(box, sheet);
-    // A view that its user has chosen stays when the panel's sheet grows or shrinks.
-    const grown = sheet !== covers && untouched();
+    const card = placeLesson(box, sheet + placeTransport(box, sheet));
+    const cover = [sheet, card.left, card.bottom].join(" ");
+    // A view that its user has chosen stays when the panel's sheet or the lesson's card grows or shrinks.
+    const grown = cover !== covers && untouched();
     // The same scene again means that somebody asked for it: the number before the point is the scene's.
     const asked = told().scene !== scene && told().scene?.split(".")[0] === scene?.split(".")[0];
     if ((told().scene !== scene || size !== now || grown) && fit(asked)) {
       scene = told().scene;
       size = now;
-      covers = sheet;
+      covers = cover;
     }
   };
   onTold(look);

@@ -13,6 +13,7 @@ import { showHud } from "./hud.js";
 import { addInstruments } from "./instruments.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
+import { addLesson, hearLesson } from "./lesson.js";
 import { listenToLinks, openLink, takeLink } from "./links.js";
 import { restoreLooks } from "./looks.js";
 import { showMeasures } from "./measure.js";
@@ -53,7 +54,7 @@ whenViser((viser) => {
     complain(FAULT);
     return;
   }
-  drawBody(viser, [hear, showHud, hearTools, keepStyles]);
+  drawBody(viser, [hear, hearLesson, showHud, hearTools, keepStyles]);
   keepFlat();
   mindDialogs();
   listenToKeys();
@@ -72,6 +73,7 @@ whenViser((viser) => {
   addCoordinates();
   addInstruments();
   addHeading();
+  addLesson();
   addBodyKeys();
   nameControls();
   showMeasures();

@@ -1,0 +1,64 @@
+"""Lessons: a scene with steps to follow beside the body.
+
+A step asks first and shows afterwards: people who have predicted what will happen learn markedly more from
+seeing it (Crouch, Fagen, Callan and Mazur 2004, American Journal of Physics 72, 835).
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import msgspec
+from msgspec import Meta
+
+Sentence = Annotated[str, Meta(min_length=1, max_length=600)]
+Line = Annotated[str, Meta(min_length=1, max_length=160)]
+Assignment = Annotated[str, Meta(min_length=3, max_length=100)]
+
+
+class Question(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A question with answers to choose from.
+
+    Attributes:
+        text: the question, at most 600 characters.
+        choices: 2..5 answers, at most 160 characters each.
+        answer: index of the right one.
+        because: why it is right; shown once one has been chosen.
+    """
+
+    text: Sentence
+    choices: Annotated[tuple[Line, ...], Meta(min_length=2, max_length=5)]
+    answer: Annotated[int, Meta(ge=0, le=4)]
+    because: Sentence
+
+
+class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """One step of a lesson.
+
+    Attributes:
+        title: at most 160 characters.
+        question: asked before anything is done, or None.
+        do: what to do.
+        watch: what to look at meanwhile; may be empty.
+        settings: what the step begins with, as `--set` has it: ``("gravity=0", "method=rk4")``. What other
+            steps set stays as it was, so a step names everything that the lesson changes.
+    """
+
+    title: Line
+    question: Question | None = None
+    do: Sentence
+    watch: Annotated[str, Meta(max_length=600)] = ""
+    settings: tuple[Assignment, ...] = ()
+
+
+class Lesson(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The steps of a lesson, 1..20 of them."""
+
+    steps: Annotated[tuple[Step, ...], Meta(min_length=1, max_length=20)]
+
+
+def texts_of(step: Step) -> tuple[str, ...]:
+    """Everything that can be read in a step."""
+    question = step.question
+    asked = (question.text, *question.choices, question.because) if question else ()
+    return (step.title, step.do, step.watch, *asked, *step.settings)

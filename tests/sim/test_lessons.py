@@ -1,0 +1,202 @@
+"""The lessons say what is so: each answer, and each number in it, against the solver."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim.scene.files import built_in_folder
+from sim.settings import apply_assignments, scene_of_step
+
+NAMES = sorted(path.stem for path in (built_in_folder() / "lessons").glob("*.json"))
+
+
+def step_of(name: str, number: int, *more: str) -> sim.Scene:
+    """The scene as a step begins, with what its user then sets."""
+    return apply_assignments(scene_of_step(sim.load_scene(name), number), more)
+
+
+def is_answer(name: str, number: int, words: str) -> bool:
+    lesson = sim.load_scene(name).lesson
+    assert lesson is not None
+    question = lesson.steps[number].question
+    assert question is not None
+    return question.choices[question.answer] == words
+
+
+def rest(scene: sim.Scene) -> np.ndarray:
+    return np.asarray(sim.equilibrium(scene).positions)
+
+
+def crossings(times: list[float], values: list[float]) -> Iterator[float]:
+    """Times at which the values pass their mean upwards."""
+    level = float(np.mean(values))
+    for i in range(1, len(values)):
+        before, after = values[i - 1] - level, values[i] - level
+        if before < 0.0 <= after:
+            yield times[i - 1] + (times[i] - times[i - 1]) * before / (before - after)
+
+
+def period(simulation: sim.Simulation, mass: int, axis: int, seconds: float) -> float:
+    times, values = [], []
+    while simulation.time < seconds:
+        simulation.advance(0.01)
+        times.append(simulation.time)
+        values.append(float(simulation.positions[mass, axis]))
+    found = list(crossings(times, values))
+    return (found[-1] - found[0]) / (len(found) - 1)
+
+
+def widest(scene: sim.Scene, seconds: float = 15.0) -> list[float]:
+    """How far each second mass swings to the side, after the beginning."""
+    simulation = sim.Simulation(scene)
+    most = np.zeros(len(scene.masses) // 2)
+    start = simulation.positions[1::2, 0].copy()
+    while simulation.time < seconds:
+        simulation.advance(0.05)
+        if simulation.time > 8.0:
+            most = np.maximum(most, np.abs(simulation.positions[1::2, 0] - start))
+    return most.tolist()
+
+
+def test_there_are_eight() -> None:
+    assert len(NAMES) == 8
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_step_can_begin(name: str) -> None:
+    scene = sim.load_scene(name)
+    assert scene.lesson is not None
+    for number in range(len(scene.lesson.steps)):
+        scene = scene_of_step(scene, number)
+        simulation = sim.Simulation(scene)
+        simulation.advance(0.2)
+        assert simulation.divergence is None
+
+
+def test_hooke() -> None:
+    own = 220.0
+    for gravity, sag, angle in ((1000.0, 50.0, 29.0), (2000.0, 100.0, 48.0)):
+        at = rest(step_of("lesson-hooke", 0, f"gravity={gravity}"))
+        assert at[1, 1] - own == pytest.approx(sag, abs=1e-3)
+        dx, dy = at[4] - at[3]
+        assert math.degrees(math.atan2(dy, dx)) == pytest.approx(angle, abs=0.6)
+    assert is_answer("lesson-hooke", 0, "100 px")
+    assert is_answer("lesson-hooke", 2, "By less than 58°")
+
+
+def test_a_period_does_not_know_the_amplitude() -> None:
+    for pull in (30.0, 60.0):
+        scene = step_of("lesson-hooke", 1)
+        masses = list(scene.masses)
+        masses[1] = msgspec.structs.replace(masses[1], position=(150.0, 270.0 + pull))
+        simulation = sim.Simulation(msgspec.structs.replace(scene, masses=tuple(masses)))
+        assert period(simulation, 1, 1, 6.0) == pytest.approx(1.405, abs=0.01)
+    assert is_answer("lesson-hooke", 1, "Just as long")
+
+
+def test_cantilever() -> None:
+    def sag(number: int, *more: str) -> float:
+        at = rest(step_of("lesson-cantilever", number, *more))
+        return float(at[-1, 1] - at[0, 1])
+
+    short, long = sag(0), sag(0, "masses=30", "length=348")
+    assert long / short == pytest.approx(14.0, abs=0.5)
+    assert sag(1, "angular_stiffness=937500") / sag(1) == pytest.approx(0.5, abs=0.02)
+    assert sag(2, "gravity=10000") < 9.0 * sag(2)
+
+
+def test_catenary() -> None:
+    at = rest(step_of("lesson-catenary", 0))
+    np.testing.assert_allclose(rest(step_of("lesson-catenary", 1, "gravity=3000")), at, atol=0.5)
+    soft, softer = (
+        rest(step_of("lesson-catenary", 2, "linear_stiffness=3000", f"gravity={g}")) for g in (1000, 3000)
+    )
+    assert softer[:, 1].max() > soft[:, 1].max() + 20.0
+    # y = y0 - a cosh((x - x0) / a), y downwards: the depth gives a; then every mass is on it.
+    x, y = at[:, 0] - 300.0, at[:, 1].max() - at[:, 1]
+    a = min(np.linspace(50.0, 500.0, 4501), key=lambda a: abs(a * (math.cosh(150.0 / a) - 1.0) - y[0]))
+    worst = np.abs(a * (np.cosh(x / a) - 1.0) - y).max()
+    parabola = np.abs(y[0] * (x / 150.0) ** 2 - y).max()
+    assert worst < 1.0 < parabola
+
+
+def test_modes() -> None:
+    def of(number: int, mass: int) -> float:
+        return period(sim.Simulation(step_of("lesson-modes", number)), mass, 1, 8.0)
+
+    first = of(0, 10)
+    assert first / of(0, 26) == pytest.approx(2.0, abs=0.03)
+    assert first / of(1, 10) == pytest.approx(math.sqrt(2.0), abs=0.03)
+    assert is_answer("lesson-modes", 0, "Half as long")
+    assert is_answer("lesson-modes", 1, "1.41 times as high")
+
+
+def test_resonance() -> None:
+    for number, best in ((0, 2), (1, 4), (2, 2)):
+        most = widest(step_of("lesson-resonance", number))
+        assert int(np.argmax(most)) == best
+
+
+def test_explosion() -> None:
+    limits = [sim.Simulation(step_of("lesson-explosion", number)).stability().limit for number in (0, 1)]
+    assert limits[0] == pytest.approx(0.009, abs=0.0005)
+    assert limits[1] / limits[0] == pytest.approx(0.5, abs=0.05)
+    for number, dt, survives in ((0, 0.0025, True), (0, 0.02, False), (2, 0.02, True)):
+        simulation = sim.Simulation(step_of("lesson-explosion", number, f"dt={dt}"))
+        simulation.advance(3.0)
+        assert (simulation.divergence is None) is survives
+
+
+def test_chaos() -> None:
+    def end(tolerance: float, seconds: float) -> list[np.ndarray]:
+        simulation = sim.Simulation(step_of("lesson-chaos", 0, f"tolerance={tolerance}"))
+        places = []
+        while simulation.time < seconds - 1e-9:
+            simulation.advance(0.1)
+            places.append(simulation.positions[2].copy())
+        return places
+
+    exact = end(1e-9, 14.0)
+    lasts = []
+    for tolerance in (1e-1, 1e-4):
+        apart = [float(np.hypot(*(p - q))) for p, q in zip(end(tolerance, 14.0), exact, strict=True)]
+        lasts.append(0.1 * next((i for i, d in enumerate(apart) if d > 20.0), len(apart)))
+    # A thousandfold finer tolerance is worth seconds, not a thousand times as long.
+    assert 1.0 < lasts[1] - lasts[0] < 10.0
+
+
+def test_laws() -> None:
+    def push(number: int, degrees: float) -> float:
+        """Speed of the arm's end just after it was let go at an angle."""
+        scene = step_of("lesson-laws", number)
+        t, masses = math.radians(degrees), list(scene.masses)
+        masses[2] = msgspec.structs.replace(
+            masses[2], position=(300.0 + 120.0 * math.cos(t), 300.0 + 120.0 * math.sin(t))
+        )
+        simulation = sim.Simulation(msgspec.structs.replace(scene, masses=tuple(masses)))
+        start = simulation.positions[2].copy()
+        simulation.advance(0.05)
+        return float(np.hypot(*(simulation.positions[2] - start)))
+
+    for number, fastest in ((0, 90.0), (1, 170.0)):
+        assert max((45.0, 90.0, 170.0), key=lambda angle: push(number, angle)) == fastest
+    assert push(1, 10.0) / push(2, 10.0) == pytest.approx(1.005, abs=0.002)
+
+
+def test_a_tenth_of_a_pixel_makes_all_the_difference() -> None:
+    scene = step_of("lesson-chaos", 0, "tolerance=1e-6")
+    masses = list(scene.masses)
+    x, y = masses[2].position
+    masses[2] = msgspec.structs.replace(masses[2], position=(x, y - 0.1))
+    ends = []
+    for one in (scene, msgspec.structs.replace(scene, masses=tuple(masses))):
+        simulation = sim.Simulation(one)
+        simulation.advance(10.0)
+        ends.append(simulation.positions[2].copy())
+    assert np.hypot(*(ends[0] - ends[1])) > 50.0
