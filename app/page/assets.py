@@ -15,8 +15,15 @@ _FOLDER = Path(__file__).parent / "static"
 _TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".webp": "image/webp"}
 _FOREVER = "public, max-age=31536000, immutable"
 _STYLES = (
-    "page.css", "overlay.css", "dock.css", "tools.css", "dialogs.css", "gallery.css", "lesson.css", "looks.css",
-)  # fmt: skip
+    "page.css",
+    "overlay.css",
+    "dock.css",
+    "tools.css",
+    "dialogs.css",
+    "gallery.css",
+    "lesson.css",
+    "looks.css",
+)
 """Later ones win."""
 _TITLE = "<title>Viser</title>"
 _VISERS_SCRIPT = {

@@ -329,7 +329,8 @@ class Tab:
     @property
     def _shown_as(self) -> str:
         """Another text for every scene, and for every time that it is to be fitted to the window."""
-        return f"{self._generation}.{self._fits}"
+        openings = self._session.openings if self._session else 0
+        return f"{openings}.{self._fits}"
 
     @staticmethod
     def _picture(session: Session) -> Picture:

@@ -6,11 +6,13 @@ checks every number when it applies the command.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Literal
 
 from sim import Moment, Scene
+from sim.edit.edit import Edit
 
 from .log import Log
 
@@ -107,6 +109,30 @@ class KeepBooks:
     """Whether the energy is to be followed."""
 
     on: bool
+
+
+MakeEdit = Callable[[Moment], Edit]
+"""Makes an edit of a moment's scene; raises SceneError or SettingError where that cannot be done."""
+
+StepVersions = Callable[[Moment], Moment | None]
+"""Leads from the present moment to that of another version of the scene, if there is one."""
+
+
+@dataclass(frozen=True)
+class Change:
+    """The body is to be edited."""
+
+    make: MakeEdit
+
+
+@dataclass(frozen=True)
+class Undo:
+    """The last change of the scene is to be taken back; the run goes on."""
+
+
+@dataclass(frozen=True)
+class Redo:
+    """What was taken back last is to be done again."""
 
 
 @dataclass(frozen=True)
@@ -219,6 +245,7 @@ class Resume:
 
 Command = (
     HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues | Compare
-    | Foretell | KeepBooks | Open | Play | DoSteps | Reset | Speed | SelectJoint | Snapshot | Recent
+    | Foretell | KeepBooks | Change | Undo | Redo | Open | Play | DoSteps | Reset | Speed | SelectJoint
+    | Snapshot | Recent
     | GoTo | GoBack | GoForward | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
 )  # fmt: skip

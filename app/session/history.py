@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from dataclasses import replace
+from itertools import takewhile
 from typing import NamedTuple
 
 import numpy as np
@@ -266,6 +267,13 @@ class OldFuture:
     def __init__(self, moments: list[Moment]) -> None:
         self._moments = moments
         self.start, self.end = moments[0].time, moments[-1].time
+
+    @classmethod
+    def of(cls, moments: list[Moment]) -> OldFuture | None:
+        """As far as the body has the same masses; None where that is no time at all."""
+        n = len(moments[0].scene.masses)
+        same = list(takewhile(lambda moment: len(moment.scene.masses) == n, moments))
+        return cls(same) if len(same) > 1 else None
 
     def positions_at(self, time: float) -> NDArray[np.float64] | None:
         """(n, 2) positions, px, at a time, s, between two moments in a straight line; None outside them."""

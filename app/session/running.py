@@ -22,6 +22,7 @@ from .pacing import Pacer
 from .record import Recorder
 from .replay import Player
 from .shadow import WINDOW, Foresight, ShadowMoment
+from .versions import Versions
 
 
 class Running:
@@ -32,13 +33,15 @@ class Running:
         playing: whether the clock runs.
         follow: whether the driven mass follows the pointer.
         joint: the angular spring that is read out.
-        generation: counts scenes opened; a new number means that everything has to be drawn anew.
+        generation: a new number means that nodes and controls are to be those of another body.
+        openings: counts bodies that took the place of another; a new one is fitted to the window.
         revision: counts changes of settings, other than by the arrow keys.
         notices: what the page has still to be told.
         pacer: the clock.
         stability: the last look at the stability limit.
         ghost: the second body, if one is wanted.
         foresight: tells how fast errors grow, if that is wanted.
+        versions: what undo and redo lead to.
         books: whether the energy is followed.
         fallbacks: fallback steps since the scene was opened or reset.
         recorder: what acts on the body, and keeps its log; not while a log is played.
@@ -74,7 +77,8 @@ class Running:
         self.playing = True
         self.follow = False
         self.joint = 0
-        self.generation = 0
+        self.generation = self.openings = 0
+        self.versions = Versions()
         self.revision = 0
         self.notices: list[Notice] = []
         self.stability = StabilityEstimate(math.inf, None)
@@ -117,19 +121,34 @@ class Running:
         setting = next((s for s in settings_of(self.simulation.scene) if s.key == key), None)
         if setting is None or not math.isfinite(value):
             return
-        self._change(lambda: self.recorder.set_value(key, min(max(value, setting.low), setting.high)))
+        self._change(
+            lambda: self.recorder.set_value(key, min(max(value, setting.low), setting.high)),
+            setting.label,
+            key,
+        )
 
-    def _change(self, change: Callable[[], None]) -> None:
-        """Go on with changed settings."""
-        before = self.simulation.capture().scene
+    def _change(self, change: Callable[[], None], label: str, key: str = "") -> None:
+        """Go on with changed settings.
+
+        Args:
+            change: changes them.
+            label: what they are called.
+            key: of a number, whose changes one after the other are one for undo.
+        """
+        before = self.simulation.capture()
         change()
-        scene = self.simulation.scene
-        rebuilt = not same_topology(before, scene)
+        scene, after = self.simulation.scene, self.simulation.capture()
+        rebuilt = not same_topology(before.scene, scene)
+        if rebuilt:
+            self.versions.add_leap(label, before, after)
+        elif after.scene is not before.scene:
+            self.versions.add_change(label, before, after, key, self.now())
         if rebuilt:
             # Another body, whose time begins anew: what is past belongs to the other one.
             self.hand.drop()
             self._begin_history()
             self.generation += 1
+            self.openings += 1
             self.joint = min(self.joint, max(0, len(scene.angular_springs) - 1))
         if self.ghost is not None:
             if rebuilt:
@@ -152,7 +171,7 @@ class Running:
             with_body, force_law=with_solver.force_law, integrator=with_solver.integrator
         )
         self._let_go()
-        self._change(lambda: self.recorder.set_scene(scene, keys_too=of == "body"))
+        self._change(lambda: self.recorder.set_scene(scene, keys_too=of == "body"), f"own values of the {of}")
 
     def _open(self, scene: sim.Scene) -> None:
         simulation = sim.Simulation(scene, wait=self._wait)
@@ -168,6 +187,7 @@ class Running:
         self.follow = False
         self.joint = 0
         self.generation += 1
+        self.openings += 1
         self.revision += 1
         self.pacer = Pacer(self.pacer.speed)  # what the last body cost says nothing
         self._stability_due = 0.0

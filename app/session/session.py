@@ -19,15 +19,17 @@ import sim
 from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
 from sim.motion.simulation import KEYS
+from sim.settings import CHOICES
 
 from . import commands, keepsakes
 from .commands import Command
+from .editing import Editing
 from .ghost import Ghost
 from .hand import FRAME
 from .notices import Notice, runaway
 from .pacing import HEAVY_UNIT, is_large
 from .shadow import Foresight
-from .timeline import MOST_SECONDS, Timeline
+from .timeline import MOST_SECONDS
 
 __all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "SPEEDS", "Notice", "Session"]
 
@@ -48,7 +50,7 @@ _OTHER_BODY = (commands.Open, commands.Replay, commands.Resume)
 """Commands that bring another body."""
 
 
-class Session(Timeline):
+class Session(Editing):
     """The simulation of one page, and what its user is doing with it.
 
     Args and attributes: see `Running`.
@@ -183,7 +185,7 @@ class Session(Timeline):
             try:
                 if self.replay is not None and _is_input(command):
                     self._end_replay("You have taken over from the replay.")
-                if not self._apply_to_time(command):
+                if not (self._apply_to_time(command) or self._apply_to_scene(command)):
                     self._apply(command, at)
             except (InputError, SettingError, SceneError) as error:
                 self.notices.append(Notice("error", "That cannot be done", str(error)))
@@ -212,7 +214,8 @@ class Session(Timeline):
             case commands.SetValue(key, value):
                 self._set(key, value)
             case commands.SetChoice(key, value):
-                self._change(lambda: self.recorder.set_choice(key, value))
+                label = CHOICES[key].label if key in CHOICES else key
+                self._change(lambda: self.recorder.set_choice(key, value), label)
                 self.generation += 1  # other controls
                 if key == "method" and self.books:
                     # What is left over is the error of one method, not of two.
@@ -235,7 +238,10 @@ class Session(Timeline):
                 self.revision += 1
             case commands.Open(scene):
                 stopped = self.simulation.divergence is not None
+                before = self.simulation.capture()
                 self._open(scene)
+                opened = self.simulation.capture()
+                self.versions.add_leap(f"opening {scene.title or scene.name}", before, opened)
                 if stopped:
                     self.play(True)  # it was the other body that ended the run
             case commands.Play(on):
@@ -310,6 +316,7 @@ class Session(Timeline):
             raise SceneError(f"could not be resumed: {error}") from None
         moment, wishes = kept.moment, kept.wishes
         self._open(moment.scene)
+        self.versions.clear()
         self.opened = kept.opened
         self.recorder.restore(moment)
         self._begin_history()
@@ -351,6 +358,8 @@ def _is_input(command: Command) -> bool:
         case commands.Follow(on):
             return on
         case commands.DragStart() | commands.SetValue() | commands.SetChoice() | commands.DoSteps():
+            return True
+        case commands.Change() | commands.Undo() | commands.Redo():
             return True
         case commands.Reset() | commands.KeepBooks() | commands.Compare() | commands.Foretell():
             return True

@@ -7,6 +7,7 @@ import time
 from typing import Literal
 
 import sim
+from sim.body.system import same_topology
 from sim.errors import InputError
 
 from . import commands
@@ -70,7 +71,7 @@ class Timeline(Running):
             if self.history.scrubbed:
                 self._show(self.history.last)
         elif newer := self.history.cut():
-            self.old_future = OldFuture(newer)
+            self.old_future = OldFuture.of(newer)
             self.revision += 1
 
     def _show(self, index: int) -> None:
@@ -102,7 +103,12 @@ class Timeline(Running):
         scene = self.simulation.capture().scene
         if scene is not before:
             self.revision += 1
-            if (scene.force_law, scene.integrator.method) != (before.force_law, before.integrator.method):
+            self.versions.find(scene)
+            if not same_topology(before, scene):
+                self.generation += 1
+                self.joint = min(self.joint, max(0, len(scene.angular_springs) - 1))
+                self.old_future = None
+            elif (scene.force_law, scene.integrator.method) != (before.force_law, before.integrator.method):
                 self.generation += 1  # other controls
 
     def _begin_replay(self, record: Log) -> None:

@@ -21,7 +21,7 @@ from .recipes.recipe import expand
 from .sentences import difference, sentence, unit_of
 from .types import BODY_FIELDS, FORMAT_VERSION, Pose, Scene
 
-_SHORTEST = 1e-9
+SHORTEST = 1e-9
 """Distance, px, below which the ends of a spring count as coincident: the spring would have no direction."""
 
 _HALF = re.compile("[\ud800-\udfff]")
@@ -184,7 +184,7 @@ def _linear_problems(scene: Scene, n: int) -> Iterator[str]:
         if starts is None or len(starts) == n:
             p = starts[spring.a] if starts else scene.masses[spring.a].position
             q = starts[spring.b] if starts else scene.masses[spring.b].position
-            if math.dist(p, q) < _SHORTEST:
+            if math.dist(p, q) < SHORTEST:
                 where = "pose.positions" if starts else "masses"
                 yield (
                     f"linear_springs[{s}]: {where} {spring.a} and {spring.b} start in the same place, "

@@ -104,6 +104,7 @@ def test_a_protractor_measures_a_joint_by_keys_alone(open_page: OpenPage) -> Non
         grip.focus()
         desk.page.keyboard.press("Shift+ArrowUp")
         desk.page.keyboard.press("Enter")
+        label = ""
         for _ in range(24):
             label = grip.get_attribute("aria-label") or ""
             if f"At mass {mass + 1}." in label:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from app.page.measure_panel import MeasurePanel
 from app.session import commands
 from app.session.plots import Wish
 from tests.browser.conftest import OpenPage
@@ -26,6 +27,13 @@ CHARTS = """() => JSON.stringify(Object.values(window.__viserTestpoints?.uplots 
 def charts(desk: Desk) -> list[dict[str, Any]]:
     """What viser's charts in the page have: their data, and the range of what is upwards."""
     return json.loads(desk.page.evaluate(CHARTS))
+
+
+def measures(desk: Desk) -> MeasurePanel:
+    """The Measure tab of the page."""
+    panel = desk.tab._measure
+    assert panel is not None
+    return panel
 
 
 def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage) -> None:
@@ -64,10 +72,10 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     desk.until(lambda: ANGLE in desk.tab._kept[-1], "the page keeps it")
     desk.rest(3)
     desk.open()
-    desk.until(lambda: desk.tab._measure.wishes == (ANGLE,), "the plot is back")
+    desk.until(lambda: measures(desk).wishes == (ANGLE,), "the plot is back")
     desk.show("Measure")
     desk.button("Remove").click()
-    desk.until(lambda: not charts(desk) and not desk.tab._measure.wishes, "it is gone")
+    desk.until(lambda: not charts(desk) and not measures(desk).wishes, "it is gone")
 
 
 def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None:
@@ -77,11 +85,11 @@ def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None
     desk.wait_drawn()
     desk.take(desk.place(4))
     desk.let_go()
-    desk.until(lambda: "mass4" in desk.tab._measure._part.options, "the mass is offered")
-    assert desk.tab._measure._part.options[:4] == ("joint3", "mass4", "spring3", "spring4")
+    desk.until(lambda: "mass4" in measures(desk)._part.options, "the mass is offered")
+    assert measures(desk)._part.options[:4] == ("joint3", "mass4", "spring3", "spring4")
     desk.choose("Part", "joint3")
     desk.choose("Quantity", "rate")
-    desk.until(lambda: "joint3.angle" in desk.tab._measure._over.options, "it can be plotted over the angle")
+    desk.until(lambda: "joint3.angle" in measures(desk)._over.options, "it can be plotted over the angle")
     desk.choose("Over", "joint3.angle")
     desk.button("New plot").click()
     desk.page.get_by_role("img", name="joint3.rate over joint3.angle").wait_for()

@@ -1,0 +1,64 @@
+"""Editing a page's body while it runs or stands; undo and redo of all that changes the scene."""
+
+from __future__ import annotations
+
+import sim
+from sim.edit.edit import carried
+
+from . import commands
+from .commands import Command
+from .timeline import Timeline
+
+
+class Editing(Timeline):
+    """Changes of the scene itself; see `Session`.
+
+    Args and attributes: see `Running`.
+    """
+
+    def _apply_to_scene(self, command: Command) -> bool:
+        """Apply a command that edits the body, or takes an edit back; whether it is one."""
+        match command:
+            case commands.Change(make):
+                self._branch()
+                before = self.simulation.capture()
+                edit = make(before)
+                if edit.scene is not before.scene:
+                    self.versions.add_edit(edit, before)
+                    self._go_on_as(carried(edit, before), rebuilt=edit.moves_parts)
+            case commands.Undo():
+                self._step_versions(self.versions.undo)
+            case commands.Redo():
+                self._step_versions(self.versions.redo)
+            case _:
+                return False
+        return True
+
+    def _step_versions(self, step: commands.StepVersions) -> None:
+        self._branch()
+        moment = step(self.simulation.capture())
+        if moment is not None:
+            self._go_on_as(moment, rebuilt=True)
+
+    def _go_on_as(self, moment: sim.Moment, rebuilt: bool) -> None:
+        """Go on at a moment of an edited scene, at the same time.
+
+        Args:
+            moment: of the scene as it is now.
+            rebuilt: whether it may have other parts.
+        """
+        self.hand.drop()
+        self.recorder.restore(moment)
+        if rebuilt:
+            self.old_future = None
+            self.joint = min(self.joint, max(0, len(moment.scene.angular_springs) - 1))
+            self.follow = self.follow and self.driven is not None
+        self.generation += 1  # other controls
+        if self.ghost is not None:
+            self.history.forget_ghosts()
+            self.ghost.start_from(self.simulation)
+        if self.foresight is not None:
+            self.foresight.begin(self.simulation)
+        self.history.amend(self.simulation.capture(), *self._moments_beside())
+        self.revision += 1
+        self._stability_due = 0.0

@@ -1,0 +1,181 @@
+"""The versions of a scene that a session has had: what undo and redo lead to."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from sim import Moment, Scene
+from sim.edit.edit import Edit, carried, inverse
+
+MOST_STEPS = 1000
+MOST_BYTES = 64_000_000
+"""What is kept; beyond either the oldest is forgotten."""
+
+COALESCE = 1.0
+"""Seconds within which changes of one number are one step."""
+
+_PER_PART = 16
+"""Bytes of a part of a list that changed, about: the parts themselves are shared."""
+_OVERHEAD = 2000
+"""Bytes of a step beside that, about."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """One change of the scene.
+
+    Attributes:
+        label: what was done.
+        forward, backward: there and back, if the motion goes on over it.
+        before, after: the moments to be at instead, where it is another body's.
+        scale, shift: by what the change multiplied the rest length scale, and what it added to all rest
+            angles, beside the scene: settings take in what keys have done.
+        key, at: of a number that is being changed, and when it was last, s.
+    """
+
+    label: str
+    forward: Edit
+    backward: Edit
+    before: Moment | None = None
+    after: Moment | None = None
+    scale: float = 1.0
+    shift: float = 0.0
+    key: str = ""
+    at: float = 0.0
+
+    @property
+    def bytes(self) -> int:
+        """What it takes, about, beside what it shares with other steps."""
+        one, two = self.backward.scene, self.forward.scene
+        fields: Sequence[str] = Scene.__struct_fields__
+        parts = sum(
+            len(value)
+            for field in fields
+            if isinstance(value := getattr(two, field), tuple) and value is not getattr(one, field)
+        )
+        maps = self.forward.masses, self.forward.springs, self.forward.joints
+        return _OVERHEAD + _PER_PART * (parts + 2 * sum(len(each) for each in maps if each))
+
+
+class Versions:
+    """The changes in order, and which version is the present one.
+
+    Scenes are told apart by being the same object: a moment that is gone back to has the very scene of then.
+    """
+
+    def __init__(self) -> None:
+        self.clear()
+
+    def clear(self) -> None:
+        """Forget everything."""
+        self._steps: list[Step] = []
+        self._bytes = 0
+        self._at = 0  # so many steps lead to the present version
+
+    @property
+    def undoable(self) -> str:
+        """What the next undo takes back; empty if there is nothing."""
+        return self._steps[self._at - 1].label if self._at else ""
+
+    @property
+    def redoable(self) -> str:
+        """What the next redo does again; empty if there is nothing."""
+        return self._steps[self._at].label if self._at < len(self._steps) else ""
+
+    @property
+    def bytes(self) -> int:
+        """What all of it takes, about."""
+        return self._bytes
+
+    def __len__(self) -> int:
+        return len(self._steps)
+
+    def add_edit(self, edit: Edit, before: Moment) -> None:
+        """An edit was made at a moment."""
+        self._add(Step(edit.label, edit, inverse(edit, before.scene, before)))
+
+    def add_change(self, label: str, before: Moment, after: Moment, key: str = "", now: float = 0.0) -> None:
+        """A number or a choice was changed, and the motion goes on.
+
+        Args:
+            label: what was changed.
+            before, after: just before and after.
+            key: which number it was; changes of one number that follow each other are one step.
+            now: s.
+        """
+        scale = after.rest_length_scale / before.rest_length_scale
+        shift = after.rest_angle_shift - before.rest_angle_shift
+        step = Step(label, Edit(label, after.scene), Edit(label, before.scene), scale=scale, shift=shift)
+        step = replace(step, key=key, at=now)
+        last = self._steps[self._at - 1] if self._at else None
+        if key and last is not None and last.key == key and now - last.at <= COALESCE and not self.redoable:
+            self._bytes -= last.bytes
+            step = replace(step, backward=last.backward, scale=scale * last.scale, shift=shift + last.shift)
+            self._steps.pop()
+            self._at -= 1
+        self._add(step)
+
+    def add_leap(self, label: str, before: Moment, after: Moment) -> None:
+        """Another body took the place of the one before."""
+        self._add(Step(label, Edit(label, after.scene), Edit(label, before.scene), before, after))
+
+    def undo(self, moment: Moment) -> Moment | None:
+        """How the present motion goes on without the last change; None if there is none to take back."""
+        if not self._at or self._steps[self._at - 1].forward.scene is not moment.scene:
+            return None
+        self._at -= 1
+        step = self._steps[self._at]
+        if step.before is not None:
+            # A redo comes back to where this was left.
+            self._steps[self._at] = replace(step, after=moment)
+            return step.before
+        back = carried(step.backward, moment)
+        return replace(
+            back,
+            rest_length_scale=moment.rest_length_scale / step.scale,
+            rest_angle_shift=moment.rest_angle_shift - step.shift,
+        )
+
+    def redo(self, moment: Moment) -> Moment | None:
+        """How the present motion goes on with what was taken back last; None if there is nothing."""
+        if self._at == len(self._steps) or self._steps[self._at].backward.scene is not moment.scene:
+            return None
+        step = self._steps[self._at]
+        self._at += 1
+        if step.after is not None:
+            self._steps[self._at - 1] = replace(step, before=moment)
+            return step.after
+        # What is removed again comes back from where it is now.
+        self._steps[self._at - 1] = replace(step, backward=inverse(step.forward, moment.scene, moment))
+        there = carried(step.forward, moment)
+        return replace(
+            there,
+            rest_length_scale=moment.rest_length_scale * step.scale,
+            rest_angle_shift=moment.rest_angle_shift + step.shift,
+        )
+
+    def find(self, scene: Scene) -> None:
+        """A moment that is past is shown, with its scene: undo and redo go on from that version."""
+        for at in sorted(range(len(self._steps) + 1), key=lambda at: abs(at - self._at)):
+            if self._scene(at) is scene:
+                self._at = at
+                return
+
+    # --------------------------------------------------------------------- inside
+    def _scene(self, at: int) -> Scene | None:
+        if at < len(self._steps):
+            return self._steps[at].backward.scene
+        return self._steps[-1].forward.scene if self._steps else None
+
+    def _add(self, step: Step) -> None:
+        if self._at and self._steps[self._at - 1].forward.scene is not step.backward.scene:
+            self.clear()  # something changed that was not told
+        for gone in self._steps[self._at :]:
+            self._bytes -= gone.bytes
+        del self._steps[self._at :]
+        self._steps.append(step)
+        self._bytes += step.bytes
+        while len(self._steps) > MOST_STEPS or (self._bytes > MOST_BYTES and len(self._steps) > 1):
+            self._bytes -= self._steps.pop(0).bytes
+        self._at = len(self._steps)

@@ -1,0 +1,252 @@
+"""Adding to a scene: masses, springs, joints, held masses; and taking away."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from statistics import median
+
+import msgspec
+
+from ..errors import SceneError
+from ..motion.moment import Moment
+from ..scene.numbers import MAX_COORDINATE, MAX_MASSES, MAX_SPRINGS, Vector
+from ..scene.parts import Anchor, AngularSpring, LinearSpring, Mass
+from ..scene.recipes.assembly import wrapped
+from ..scene.types import Scene
+from ..scene.validate import SHORTEST
+from .edit import Edit, Map, Selection, added, counted, of_parts, with_added, without
+
+NEW_MASS = Mass(position=(0.0, 0.0))
+NEW_SPRING = LinearSpring(a=0, b=1, stiffness=10_000.0, damping=20.0, rest_length=1.0)
+NEW_JOINT = AngularSpring(a=0, b=1, stiffness=10_000.0)
+"""What is added to a scene that has nothing of the kind yet."""
+
+
+def add_mass(scene: Scene, at: Vector, held: bool = False) -> Edit:
+    """One more mass, as heavy and as large as the scene's others (by the median), at rest.
+
+    Args:
+        scene: what it is added to.
+        at: where it begins, px.
+        held: whether it is held there.
+
+    Raises:
+        SceneError: there are too many, or the place is out of range.
+    """
+    scene = of_parts(scene)
+    n = len(scene.masses)
+    if n >= MAX_MASSES:
+        raise SceneError(f"a scene has {MAX_MASSES} masses at most")
+    mass = msgspec.structs.replace(typical_mass(scene), position=place(at))
+    new = with_added(scene, masses=(mass,))
+    if held:
+        new = msgspec.structs.replace(new, anchors=(*scene.anchors, Anchor(mass=n)))
+    return Edit("mass added", new, masses=added(n, 1))
+
+
+def add_springs(scene: Scene, pairs: Sequence[tuple[int, int]], positions: Sequence[Vector]) -> Edit:
+    """Springs between masses, which rest as they are; pairs that a spring joins already are left out.
+
+    Args:
+        scene: what they are added to.
+        pairs: the masses that each joins.
+        positions: of all masses, px, from which the rest lengths follow; they are divided by the scene's
+            rest length scale.
+
+    Raises:
+        SceneError: a mass does not exist, the two are in the same place, or there are too many springs.
+    """
+    scene = of_parts(scene)
+    taken = {frozenset((spring.a, spring.b)) for spring in scene.linear_springs}
+    typical, springs = typical_spring(scene), []
+    for a, b in pairs:
+        for mass in (a, b):
+            if not 0 <= mass < len(scene.masses):
+                raise SceneError(f"mass {mass} does not exist (0..{len(scene.masses) - 1})")
+        if a == b or frozenset((a, b)) in taken:
+            continue
+        taken.add(frozenset((a, b)))
+        length = math.dist(positions[a], positions[b]) / scene.rest_length_scale
+        apart = math.dist(scene.masses[a].position, scene.masses[b].position)
+        if scene.pose is not None:
+            apart = min(apart, math.dist(scene.pose.positions[a], scene.pose.positions[b]))
+        if not min(length, apart) > SHORTEST or length > 1e6:
+            raise SceneError(
+                f"masses {a} and {b} are, or start, in the same place, so no spring can join them"
+                if length <= 1e6
+                else f"masses {a} and {b} are too far apart for a spring: its rest length is 1e6 px at most"
+            )
+        springs.append(msgspec.structs.replace(typical, a=a, b=b, rest_length=length))
+    count = len(scene.linear_springs)
+    if count + len(springs) > MAX_SPRINGS:
+        raise SceneError(f"a scene has {MAX_SPRINGS} springs at most")
+    label = f"{counted(len(springs), 'spring')} added"
+    return Edit(label, with_added(scene, springs=springs), springs=added(count, len(springs)))
+
+
+def add_joints(
+    scene: Scene, pairs: Sequence[tuple[int, int]], angles: Sequence[float], stiffness: float | None = None
+) -> Edit:
+    """Angular springs between pairs of linear springs; pairs that are joined already are left out.
+
+    Args:
+        scene: what they are added to.
+        pairs: the linear springs that each holds.
+        angles: the rest angle of each, degrees; `angle_between` gives the present one.
+        stiffness: of each, kg/s², or None for that of the scene's others (by the median).
+
+    Raises:
+        SceneError: a spring does not exist, the two share no mass, or there are too many joints.
+    """
+    scene = of_parts(scene)
+    taken = {frozenset((joint.a, joint.b)) for joint in scene.angular_springs}
+    typical, joints, springs = typical_joint(scene), [], scene.linear_springs
+    if stiffness is not None:
+        typical = msgspec.structs.replace(typical, stiffness=stiffness)
+    for (a, b), angle in zip(pairs, angles, strict=True):
+        for s in (a, b):
+            if not 0 <= s < len(springs):
+                raise SceneError(f"spring {s} does not exist (0..{len(springs) - 1})")
+        if a == b or not {springs[a].a, springs[a].b} & {springs[b].a, springs[b].b}:
+            raise SceneError(f"springs {a} and {b} share no mass, so no angular spring can hold them")
+        if frozenset((a, b)) in taken:
+            continue
+        taken.add(frozenset((a, b)))
+        joints.append(msgspec.structs.replace(typical, a=a, b=b, rest_angle=wrapped(angle)))
+    count = len(scene.angular_springs)
+    if count + len(joints) > MAX_SPRINGS:
+        raise SceneError(f"a scene has {MAX_SPRINGS} angular springs at most")
+    label = f"{counted(len(joints), 'joint')} added"
+    return Edit(label, with_added(scene, joints=joints), joints=added(count, len(joints)))
+
+
+def extend(scene: Scene, mass: int, to: Vector, positions: Sequence[Vector]) -> Edit:
+    """A new mass and a spring from a mass to it.
+
+    Args:
+        scene: what they are added to.
+        mass: where the spring begins.
+        to: where the new mass is, px.
+        positions: of the scene's masses, px.
+
+    Raises:
+        SceneError: as `add_mass` and `add_springs`.
+    """
+    first = add_mass(scene, to)
+    n = len(first.scene.masses)
+    second = add_springs(first.scene, [(mass, n - 1)], [*positions, place(to)])
+    return joined("mass and spring added", first, second)
+
+
+def joined(label: str, first: Edit, second: Edit) -> Edit:
+    """Two edits, one after the other, as one."""
+    return Edit(
+        label,
+        second.scene,
+        _after(first.masses, second.masses),
+        _after(first.springs, second.springs),
+        _after(first.joints, second.joints),
+    )
+
+
+def _after(first: Map, second: Map) -> Map:
+    if first is None or second is None:
+        return second if first is None else first
+    return tuple(first[i] if i >= 0 else -1 for i in second)
+
+
+def remove(scene: Scene, gone: Selection) -> Edit:
+    """The scene without some parts, and what they held.
+
+    Raises:
+        SceneError: no mass would be left.
+    """
+    scene = of_parts(scene)
+    left, masses, springs, joints = without(scene, gone)
+    numbers = [
+        (len(scene.masses) - len(left.masses), "mass"),
+        (len(scene.linear_springs) - len(left.linear_springs), "spring"),
+        (len(scene.angular_springs) - len(left.angular_springs), "joint"),
+    ]
+    # What went with something else goes without saying.
+    label = next((counted(count, what) for count, what in numbers if count), "nothing")
+    return Edit(f"{label} removed", left, masses, springs, joints)
+
+
+def pin(scene: Scene, masses: Collection[int], on: bool) -> Edit:
+    """Hold some masses where they are, or let them go."""
+    scene = of_parts(scene)
+    held = {anchor.mass for anchor in scene.anchors}
+    if on:
+        anchors = (*scene.anchors, *(Anchor(mass=i) for i in sorted(set(masses) - held)))
+    else:
+        anchors = tuple(anchor for anchor in scene.anchors if anchor.mass not in masses)
+    label = f"{counted(len(masses), 'mass')} {'pinned' if on else 'let go'}"
+    return Edit(label, msgspec.structs.replace(scene, anchors=anchors))
+
+
+# ------------------------------------------------------------------------- numbers
+def place(at: Vector) -> Vector:
+    """A place as a scene can have it.
+
+    Raises:
+        SceneError: it is out of range or not a number.
+    """
+    x, y = float(at[0]), float(at[1])
+    if not (abs(x) <= MAX_COORDINATE and abs(y) <= MAX_COORDINATE):
+        raise SceneError(f"({x:g}, {y:g}) is not in the range -1e6..1e6 px")
+    return x, y
+
+
+def typical_mass(scene: Scene) -> Mass:
+    """A mass as heavy and as large as the scene's."""
+    if not scene.masses:
+        return NEW_MASS
+    return Mass(
+        position=(0.0, 0.0),
+        mass=median(mass.mass for mass in scene.masses),
+        radius=median(mass.radius for mass in scene.masses),
+    )
+
+
+def typical_spring(scene: Scene) -> LinearSpring:
+    """A spring as stiff as the scene's."""
+    springs = scene.linear_springs
+    if not springs:
+        return NEW_SPRING
+    return msgspec.structs.replace(
+        NEW_SPRING,
+        stiffness=median(spring.stiffness for spring in springs),
+        damping=median(spring.damping for spring in springs),
+    )
+
+
+def typical_joint(scene: Scene) -> AngularSpring:
+    """An angular spring as stiff as the scene's."""
+    joints = scene.angular_springs
+    if not joints:
+        return NEW_JOINT
+    return AngularSpring(
+        a=0,
+        b=1,
+        stiffness=median(joint.stiffness for joint in joints),
+        damping=median(joint.damping for joint in joints),
+    )
+
+
+def angle_between(scene: Scene, a: int, b: int, positions: Sequence[Vector]) -> float:
+    """The present angle from linear spring a to b, degrees in (-180, 180], as `AngularSpring` counts it."""
+    (ax, ay), (bx, by) = (
+        (
+            positions[spring.b][0] - positions[spring.a][0],
+            positions[spring.b][1] - positions[spring.a][1],
+        )
+        for spring in (scene.linear_springs[a], scene.linear_springs[b])
+    )
+    return math.degrees(math.atan2(ax * by - ay * bx, ax * bx + ay * by))
+
+
+def positions_of(moment: Moment) -> list[Vector]:
+    """Where the masses are, px."""
+    return [(x, y) for x, y in moment.positions.tolist()]

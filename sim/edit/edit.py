@@ -1,0 +1,289 @@
+"""What an edit is: another scene, and which of its parts were there before."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, TypeVar
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from ..body.system import joint_stiffness
+from ..errors import SceneError
+from ..motion.moment import Moment
+from ..scene.parts import AngularSpring, LinearSpring, Mass
+from ..scene.types import Damage, Pose, Scene
+
+T = TypeVar("T")
+Map = tuple[int, ...] | None
+"""For each part after an edit, its index before, or -1 where it is new; None where nothing changed places."""
+
+
+class Selection(NamedTuple):
+    """Some parts of a scene, by their indices.
+
+    Attributes:
+        masses, springs, joints: indices of masses, linear springs and angular springs.
+    """
+
+    masses: frozenset[int] = frozenset()
+    springs: frozenset[int] = frozenset()
+    joints: frozenset[int] = frozenset()
+
+
+@dataclass(frozen=True)
+class Edit:
+    """A scene that came of another.
+
+    Attributes:
+        label: what was done, in a few words, as in "2 springs removed".
+        scene: the new scene, which is valid.
+        masses, springs, joints: for each part of the new scene, its index in the old one.
+        lost: (4, k) x, y (px), vx, vy (px/s) with which masses come back by an undo, in their order.
+        shift: (2, n) px by which the edit moves the masses of the new scene, or None.
+    """
+
+    label: str
+    scene: Scene
+    masses: Map = None
+    springs: Map = None
+    joints: Map = None
+    lost: NDArray[np.float64] | None = None
+    shift: NDArray[np.float64] | None = None
+
+    @property
+    def moves_parts(self) -> bool:
+        """Whether parts have come or gone, so that indices before and after differ."""
+        return self.masses is not None or self.springs is not None or self.joints is not None
+
+
+def carried(edit: Edit, moment: Moment) -> Moment:
+    """How a motion goes on after an edit. What is new begins as the scene has it.
+
+    Args:
+        edit: of the moment's scene.
+        moment: of the motion before.
+    """
+    scene = edit.scene
+    if edit.masses is None:
+        rows = moment.rows
+    else:
+        origin = np.array(edit.masses, np.int64)
+        new = origin < 0
+        rows = np.empty((4, origin.size))
+        rows[:, ~new] = moment.rows[:, origin[~new]]
+        if edit.lost is not None and edit.lost.shape[1] == new.sum():
+            rows[:, new] = edit.lost
+        elif new.any():
+            starts = [scene.masses[i] for i in np.flatnonzero(new)]
+            rows[:, new] = np.array([(*mass.position, *mass.velocity) for mass in starts], float).T
+    held = [anchor.mass for anchor in scene.anchors]
+    if held or edit.shift is not None:
+        rows = rows.copy()
+        rows[2:, held] = 0.0
+        if edit.shift is not None:
+            rows[:2] += edit.shift
+    return dataclasses.replace(moment, scene=scene, rows=rows, damage=_carried_damage(edit, moment.damage))
+
+
+def _carried_damage(edit: Edit, damage: Damage | None) -> Damage | None:
+    if damage is None:
+        return None
+    springs, joints = edit.springs, edit.joints
+    if springs is None:
+        broken, lengths, hardened = damage.broken, damage.set_lengths, damage.hardened
+    else:
+        gone = set(damage.broken)
+        broken = tuple(i for i, old in enumerate(springs) if old in gone)
+        lengths, hardened = (_values(values, springs) for values in (damage.set_lengths, damage.hardened))
+    angles = damage.set_angles if joints is None else _values(damage.set_angles, joints)
+    left = Damage(broken=broken, set_lengths=lengths, hardened=hardened, set_angles=angles)
+    return left if broken or any(lengths) or any(hardened) or any(angles) else None
+
+
+def _values(values: tuple[float, ...], origin: Sequence[int]) -> tuple[float, ...]:
+    return tuple(values[old] if old >= 0 else 0.0 for old in origin) if values else ()
+
+
+def inverse(edit: Edit, before: Scene, moment: Moment | None = None) -> Edit:
+    """The edit that leads back: it makes exactly the scene before.
+
+    Args:
+        edit: of `before`.
+        before: the scene that was edited.
+        moment: of the motion when it was edited, from which masses that were removed come back.
+    """
+    masses = _inverted(edit.masses, len(before.masses))
+    lost = None
+    if masses is not None and moment is not None:
+        lost = moment.rows[:, [i for i, new in enumerate(masses) if new < 0]]
+    shift = None
+    if edit.shift is not None:
+        shift = np.zeros((2, len(before.masses)))
+        for new, old in enumerate(edit.masses or range(len(before.masses))):
+            if old >= 0:
+                shift[:, old] = -edit.shift[:, new]
+    return Edit(
+        edit.label,
+        before,
+        masses,
+        _inverted(edit.springs, len(before.linear_springs)),
+        _inverted(edit.joints, len(before.angular_springs)),
+        lost,
+        shift,
+    )
+
+
+def _inverted(origin: Map, count: int) -> Map:
+    if origin is None:
+        return None
+    back = [-1] * count
+    for new, old in enumerate(origin):
+        if old >= 0:
+            back[old] = new
+    return tuple(back)
+
+
+# ------------------------------------------------------------------------- what edits are made of
+def of_parts(scene: Scene) -> Scene:
+    """The scene with its masses and springs as they are, without the recipes and the template they came from.
+
+    The joints of a diagonal template keep their stiffness, which is sqrt(2) times that of their number.
+    """
+    changes: dict[str, object] = {}
+    if scene.bodies:
+        changes |= {"bodies": (), "links": ()}
+    if scene.template is not None:
+        joints = tuple(
+            msgspec.structs.replace(joint, stiffness=stiffness)
+            for joint, stiffness in zip(scene.angular_springs, joint_stiffness(scene), strict=True)
+        )
+        changes |= {"template": None, "angular_springs": joints}
+    return msgspec.structs.replace(scene, **changes) if changes else scene
+
+
+def with_added(
+    scene: Scene,
+    masses: Sequence[Mass] = (),
+    springs: Sequence[LinearSpring] = (),
+    joints: Sequence[AngularSpring] = (),
+) -> Scene:
+    """A scene of parts with more parts, which come after those it has."""
+    pose = scene.pose
+    if pose is not None and (masses or springs or joints):
+        pose = _longer_pose(pose, masses, len(springs), len(joints))
+    return msgspec.structs.replace(
+        scene,
+        masses=(*scene.masses, *masses),
+        linear_springs=(*scene.linear_springs, *springs),
+        angular_springs=(*scene.angular_springs, *joints),
+        pose=pose,
+    )
+
+
+def _longer_pose(pose: Pose, masses: Sequence[Mass], springs: int, joints: int) -> Pose:
+    damage = pose.damage
+    if damage is not None:
+        nothing = (0.0,) * springs
+        damage = msgspec.structs.replace(
+            damage,
+            set_lengths=damage.set_lengths and damage.set_lengths + nothing,
+            hardened=damage.hardened and damage.hardened + nothing,
+            set_angles=damage.set_angles and damage.set_angles + (0.0,) * joints,
+        )
+    return Pose(
+        positions=(*pose.positions, *(mass.position for mass in masses)),
+        velocities=(*pose.velocities, *(mass.velocity for mass in masses)),
+        damage=damage,
+    )
+
+
+def without(scene: Scene, gone: Selection) -> tuple[Scene, Map, Map, Map]:
+    """A scene of parts without some of them, and where the others were: masses, springs, joints.
+
+    What a mass or a spring held goes with it: springs, joints, anchors; a filling goes when too little of its
+    loop is left.
+
+    Raises:
+        SceneError: no mass would be left.
+    """
+    masses = [i for i in range(len(scene.masses)) if i not in gone.masses]
+    if not masses:
+        raise SceneError("a scene needs at least one mass, so the last one cannot be removed")
+    at = {old: new for new, old in enumerate(masses)}
+    springs = [
+        s
+        for s, spring in enumerate(scene.linear_springs)
+        if s not in gone.springs and spring.a in at and spring.b in at
+    ]
+    spring_at = {old: new for new, old in enumerate(springs)}
+    joints = [
+        j
+        for j, joint in enumerate(scene.angular_springs)
+        if j not in gone.joints and joint.a in spring_at and joint.b in spring_at
+    ]
+    replace = msgspec.structs.replace
+    changes: dict[str, object] = {}
+    same = len(masses) == len(scene.masses), len(springs) == len(scene.linear_springs)
+    if not same[0]:
+        changes["masses"] = tuple(scene.masses[i] for i in masses)
+        changes["anchors"] = tuple(replace(a, mass=at[a.mass]) for a in scene.anchors if a.mass in at)
+        loops = [(f, tuple(at[i] for i in f.masses if i in at)) for f in scene.fillings]
+        changes["fillings"] = tuple(replace(f, masses=loop) for f, loop in loops if len(loop) >= 3)
+    if not (same[0] and same[1]):
+        changes["linear_springs"] = tuple(
+            spring if same[0] else replace(spring, a=at[spring.a], b=at[spring.b])
+            for spring in (scene.linear_springs[s] for s in springs)
+        )
+    if len(joints) < len(scene.angular_springs) or not same[1]:
+        changes["angular_springs"] = tuple(
+            joint if same[1] else replace(joint, a=spring_at[joint.a], b=spring_at[joint.b])
+            for joint in (scene.angular_springs[j] for j in joints)
+        )
+    maps = (
+        None if same[0] else tuple(masses),
+        None if same[1] else tuple(springs),
+        None if len(joints) == len(scene.angular_springs) else tuple(joints),
+    )
+    if scene.pose is not None and changes:
+        changes["pose"] = _shorter_pose(scene.pose, masses, springs, joints)
+    return replace(scene, **changes), *maps
+
+
+def _shorter_pose(pose: Pose, masses: list[int], springs: list[int], joints: list[int]) -> Pose:
+    damage = pose.damage
+    if damage is not None:
+        broken = set(damage.broken)
+        damage = Damage(
+            broken=tuple(new for new, old in enumerate(springs) if old in broken),
+            set_lengths=_values(damage.set_lengths, springs),
+            hardened=_values(damage.hardened, springs),
+            set_angles=_values(damage.set_angles, joints),
+        )
+    return Pose(
+        positions=tuple(pose.positions[i] for i in masses),
+        velocities=tuple(pose.velocities[i] for i in masses),
+        damage=damage,
+    )
+
+
+def added(count: int, more: int) -> Map:
+    """Where parts were before others were put behind them."""
+    return (*range(count), *(-1,) * more) if more else None
+
+
+def changed(parts: Sequence[T], new: Iterable[tuple[int, T]]) -> tuple[T, ...]:
+    """The parts with some of them replaced."""
+    every = list(parts)
+    for i, part in new:
+        every[i] = part
+    return tuple(every)
+
+
+def counted(count: int, what: str) -> str:
+    """A number of things in words, as in "2 springs"."""
+    several = {"mass": "masses"}.get(what, f"{what}s")
+    return f"{count} {what if count == 1 else several}"

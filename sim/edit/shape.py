@@ -1,0 +1,240 @@
+"""Changing the shape of a body: moving, mirroring, cutting, bracing, and resting as it is."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Collection, Sequence
+
+import msgspec
+import numpy as np
+from scipy.spatial import Delaunay, QhullError
+
+from ..errors import SceneError
+from ..scene.numbers import Vector
+from ..scene.recipes.assembly import wrapped
+from ..scene.types import Scene
+from ..scene.validate import SHORTEST
+from .build import add_joints, add_springs, angle_between, place, remove
+from .edit import Edit, Selection, changed, counted, of_parts
+
+
+def move(scene: Scene, masses: Collection[int], by: Vector) -> Edit:
+    """Some masses somewhere else, at the start and in the present pose; springs keep their rest lengths.
+
+    Raises:
+        SceneError: one of them would be out of range, or in the same place as another that a spring joins.
+    """
+    dx, dy = by
+    return _displaced(scene, dict.fromkeys(masses, (dx, dy)), f"{counted(len(masses), 'mass')} moved")
+
+
+def mirror(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> Edit:
+    """Some masses mirrored left to right about their middle; the joints among them bend the other way.
+
+    Raises:
+        SceneError: one of them would be out of range.
+    """
+    chosen = sorted(masses)
+    if not chosen:
+        return Edit("nothing mirrored", scene)
+    axis = (min(positions[i][0] for i in chosen) + max(positions[i][0] for i in chosen)) / 2.0
+    label = f"{counted(len(chosen), 'mass')} mirrored"
+    edit = _displaced(scene, {i: (2.0 * (axis - positions[i][0]), 0.0) for i in chosen}, label)
+    inside, scene = set(chosen), edit.scene
+    springs = scene.linear_springs
+    turned = []
+    for j, joint in enumerate(scene.angular_springs):
+        ends = {springs[joint.a].a, springs[joint.a].b, springs[joint.b].a, springs[joint.b].b}
+        if ends <= inside:
+            turned.append((j, msgspec.structs.replace(joint, rest_angle=wrapped(-joint.rest_angle))))
+    joints = changed(scene.angular_springs, turned)
+    return Edit(label, msgspec.structs.replace(scene, angular_springs=joints), shift=edit.shift)
+
+
+def _displaced(scene: Scene, by: dict[int, Vector], label: str) -> Edit:
+    scene = of_parts(scene)
+    _refuse_missing(by, len(scene.masses))
+    new = []
+    for i, (dx, dy) in by.items():
+        x, y = scene.masses[i].position
+        new.append((i, msgspec.structs.replace(scene.masses[i], position=place((x + dx, y + dy)))))
+    pose = scene.pose
+    if pose is not None:
+        spots = [
+            (i, place((pose.positions[i][0] + d[0], pose.positions[i][1] + d[1]))) for i, d in by.items()
+        ]
+        pose = msgspec.structs.replace(pose, positions=changed(pose.positions, spots))
+    moved = msgspec.structs.replace(scene, masses=changed(scene.masses, new), pose=pose)
+    _refuse_coincidence(moved, set(by))
+    shift = np.zeros((2, len(scene.masses)))
+    for i, d in by.items():
+        shift[:, i] = d
+    return Edit(label, moved, shift=shift)
+
+
+def _refuse_missing(masses: Collection[int], n: int) -> None:
+    for i in masses:
+        if not 0 <= i < n:
+            raise SceneError(f"mass {i} does not exist (0..{n - 1})")
+
+
+def _refuse_coincidence(scene: Scene, moved: set[int]) -> None:
+    starts: list[Sequence[Vector]] = [[mass.position for mass in scene.masses]]
+    if scene.pose is not None:
+        starts.append(scene.pose.positions)
+    for spring in scene.linear_springs:
+        if spring.a in moved or spring.b in moved:
+            for at in starts:
+                if math.dist(at[spring.a], at[spring.b]) < SHORTEST:
+                    raise SceneError(
+                        f"masses {spring.a} and {spring.b}, which a spring joins, would be in the same place"
+                    )
+
+
+def rest_as_is(
+    scene: Scene, masses: Collection[int], positions: Sequence[Vector], shift: float = 0.0
+) -> Edit:
+    """Springs and joints that have any of some masses rest as they are now.
+
+    Args:
+        scene: whose rest lengths and rest angles change.
+        masses: of whose springs.
+        positions: of all masses now, px.
+        shift: degrees that keys have added to all rest angles since the scene was put in place.
+    """
+    scene, chosen = of_parts(scene), set(masses)
+    springs = [
+        (s, msgspec.structs.replace(spring, rest_length=length))
+        for s, spring in enumerate(scene.linear_springs)
+        if (spring.a in chosen or spring.b in chosen)
+        and (length := math.dist(positions[spring.a], positions[spring.b]) / scene.rest_length_scale) <= 1e6
+    ]
+    touched = {s for s, _ in springs}
+    joints = [
+        (j, msgspec.structs.replace(joint, rest_angle=wrapped(_reduced(angle - shift))))
+        for j, joint in enumerate(scene.angular_springs)
+        if joint.a in touched or joint.b in touched
+        for angle in (angle_between(scene, joint.a, joint.b, positions),)
+    ]
+    new = msgspec.structs.replace(
+        scene,
+        linear_springs=changed(scene.linear_springs, springs),
+        angular_springs=changed(scene.angular_springs, joints),
+    )
+    return Edit("rest as it is", new)
+
+
+def _reduced(angle: float) -> float:
+    return math.remainder(angle, 360.0)
+
+
+def cut(scene: Scene, start: Vector, end: Vector, positions: Sequence[Vector]) -> Edit:
+    """The scene without the springs that a stroke crosses.
+
+    Args:
+        scene: what is cut.
+        start, end: of the stroke, px.
+        positions: of all masses, px.
+    """
+    at = np.asarray(positions, float).reshape(-1, 2)
+    ends = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
+    hit = crossing(at[ends[:, 0]], at[ends[:, 1]], np.array([start], float), np.array([end], float))
+    edit = remove(scene, Selection(springs=frozenset(np.flatnonzero(hit).tolist())))
+    return Edit(edit.label.replace("removed", "cut"), edit.scene, edit.masses, edit.springs, edit.joints)
+
+
+def crossing(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> np.ndarray:
+    """Whether segments from a to b cross segments from c to d; (k, 2) each, or (1, 2) for one for all."""
+
+    def side(p: np.ndarray, q: np.ndarray, r: np.ndarray) -> np.ndarray:
+        return (q[:, 0] - p[:, 0]) * (r[:, 1] - p[:, 1]) - (q[:, 1] - p[:, 1]) * (r[:, 0] - p[:, 0])
+
+    return (side(a, b, c) * side(a, b, d) < 0.0) & (side(c, d, a) * side(c, d, b) < 0.0)
+
+
+def add_corners(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> Edit:
+    """Angular springs at every corner of some masses, at rest as they are: between springs that are next to
+    each other around a mass.
+    """
+    scene = of_parts(scene)
+    around: dict[int, list[tuple[float, int]]] = {i: [] for i in masses}
+    for s, spring in enumerate(scene.linear_springs):
+        for here, there in ((spring.a, spring.b), (spring.b, spring.a)):
+            if here in around:
+                dx = positions[there][0] - positions[here][0]
+                dy = positions[there][1] - positions[here][1]
+                around[here].append((math.atan2(dy, dx), s))
+    pairs = []
+    for spokes in around.values():
+        order = [s for _, s in sorted(spokes)]
+        pairs += itertools.pairwise(order)
+        if len(order) > 2:
+            pairs.append((order[-1], order[0]))
+    angles = [angle_between(scene, a, b, positions) for a, b in pairs]
+    return add_joints(scene, pairs, angles)
+
+
+def triangulate(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> Edit:
+    """Springs between some masses until their inside is all triangles (Delaunay's), at rest as they are.
+
+    Where springs among the masses make a closed outline, only its inside is braced. No new spring crosses one
+    that is there.
+
+    Raises:
+        SceneError: the masses are on one line, or fewer than three.
+    """
+    scene, chosen = of_parts(scene), sorted(masses)
+    at = np.array([positions[i] for i in chosen], float).reshape(-1, 2)
+    try:
+        triangles = Delaunay(at).simplices if len(chosen) >= 3 else None
+    except QhullError:
+        triangles = None
+    if triangles is None:
+        raise SceneError("only three masses or more that are not on one line can be braced")
+    inside = set(chosen)
+    present = {frozenset((s.a, s.b)) for s in scene.linear_springs if s.a in inside and s.b in inside}
+    outline = _outline(chosen, present)
+    every = np.asarray(positions, float).reshape(-1, 2)
+    old = np.array([sorted(pair) for pair in present], np.int64).reshape(-1, 2)
+    pairs = []
+    for i, j in sorted({tuple(sorted((t[k], t[k - 1]))) for t in triangles.tolist() for k in range(3)}):
+        a, b = chosen[i], chosen[j]
+        if frozenset((a, b)) in present:
+            continue
+        middle = (every[a] + every[b]) / 2.0
+        if outline is not None and not _is_inside(middle, every[outline]):
+            continue
+        if crossing(every[old[:, 0]], every[old[:, 1]], every[[a]], every[[b]]).any():
+            continue
+        pairs.append((a, b))
+    edit = add_springs(scene, pairs, positions)
+    return Edit(f"triangulated: {edit.label}", edit.scene, springs=edit.springs)
+
+
+def _outline(masses: Sequence[int], pairs: set[frozenset[int]]) -> list[int] | None:
+    """The masses in order around the closed loop that the springs among them make, or None."""
+    beside: dict[int, list[int]] = {i: [] for i in masses}
+    for pair in pairs:
+        a, b = pair
+        beside[a].append(b)
+        beside[b].append(a)
+    if any(len(two) != 2 for two in beside.values()):
+        return None
+    loop, before = [masses[0]], -1
+    while True:
+        after = next(i for i in beside[loop[-1]] if i != before)
+        if after == loop[0]:
+            return loop if len(loop) == len(masses) else None
+        before = loop[-1]
+        loop.append(after)
+
+
+def _is_inside(point: np.ndarray, loop: np.ndarray) -> bool:
+    """Whether a point is inside a polygon, by the crossings of a ray to the right."""
+    x, y = point
+    after = np.roll(loop, -1, axis=0)
+    spans = (loop[:, 1] > y) != (after[:, 1] > y)
+    one, two = loop[spans], after[spans]
+    at = one[:, 0] + (y - one[:, 1]) / (two[:, 1] - one[:, 1]) * (two[:, 0] - one[:, 0])
+    return bool(np.count_nonzero(at > x) % 2)

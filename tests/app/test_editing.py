@@ -1,0 +1,194 @@
+"""Editing in a session: the run goes on, undo and redo, going back in time, ghosts, logs."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+
+import numpy as np
+import pytest
+
+import sim
+from app.session import commands, log
+from app.session.replay import Player
+from app.session.versions import MOST_STEPS
+from sim.edit.build import extend, positions_of, remove
+from sim.edit.edit import Edit, Selection
+from sim.edit.values import number, set_number
+from tests.app.pages import SessionPage
+
+
+def longer(moment: sim.Moment) -> Edit:
+    """One more mass at the end of a rope."""
+    x, y = moment.rows[:2, -1].tolist()
+    return extend(moment.scene, len(moment.scene.masses) - 1, (x + 10.0, y + 20.0), positions_of(moment))
+
+
+def shorter(moment: sim.Moment) -> Edit:
+    """Without the mass in the middle, which tears the rope in two."""
+    return remove(moment.scene, Selection(masses=frozenset({len(moment.scene.masses) // 2})))
+
+
+def stiffer(moment: sim.Moment) -> Edit:
+    return set_number(moment.scene, number("linear_springs", "stiffness"), [3], 5e4)
+
+
+@pytest.fixture
+def page() -> SessionPage:
+    return SessionPage(sim.load_scene("tutorial-3.3"))
+
+
+def masses(page: SessionPage) -> int:
+    return len(page.session.simulation.positions)
+
+
+def test_the_run_goes_on_over_an_edit_and_its_undo(page: SessionPage) -> None:
+    page.frames(30)
+    before = page.session.simulation.capture()
+    page.frames(0, commands.Play(False))
+    page.frames(1, commands.Change(longer))
+    session = page.session
+    assert masses(page) == 13
+    assert session.simulation.time == before.time
+    np.testing.assert_array_equal(session.simulation.positions[:12], before.positions)
+    assert session.versions.undoable == "mass and spring added"
+    page.frames(1, commands.Undo())
+    assert session.simulation.capture().scene is before.scene
+    np.testing.assert_array_equal(session.simulation.positions, before.positions)
+    assert (session.versions.undoable, session.versions.redoable) == ("", "mass and spring added")
+    page.frames(1, commands.Redo())
+    assert masses(page) == 13
+    page.frames(30, commands.Play(True))
+    assert session.simulation.time > before.time
+    assert np.isfinite(session.simulation.positions).all()
+
+
+def test_a_mass_that_was_removed_comes_back_where_it_was(page: SessionPage) -> None:
+    page.frames(30, commands.Change(shorter))
+    assert masses(page) == 11
+    page.frames(1, commands.Play(False), commands.Undo())
+    assert masses(page) == 12
+    page.frames(20, commands.Play(True))
+    lengths = np.hypot(*np.diff(page.session.simulation.positions, axis=0).T)
+    assert lengths.max() < 60.0  # it is a rope again
+
+
+def test_everything_that_changes_the_scene_is_a_step(page: SessionPage) -> None:
+    session = page.session
+    first = session.simulation.capture().scene
+    page.frames(1, commands.SetValue("gravity", 500.0))
+    page.frames(1, commands.SetChoice("method", "rk4"))
+    page.frames(1, commands.OwnValues("body"))
+    page.frames(1, commands.Open(sim.load_scene("ring")))
+    assert session.versions.undoable == "opening Ring"
+    page.frames(1, commands.Undo())
+    assert session.scene.name == "tutorial-3.3"
+    assert session.versions.undoable == "own values of the body"
+    page.frames(1, commands.Undo())
+    assert session.scene.gravity[1] == 500.0
+    assert session.versions.undoable == "Integrator"
+    page.frames(1, commands.Undo())
+    assert session.simulation.method == "symplectic_euler"
+    page.frames(1, commands.Undo())
+    assert session.simulation.capture().scene is first
+    for _ in range(4):
+        page.frames(1, commands.Redo())
+    assert session.scene.name == "ring"
+
+
+def test_moving_a_slider_is_one_step(page: SessionPage) -> None:
+    for value in range(100, 200):
+        page.frames(1, commands.SetValue("gravity", float(value)))
+    assert len(page.session.versions) == 1
+    page.frames(100)  # a pause of more than a second begins another
+    page.frames(1, commands.SetValue("gravity", 5.0))
+    assert len(page.session.versions) == 2
+    page.frames(1, commands.Undo())
+    assert page.session.scene.gravity[1] == 199.0
+    page.frames(1, commands.Undo())
+    assert page.session.scene.gravity[1] == 2000.0
+
+
+def test_what_keys_did_before_a_slider_was_moved_stays(page: SessionPage) -> None:
+    for _ in range(30):
+        page.frames(1, commands.HoldKeys(frozenset({"up"})))
+    page.frames(1, commands.HoldKeys(frozenset()))
+    scale = page.session.simulation.rest_length_scale
+    assert scale > 1.1
+    page.frames(1, commands.SetValue("gravity", 500.0), commands.Undo())
+    assert page.session.simulation.rest_length_scale == pytest.approx(scale)
+    assert page.session.scene.gravity[1] == 2000.0
+
+
+def test_going_back_in_time_shows_the_body_of_then_and_undo_follows(page: SessionPage) -> None:
+    session = page.session
+    page.frames(30)
+    early = session.simulation.time
+    page.frames(30, commands.Change(longer))
+    generation = session.generation
+    page.frames(1, commands.GoTo(early / 2.0))
+    assert masses(page) == 12
+    assert session.generation != generation
+    assert session.versions.redoable == "mass and spring added"
+    page.frames(1, commands.GoTo(session.history.end))
+    assert masses(page) == 13
+    assert session.versions.undoable == "mass and spring added"
+    page.frames(1, commands.GoTo(early / 2.0))
+    page.frames(10, commands.Play(True), commands.Change(longer))
+    assert session.versions.redoable == ""
+    assert masses(page) == 13
+
+
+def test_a_ghost_follows_over_an_edit(page: SessionPage) -> None:
+    page.frames(5, commands.Compare("rk4", ""))
+    page.frames(10, commands.Change(longer))
+    ghost = page.session.ghost
+    assert ghost is not None
+    assert len(ghost.simulation.positions) == 13
+    assert ghost.distance < 5.0
+    page.frames(10, commands.Undo())
+    assert len(ghost.simulation.positions) == 12
+
+
+def test_an_edited_run_is_replayed_bit_for_bit(page: SessionPage) -> None:
+    page.frames(20)
+    page.frames(20, commands.Change(longer))
+    page.frames(20, commands.Change(stiffer))
+    page.frames(20, commands.Change(shorter))
+    page.frames(20, commands.Undo())
+    request: Future[bytes] = Future()
+    page.session.post(commands.SaveLog(request))
+    page.session.drain()
+    data = request.result(0)
+    record = log.decode_log(data, "log")
+    player = Player(record, sim.Simulation(record.scene))
+    while not player.ended:
+        player.do()
+    assert player.agrees, player.verdict
+    np.testing.assert_array_equal(player.simulation.positions, page.session.simulation.positions)
+
+
+def test_what_cannot_be_done_is_one_sentence_and_nothing_changes(page: SessionPage) -> None:
+    before = page.session.simulation.capture().scene
+
+    def all_gone(moment: sim.Moment) -> Edit:
+        return remove(moment.scene, Selection(masses=frozenset(range(12))))
+
+    page.frames(1, commands.Change(all_gone))
+    (notice,) = page.session.notices
+    assert "at least one mass" in notice.text
+    assert page.session.simulation.capture().scene is before
+    assert not page.session.versions.undoable
+    page.frames(1, commands.Undo(), commands.Redo())  # there is nothing to take back
+    assert page.session.simulation.capture().scene is before
+
+
+def test_undo_is_bounded(page: SessionPage) -> None:
+    page.frames(0, commands.Play(False))
+    for i in range(MOST_STEPS + 20):
+        page.session.post(commands.SetValue("gravity", 1.0 + i % 7))
+        page.session.post(commands.SetValue("air_friction", 1e-4 * (1 + i % 5)))
+        if i % 50 == 0:
+            page.frames(1)
+    page.frames(1)
+    assert len(page.session.versions) == MOST_STEPS
+    assert page.session.versions.bytes < 64e6

@@ -1,0 +1,282 @@
+"""Edits: a valid scene stays valid, undo is exact, masses keep their identity; what each edit makes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import sim
+from sim.edit.build import add_joints, add_mass, add_springs, extend, pin, remove
+from sim.edit.copying import copy, decode, encode, paste
+from sim.edit.edit import Edit, Selection, carried, inverse, of_parts
+from sim.edit.shape import add_corners, cut, mirror, move, rest_as_is, triangulate
+from sim.edit.values import NUMBERS, number, scale_number, set_number, values_of
+from sim.errors import SceneError, SettingError
+from sim.scene.types import Damage
+from sim.scene.validate import validate
+
+SCENES = ("tutorial-3.2", "tutorial-3.3", "ring", "box", "girder", "air-balloon", "pile", "hair-tuft")
+Positions = list[tuple[float, float]]
+
+
+def square(joints: bool = False) -> sim.Scene:
+    """Four masses, joined around."""
+    corners = ((0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0))
+    scene = sim.Scene(
+        name="square",
+        masses=tuple(sim.Mass(position=at) for at in corners),
+        linear_springs=tuple(
+            sim.LinearSpring(a=i, b=(i + 1) % 4, stiffness=1000.0, damping=3.0, rest_length=100.0)
+            for i in range(4)
+        ),
+    )
+    return add_corners(scene, range(4), starts(scene)).scene if joints else scene
+
+
+def starts(scene: sim.Scene) -> Positions:
+    return [mass.position for mass in scene.masses]
+
+
+# ------------------------------------------------------------------------- any edits at all
+def some_edit(draw: Callable[[st.SearchStrategy[Any]], Any], scene: sim.Scene, at: Positions) -> Edit:
+    """One edit of any kind, with any of the scene's parts."""
+    n, springs, joints = len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)
+    mass = st.integers(0, n - 1)
+    masses = st.frozensets(mass, max_size=6)
+    point = st.tuples(st.floats(-1e3, 1e3), st.floats(-1e3, 1e3))
+
+    def parts(count: int) -> st.SearchStrategy[frozenset[int]]:
+        return st.frozensets(st.integers(0, count - 1), max_size=4) if count else st.just(frozenset())
+
+    def numbers() -> Edit:
+        of = draw(st.sampled_from(NUMBERS))
+        some = draw(parts(len(getattr(scene, of.kind))))
+        value = draw(st.floats(max(of.low, -1e6), min(of.high, 1e6)))
+        return draw(st.sampled_from((set_number, scale_number)))(scene, of, some, value)
+
+    kinds: tuple[Callable[[], Edit], ...] = (
+        lambda: add_mass(scene, draw(point), draw(st.booleans())),
+        lambda: add_springs(scene, draw(st.lists(st.tuples(mass, mass), max_size=3)), at),
+        lambda: extend(scene, draw(mass), draw(point), at),
+        lambda: remove(scene, Selection(draw(masses), draw(parts(springs)), draw(parts(joints)))),
+        lambda: pin(scene, draw(masses), draw(st.booleans())),
+        lambda: move(scene, draw(masses), draw(point)),
+        lambda: mirror(scene, draw(masses), at),
+        lambda: cut(scene, draw(point), draw(point), at),
+        lambda: add_corners(scene, draw(masses), at),
+        lambda: triangulate(scene, draw(masses), at),
+        lambda: rest_as_is(scene, draw(masses), at),
+        lambda: paste(scene, copy(scene, draw(masses), at), draw(point)),
+        numbers,
+    )
+    return draw(st.sampled_from(kinds))()
+
+
+@given(st.data())
+@settings(max_examples=150, deadline=None)
+def test_a_valid_scene_stays_valid_and_undo_is_exact(data: st.DataObject) -> None:
+    simulation = sim.Simulation(sim.load_scene(data.draw(st.sampled_from(SCENES))))
+    if data.draw(st.booleans()):
+        simulation.advance(0.3)
+    before = simulation.capture()
+    moment, undo = before, []
+    for _ in range(data.draw(st.integers(1, 6))):
+        try:
+            at = [(x, y) for x, y in moment.positions.tolist()]
+            edit = some_edit(data.draw, moment.scene, at)
+        except (SceneError, SettingError):
+            continue  # a sentence, and nothing has changed
+        assert validate(edit.scene) == edit.scene
+        undo.append(inverse(edit, moment.scene, moment))
+        after = carried(edit, moment)
+        _keeps_identity(edit, moment, after)
+        moment = after
+    simulation.restore(moment)  # the solver takes it
+    assert np.isfinite(simulation.positions).all()
+    for back in reversed(undo):
+        moment = carried(back, moment)
+    assert moment.scene is before.scene
+    np.testing.assert_allclose(moment.rows[:2], before.rows[:2], rtol=0.0, atol=1e-9)
+    assert moment.damage == before.damage
+
+
+def _keeps_identity(edit: Edit, before: sim.Moment, after: sim.Moment) -> None:
+    """Masses that were there before are where they were, but for those that were moved."""
+    origin = edit.masses if edit.masses is not None else range(len(before.scene.masses))
+    assert len(after.scene.masses) == after.rows.shape[1]
+    for new, old in enumerate(origin):
+        if old >= 0:
+            by = edit.shift[:, new] if edit.shift is not None else 0.0
+            np.testing.assert_array_equal(after.rows[:2, new], before.rows[:2, old] + by)
+            one, two = after.scene.masses[new], before.scene.masses[old]
+            if edit.shift is None and "set" not in edit.label and "scaled" not in edit.label:
+                assert one == two
+
+
+# ------------------------------------------------------------------------- each of them
+def test_the_first_edit_takes_recipes_apart_without_changing_the_body() -> None:
+    scene = sim.load_scene("tutorial-3.3")
+    parts = of_parts(scene)
+    assert not parts.bodies
+    assert parts.masses == scene.masses
+    template = sim.load_scene("tutorial-3.2")
+    one, two = sim.Simulation(template), sim.Simulation(of_parts(template))
+    for simulation in (one, two):
+        simulation.step(200)
+    np.testing.assert_allclose(two.positions, one.positions, atol=1e-9)
+
+
+def test_a_mass_and_a_spring_are_like_the_others_and_rest_as_they_are() -> None:
+    scene = square()
+    edit = extend(scene, 2, (160.0, 180.0), starts(scene))
+    assert edit.label == "mass and spring added"
+    mass, spring = edit.scene.masses[4], edit.scene.linear_springs[4]
+    assert (mass.position, mass.mass) == ((160.0, 180.0), 1.0)
+    assert (spring.a, spring.b, spring.stiffness, spring.damping) == (2, 4, 1000.0, 3.0)
+    assert spring.rest_length == pytest.approx(100.0)
+    assert edit.masses == (0, 1, 2, 3, -1)
+
+
+def test_a_new_spring_is_at_rest_under_any_scale_of_rest_lengths() -> None:
+    scene = msgspec.structs.replace(square(), rest_length_scale=2.0)
+    edit = add_springs(scene, [(0, 2)], starts(scene))
+    assert edit.scene.linear_springs[4].rest_length * 2.0 == pytest.approx(math.hypot(100.0, 100.0))
+
+
+def test_what_a_mass_held_goes_with_it() -> None:
+    scene = square(joints=True)
+    scene = pin(scene, [3], True).scene
+    assert len(scene.angular_springs) == 4
+    edit = remove(scene, Selection(masses=frozenset({1})))
+    assert edit.label == "1 mass removed"
+    assert starts(edit.scene) == [(0.0, 0.0), (100.0, 100.0), (0.0, 100.0)]
+    assert [(s.a, s.b) for s in edit.scene.linear_springs] == [(1, 2), (2, 0)]
+    assert [(j.a, j.b) for j in edit.scene.angular_springs] == [(1, 0)]
+    assert [anchor.mass for anchor in edit.scene.anchors] == [2]
+    with pytest.raises(SceneError, match="at least one mass"):
+        remove(scene, Selection(masses=frozenset(range(4))))
+
+
+def test_a_filling_goes_with_the_last_of_its_loop() -> None:
+    balloon = sim.load_scene("air-balloon")
+    n = len(balloon.fillings[0].masses)
+    fewer = remove(balloon, Selection(masses=frozenset(range(n - 3)))).scene
+    assert len(fewer.fillings[0].masses) == 3
+    assert not remove(balloon, Selection(masses=frozenset(range(n - 2)))).scene.fillings
+
+
+def test_corners_are_held_as_they_are() -> None:
+    scene = square(joints=True)
+    assert sorted(abs(joint.rest_angle) for joint in scene.angular_springs) == [90.0] * 4
+    simulation = sim.Simulation(scene)
+    simulation.advance(1.0)
+    np.testing.assert_allclose(simulation.positions, starts(scene), atol=1e-4)
+    assert add_corners(scene, range(4), starts(scene)).joints is None  # there are no others
+
+
+def test_a_square_is_braced_by_one_diagonal_and_only_inside() -> None:
+    scene = square()
+    edit = triangulate(scene, range(4), starts(scene))
+    assert len(edit.scene.linear_springs) == 5
+    # An outline with a dent: what is outside of it stays free.
+    dent = ((0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (50.0, 20.0), (0.0, 100.0))
+    masses = tuple(sim.Mass(position=at) for at in dent)
+    springs = tuple(sim.LinearSpring(a=i, b=(i + 1) % 5, stiffness=1.0, rest_length=100.0) for i in range(5))
+    dented = sim.Scene(name="dented", masses=masses, linear_springs=springs)
+    pairs = {(s.a, s.b) for s in triangulate(dented, range(5), list(dent)).scene.linear_springs[5:]}
+    assert pairs == {(0, 3), (1, 3)}
+    with pytest.raises(SceneError, match="not on one line"):
+        triangulate(scene, [0, 1], starts(scene))
+
+
+def test_a_stroke_cuts_what_it_crosses() -> None:
+    scene = square(joints=True)
+    edit = cut(scene, (50.0, -10.0), (50.0, 200.0), starts(scene))
+    assert edit.label == "2 springs cut"
+    assert [(s.a, s.b) for s in edit.scene.linear_springs] == [(1, 2), (3, 0)]
+    assert not edit.scene.angular_springs
+    assert cut(scene, (50.0, 10.0), (50.0, 90.0), starts(scene)).scene.linear_springs == scene.linear_springs
+
+
+def test_a_mirror_keeps_a_bent_body_at_rest() -> None:
+    scene = square()
+    bent = add_joints(scene, [(0, 1)], [90.0]).scene
+    edit = mirror(bent, range(4), starts(scene))
+    assert starts(edit.scene) == [(100.0, 0.0), (0.0, 0.0), (0.0, 100.0), (100.0, 100.0)]
+    assert edit.scene.angular_springs[0].rest_angle == -90.0
+    simulation = sim.Simulation(edit.scene)
+    simulation.advance(0.5)
+    np.testing.assert_allclose(simulation.positions, starts(edit.scene), atol=1e-4)
+
+
+def test_moved_masses_keep_their_rest_lengths_or_take_the_new_ones() -> None:
+    scene = square(joints=True)
+    moved = move(scene, [2], (40.0, 30.0)).scene
+    assert moved.linear_springs == scene.linear_springs
+    resting = rest_as_is(moved, [2], starts(moved)).scene
+    simulation = sim.Simulation(resting)
+    simulation.advance(0.5)
+    np.testing.assert_allclose(simulation.positions, starts(moved), atol=1e-4)
+    with pytest.raises(SceneError, match="in the same place"):
+        move(scene, [1], (-100.0, 0.0))
+
+
+def test_a_copy_goes_through_text_and_nothing_forged_does() -> None:
+    scene = pin(square(joints=True), [0], True).scene
+    fragment = decode(encode(copy(scene, [0, 1, 2], starts(scene))))
+    edit = paste(scene, fragment, (500.0, 500.0))
+    assert starts(edit.scene)[4:] == [(450.0, 450.0), (550.0, 450.0), (550.0, 550.0)]
+    assert [(s.a, s.b) for s in edit.scene.linear_springs[4:]] == [(4, 5), (5, 6)]
+    assert [anchor.mass for anchor in edit.scene.anchors] == [0, 4]
+    assert len(edit.scene.angular_springs) == 5
+    text: Any = encode(fragment)
+    for forged in (
+        "", "[]", "{}", text.replace('"a":0', '"a":99'), text.replace("450", "NaN"), text[:-5],
+        text.replace("softrod-fragment", "x"), '{"type":"softrod-fragment","masses":[]}',
+    ):  # fmt: skip
+        if forged != text:
+            with pytest.raises(SceneError, match="cannot be pasted"):
+                decode(forged)
+
+
+def test_numbers_of_single_parts() -> None:
+    scene = square(joints=True)
+    stiffness = number("linear_springs", "stiffness")
+    one = set_number(scene, stiffness, [1], 500.0)
+    assert one.label == "Stiffness set: 1 spring"
+    assert [s.stiffness for s in one.scene.linear_springs] == [1000.0, 500.0, 1000.0, 1000.0]
+    assert values_of(one.scene, stiffness, [0, 1]) == {500.0, 1000.0}
+    both = scale_number(one.scene, stiffness, [0, 1], 4000.0).scene
+    assert [s.stiffness for s in both.linear_springs] == [4000.0, 2000.0, 1000.0, 1000.0]
+    with pytest.raises(SettingError, match=r"^Stiffness: -1 is not in the range 0\.\.1e\+15 kg/s²$"):
+        set_number(scene, stiffness, [0], -1.0)
+    with pytest.raises(SettingError, match=r"range"):
+        set_number(scene, stiffness, [0], math.nan)
+    strength = number("linear_springs", "strength")
+    strong = set_number(scene, strength, [0], 5.0).scene
+    assert set_number(strong, strength, [0], None).scene == of_parts(scene)
+    with pytest.raises(SettingError, match="no effect on a spring without a yield force"):
+        set_number(scene, number("linear_springs", "hardening"), [0], 1.0)
+
+
+def test_what_is_broken_stays_broken_when_others_go() -> None:
+    scene = square()
+    springs = tuple(msgspec.structs.replace(s, strength=1e9) for s in scene.linear_springs)
+    scene = msgspec.structs.replace(scene, linear_springs=springs)
+    simulation = sim.Simulation(scene)
+    moment = simulation.capture()
+    broken = sim.Moment(scene, 1.0, 0.0, moment.rows, 0.0, 0, Damage(broken=(2,)))
+    after = carried(remove(scene, Selection(springs=frozenset({0}))), broken)
+    assert after.damage is not None
+    assert after.damage.broken == (1,)
+    simulation.restore(after)
+    assert simulation.damage == Damage(
+        broken=(1,), set_lengths=(0.0,) * 3, hardened=(0.0,) * 3, set_angles=()
+    )
