@@ -58,6 +58,7 @@ class Editing(Timeline):
             self.history.forget_ghosts()
             self.ghost.start_from(self.simulation)
         if self.foresight is not None:
+            self.history.forget_shadows()
             self.foresight.begin(self.simulation)
         self.history.amend(self.simulation.capture(), *self._moments_beside())
         self.revision += 1

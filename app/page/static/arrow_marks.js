@@ -42,7 +42,7 @@ function set(element, attributes) {
 /** Puts up the marks, which are empty while no switch is on. */
 export function addArrows() {
   const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-overlay", "softrod-arrows");
+  svg.classList.add("softrod-marks", "softrod-arrows");
   svg.setAttribute("aria-hidden", "true");
   /** @template {keyof SVGElementTagNameMap} K @param {K} tag @param {string[]} names @returns {SVGElementTagNameMap[K]} */
   const add = (tag, ...names) => {

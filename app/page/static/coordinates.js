@@ -31,7 +31,7 @@ export function speedOf(before, now, mass) {
 /** Begins to read out masses, while the switch is on. */
 export function addCoordinates() {
   const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-overlay", "softrod-coordinates");
+  svg.classList.add("softrod-marks", "softrod-coordinates");
   svg.setAttribute("aria-hidden", "true");
   const ring = document.createElementNS(SVG, "circle");
   const lines = [0, 1].map(() => document.createElementNS(SVG, "text"));

@@ -45,7 +45,7 @@ const icon = (name) => `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${I
 /** Puts up the box, and the instruments that were on the canvas before the page was loaded. */
 export function addInstruments() {
   const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-overlay", "softrod-instruments");
+  svg.classList.add("softrod-marks", "softrod-instruments");
   const live = document.createElement("div");
   live.className = "softrod-tell";
   live.setAttribute("role", "status");

@@ -60,7 +60,7 @@ let drawnOver = null;
 /** Has the marks shrink or grow with the canvas, as they were drawn last; or lets them be. @param {boolean} on */
 export function frameMarks(on) {
   printing = on;
-  for (const svg of document.querySelectorAll(".softrod-overlay")) {
+  for (const svg of document.querySelectorAll(".softrod-overlay, .softrod-marks")) {
     if (on && drawnOver) {
       const { left, top, width, height } = drawnOver;
       svg.setAttribute("viewBox", `${left} ${top} ${width} ${height}`);

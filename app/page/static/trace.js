@@ -77,7 +77,7 @@ export class Trail {
 /** Begins to keep and to draw the paths of the masses that are traced. */
 export function addTraces() {
   const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-overlay", "softrod-traces");
+  svg.classList.add("softrod-marks", "softrod-traces");
   svg.setAttribute("aria-hidden", "true");
   /** @type {Map<number, {trail: Trail, paths: SVGPathElement[]}>} */
   const traces = new Map();
