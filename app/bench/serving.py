@@ -17,7 +17,7 @@ from rich.table import Table
 
 import sim
 
-from ..page.plan import FRAME_HEAD, FRAME_TIME
+from ..drawing.plan import FRAME_HEAD, FRAME_TIME
 from ..page.view import FRAME
 from .client import Page
 

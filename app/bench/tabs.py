@@ -17,7 +17,7 @@ from websockets.asyncio.client import connect
 from sim import Anchor, Integrator, LinearSpring, Mass, Scene
 from sim.scene.files import encode_scene
 
-from ..page.plan import FRAME_TIME
+from ..drawing.plan import FRAME_TIME
 from .client import CAMERA, Decoder, options_of
 from .serving import is_frame, served, warm
 

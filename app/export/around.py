@@ -13,7 +13,7 @@ import numpy as np
 from sim.around_settings import STILL_AIR
 from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE
 
-from ..page.drawing import Floats, Sketch
+from ..drawing.sketch import Floats, Sketch
 from .window import Window
 
 DENSE = 5.0

@@ -12,8 +12,8 @@ import sim
 from sim.errors import InputError
 from sim.motion.moment import Moment
 
-from ..page.drawing import Floats
-from ..page.plan import Picture, broken_of
+from ..drawing.plan import Picture, broken_of
+from ..drawing.sketch import Floats
 
 SHORTEST = 0.2
 """Seconds of a clip at least: less is a picture."""

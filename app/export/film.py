@@ -12,8 +12,8 @@ from scipy.spatial import KDTree
 
 import sim
 
-from ..page.colors import palette, plain
-from ..page.drawing import Sketch
+from ..drawing.colors import palette, plain
+from ..drawing.sketch import Sketch
 from .clip import Clip
 from .painter import Painter
 from .window import Window, bounds

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..page.drawing import Floats, Sketch
-from ..page.plan import YIELDED, Picture, broken_of, strain_colors, turn_colors
+from ..drawing.plan import YIELDED, Picture, broken_of, strain_colors, turn_colors
+from ..drawing.sketch import Floats, Sketch
 
 FULL_DEVIATION = 30.0
 """Degrees off the rest angle at which a wedge has its full colour."""

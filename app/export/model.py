@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 
 import sim
 
-from ..page.colors import palette, plain
-from ..page.drawing import Floats, Sketch
-from ..page.plan import Picture
-from ..page.shapes import COILS, meshes
+from ..drawing.colors import palette, plain
+from ..drawing.plan import Picture
+from ..drawing.shapes import COILS, meshes
+from ..drawing.sketch import Floats, Sketch
 from . import around, instances
 from .instances import Instances
 from .outlines import outlines
@@ -148,7 +148,7 @@ def _rod() -> Solid:
 
 
 def _coil(shape: str) -> Solid:
-    """A helix from (0, 0) to (1, 0), of radius 1, with straight ends; see `app.page.shapes`."""
+    """A helix from (0, 0) to (1, 0), of radius 1, with straight ends; see `app.drawing.shapes`."""
     slimness = COILS.get(shape, 7.0)
     turns = round(3 + 0.75 * slimness)
     lead = 0.5 / slimness
@@ -187,7 +187,7 @@ def _tube(path: Floats, radius: float, slimness: float) -> Solid:
 
 
 def _plate(name: str) -> Solid:
-    """A flat mesh of `app.page.shapes`, 1 thick, halfway to either side."""
+    """A flat mesh of `app.drawing.shapes`, 1 thick, halfway to either side."""
     mesh = meshes()[name]
     return _thick(mesh.vertices[:, :2], mesh.faces, outlines(name))
 

@@ -1,4 +1,4 @@
-"""The outlines of the flat meshes of `app.page.shapes`, for programs that fill polygons."""
+"""The outlines of the flat meshes of `app.drawing.shapes`, for programs that fill polygons."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from functools import cache
 
 import numpy as np
 
-from ..page.drawing import Floats
-from ..page.shapes import meshes
+from ..drawing.shapes import meshes
+from ..drawing.sketch import Floats
 
 
 @cache

@@ -15,9 +15,9 @@ from PIL import Image
 
 from sim import Scene
 
-from ..page.colors import palette, plain, rgb
-from ..page.drawing import Floats, Sketch
-from ..page.plan import Picture, broken_of
+from ..drawing.colors import palette, plain, rgb
+from ..drawing.plan import Picture, broken_of
+from ..drawing.sketch import Floats, Sketch
 from . import around, instances
 from .instances import Instances
 from .outlines import outlines
@@ -205,7 +205,7 @@ class _Pen:
         """Fill copies of a mesh, in their order.
 
         Args:
-            mesh: its name, see `app.page.shapes`.
+            mesh: its name, see `app.drawing.shapes`.
             parts: the copies.
             together: how many that follow each other are one area of one colour, without seams.
         """

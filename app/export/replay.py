@@ -19,9 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 
 import sim
 
-from ..page.colors import palette, plain
-from ..page.drawing import Sketch
-from ..page.plan import encode_damage, encode_plan
+from ..drawing.colors import palette, plain
+from ..drawing.plan import encode_damage, encode_plan
+from ..drawing.sketch import Sketch
 from .bundle import bundle
 from .clip import Clip, Shot
 from .outlines import outlines

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..page.drawing import WORLD_SIZE, Floats, Sketch
+from ..drawing.sketch import WORLD_SIZE, Floats, Sketch
 
 MARGIN = 1.04
 """Room around the scene's frame, as in the page (static/camera.js)."""

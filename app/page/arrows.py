@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 
+from ..drawing.plan import joined
+from ..drawing.sketch import Floats
 from ..session.session import Session
-from .drawing import Floats
-from .plan import joined
 
 ARROWS = "/softrod/arrows"
 """The node that only carries the numbers to the page's script (static/arrows.js)."""

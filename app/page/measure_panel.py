@@ -17,11 +17,11 @@ import viser
 from sim.errors import InputError
 from sim.motion.quantities import COUNTED
 
+from ..drawing.colors import palette
 from ..session.notices import Notice
 from ..session.plots import MOST_PLOTS, MOST_SERIES, OFFERED, Plot, Wish, curve
 from ..session.session import Session
 from . import plots, readouts
-from .colors import palette
 
 EVERY = 0.1
 """Seconds between two updates of a plot, at least."""

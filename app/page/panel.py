@@ -16,11 +16,11 @@ from sim.methods.registry import METHODS
 from sim.scene.types import Scene
 from sim.settings import TEMPLATES, Setting, settings_of
 
+from ..drawing.colors import palette
 from ..session import commands
 from ..session.commands import Command
 from ..session.session import Notice, Session
 from . import readouts, script
-from .colors import palette
 from .controls import Controls
 from .lesson_card import lesson_html
 from .play_panel import PlayPanel

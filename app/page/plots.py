@@ -13,9 +13,9 @@ from viser import uplot
 import sim
 from sim.analysis.swings import swings
 
+from ..drawing.colors import Palette
 from ..session.plots import Plot
 from . import readouts
-from .colors import Palette
 from .phase import phase_svg
 
 _COLORS = ("driven", "pulled", "torque_plus", "torque_minus", "held")

@@ -11,9 +11,9 @@ import sim
 from sim.analysis.predictability import factor_of
 from sim.methods.registry import METHODS
 
+from ..drawing.colors import Palette
+from ..drawing.plan import broken_of, yielded_of
 from ..session.session import Session
-from .colors import Palette
-from .plan import broken_of, yielded_of
 
 _NAMES = {
     "sine": "sine",

@@ -10,11 +10,11 @@ import math
 import re
 from dataclasses import dataclass
 
+from ..drawing.colors import Palette
+from ..drawing.sketch import WORLD_SIZE, Mapping
 from ..session import commands
 from ..session.commands import Command
 from ..session.session import Session
-from .colors import Palette
-from .drawing import WORLD_SIZE, Mapping
 
 _KEYS = {"U": "up", "D": "down", "L": "left", "R": "right"}
 _NUMBER = r"-?\d{1,7}(?:\.\d{1,6})?"

@@ -22,6 +22,8 @@ from sim.methods.registry import METHODS
 from sim.scene.types import is_surrounded
 from sim.settings import scene_of_step
 
+from ..drawing.plan import Picture, broken_of
+from ..drawing.sketch import Mapping
 from ..session import commands
 from ..session.pacing import is_large
 from ..session.plots import Wish
@@ -29,12 +31,10 @@ from ..session.session import Notice, Session
 from . import controls, keeping, mail, readouts, script, shelf
 from .answers import Answers
 from .controls import Controls
-from .drawing import Mapping
 from .export_panel import ExportPanel
 from .files_panel import FilesPanel
 from .measure_panel import MeasurePanel
 from .panel import Panel, set_theme
-from .plan import Picture, broken_of
 from .tools_panel import ToolsPanel
 from .view import Canvas, Touch
 

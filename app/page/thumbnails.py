@@ -16,9 +16,9 @@ import numpy as np
 import sim
 from sim.scene.files import built_in_files, read_scene, write_atomically
 
+from ..drawing.plan import Picture
+from ..drawing.sketch import Floats
 from ..export.painter import Painter
-from .drawing import Floats
-from .plan import Picture
 
 FOLDER = Path(__file__).parent / "static" / "thumbnails"
 SIZE = (264, 176)

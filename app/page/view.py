@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from sim import Scene
 
-from .colors import palette
-from .drawing import Z_GIZMO, Floats, Sketch
-from .plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
-from .shapes import meshes
+from ..drawing.colors import palette
+from ..drawing.plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
+from ..drawing.shapes import meshes
+from ..drawing.sketch import Z_GIZMO, Floats, Sketch
 
 STILL = 0.1
 """Movement (in pixels of a 600 pixel high frame) below which a picture counts as unchanged."""

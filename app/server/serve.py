@@ -20,9 +20,9 @@ import sim
 from sim.compiling.compiler import Compiler, needed_by
 from sim.scene.types import is_surrounded
 
+from ..drawing.colors import LIGHT_GAIN
 from ..gate.gate import exposure, open_server, page_addresses
 from ..page.assets import page_files
-from ..page.colors import LIGHT_GAIN
 from ..page.panel import set_theme
 from ..page.tab import Tab
 from ..session.session import Notice

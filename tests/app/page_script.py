@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from app.page.colors import palette
-from app.page.drawing import Sketch
-from app.page.plan import Picture, encode_damage, encode_frame, encode_plan
+from app.drawing.colors import palette
+from app.drawing.plan import Picture, encode_damage, encode_frame, encode_plan
+from app.drawing.sketch import Sketch
 from sim import Scene, Simulation
 from tests.page.check import FOLDER, NODE
 

@@ -10,10 +10,10 @@ import pytest
 import trimesh
 
 import sim
-from app.page.colors import LIGHT_GAIN, rgb, sent
-from app.page.drawing import FULL_STRAIN, MANY, Mapping
-from app.page.plan import Picture
-from app.page.shapes import COILS, meshes
+from app.drawing.colors import LIGHT_GAIN, rgb, sent
+from app.drawing.plan import Picture
+from app.drawing.shapes import COILS, meshes
+from app.drawing.sketch import FULL_STRAIN, MANY, Mapping
 from tests.app.page_script import after, drawn, sketch_of
 
 PRESETS = [info.name for info in sim.list_scenes() if info.built_in]

@@ -21,11 +21,11 @@ from PIL import Image
 
 import sim
 from app.cli import main
+from app.drawing.plan import Picture
 from app.export import film, model, replay
 from app.export.bundle import BundleError, bundle
 from app.export.clip import Clip, Shot
 from app.export.workshop import Workshop
-from app.page.plan import Picture
 from app.session import commands
 from app.session.session import Session
 from sim.errors import InputError

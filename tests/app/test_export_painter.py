@@ -9,14 +9,14 @@ import pytest
 from PIL import Image
 
 import sim
+from app.drawing.colors import palette, plain, rgb
+from app.drawing.plan import Picture
+from app.drawing.shapes import COILS
+from app.drawing.sketch import Floats, Sketch
 from app.export import around, instances
 from app.export.outlines import outlines
 from app.export.painter import Painter, paint
 from app.export.window import Window
-from app.page.colors import palette, plain, rgb
-from app.page.drawing import Floats, Sketch
-from app.page.plan import Picture
-from app.page.shapes import COILS
 from sim.scene.types import Damage
 from tests.app.page_script import after, drawn
 

@@ -7,8 +7,8 @@ import pytest
 
 import sim
 from app.bench import frames
+from app.drawing.colors import palette
 from app.page import readouts
-from app.page.colors import palette
 from app.session import commands
 from app.session import ghost as ghost_module
 from app.session.ghost import FINER

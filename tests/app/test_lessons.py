@@ -12,8 +12,8 @@ import pytest
 
 import sim
 from app.cli import Check
+from app.drawing.sketch import Mapping
 from app.page import script
-from app.page.drawing import Mapping
 from app.page.lesson_card import lesson_html
 from sim.scene.files import decode_scene, encode_scene
 from sim.scene.lesson import Lesson, Question, Step

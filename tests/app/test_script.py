@@ -8,9 +8,9 @@ import msgspec
 import pytest
 
 import sim
+from app.drawing.colors import palette
+from app.drawing.sketch import Mapping
 from app.page import readouts, script
-from app.page.colors import palette
-from app.page.drawing import Mapping
 from app.session import commands
 from app.session.session import Session
 from sim.methods.registry import METHODS

@@ -8,7 +8,7 @@ from unittest.mock import MagicMock
 import pytest
 
 import sim
-from app.page.plan import Picture
+from app.drawing.plan import Picture
 from app.page.view import STILL, Canvas
 
 

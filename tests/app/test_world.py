@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import sim
+from app.drawing.colors import sent
+from app.drawing.plan import YIELDED, Picture, encode_plan, yielded_of
 from app.page import readouts
-from app.page.colors import sent
-from app.page.plan import YIELDED, Picture, encode_plan, yielded_of
 from app.page.view import DAMAGE, Canvas
 from app.session import commands
 from app.session.history import History

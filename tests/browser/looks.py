@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import sim
-from app.page.colors import palette
+from app.drawing.colors import palette
 from tests.browser.driver import Desk
 
 PRESETS = tuple(

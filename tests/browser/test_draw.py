@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import sim
-from app.page.plan import Picture
+from app.drawing.plan import Picture
 from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.looks import PRESETS, assert_shown

@@ -18,7 +18,7 @@ from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE,
 from sim.scene.types import Damage
 
 from .colors import blend
-from .drawing import Floats, Sketch
+from .sketch import Floats, Sketch
 
 CLOCK_PERIOD = 1024.0
 """Seconds after which the wall clock of the frames starts again: single precision has 0.1 ms there."""
