@@ -61,7 +61,7 @@ def test_scenes_are_grouped_by_what_they_are(home: Path) -> None:
     groups: dict[str, list[str]] = {}
     for entry in shelf.entries():
         groups.setdefault(entry.group, []).append(entry.name)
-    assert list(groups) == ["Tutorial", "Bodies", "Surroundings", "Your own", "Studies"]
+    assert list(groups) == ["Tutorial", "Lessons", "Bodies", "Surroundings", "Your own", "Studies"]
     assert groups["Tutorial"] == ["tutorial-3.1", "tutorial-3.2", "tutorial-3.3"]
     assert {"ring", "cloth", "bridge"} <= set(groups["Bodies"])
     assert {"pile", "jelly", "tree", "water-balloon"} <= set(groups["Surroundings"])
