@@ -17,9 +17,9 @@ from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
 from sim.errors import InputError, SceneError, SettingError
+from sim.lesson_settings import scene_of_step
 from sim.motion.quantities import PARTS
 from sim.scene.files import read_scene
-from sim.settings import scene_of_step
 
 from . import headless
 from .command import Settings, fail, scene_of

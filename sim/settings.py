@@ -138,27 +138,6 @@ def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
     return scene
 
 
-def scene_of_step(scene: Scene, number: int) -> Scene:
-    """The scene with what a step of its lesson sets.
-
-    Args:
-        scene: one with a lesson.
-        number: of the step, counted from 0.
-
-    Raises:
-        SettingError: there is no such step, or something that it sets cannot be set; names the field.
-    """
-    steps = scene.lesson.steps if scene.lesson else ()
-    if not 0 <= number < len(steps):
-        raise SettingError(f"lesson.steps: step {number} does not exist")
-    for i, assignment in enumerate(steps[number].settings):
-        try:
-            scene = apply_assignments(scene, (assignment,))
-        except SettingError as error:
-            raise SettingError(f"lesson.steps[{number}].settings[{i}]: {error}") from None
-    return scene
-
-
 def shift_rest_angles(scene: Scene, degrees: float) -> Scene:
     """The scene with every rest angle shifted by some degrees (|degrees| <= 360), wrapped into (-180, 180].
 

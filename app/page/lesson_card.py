@@ -6,7 +6,11 @@ import html
 
 import msgspec
 
+from sim.lesson_settings import scene_of_step
 from sim.scene.lesson import Lesson
+
+from ..session import commands
+from ..session.session import Session
 
 
 def lesson_html(lesson: Lesson) -> str:
@@ -22,3 +26,15 @@ def lesson_html(lesson: Lesson) -> str:
     ]
     data = html.escape(msgspec.json.encode(steps).decode())
     return f'<div id="softrod-lesson" hidden data-steps="{data}"></div>'
+
+
+def begin_step(session: Session, number: int) -> None:
+    """Open the scene anew, as a step of its lesson wants it; it waits while the step has a question.
+
+    Raises:
+        SettingError: there is no such step, or what it sets cannot be set.
+    """
+    lesson = session.scene.lesson
+    if lesson is not None:
+        session.post(commands.Open(scene_of_step(session.opened, number)))
+        session.post(commands.Play(lesson.steps[number].question is None))

@@ -20,7 +20,6 @@ from sim.compiling.compiler import Compiler, needed_by
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.types import is_surrounded
-from sim.settings import scene_of_step
 
 from ..drawing.plan import Picture, broken_of
 from ..drawing.sketch import Mapping
@@ -33,10 +32,11 @@ from .answers import Answers
 from .controls import Controls
 from .export_panel import ExportPanel
 from .files_panel import FilesPanel
+from .lesson_card import begin_step
 from .measure_panel import MeasurePanel
 from .panel import Panel, set_theme
 from .tools_panel import ToolsPanel
-from .view import Canvas, Touch
+from .view import Canvas, Touch, picture_of
 
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
@@ -309,7 +309,7 @@ class Tab:
         # A change of the controls, or the end of a run, is drawn exactly; a moving body only when it shows.
         changed = session.revision != self._last_revision or running != self._was_playing
         self._last_revision, self._was_playing = session.revision, running
-        picture = self._picture(session)
+        picture = picture_of(session)
         if self._view.draw(picture, now, force=changed or not running):
             self._moved_at = now
         if self._tools is not None:
@@ -331,18 +331,6 @@ class Tab:
         """Another text for every scene, and for every time that it is to be fitted to the window."""
         openings = self._session.openings if self._session else 0
         return f"{openings}.{self._fits}"
-
-    @staticmethod
-    def _picture(session: Session) -> Picture:
-        """The body, and the ghost or, without one, what would have come had the user not gone back."""
-        simulation, ghost, future = session.simulation, session.ghost, session.old_future
-        other = damage = None
-        if ghost is not None:
-            if not ghost.waits:
-                other, damage = ghost.simulation.positions, ghost.simulation.damage
-        elif future is not None:
-            other, damage = future.positions_at(simulation.time), future.damage_at(simulation.time)
-        return Picture.of(simulation, other, damage)
 
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
@@ -404,7 +392,10 @@ class Tab:
                 if self._tools is not None:
                     self._tools.serve(*argument)
             elif what == "lesson":
-                self._begin_step(session, argument)
+                try:
+                    begin_step(session, argument)
+                except sim.SettingError as error:
+                    self.notify(Notice("error", "This step cannot begin", str(error)))
             elif what == "joint":
                 if self._tools is not None:
                     self._tools.choose(argument)
@@ -419,19 +410,6 @@ class Tab:
                     self._measure.plot_angle()
             elif what == "help":
                 self._help()
-
-    def _begin_step(self, session: Session, number: int) -> None:
-        """The scene anew, as a step of its lesson wants it; it waits while the step has a question."""
-        lesson = session.scene.lesson
-        if lesson is None:
-            return
-        try:
-            scene = scene_of_step(session.opened, number)
-        except sim.SettingError as error:
-            self.notify(Notice("error", "This step cannot begin", str(error)))
-            return
-        session.post(commands.Open(scene))
-        session.post(commands.Play(lesson.steps[number].question is None))
 
     def _help(self) -> None:
         with self.client.gui.add_modal("How to use softrod") as modal:

@@ -20,6 +20,7 @@ from ..drawing.colors import palette
 from ..drawing.plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
 from ..drawing.shapes import meshes
 from ..drawing.sketch import Z_GIZMO, Floats, Sketch
+from ..session.session import Session
 
 STILL = 0.1
 """Movement (in pixels of a 600 pixel high frame) below which a picture counts as unchanged."""
@@ -281,3 +282,15 @@ def _near(before: tuple[float, ...], now: tuple[float, ...], most: float) -> boo
     size = max(len(before), len(now))
     one, two = (np.array(numbers or (0.0,) * size) for numbers in (before, now))
     return bool(np.abs(one - two).max(initial=0.0) <= most)
+
+
+def picture_of(session: Session) -> Picture:
+    """The body, and the ghost or, without one, what would have come had the user not gone back."""
+    simulation, ghost, future = session.simulation, session.ghost, session.old_future
+    other = damage = None
+    if ghost is not None:
+        if not ghost.waits:
+            other, damage = ghost.simulation.positions, ghost.simulation.damage
+    elif future is not None:
+        other, damage = future.positions_at(simulation.time), future.damage_at(simulation.time)
+    return Picture.of(simulation, other, damage)

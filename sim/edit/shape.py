@@ -8,7 +8,6 @@ from collections.abc import Collection, Sequence
 
 import msgspec
 import numpy as np
-from scipy.spatial import Delaunay, QhullError
 
 from ..errors import SceneError
 from ..scene.numbers import Vector
@@ -184,6 +183,8 @@ def triangulate(scene: Scene, masses: Collection[int], positions: Sequence[Vecto
     Raises:
         SceneError: the masses are on one line, or fewer than three.
     """
+    from scipy.spatial import Delaunay, QhullError
+
     scene, chosen = of_parts(scene), sorted(masses)
     at = np.array([positions[i] for i in chosen], float).reshape(-1, 2)
     try:

@@ -15,9 +15,9 @@ from app.cli import Check
 from app.drawing.sketch import Mapping
 from app.page import script
 from app.page.lesson_card import lesson_html
+from sim.lesson_settings import scene_of_step
 from sim.scene.files import decode_scene, encode_scene
 from sim.scene.lesson import Lesson, Question, Step
-from sim.settings import scene_of_step
 
 QUESTION = Question(text="?", choices=("a", "b"), answer=1, because="so")
 

@@ -22,6 +22,7 @@ from app.server.ticker import Ticker
 from app.session.commands import Command
 from app.session.session import Session
 from tests.browser.between_frames import FRAME_LOCK, BetweenFrames
+from tests.browser.scripts import CAMERA, FORGET, FRAMES, HARDWARE, INSTANCES, PROJECT
 
 T = TypeVar("T")
 Point = tuple[float, float]
@@ -35,22 +36,6 @@ LIMIT = 20.0
 VISERS = ("Uploading ", "Received ")
 """Beginnings of the titles of viser's own notices."""
 
-_HARDWARE = """
-  for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext]) {
-    const real = prototype.getParameter;
-    prototype.getParameter = function (name) {
-      return name === 0x9246 ? "a graphics card" : real.call(this, name);  // UNMASKED_RENDERER_WEBGL
-    };
-  }
-"""
-"""Spares the test viser's word on software rendering, which would lie over the canvas."""
-
-_FORGET = """() => {
-  Storage.prototype.setItem = () => {};
-  sessionStorage.clear();
-  localStorage.clear();
-}"""
-
 VISERS_ERRORS = (
     # At every press on a node that can be dragged.
     "inside passive event listener",
@@ -58,45 +43,6 @@ VISERS_ERRORS = (
     "Tried to update non-existent component",
 )
 """Errors of viser 1.1.1 that change nothing."""
-
-_PROJECT = """points => {
-  const { camera, canvas, nodeRefFromName } = window.__viserMutable;
-  const box = canvas.getBoundingClientRect();
-  camera.updateMatrixWorld();
-  return points.map(([x, y, z]) => {
-    const p = camera.position.clone().set(x, y, z).applyMatrix4(nodeRefFromName[""].matrixWorld);
-    p.project(camera);
-    return [box.left + ((p.x + 1) / 2) * box.width, box.top + ((1 - p.y) / 2) * box.height];
-  });
-}"""
-
-_INSTANCES = """name => {
-  let data = null;
-  window.__viserMutable.nodeRefFromName[name]?.traverse(node => {
-    if (node.isInstancedMesh && node.matricesTexture) {
-      data = Array.from(node.matricesTexture._data.slice(0, 16 * node.instancesCount));
-    }
-  });
-  return data;
-}"""
-
-_CAMERA = """() => {
-  const { camera, cameraControl } = window.__viserMutable;
-  camera.updateMatrixWorld();
-  const target = cameraControl.getTarget(camera.position.clone());
-  return {
-    matrix: camera.matrixWorld.toArray(),
-    target: target.toArray(),
-    azimuth: cameraControl.azimuthAngle,
-    polar: cameraControl.polarAngle,
-    distance: cameraControl.distance,
-  };
-}"""
-
-_FRAMES = """count => new Promise(done => {
-  const next = () => (count-- > 0 ? requestAnimationFrame(next) : done());
-  next();
-})"""
 
 
 @dataclass
@@ -166,7 +112,7 @@ class Desk:
             "if (location.host) history.replaceState(null, '', '?fixedDpr=' + devicePixelRatio"
             " + location.search.replace('?', '&') + location.hash)"
         )
-        self.page.add_init_script(_HARDWARE)
+        self.page.add_init_script(HARDWARE)
         self.page.on("console", self._hear)
         self.page.on("pageerror", lambda error: self.errors.append(f"uncaught: {error}"))
         self.page.on("websocket", lambda socket: socket.on("framereceived", lambda _: self._count()))
@@ -193,7 +139,7 @@ class Desk:
 
     def leave(self) -> None:
         """Leave the page empty, as a new one but for what the browser has compiled, for another test."""
-        self.page.evaluate(_FORGET)
+        self.page.evaluate(FORGET)
         self.page.set_viewport_size(self._size)
         self.page.emulate_media(media="null", reduced_motion="null")
         self.page.goto("about:blank")
@@ -255,7 +201,7 @@ class Desk:
 
     def rest(self, frames: int) -> None:
         """Let the page draw some frames."""
-        self.page.evaluate(_FRAMES, frames)
+        self.page.evaluate(FRAMES, frames)
 
     def pause(self, seconds: float) -> None:
         """Let time go by in which something is not to happen."""
@@ -275,7 +221,7 @@ class Desk:
         return np.hypot(*self._matrices(name)[:, :2].T)
 
     def _matrices(self, name: str) -> NDArray[np.float64]:
-        return np.array(self.page.evaluate(_INSTANCES, name) or [], float).reshape(-1, 16)
+        return np.array(self.page.evaluate(INSTANCES, name) or [], float).reshape(-1, 16)
 
     def masses(self) -> NDArray[np.float64]:
         """(n, 2) places of the masses in the page, in px of the scene."""
@@ -284,7 +230,7 @@ class Desk:
 
     def camera(self) -> Camera:
         """Where the page looks from now."""
-        seen: dict[str, Any] = self.page.evaluate(_CAMERA)
+        seen: dict[str, Any] = self.page.evaluate(CAMERA)
         return Camera(
             np.array(seen["matrix"]),
             np.array(seen["target"]),
@@ -296,7 +242,7 @@ class Desk:
     def at(self, points: Any) -> NDArray[np.float64]:
         """(n, 2) places on the screen, in CSS px, of (n, 2) places in px of the scene."""
         world = self.tab._mapping.to_world(np.asarray(points, float).reshape(-1, 2))
-        return np.array(self.page.evaluate(_PROJECT, world.tolist()), float)
+        return np.array(self.page.evaluate(PROJECT, world.tolist()), float)
 
     def place(self, mass: int) -> Point:
         """Where on the screen a mass is, as the solver has it."""

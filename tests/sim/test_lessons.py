@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 import sim
+from sim.lesson_settings import scene_of_step
 from sim.scene.files import built_in_folder
-from sim.settings import apply_assignments, scene_of_step
+from sim.settings import apply_assignments
 
 NAMES = sorted(path.stem for path in (built_in_folder() / "lessons").glob("*.json"))
 
