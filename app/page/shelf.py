@@ -69,7 +69,7 @@ _FOLDERS = {"study": "Studies", "lessons": "Lessons"}
 
 
 def entries() -> list[Entry]:
-    """All scenes, by their groups and in these by their names."""
+    """All scenes, by their groups and in these by their names, lessons by their titles."""
     found = [
         Entry(
             name=info.name,
@@ -81,7 +81,13 @@ def entries() -> list[Entry]:
         )
         for info in scenes()
     ]
-    return sorted(found, key=lambda entry: (GROUPS.index(entry.group), entry.name.casefold()))
+    return sorted(found, key=_order)
+
+
+def _order(entry: Entry) -> tuple[int, str]:
+    # Lessons have a number at the beginning of their titles.
+    name = entry.title if entry.group == "Lessons" else entry.name
+    return GROUPS.index(entry.group), name.casefold()
 
 
 def _group(info: SceneInfo) -> str:

@@ -8,9 +8,8 @@ import sim
 from app.drawing.colors import palette
 from tests.browser.driver import Desk
 
-PRESETS = tuple(
-    info.name for info in sim.list_scenes() if info.built_in and not info.name.startswith("study-")
-)
+PRESETS = tuple(info.name for info in sim.list_scenes() if info.built_in and not info.group)
+"""Those that wait for nobody: lessons begin their own steps."""
 
 
 def colors_off(desk: Desk, dark: bool = False) -> list[float]:

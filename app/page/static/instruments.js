@@ -12,6 +12,7 @@
 import { NAMES, newFace } from "./instrument_faces.js";
 import * as shapes from "./instrument_shapes.js";
 import { isFree } from "./keys.js";
+import { lessonRoom } from "./lesson.js";
 import { onSight, redrawMarks, sight, SVG } from "./overlay.js";
 import { kept, store } from "./storage.js";
 import { timeNow } from "./transport.js";
@@ -317,11 +318,11 @@ function addBox() {
     welcome: (on) => element.classList.toggle("softrod-box-welcome", on),
     /** Where it stands, pixels. */
     bottom: () => element.getBoundingClientRect().bottom,
-    /** At the left of the canvas, over the bar of time. @param {DOMRect} canvas */
+    /** At the left of the canvas, over the bar of time and beside a lesson. @param {DOMRect} canvas */
     place(canvas) {
       const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
-      const bottom = dock && dock.top < canvas.bottom ? dock.top : canvas.bottom;
-      element.style.left = `${canvas.left + 14}px`;
+      const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity) - lessonRoom().bottom;
+      element.style.left = `${canvas.left + 14 + lessonRoom().left}px`;
       element.style.bottom = `${window.innerHeight - bottom + 10}px`;
     },
   };

@@ -185,6 +185,10 @@ function show() {
   card.replaceChildren(head, title, ...(folded ? [] : [text, foot]));
 }
 
+/** Pixels of the canvas that the card takes. */
+let room = { left: 0, bottom: 0 };
+export const lessonRoom = () => room;
+
 /**
  * Keeps the card beside the body, or at the bottom where there is no room.
  *
@@ -193,7 +197,7 @@ function show() {
  * @returns {{left: number, bottom: number}} px of the canvas that the card takes
  */
 export function placeLesson(box, hidden) {
-  if (!card || card.hidden) return { left: 0, bottom: 0 };
+  if (!card || card.hidden) return (room = { left: 0, bottom: 0 });
   const wide = box.width >= WIDE;
   const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
   card.dataset.wide = wide ? "1" : "";
@@ -201,8 +205,9 @@ export function placeLesson(box, hidden) {
   card.style.width = `${wide ? COLUMN - 24 : box.width - 24}px`;
   card.style.bottom = `${window.innerHeight - box.bottom + hidden + 4}px`;
   const top = Math.max(box.top + 8, wide ? (hud?.bottom ?? 0) + 8 : 0);
-  card.style.maxHeight = `${wide ? box.bottom - hidden - top - 4 : 0.42 * box.height}px`;
-  return wide ? { left: folded ? 0 : COLUMN, bottom: 0 } : { left: 0, bottom: card.offsetHeight + 8 };
+  card.style.maxHeight = `${wide ? box.bottom - hidden - top - 4 : 0.36 * box.height}px`;
+  room = wide ? { left: folded ? 0 : COLUMN, bottom: 0 } : { left: 0, bottom: card.offsetHeight + 8 };
+  return room;
 }
 
 /** Puts up the card of lessons, which shows in scenes that have one. */
