@@ -43,11 +43,11 @@ class Gallery:
 
     def offer(self) -> None:
         """Have the page show it."""
-        self._mail.send("gallery", open=True)
+        self._mail.send("gallery")
 
     def changed(self) -> None:
         """Have the page ask anew, if it shows it."""
-        self._mail.send("gallery", changed=True)
+        self._mail.send("shelf")
 
     def open(self, ask: OpenScene) -> None:
         """Open a scene; if it cannot be read, nothing changes."""
@@ -64,7 +64,7 @@ class Gallery:
     def list(self, ask: Scenes) -> None:
         """Send the page all scenes, then the pictures of the user's own as they get ready."""
         entries = shelf.entries()
-        self._mail.send("gallery", scenes=entries, present=self._session.scene.name)
+        self._mail.send("scenes", scenes=entries, present=self._session.scene.name)
         pictures: dict[str, str] = {}
         own = [info for entry in entries if entry.own and (info := shelf.find(entry.name)) is not None]
         for count, info in enumerate(own[:MOST_PAINTED], start=1):

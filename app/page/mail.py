@@ -71,7 +71,11 @@ def parse_ask(message: object) -> Ask | None:
 
 
 class Mail:
-    """Sends JSON to one page's script; of each kind, what was sent last counts. Any thread may send."""
+    """Sends JSON to one page's script; any thread may send.
+
+    Of two letters of one kind that follow each other within a frame only the second arrives: what must not be
+    lost has a kind of its own.
+    """
 
     def __init__(self, client: viser.ClientHandle) -> None:
         self._client = client

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from sim import Moment, Scene
-from sim.edit.edit import Edit
+from sim.edit.edit import Edit, Selection
 
 from .log import Log
 
@@ -111,18 +111,33 @@ class KeepBooks:
     on: bool
 
 
-MakeEdit = Callable[[Moment], Edit]
-"""Makes an edit of a moment's scene; raises SceneError or SettingError where that cannot be done."""
+MakeEdit = Callable[[Moment, Selection], Edit]
+"""Makes an edit of a moment's scene and of what is selected; raises SceneError or SettingError where that
+cannot be done.
+"""
 
-StepVersions = Callable[[Moment], Moment | None]
-"""Leads from the present moment to that of another version of the scene, if there is one."""
+FindParts = Callable[[Moment, Selection], Selection]
+"""Finds what is to be selected, from a moment and what is selected now."""
+
+StepVersions = Callable[[Moment], tuple[Moment, Edit | None] | None]
+"""Leads from the present moment to that of another version of the scene, if there is one, and over which edit;
+None where it is another body.
+"""
 
 
 @dataclass(frozen=True)
 class Change:
-    """The body is to be edited."""
+    """The body is to be edited; edits with the same key that follow each other are one step of undo."""
 
     make: MakeEdit
+    key: str = ""
+
+
+@dataclass(frozen=True)
+class Select:
+    """Other parts of the body are to be selected."""
+
+    find: FindParts
 
 
 @dataclass(frozen=True)
@@ -245,7 +260,7 @@ class Resume:
 
 Command = (
     HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues | Compare
-    | Foretell | KeepBooks | Change | Undo | Redo | Open | Play | DoSteps | Reset | Speed | SelectJoint
-    | Snapshot | Recent
+    | Foretell | KeepBooks | Change | Select | Undo | Redo | Open | Play | DoSteps | Reset | Speed
+    | SelectJoint | Snapshot | Recent
     | GoTo | GoBack | GoForward | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
 )  # fmt: skip

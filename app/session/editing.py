@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sim
-from sim.edit.edit import carried
+from sim.edit.edit import Edit, Selection, carried, existing, still_selected
 
 from . import commands
 from .commands import Command
@@ -19,13 +19,16 @@ class Editing(Timeline):
     def _apply_to_scene(self, command: Command) -> bool:
         """Apply a command that edits the body, or takes an edit back; whether it is one."""
         match command:
-            case commands.Change(make):
-                self._branch()
+            case commands.Change(make, key):
                 before = self.simulation.capture()
-                edit = make(before)
+                edit = make(before, self.selection)
                 if edit.scene is not before.scene:
-                    self.versions.add_edit(edit, before)
-                    self._go_on_as(carried(edit, before), rebuilt=edit.moves_parts)
+                    self._branch()
+                    self.versions.add_edit(edit, before, key, self.now())
+                    self._go_on_as(carried(edit, before), edit)
+            case commands.Select(find):
+                moment = self.simulation.capture()
+                self.selection = existing(find(moment, self.selection), moment.scene)
             case commands.Undo():
                 self._step_versions(self.versions.undo)
             case commands.Redo():
@@ -35,21 +38,26 @@ class Editing(Timeline):
         return True
 
     def _step_versions(self, step: commands.StepVersions) -> None:
-        self._branch()
-        moment = step(self.simulation.capture())
-        if moment is not None:
-            self._go_on_as(moment, rebuilt=True)
+        taken = step(self.simulation.capture())
+        if taken is not None:
+            self._branch()
+            self._go_on_as(*taken)
 
-    def _go_on_as(self, moment: sim.Moment, rebuilt: bool) -> None:
+    def _go_on_as(self, moment: sim.Moment, edit: Edit | None) -> None:
         """Go on at a moment of an edited scene, at the same time.
 
         Args:
             moment: of the scene as it is now.
-            rebuilt: whether it may have other parts.
+            edit: what made it of the one before; None where it is another body's.
         """
         self.hand.drop()
         self.recorder.restore(moment)
-        if rebuilt:
+        if edit is None:
+            self.openings += 1
+            self.selection = Selection()
+        else:
+            self.selection = still_selected(edit, self.selection)
+        if edit is None or edit.moves_parts:
             self.old_future = None
             self.joint = min(self.joint, max(0, len(moment.scene.angular_springs) - 1))
             self.follow = self.follow and self.driven is not None

@@ -11,6 +11,7 @@ import msgspec
 
 import sim
 from sim.body.system import same_topology
+from sim.edit.edit import Selection
 from sim.motion.stability import StabilityEstimate
 from sim.settings import settings_of
 
@@ -42,6 +43,7 @@ class Running:
         ghost: the second body, if one is wanted.
         foresight: tells how fast errors grow, if that is wanted.
         versions: what undo and redo lead to.
+        selection: the parts of the body that are selected.
         books: whether the energy is followed.
         fallbacks: fallback steps since the scene was opened or reset.
         recorder: what acts on the body, and keeps its log; not while a log is played.
@@ -79,6 +81,7 @@ class Running:
         self.joint = 0
         self.generation = self.openings = 0
         self.versions = Versions()
+        self.selection = Selection()
         self.revision = 0
         self.notices: list[Notice] = []
         self.stability = StabilityEstimate(math.inf, None)
@@ -149,6 +152,7 @@ class Running:
             self._begin_history()
             self.generation += 1
             self.openings += 1
+            self.selection = Selection()
             self.joint = min(self.joint, max(0, len(scene.angular_springs) - 1))
         if self.ghost is not None:
             if rebuilt:
@@ -186,6 +190,7 @@ class Running:
         self.fallbacks = 0
         self.follow = False
         self.joint = 0
+        self.selection = Selection()
         self.generation += 1
         self.openings += 1
         self.revision += 1

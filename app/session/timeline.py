@@ -8,6 +8,7 @@ from typing import Literal
 
 import sim
 from sim.body.system import same_topology
+from sim.edit.edit import Selection
 from sim.errors import InputError
 
 from . import commands
@@ -107,6 +108,7 @@ class Timeline(Running):
             if not same_topology(before, scene):
                 self.generation += 1
                 self.joint = min(self.joint, max(0, len(scene.angular_springs) - 1))
+                self.selection = Selection()  # other parts may have its numbers
                 self.old_future = None
             elif (scene.force_law, scene.integrator.method) != (before.force_law, before.integrator.method):
                 self.generation += 1  # other controls

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+from numpy.typing import NDArray
+
 from sim import Moment, Scene
 from sim.edit.edit import Edit, carried, inverse
 
@@ -91,9 +94,23 @@ class Versions:
     def __len__(self) -> int:
         return len(self._steps)
 
-    def add_edit(self, edit: Edit, before: Moment) -> None:
-        """An edit was made at a moment."""
-        self._add(Step(edit.label, edit, inverse(edit, before.scene, before)))
+    def add_edit(self, edit: Edit, before: Moment, key: str = "", now: float = 0.0) -> None:
+        """An edit was made.
+
+        Args:
+            edit: which.
+            before: the moment at which it was made.
+            key: edits with the same one that follow each other are one step.
+            now: s.
+        """
+        step = Step(edit.label, edit, inverse(edit, before.scene, before), key=key, at=now)
+        last = self._last_of(key, now)
+        if last is not None and not (edit.moves_parts or last.forward.moves_parts):
+            self._drop_last()
+            forward = replace(edit, shift=_sum(last.forward.shift, edit.shift))
+            backward = replace(last.backward, shift=_sum(last.backward.shift, step.backward.shift))
+            step = replace(step, forward=forward, backward=backward)
+        self._add(step)
 
     def add_change(self, label: str, before: Moment, after: Moment, key: str = "", now: float = 0.0) -> None:
         """A number or a choice was changed, and the motion goes on.
@@ -108,20 +125,22 @@ class Versions:
         shift = after.rest_angle_shift - before.rest_angle_shift
         step = Step(label, Edit(label, after.scene), Edit(label, before.scene), scale=scale, shift=shift)
         step = replace(step, key=key, at=now)
-        last = self._steps[self._at - 1] if self._at else None
-        if key and last is not None and last.key == key and now - last.at <= COALESCE and not self.redoable:
-            self._bytes -= last.bytes
+        last = self._last_of(key, now)
+        if last is not None:
+            self._drop_last()
             step = replace(step, backward=last.backward, scale=scale * last.scale, shift=shift + last.shift)
-            self._steps.pop()
-            self._at -= 1
         self._add(step)
 
     def add_leap(self, label: str, before: Moment, after: Moment) -> None:
         """Another body took the place of the one before."""
         self._add(Step(label, Edit(label, after.scene), Edit(label, before.scene), before, after))
 
-    def undo(self, moment: Moment) -> Moment | None:
-        """How the present motion goes on without the last change; None if there is none to take back."""
+    def undo(self, moment: Moment) -> tuple[Moment, Edit | None] | None:
+        """How the present motion goes on without the last change; None if there is none to take back.
+
+        Returns:
+            the moment to go on at, and the edit that leads there, or None where it is another body's.
+        """
         if not self._at or self._steps[self._at - 1].forward.scene is not moment.scene:
             return None
         self._at -= 1
@@ -129,31 +148,33 @@ class Versions:
         if step.before is not None:
             # A redo comes back to where this was left.
             self._steps[self._at] = replace(step, after=moment)
-            return step.before
+            return step.before, None
         back = carried(step.backward, moment)
-        return replace(
+        back = replace(
             back,
             rest_length_scale=moment.rest_length_scale / step.scale,
             rest_angle_shift=moment.rest_angle_shift - step.shift,
         )
+        return back, step.backward
 
-    def redo(self, moment: Moment) -> Moment | None:
-        """How the present motion goes on with what was taken back last; None if there is nothing."""
+    def redo(self, moment: Moment) -> tuple[Moment, Edit | None] | None:
+        """How the present motion goes on with what was taken back last; see `undo`."""
         if self._at == len(self._steps) or self._steps[self._at].backward.scene is not moment.scene:
             return None
         step = self._steps[self._at]
         self._at += 1
         if step.after is not None:
             self._steps[self._at - 1] = replace(step, before=moment)
-            return step.after
+            return step.after, None
         # What is removed again comes back from where it is now.
         self._steps[self._at - 1] = replace(step, backward=inverse(step.forward, moment.scene, moment))
         there = carried(step.forward, moment)
-        return replace(
+        there = replace(
             there,
             rest_length_scale=moment.rest_length_scale * step.scale,
             rest_angle_shift=moment.rest_angle_shift + step.shift,
         )
+        return there, step.forward
 
     def find(self, scene: Scene) -> None:
         """A moment that is past is shown, with its scene: undo and redo go on from that version."""
@@ -163,6 +184,16 @@ class Versions:
                 return
 
     # --------------------------------------------------------------------- inside
+    def _last_of(self, key: str, now: float) -> Step | None:
+        """The last step, if one with that key goes on with it."""
+        last = self._steps[self._at - 1] if self._at else None
+        goes_on = key and last is not None and last.key == key and now - last.at <= COALESCE
+        return last if goes_on and not self.redoable else None
+
+    def _drop_last(self) -> None:
+        self._bytes -= self._steps.pop().bytes
+        self._at -= 1
+
     def _scene(self, at: int) -> Scene | None:
         if at < len(self._steps):
             return self._steps[at].backward.scene
@@ -179,3 +210,9 @@ class Versions:
         while len(self._steps) > MOST_STEPS or (self._bytes > MOST_BYTES and len(self._steps) > 1):
             self._bytes -= self._steps.pop(0).bytes
         self._at = len(self._steps)
+
+
+def _sum(one: NDArray[np.float64] | None, two: NDArray[np.float64] | None) -> NDArray[np.float64] | None:
+    if one is None or two is None:
+        return one if two is None else two
+    return one + two

@@ -44,6 +44,7 @@ class Edit:
         masses, springs, joints: for each part of the new scene, its index in the old one.
         lost: (4, k) x, y (px), vx, vy (px/s) with which masses come back by an undo, in their order.
         shift: (2, n) px by which the edit moves the masses of the new scene, or None.
+        select: what is to be selected afterwards; None for what was, as far as it is still there.
     """
 
     label: str
@@ -53,11 +54,30 @@ class Edit:
     joints: Map = None
     lost: NDArray[np.float64] | None = None
     shift: NDArray[np.float64] | None = None
+    select: Selection | None = None
 
     @property
     def moves_parts(self) -> bool:
         """Whether parts have come or gone, so that indices before and after differ."""
         return self.masses is not None or self.springs is not None or self.joints is not None
+
+
+def existing(selection: Selection, scene: Scene) -> Selection:
+    """What of a selection a scene has."""
+    counts = len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)
+    ranges = (frozenset(range(count)) for count in counts)
+    return Selection(*(parts & every for parts, every in zip(selection, ranges, strict=True)))
+
+
+def still_selected(edit: Edit, selection: Selection) -> Selection:
+    """What is selected after an edit."""
+    if edit.select is not None:
+        return edit.select
+    kept = (
+        parts if origin is None else frozenset(new for new, old in enumerate(origin) if old in parts)
+        for parts, origin in zip(selection, (edit.masses, edit.springs, edit.joints), strict=True)
+    )
+    return Selection(*kept)
 
 
 def carried(edit: Edit, moment: Moment) -> Moment:

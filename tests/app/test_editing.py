@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from concurrent.futures import Future
 
 import numpy as np
@@ -13,22 +14,25 @@ from app.session.replay import Player
 from app.session.versions import MOST_STEPS
 from sim.edit.build import extend, positions_of, remove
 from sim.edit.edit import Edit, Selection
+from sim.edit.shape import move
 from sim.edit.values import number, set_number
 from tests.app.pages import SessionPage
 
+NOTHING = Selection()
 
-def longer(moment: sim.Moment) -> Edit:
+
+def longer(moment: sim.Moment, _: Selection = NOTHING) -> Edit:
     """One more mass at the end of a rope."""
     x, y = moment.rows[:2, -1].tolist()
     return extend(moment.scene, len(moment.scene.masses) - 1, (x + 10.0, y + 20.0), positions_of(moment))
 
 
-def shorter(moment: sim.Moment) -> Edit:
+def shorter(moment: sim.Moment, _: Selection = NOTHING) -> Edit:
     """Without the mass in the middle, which tears the rope in two."""
     return remove(moment.scene, Selection(masses=frozenset({len(moment.scene.masses) // 2})))
 
 
-def stiffer(moment: sim.Moment) -> Edit:
+def stiffer(moment: sim.Moment, _: Selection = NOTHING) -> Edit:
     return set_number(moment.scene, number("linear_springs", "stiffness"), [3], 5e4)
 
 
@@ -80,7 +84,9 @@ def test_everything_that_changes_the_scene_is_a_step(page: SessionPage) -> None:
     page.frames(1, commands.OwnValues("body"))
     page.frames(1, commands.Open(sim.load_scene("ring")))
     assert session.versions.undoable == "opening Ring"
+    openings = session.openings
     page.frames(1, commands.Undo())
+    assert session.openings > openings  # it is to be fitted to the window
     assert session.scene.name == "tutorial-3.3"
     assert session.versions.undoable == "own values of the body"
     page.frames(1, commands.Undo())
@@ -170,7 +176,7 @@ def test_an_edited_run_is_replayed_bit_for_bit(page: SessionPage) -> None:
 def test_what_cannot_be_done_is_one_sentence_and_nothing_changes(page: SessionPage) -> None:
     before = page.session.simulation.capture().scene
 
-    def all_gone(moment: sim.Moment) -> Edit:
+    def all_gone(moment: sim.Moment, _: Selection) -> Edit:
         return remove(moment.scene, Selection(masses=frozenset(range(12))))
 
     page.frames(1, commands.Change(all_gone))
@@ -192,3 +198,57 @@ def test_undo_is_bounded(page: SessionPage) -> None:
     page.frames(1)
     assert len(page.session.versions) == MOST_STEPS
     assert page.session.versions.bytes < 64e6
+
+
+def test_the_selection_follows_the_parts(page: SessionPage) -> None:
+    """Through edits, undo and redo; a part that is gone is no longer selected, and other bodies have none."""
+    session = page.session
+    some = Selection(frozenset({2, 6, 9, 40}), frozenset({1, 8}), frozenset({0, 7}))
+    page.frames(1, commands.Play(False), commands.Select(lambda moment, selection: some))
+    assert session.selection == Selection(frozenset({2, 6, 9}), frozenset({1, 8}), frozenset({0, 7}))
+    revision = session.revision
+    page.frames(1, commands.Select(lambda _, selection: selection._replace(joints=frozenset({7}))))
+    assert session.revision == revision  # nothing is drawn anew
+    page.frames(1, commands.Change(shorter))  # without mass 6, between springs 5 and 6
+    assert session.selection == Selection(frozenset({2, 8}), frozenset({1, 6}), frozenset({4}))
+    page.frames(1, commands.Undo())
+    assert session.selection == Selection(frozenset({2, 9}), frozenset({1, 8}), frozenset({7}))
+    page.frames(1, commands.Redo())
+    assert session.selection == Selection(frozenset({2, 8}), frozenset({1, 6}), frozenset({4}))
+    page.frames(1, commands.GoTo(0.0))
+    page.frames(1, commands.Open(sim.load_scene("ring")))
+    assert session.selection == NOTHING
+
+
+def test_an_edit_may_say_what_is_selected_and_gets_the_selection(page: SessionPage) -> None:
+    def copied(moment: sim.Moment, selection: Selection) -> Edit:
+        assert selection.masses == {0, 1}
+        edit = longer(moment)
+        return dataclasses.replace(edit, select=Selection(frozenset({12})))
+
+    page.frames(1, commands.Select(lambda *_: Selection(frozenset({0, 1}))), commands.Change(copied))
+    assert page.session.selection.masses == {12}
+
+
+def test_edits_with_the_same_key_are_one_step(page: SessionPage) -> None:
+    def nudged(moment: sim.Moment, _: Selection) -> Edit:
+        return move(moment.scene, [4], (3.0, 1.0))
+
+    session = page.session
+    page.frames(1, commands.Play(False))
+    before = session.simulation.positions.copy()
+    for _ in range(5):
+        page.frames(5, commands.Change(nudged, key="nudge"))
+    assert len(session.versions) == 1
+    np.testing.assert_allclose(session.simulation.positions[4], before[4] + (15.0, 5.0))
+    page.frames(100)  # more than a second later it is another one
+    page.frames(1, commands.Change(nudged, key="nudge"))
+    page.frames(1, commands.Change(stiffer, key="other"))
+    page.frames(1, commands.Change(nudged), commands.Change(nudged))
+    assert len(session.versions) == 5
+    page.frames(1, *[commands.Undo()] * 4)
+    np.testing.assert_allclose(session.simulation.positions[4], before[4] + (15.0, 5.0))
+    page.frames(1, commands.Undo())
+    np.testing.assert_array_equal(session.simulation.positions, before)
+    page.frames(1, commands.Redo())
+    np.testing.assert_allclose(session.simulation.positions[4], before[4] + (15.0, 5.0))

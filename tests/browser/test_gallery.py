@@ -135,3 +135,12 @@ def test_what_a_file_says_is_text(open_page: OpenPage) -> None:
     desk.card("evil").get_by_text("onerror").wait_for()
     desk.rest(3)
     assert desk.page.evaluate("window.pwned") is None
+
+
+def test_a_scene_that_is_saved_as_the_gallery_opens_does_not_keep_it_shut(open_page: OpenPage) -> None:
+    desk = open_page(size=SMALL)
+    gallery = desk.tab._answers.gallery
+    with desk.tab.client.atomic():
+        gallery.offer()
+        gallery.changed()
+    desk.page.get_by_role("dialog", name="Scenes").locator(".softrod-card").first.wait_for()

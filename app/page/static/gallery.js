@@ -236,14 +236,11 @@ export function addGallery() {
       search.focus(); // which takes the letter
     }
   });
-  onMail("gallery", (letter) => {
-    if (letter.open) show();
-    else if (!dialog.open) return;
-    else if (letter.changed) list();
-    else {
-      ({ scenes: entries, present } = letter);
-      build();
-    }
+  onMail("gallery", show);
+  onMail("shelf", () => dialog.open && list());
+  onMail("scenes", (letter) => {
+    ({ scenes: entries, present } = letter);
+    if (dialog.open) build();
   });
   onMail("pictures", (letter) => {
     ({ pictures } = letter);
