@@ -120,8 +120,8 @@ FindParts = Callable[[Moment, Selection], Selection]
 """Finds what is to be selected, from a moment and what is selected now."""
 
 StepVersions = Callable[[Moment], tuple[Moment, Edit | None] | None]
-"""Leads from the present moment to that of another version of the scene, if there is one, and over which edit;
-None where it is another body.
+"""Leads from the present moment to that of another version of the scene, if there is one, and says over which
+edit; None for another body.
 """
 
 
