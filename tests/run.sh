@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Everything that is tested, on a machine with nothing but Python >= 3.11: finds or installs uv and a
-# Chromium, then runs ruff, pyright and pytest, browser tests included. Fails when no browser can be had.
+# Everything that is tested, on a machine with nothing but Python >= 3.11: finds or installs uv, a Chromium and
+# a C compiler, then runs ruff, pyright and pytest, browser tests included. Fails when one of them cannot be had.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -21,7 +21,22 @@ find_browser() {
     return 1
 }
 
+find_compiler() { command -v cc || command -v gcc || command -v clang; }
+
 uv sync --quiet
+
+# Exported programs in C are compiled and run.
+if ! find_compiler >/dev/null; then
+    if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null 2>&1; then
+        echo "installing gcc with apt-get"
+        apt-get update -qq
+        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq gcc libc6-dev >/dev/null
+    fi
+    find_compiler >/dev/null || {
+        echo "no C compiler was found or could be installed: install gcc" >&2
+        exit 1
+    }
+fi
 
 if ! find_browser >/dev/null; then
     if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null 2>&1; then

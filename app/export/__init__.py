@@ -1,1 +1,1 @@
-"""What a user takes home: pictures, films, replays and models of a scene, made without a page."""
+"""What a user takes home of a scene: pictures, films, replays, models, data and programs."""

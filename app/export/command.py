@@ -1,8 +1,9 @@
-"""`softrod export`: pictures, films, replays and models of a scene, without a page."""
+"""`softrod export`: pictures, films, replays, models, data and programs of a scene, without a page."""
 
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,10 +27,17 @@ PICTURE = 1280
 
 _SIZE = re.compile(r"(\d{2,4})x(\d{2,4})")
 
+_ENDINGS = {"csv": "zip", "python": "py"}
+"""Of files whose option has another name."""
+
+_OF_BODY = frozenset(("json", "csv", "python", "c"))
+"""What needs no motion."""
+
 
 @dataclass
 class Export:
-    """Write a picture, a film, a replay or a model of a scene, or of a log that a page recorded."""
+    """Write a picture, a film, a replay, a model, data or a program of a scene, or of a log that a page
+    recorded."""
 
     scene: Annotated[Positional[str], arg(metavar="SCENE")] = ""
     """A preset's name or a file's path; a recorded log has its own."""
@@ -41,6 +49,14 @@ class Export:
     """A replay that any browser shows without a network, FILE.html."""
     glb: Path | None = None
     """A model of the end in three dimensions, FILE.glb."""
+    json: Path | None = None
+    """The body's numbers as plain arrays, FILE.json."""
+    csv: Path | None = None
+    """The body's numbers as tables in CSV, FILE.zip."""
+    python: Path | None = None
+    """A program in Python with NumPy that moves the body by the tutorial's step, FILE.py."""
+    c: Path | None = None
+    """The same in C99, FILE.c."""
     seconds: float = 5.0
     """Simulated seconds, 0..60: of a log the last ones."""
     after: float = 0.0
@@ -63,10 +79,11 @@ class Export:
             InputError, SceneError, SettingError: it cannot be done; what is not written yet is not written.
         """
         wanted = {"png": self.png, "gif": self.gif, "html": self.html, "glb": self.glb}
+        wanted |= {"json": self.json, "csv": self.csv, "python": self.python, "c": self.c}
         outputs = {kind: path for kind, path in wanted.items() if path is not None}
         size = self._checked(outputs)
-        shots = self._shots()
-        makers = self._makers(shots, size)
+        moments = self._moments(0.0 if set(outputs) <= _OF_BODY else self.seconds)
+        makers = self._makers(moments, size)
         for kind, path in outputs.items():
             data = makers[kind]()
             try:
@@ -85,10 +102,13 @@ class Export:
         from .painter import LARGEST, SMALLEST
 
         if not outputs:
-            raise InputError("export: name what to write, with --png, --gif, --html or --glb")
+            raise InputError(
+                "export: name what to write, with --png, --gif, --html, --glb, --json, --csv, --python or --c"
+            )
         for kind, path in outputs.items():
-            if path.suffix.lower() != f".{kind}":
-                raise InputError(f"--{kind} {path}: the file must end in .{kind}")
+            ending = _ENDINGS.get(kind, kind)
+            if path.suffix.lower() != f".{ending}":
+                raise InputError(f"--{kind} {path}: the file must end in .{ending}")
             if not path.parent.is_dir():
                 raise InputError(f"--{kind} {path}: the folder {path.parent} does not exist")
         least = SHORTEST if {"gif", "html"} & set(outputs) else 0.0
@@ -104,7 +124,7 @@ class Export:
             raise InputError(f"--size {self.size}: two numbers from {SMALLEST} to {LARGEST}, as in 640x360")
         return size
 
-    def _shots(self) -> list[Shot]:
+    def _moments(self, seconds: float) -> list[sim.Moment]:
         from .making import replayed, simulated
 
         console = Console(stderr=True)
@@ -112,21 +132,38 @@ class Export:
             if not self.scene:
                 raise InputError("export: name a scene, or a recorded log with --inputs")
             scene = apply_assignments(sim.load_scene(self.scene), self.settings)
-            return simulated(scene, self.seconds, self.after, console)
+            return simulated(scene, seconds, self.after, console)
         record = read_log(self.inputs)
         if not isinstance(record, Log):
             raise InputError(f"{self.inputs}: this is no log that a page recorded")
         if self.scene or self.settings or self.after:
             raise InputError("export: a recorded log is shown as it was, without SCENE, --set and --after")
-        shots, differs = replayed(record, console)
+        moments, differs = replayed(record, console)
         if differs is not None:
             console.print(f"softrod: {self.inputs}: {differs}", highlight=False)
-        return shots
+        return moments
 
-    def _makers(self, shots: list[Shot], size: tuple[int, int] | None) -> dict[str, Callable[[], bytes]]:
+    def _makers(
+        self, moments: list[sim.Moment], size: tuple[int, int] | None
+    ) -> dict[str, Callable[[], bytes]]:
         from . import film, picture, replay
+        from .body.body import Body
+        from .body.c import c_program
+        from .body.data import body_csv, body_json
+        from .body.python import python_program
 
-        last = shots[-1]
+        last = Shot.of(moments[-1])
+        # The start of a film; of a log there is only its end.
+        begin = moments[0 if self.inputs is None else -1]
+
+        def clip() -> Clip:
+            return Clip(map(Shot.of, moments), self.seconds)
+
+        def program(make: Callable[[Body], tuple[bytes, list[str]]], path: Path | None) -> bytes:
+            data, notes = make(Body.of(begin))
+            for note in notes:
+                print(f"softrod: {path}: {note}", file=sys.stderr)
+            return data
 
         def model() -> bytes:
             from .model import glb
@@ -137,12 +174,15 @@ class Export:
             console = Console(stderr=True)
             with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
                 task = progress.add_task("painting", total=1.0)
-                clip = Clip(shots, self.seconds)
-                return film.gif(clip, size, self.dark, lambda part: progress.update(task, completed=part))
+                return film.gif(clip(), size, self.dark, lambda part: progress.update(task, completed=part))
 
         return {
             "png": lambda: picture.png(last, size or film.size_of(last.scene, longer=PICTURE), self.dark),
             "gif": moving,
-            "html": lambda: replay.replay_html(Clip(shots, self.seconds)),
+            "html": lambda: replay.replay_html(clip()),
             "glb": model,
+            "json": lambda: body_json(Body.of(begin)),
+            "csv": lambda: body_csv(Body.of(begin)),
+            "python": lambda: program(python_program, self.python),
+            "c": lambda: program(c_program, self.c),
         }

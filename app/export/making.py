@@ -10,13 +10,12 @@ from sim.errors import InputError
 
 from ..session.log import Log
 from ..session.replay import Player
-from .clip import Shot
 
 RATE = 60
 """Moments of a simulated second."""
 
 
-def simulated(scene: sim.Scene, seconds: float, after: float, console: Console) -> list[Shot]:
+def simulated(scene: sim.Scene, seconds: float, after: float, console: Console) -> list[sim.Moment]:
     """The moments of a scene that nobody touches, 60 a second; of no seconds, one.
 
     Args:
@@ -35,14 +34,14 @@ def simulated(scene: sim.Scene, seconds: float, after: float, console: Console) 
         while simulation.time < after - simulation.dt / 2.0:
             _go(simulation, min(0.5, after - simulation.time))
             progress.update(task, completed=simulation.time)
-        shots = [Shot.of(simulation.capture())]
+        moments = [simulation.capture()]
         for _ in range(round(seconds * RATE)):
             _go(simulation, 1.0 / RATE)
             # A time step may be longer than a frame.
-            if simulation.time > shots[-1].picture.time:
-                shots.append(Shot.of(simulation.capture()))
+            if simulation.time > moments[-1].time:
+                moments.append(simulation.capture())
             progress.update(task, completed=simulation.time)
-    return shots
+    return moments
 
 
 def _go(simulation: sim.Simulation, seconds: float) -> None:
@@ -51,7 +50,7 @@ def _go(simulation: sim.Simulation, seconds: float) -> None:
         raise InputError(str(simulation.divergence))
 
 
-def replayed(record: Log, console: Console) -> tuple[list[Shot], str | None]:
+def replayed(record: Log, console: Console) -> tuple[list[sim.Moment], str | None]:
     """The moments of a recorded log, and how it differs from what was recorded (None if it does not).
 
     Raises:
@@ -59,7 +58,7 @@ def replayed(record: Log, console: Console) -> tuple[list[Shot], str | None]:
     """
     simulation = sim.Simulation(record.scene)
     player = Player(record, simulation)
-    shots = [Shot.of(simulation.capture())]
+    moments = [simulation.capture()]
     total = sum(entry.times for entry in record.entries)
     with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task("replaying", total=total)
@@ -68,7 +67,7 @@ def replayed(record: Log, console: Console) -> tuple[list[Shot], str | None]:
             progress.update(task, advance=1)
             moment = simulation.capture()
             # Somebody may have gone back, and on from there.
-            while shots and shots[-1].picture.time >= moment.time:
-                shots.pop()
-            shots.append(Shot.of(moment))
-    return shots, None if player.agrees else player.verdict
+            while moments and moments[-1].time >= moment.time:
+                moments.pop()
+            moments.append(moment)
+    return moments, None if player.agrees else player.verdict

@@ -1,4 +1,5 @@
-"""The part of the Files tab from which a user takes something home: a picture, a film, a replay, a model.
+"""The part of the Files tab from which a user takes something home: a picture, a film, a replay, a model, and
+the body as data and programs.
 
 Handlers only hand work to the workshop. The picture is made by the page itself, which has all that is drawn.
 """
@@ -7,10 +8,12 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import viser
 
+import sim
 from sim.errors import InputError
 
 from ..export.clip import Clip, Shot
@@ -27,8 +30,23 @@ ABOUT = (
     "Blender and the like.</div>"
 )
 
+PROGRAMS = (
+    '<div class="softrod-text"><b>For programs.</b> The body as it is now: its numbers as JSON or as CSV '
+    "tables, or a short program that moves it by the tutorial's step.</div>"
+)
+
 Make = Callable[[Callable[[float], None]], tuple[str, bytes]]
 """Makes a file, telling how far it is, 0..1, and returns its ending and its content."""
+
+
+_JSON, _CSV, _PYTHON, _C = "JSON", "CSV", "Python", "C"
+_PROGRAMS = {
+    _JSON: "Numbers of the body (JSON)",
+    _CSV: "Numbers of the body (tables in CSV)",
+    _PYTHON: "Program in Python",
+    _C: "Program in C",
+}
+"""Buttons, and the commands that do the same."""
 
 
 class ExportPanel:
@@ -63,6 +81,8 @@ class ExportPanel:
         gif = gui.add_button("GIF", icon=viser.Icon.GIF, color="gray")
         replay_file = gui.add_button("Replay file", icon=viser.Icon.MOVIE, color="gray")
         model = gui.add_button("3D model", icon=viser.Icon.CUBE, color="gray")
+        gui.add_html(PROGRAMS)
+        programs = gui.add_button_group("Body as", tuple(_PROGRAMS))
         self._progress = gui.add_progress_bar(0.0, visible=False)
         self.outlined = [picture, gif, replay_file, model]
         for button, label, key, action in (
@@ -80,6 +100,17 @@ class ExportPanel:
             @command.on_trigger
             async def _(_: object, action: Callable[[], None] = action) -> None:
                 action()
+
+        @programs.on_click
+        async def _(_: object) -> None:
+            self._start(partial(self._body, programs.value))
+
+        for kind, label in _PROGRAMS.items():
+            command = gui.add_command(label)
+
+            @command.on_trigger
+            async def _(_: object, kind: str = kind) -> None:
+                self._start(partial(self._body, kind))
 
     def _picture(self) -> None:
         self._act("picture", None)
@@ -133,15 +164,36 @@ class ExportPanel:
         tell(0.3)
         return "html", replay.replay_html(clip)
 
+    def _body(self, kind: str, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ..export.body.body import Body
+        from ..export.body.c import c_program
+        from ..export.body.data import body_csv, body_json
+        from ..export.body.python import python_program
+
+        body = Body.of(self._moment())
+        tell(0.3)
+        if kind == _JSON:
+            return "json", body_json(body)
+        if kind == _CSV:
+            return "zip", body_csv(body)
+        data, notes = (python_program if kind == _PYTHON else c_program)(body)
+        if notes:
+            self._tell("info", "About the program", _sentence("; ".join(notes)))
+        return "py" if kind == _PYTHON else "c", data
+
     def _model(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
         from ..export.model import glb
 
-        moments = self._session.recent(0.0)
+        shot = Shot.of(self._moment())
         tell(0.3)
+        return "glb", glb(shot.scene, shot.picture)
+
+    def _moment(self) -> sim.Moment:
+        """The one that the page shows."""
+        moments = self._session.recent(0.0)
         if not moments:
             raise InputError("there is no body yet")
-        shot = Shot.of(moments[-1][0])
-        return "glb", glb(shot.scene, shot.picture)
+        return moments[-1][0]
 
     def _tell(self, kind: Any, title: str, text: str) -> None:
         self._act("notice", Notice(kind, title, text))

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import json
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -96,6 +98,35 @@ def test_files_come_from_the_buttons_and_a_short_past_is_told(open_page: OpenPag
     desk.tell(commands.Reset())
     desk.button("GIF").click()
     assert "press Play" in desk.notice("That did not work")
+
+
+def test_the_body_comes_as_numbers_and_as_programs(open_page: OpenPage) -> None:
+    desk = open_page("ring")
+    desk.until(lambda: desk.simulation.time > 0.2, "some time passes")
+    desk.tell(commands.Play(False))
+    desk.wait_drawn()
+    desk.show("Files")
+    name, data = download(desk, "JSON")
+    assert name == "ring.json"
+    body = json.loads(data)
+    assert body["masses"]["position"] == desk.simulation.positions.tolist()
+    assert body["time"] == desk.simulation.time
+    name, data = download(desk, "CSV")
+    assert name == "ring.zip"
+    assert "springs.csv" in zipfile.ZipFile(io.BytesIO(data)).namelist()
+    name, data = download(desk, "Python")
+    assert name == "ring.py"
+    compile(data, name, "exec")
+    assert "symplectic Euler" in desk.notice("About the program")
+    name, data = download(desk, "C")
+    assert (name, data[:2]) == ("ring.c", b"//")
+
+
+def test_a_page_says_what_a_program_cannot_do(open_page: OpenPage) -> None:
+    desk = open_page("tree")
+    desk.show("Files")
+    desk.button("C").click()
+    assert "cannot do gusts of wind; set turbulence to 0" in desk.notice("That did not work")
 
 
 def opened(page: BrowserPage, path: Path) -> None:

@@ -1,0 +1,1 @@
+"""A body as numbers: plain data, and short programs that move it."""

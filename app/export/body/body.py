@@ -1,0 +1,175 @@
+"""A body at one moment, with all that acts on it, as plain numbers."""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import sim
+from sim.body.stable_spring import clamp_stiffness
+from sim.body.system import System, build_system, joint_stiffness
+from sim.errors import InputError
+from sim.kernels.core.surroundings import FILLING_AREA
+from sim.motion.driving import offset
+from sim.scene.types import Circle
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A gas or a liquid.
+
+    Attributes:
+        masses: around it, in the order in which its area is positive.
+        is_gas: whether it is a gas.
+        pressure: of a gas at its area, or the bulk modulus of a liquid, kg/s².
+        outside: the pressure outside, kg/s².
+        area: px².
+    """
+
+    masses: list[int]
+    is_gas: bool
+    pressure: float
+    outside: float
+    area: float
+
+
+@dataclass(frozen=True)
+class Body:
+    """All numbers in the order of the scene's parts. What is broken has no stiffness and no damping.
+
+    Attributes:
+        moment: what it was made of.
+        positions, velocities: (n, 2) px and px/s; a held mass is at rest unless it goes round a circle.
+        mass: (n,) kg.
+        radius: (n,) px.
+        held: (n,) whether a mass is held.
+        circles: the circles on which held masses go, and where each is at time zero, px, by mass.
+        ends: (S, 2) masses at the ends of each linear spring.
+        stiffness, damping, rest_length: (S,) kg/s², kg/s, px.
+        joints: (J, 2) linear springs of each joint.
+        joint_stiffness, joint_damping, rest_angle: (J,) kg/s², kg/s, degrees.
+        broken: (S,) whether a linear spring is broken.
+        walls: (W, 8) rows as in `sim.kernels.core.surroundings`.
+        wind: of the mean wind, px/s.
+        gusts: whether the wind has gusts.
+        loops: gases and liquids.
+    """
+
+    moment: sim.Moment
+    positions: Floats
+    velocities: Floats
+    mass: Floats
+    radius: Floats
+    held: NDArray[np.bool_]
+    circles: dict[int, tuple[Circle, tuple[float, float]]]
+    ends: Indices
+    stiffness: Floats
+    damping: Floats
+    rest_length: Floats
+    joints: Indices
+    joint_stiffness: Floats
+    joint_damping: Floats
+    rest_angle: Floats
+    broken: NDArray[np.bool_]
+    walls: Floats
+    wind: tuple[float, float]
+    gusts: bool
+    loops: list[Loop]
+
+    @property
+    def scene(self) -> sim.Scene:
+        """The scene of the moment."""
+        return self.moment.scene
+
+    @staticmethod
+    def of(moment: sim.Moment) -> Body:
+        """The body of a moment.
+
+        Raises:
+            InputError: a position or a velocity is not a finite number.
+        """
+        if not np.isfinite(moment.rows).all():
+            raise InputError("a position or a velocity is not a finite number")
+        scene, damage = moment.scene, moment.damage
+        springs, joints = scene.linear_springs, scene.angular_springs
+        rest_length = np.array([s.rest_length for s in springs]) * moment.rest_length_scale
+        rest_angle = np.array([j.rest_angle for j in joints]) + moment.rest_angle_shift
+        broken = np.zeros(len(springs), np.bool_)
+        if damage is not None:
+            broken[list(damage.broken)] = True
+            if damage.set_lengths:
+                rest_length += damage.set_lengths
+            if damage.set_angles:
+                rest_angle += damage.set_angles
+        ends = np.array([(s.a, s.b) for s in springs], np.int64).reshape(-1, 2)
+        held_springs = np.array([(j.a, j.b) for j in joints], np.int64).reshape(-1, 2)
+        whole, unbent = ~broken, ~broken[held_springs].any(1)
+        held = np.zeros(len(scene.masses), np.bool_)
+        held[[anchor.mass for anchor in scene.anchors]] = True
+        velocities = np.where(held[:, None], 0.0, moment.velocities)
+        system = build_system(scene)
+        around = system.body.surroundings
+        return Body(
+            moment=moment,
+            positions=np.array(moment.positions),
+            velocities=velocities,
+            mass=np.array([m.mass for m in scene.masses], float),
+            radius=np.array([m.radius for m in scene.masses], float),
+            held=held,
+            circles=_circles(moment),
+            ends=ends,
+            stiffness=np.where(whole, [s.stiffness for s in springs], 0.0),
+            damping=np.where(whole, [s.damping for s in springs], 0.0),
+            rest_length=rest_length,
+            joints=held_springs,
+            joint_stiffness=np.where(unbent, joint_stiffness(scene), 0.0),
+            joint_damping=np.where(unbent, [j.damping for j in joints], 0.0),
+            rest_angle=180.0 - (180.0 - rest_angle) % 360.0,
+            broken=broken,
+            walls=np.array(around.walls),
+            wind=(float(around.wind_x), float(around.wind_y)),
+            gusts=bool(around.waves.size),
+            loops=_loops(system),
+        )
+
+    def softened(self) -> Body:
+        """With springs and joints as soft as the stable spring makes them for the scene's time step."""
+        scene = self.scene
+        system = build_system(scene)
+        body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
+        at, springs = np.argsort(system.spring_order), body.springs
+        order, unbent = system.joint_order, ~self.broken[self.joints].any(1)
+        return dataclasses.replace(
+            self,
+            stiffness=np.where(self.broken, 0.0, body.stiffness[:springs][at]),
+            damping=np.where(self.broken, 0.0, body.damping[:springs][at]),
+            joint_stiffness=np.where(unbent, body.joint_stiffness[order], 0.0),
+            joint_damping=np.where(unbent, body.torque_damping[1 + order], 0.0),
+        )
+
+
+def _circles(moment: sim.Moment) -> dict[int, tuple[Circle, tuple[float, float]]]:
+    circles = {}
+    for anchor in moment.scene.anchors:
+        if anchor.circle is not None and anchor.circle.radius > 0.0:
+            x, y = moment.positions[anchor.mass].tolist()
+            dx, dy = offset(anchor.circle, moment.time)
+            circles[anchor.mass] = anchor.circle, (x - dx, y - dy)
+    return circles
+
+
+def _loops(system: System) -> list[Loop]:
+    around, start = system.body.surroundings, system.body.surroundings.loop_start
+    loops = []
+    for k, (is_gas, pressure, outside, _) in enumerate(around.fillings.tolist()):
+        slots = around.loop[start[k] : start[k + 1]]
+        masses = system.mass_order[slots - 1].tolist()
+        area = float(around.fillings[k, FILLING_AREA])
+        loops.append(Loop(masses, bool(is_gas), pressure, outside, area))
+    return loops

@@ -1,0 +1,27 @@
+"""Programs in C, compiled and run."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+
+def compiler() -> str:
+    """A compiler of C; `tests/run.sh` installs one where there is none."""
+    found = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+    if found is None:
+        pytest.fail("there is no C compiler: install gcc")
+    return found
+
+
+def compiled(source: Path) -> Path:
+    """The program made of a source file; a warning of the compiler is a failure."""
+    program = source.with_suffix("")
+    flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-pedantic-errors", "-Werror"]
+    words = [compiler(), *flags, str(source), "-o", str(program), "-lm"]
+    run = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    return program

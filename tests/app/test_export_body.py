@@ -1,0 +1,374 @@
+"""Bodies as data and as programs: the numbers are the scene's, and the programs move as the solver does."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import subprocess
+import sys
+import zipfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from msgspec.structs import replace as changed
+
+import sim
+from app.cli import main
+from app.export.body.body import Body
+from app.export.body.c import c_program
+from app.export.body.data import body_csv, body_json
+from app.export.body.program import plain
+from app.export.body.python import python_program
+from sim.errors import InputError
+from sim.scene.types import Circle, Damage
+from tests.app.compiling_c import compiled
+
+EULER = sim.Integrator(method="symplectic_euler")
+STEPS = 400
+CLOSE = 1e-9
+"""px"""
+
+
+def body_of(scene: sim.Scene) -> Body:
+    return Body.of(sim.Simulation(scene).capture())
+
+
+def printed(words: list[str]) -> np.ndarray:
+    """(n, 2) the places that a program prints."""
+    run = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    assert not run.stderr
+    return np.array(run.stdout.split(), float).reshape(-1, 2)
+
+
+def moved_by_programs(body: Body, folder: Path, steps: int = STEPS) -> list[np.ndarray]:
+    """Where the masses are in the end, by the program in Python and by that in C."""
+    (folder / "body.py").write_bytes(python_program(body)[0])
+    (folder / "body.c").write_bytes(c_program(body)[0])
+    python = [sys.executable, str(folder / "body.py"), str(steps)]
+    return [printed(python), printed([str(compiled(folder / "body.c")), str(steps)])]
+
+
+def command(*words: object) -> int:
+    with pytest.raises(SystemExit) as ended:
+        main([*map(str, words)])
+    return int(ended.value.code or 0)
+
+
+# ------------------------------------------------------------------------- programs and the solver
+BENT = sim.rope(masses=9, length=240.0, force_law="angle", angular_damping=15.0, rest_angle=40.0)
+POSE = sim.Pose(
+    positions=tuple((300.0 + 25.0 * i, 200.0 + 3.0 * i * i) for i in range(9)),
+    velocities=tuple((10.0 * i, -30.0) for i in range(9)),
+)
+LOOSE = sim.Scene(
+    name="loose",
+    masses=tuple(sim.Mass(position=(100.0 * i, 300.0), velocity=(90.0, 0.0), mass=1 + i) for i in range(3)),
+    walls=(sim.Wall(point=(0.0, 500.0), normal=(1.0, -3.0), friction=0.3),),
+    gravity=(0.0, 900.0),
+)
+DAMPED = sim.rope(masses=7, length=240.0, direction=(1.0, 0.2), angular_damping=30.0, rest_angle=20.0)
+SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
+    "rope": (sim.load_scene("tutorial-3.3"), ("rest_angle=25",)),
+    "diagonal template": (sim.load_scene("tutorial-3.2"), ("template=135",)),
+    "rod": (sim.load_scene("rod"), ()),
+    "ring": (sim.load_scene("ring"), ()),
+    "ring, tutorial": (sim.load_scene("ring"), ("force_law=tutorial",)),
+    "box": (sim.load_scene("box"), ("gravity=700",)),
+    "cloth": (sim.load_scene("cloth"), ()),
+    "damped joints": (DAMPED, ()),
+    "angle law in a pose": (changed(BENT, pose=POSE, gravity=(0.0, 300.0)), ()),
+    "springs alone in a pose": (changed(BENT, angular_springs=(), bodies=(), pose=POSE), ()),
+    "liquid on a floor": (sim.load_scene("water-balloon"), ()),
+    "gas on a floor": (sim.load_scene("air-balloon"), ("dt=0.001",)),
+    "circles": (sim.load_scene("lesson-resonance"), ()),
+    "steady wind": (sim.load_scene("flag-pole"), ("turbulence=0",)),
+    "stable spring": (sim.load_scene("girder"), ("method=stable_spring",)),
+    "no springs, a slope": (LOOSE, ()),
+}
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_programs_move_as_the_command_does(name: str, tmp_path: Path) -> None:
+    scene, settings = SCENES[name]
+    sim.save_scene(scene, tmp_path / "scene.json")
+    words: list[object] = [tmp_path / "scene.json"]
+    for setting in ("method=symplectic_euler", *settings):
+        words += ["--set", setting]
+    files = {kind: tmp_path / f"body.{ending}" for kind, ending in (("python", "py"), ("c", "c"))}
+    assert command("export", *words, "--python", files["python"], "--c", files["c"]) == 0
+    table = tmp_path / "run.csv"
+    assert command("run", *words, "--steps", STEPS, "--every", STEPS, "--out", table) == 0
+    wanted = np.loadtxt(table, delimiter=",", skiprows=1)[2:].reshape(-1, 2)
+    start = body_of(scene).positions
+    assert abs(wanted - start).max() > 1.0  # it is a motion
+    assert printed([sys.executable, str(files["python"])]) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
+    assert printed([str(compiled(files["c"]))]) == pytest.approx(wanted, abs=CLOSE, rel=0.0)
+
+
+def test_a_program_begins_at_the_moment_that_it_is_made_of(tmp_path: Path) -> None:
+    rope = sim.rope(masses=8, length=240.0, driven=None, arrow_keys=sim.ArrowKeys(), integrator=EULER)
+    circle = sim.Anchor(mass=0, circle=Circle(radius=20.0, frequency=1.5))
+    simulation = sim.Simulation(changed(rope, anchors=(circle,), bodies=()))
+    simulation.keys = {"up", "right"}
+    simulation.step(80)
+    simulation.keys = ()
+    body = Body.of(simulation.capture())
+    simulation.restore(simulation.capture())
+    simulation.step(STEPS)
+    for places in moved_by_programs(body, tmp_path):
+        assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+
+
+def test_what_is_broken_and_bent_for_good_is_so_in_a_program(tmp_path: Path) -> None:
+    rope = sim.rope(masses=6, length=240.0, direction=(1.0, 0.0), integrator=EULER)
+    springs = tuple(changed(s, strength=1e14, yield_force=1e13) for s in rope.linear_springs)
+    joints = tuple(changed(j, yield_torque=1e17) for j in rope.angular_springs)
+    simulation = sim.Simulation(changed(rope, linear_springs=springs, angular_springs=joints, bodies=()))
+    damage = Damage(
+        broken=(3,),
+        set_lengths=(5.0, -4.0, 0.0, 0.0, 0.0),
+        hardened=(0.0,) * 5,
+        set_angles=(20.0, 0.0, 0.0, 0.0),
+    )
+    simulation.restore(replace(simulation.capture(), damage=damage))
+    body = Body.of(simulation.capture())
+    simulation.step(STEPS)
+    assert simulation.damage is not None
+    assert simulation.damage.broken == (3,)
+    for places in moved_by_programs(body, tmp_path):
+        assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+    assert "in it no spring breaks or yields any further" in c_program(body)[1]
+    assert json.loads(body_json(body))["springs"]["broken"] == [0, 0, 0, 1, 0]
+
+
+def test_the_stable_spring_may_break_too(tmp_path: Path) -> None:
+    rope = sim.rope(masses=6, length=240.0, direction=(1.0, 0.0), stiffness=1e7)
+    springs = tuple(changed(s, strength=1e14) for s in rope.linear_springs)
+    integrator = sim.Integrator(method="stable_spring", dt=0.01)
+    simulation = sim.Simulation(changed(rope, linear_springs=springs, bodies=(), integrator=integrator))
+    simulation.restore(replace(simulation.capture(), damage=Damage(broken=(2,))))
+    body = Body.of(simulation.capture())
+    simulation.step(100)
+    for places in moved_by_programs(body, tmp_path, 100):
+        assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+
+
+# ------------------------------------------------------------------------- what programs say
+def test_a_program_has_only_what_the_scene_needs() -> None:
+    bare = changed(sim.rope(masses=3, length=100.0, driven=None), air_friction=0.0, gravity=(0.0, 0.0))
+    springs = tuple(changed(spring, damping=0.0) for spring in bare.linear_springs)
+    body = body_of(changed(bare, linear_springs=springs, angular_springs=(), anchors=(), bodies=()))
+    for text in (python_program(body)[0].decode(), c_program(body)[0].decode()):
+        for word in ("AIR", "GRAVITY", "wall", "WALLS", "joint", "Joint", "held", "FREE", "damping", "pp"):
+            assert word not in text
+    full = body_of(sim.load_scene("water-balloon"))
+    assert "WALLS" in python_program(full)[0].decode()
+    assert "tanh" in c_program(full)[0].decode()
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("pile", "a program cannot do contact of bodies; set contact_distance to 0 to have one without it"),
+        ("tree", "a program cannot do gusts of wind; set turbulence to 0 to have one without them"),
+    ],
+)
+def test_what_a_program_cannot_do_is_refused_in_one_sentence(
+    name: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for kind, ending in (("python", "py"), ("c", "c")):
+        out = tmp_path / f"body.{ending}"
+        assert command("export", name, f"--{kind}", out) == 1
+        assert capsys.readouterr().err == f"softrod: {said}\n"
+        assert not out.exists()
+    # What the sentence says does it, and data have it all.
+    setting = "contact_distance" if "contact" in said else "turbulence"
+    assert command("export", name, "--json", tmp_path / "body.json") == 0
+    assert command("export", name, "--c", out, "--set", f"{setting}=0") == 0
+
+
+def test_a_program_says_what_is_another_in_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "body.py"
+    assert command("export", "lesson-cantilever", "--python", out) == 0
+    said = capsys.readouterr().err.splitlines()
+    assert said == [
+        f"softrod: {out}: it steps by symplectic Euler, the scene by Auto",
+        f"softrod: {out}: its time step of 0.0025 s is above the largest stable one, 0.00014 s, so the body "
+        "runs away",
+    ]
+    head = " ".join(line.removeprefix("# ") for line in out.read_text().splitlines()[:12])
+    assert "the largest stable one, 0.00014 s" in head
+    words = ("--set", "dt=0.0001", "--set", "method=symplectic_euler")
+    assert command("export", "lesson-cantilever", "--python", out, *words) == 0
+    assert not capsys.readouterr().err
+    assert command("export", "tutorial-3.3", "--python", out) == 0
+    assert capsys.readouterr().err.endswith("in it, the pointer and the arrow keys do nothing\n")
+
+
+HOSTILE = "*/ int x = 1; ??/\n\"\"\"\n#'''\nimport os\\\r\u2028\n#define DT 9 \\"
+
+
+def test_nothing_of_a_scene_is_code_in_a_program(tmp_path: Path) -> None:
+    for text in (HOSTILE, "a\\", "??/", "\u202e\x00\x1b[2J", "a*/", '"""'):
+        scene = changed(LOOSE, title=text[:60], name=text[:60], view=sim.View(unit=text[:8]))
+        plainly = moved_by_programs(body_of(LOOSE), tmp_path, 3)
+        hostile = moved_by_programs(body_of(scene), tmp_path, 3)
+        assert all((one == other).all() for one, other in zip(plainly, hostile, strict=True))
+        for name in ("body.c", "body.py"):
+            bytes_ = (tmp_path / name).read_bytes()
+            assert all(byte == 10 or 32 <= byte < 127 for byte in bytes_)
+            assert b"??" not in bytes_
+            assert not any(line.endswith(b"\\") for line in bytes_.splitlines())
+    assert plain("Brücke №5: 3.5 px/s") == "Brucke No5: 3.5 px/s"
+
+
+# ------------------------------------------------------------------------- data
+def test_a_scene_can_be_made_of_the_json() -> None:
+    simulation = sim.Simulation(changed(sim.load_scene("tutorial-3.2"), integrator=EULER))
+    simulation.step(100)
+    data = json.loads(body_json(Body.of(simulation.capture())))
+    masses, springs, joints = data["masses"], data["springs"], data["joints"]
+
+    def rows(columns: dict[str, list]) -> list[dict]:
+        return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+
+    for name in ("position", "velocity"):
+        masses[name] = [tuple(pair) for pair in masses[name]]
+    made = sim.Scene(
+        name="made",
+        masses=tuple(sim.Mass(**row) for row in rows(masses)),
+        linear_springs=tuple(sim.LinearSpring(**row) for row in rows(springs)),
+        angular_springs=tuple(sim.AngularSpring(**row) for row in rows(joints)),
+        anchors=tuple(sim.Anchor(**anchor) for anchor in data["anchors"]),
+        gravity=tuple(data["gravity"]),
+        air_friction=data["air_friction"],
+        force_law=data["force_law"],
+        integrator=sim.Integrator(method=data["method"], dt=data["time_step"]),
+    )
+    other = sim.Simulation(made)
+    assert (other.positions == simulation.positions).all()
+    simulation.step(STEPS)
+    other.step(STEPS)
+    assert other.positions == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+
+
+def test_json_has_all_that_a_scene_has_with_units() -> None:
+    pile = json.loads(body_json(body_of(sim.load_scene("pile"))))
+    assert len(pile["walls"]) == 3
+    assert pile["contact"]["distance"] == sim.load_scene("pile").contact.distance  # type: ignore[union-attr]
+    assert {filling["kind"] for filling in pile["fillings"]} <= {"gas", "liquid"}
+    assert all(filling["area"] > 0.0 for filling in pile["fillings"])
+    flag = json.loads(body_json(body_of(sim.load_scene("flag-pole"))))
+    assert flag["wind"]["turbulence"] == 0.9
+    assert "contact" not in flag
+    girder = json.loads(body_json(body_of(sim.load_scene("girder"))))
+    assert girder["springs"]["strength"] == [s.strength for s in sim.load_scene("girder").linear_springs]
+    assert pile["units"]["velocity"] == "px/s"
+    metres = changed(LOOSE, view=sim.View(unit="m"))
+    assert json.loads(body_json(body_of(metres)))["units"]["gravity"] == "m/s^2"
+
+
+def tables(scene: sim.Scene) -> dict[str, list[dict[str, str]]]:
+    archive = zipfile.ZipFile(io.BytesIO(body_csv(body_of(scene))))
+    assert archive.testzip() is None
+    return {
+        name.removesuffix(".csv"): list(csv.DictReader(io.StringIO(archive.read(name).decode())))
+        for name in archive.namelist()
+    }
+
+
+def test_tables_have_every_number_with_its_unit() -> None:
+    scene = sim.load_scene("air-balloon")
+    found = tables(scene)
+    assert set(found) == {"masses", "springs", "joints", "settings", "walls", "fillings"}
+    body = body_of(scene)
+    assert [float(row["x [px]"]) for row in found["masses"]] == body.positions[:, 0].tolist()
+    assert [float(row["rest_length [px]"]) for row in found["springs"]] == body.rest_length.tolist()
+    assert [int(row["b"]) for row in found["springs"]] == body.ends[:, 1].tolist()
+    assert [float(row["stiffness [kg/s^2]"]) for row in found["joints"]] == body.joint_stiffness.tolist()
+    assert [float(row["rest_angle [deg]"]) for row in found["joints"]] == body.rest_angle.tolist()
+    settings = {row["setting"]: row["value"] for row in found["settings"]}
+    assert float(settings["gravity_y [px/s^2]"]) == scene.gravity[1]
+    assert settings["force_law"] == scene.force_law
+    assert float(found["walls"][0]["hardness [1/(px s^2)]"]) == scene.walls[0].hardness
+    assert found["fillings"][0]["masses"].split() == [str(m) for m in body.loops[0].masses]
+    circles = tables(sim.load_scene("lesson-resonance"))["masses"]
+    assert circles[0]["circle_radius [px]"] == "5.0"
+    assert circles[1]["circle_radius [px]"] == ""
+    contact = {row["setting"]: row["value"] for row in tables(sim.load_scene("pile"))["settings"]}
+    assert float(contact["contact_distance [px]"]) > 0.0
+    assert body_csv(body) == body_csv(body_of(scene))
+
+
+def test_numpy_reads_a_table() -> None:
+    archive = zipfile.ZipFile(io.BytesIO(body_csv(body_of(sim.load_scene("girder")))))
+    for name, count in (("masses", 17), ("springs", 31)):
+        table = np.genfromtxt(io.StringIO(archive.read(f"{name}.csv").decode()), delimiter=",", names=True)
+        assert table.shape == (count,)
+        assert table.dtype.names is not None
+        assert all(np.isfinite(table[column]).all() for column in table.dtype.names)
+
+
+@pytest.mark.parametrize("text", ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "=HYPERLINK(A1)"])
+def test_no_text_is_a_formula_in_a_table(text: str) -> None:
+    scene = changed(LOOSE, name=text, title=text, view=sim.View(unit=text[:8]))
+    archive = zipfile.ZipFile(io.BytesIO(body_csv(body_of(scene))))
+    for name in archive.namelist():
+        for row in csv.reader(io.StringIO(archive.read(name).decode())):
+            for cell in row:
+                is_number = cell.replace(".", "").replace("-", "").isdigit()
+                assert is_number or not cell.startswith(("=", "+", "-", "@", "\t"))
+
+
+def test_a_body_that_has_run_away_is_refused() -> None:
+    moment = sim.Simulation(LOOSE).capture()
+    rows = moment.rows.copy()
+    rows[0, 1] = np.nan
+    with pytest.raises(InputError, match="finite"):
+        Body.of(replace(moment, rows=rows))
+
+
+# ------------------------------------------------------------------------- the command
+def test_the_command_takes_the_moment_that_is_asked_for(tmp_path: Path) -> None:
+    out, png = tmp_path / "body.json", tmp_path / "end.png"
+    assert command("export", "rod", "--json", out) == 0
+    assert json.loads(out.read_text())["time"] == 0.0
+    words = ("--after", 0.25, "--seconds", 0.25, "--png", png)
+    assert command("export", "rod", "--json", out, *words) == 0
+    data = json.loads(out.read_text())
+    simulation = sim.Simulation(sim.load_scene("rod"))
+    simulation.advance(0.25)
+    assert data["time"] == 0.25
+    assert data["masses"]["position"] == simulation.positions.tolist()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--csv", "a.csv"), "--csv a.csv: the file must end in .zip"),
+        (("--python", "a.c"), "--python a.c: the file must end in .py"),
+        (("--c", "nowhere/a.c"), "the folder nowhere does not exist"),
+    ],
+)
+def test_the_command_says_what_is_wrong(
+    words: tuple[str, ...],
+    said: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert command("export", "rod", *words) == 1
+    assert said in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_link_can_be_exported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command("link", "ring") == 0
+    link = capsys.readouterr().out.strip()
+    assert command("export", link, "--json", tmp_path / "ring.json") == 0
+    assert json.loads((tmp_path / "ring.json").read_text())["name"] == "ring"
