@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import logging
+import threading
+from collections import deque
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import Any
 
 from ..session.session import Notice, Session
@@ -19,8 +22,12 @@ _threads = ThreadPoolExecutor(2, thread_name_prefix="softrod-beside")
 """For what the event loop must not wait for: scenes that are read, packed and painted."""
 
 
+MOST_WAITING = 50
+"""Requests of a page that wait at most; beyond that the page is not a person, and the oldest are dropped."""
+
+
 class Answers:
-    """Answers one page's script.
+    """Answers one page's script, one request after the other: what was asked for last is answered last.
 
     Args:
         session: the page's simulation.
@@ -43,6 +50,7 @@ class Answers:
         self.gallery = Gallery(session, letters, notify)
         self._resume = resume
         self._parts = {"resume": keeping.Parts(), "link": keeping.Parts()}
+        self._line = Line()
 
     def take(self, message: object, controls: Controls) -> bool:
         """Whether a message of the script is one of these; if so, what it asks for is done.
@@ -55,7 +63,7 @@ class Answers:
             self._take_part(part)
         elif ask := mail.parse_ask(message):
             if not isinstance(ask, mail.Offer):
-                _in_thread(self._answer, ask)
+                self._line.submit(self._answer, ask)
             elif "chooser" in controls:
                 self.gallery.offer()
         else:
@@ -67,7 +75,7 @@ class Answers:
         if letters is None:
             return
         if part.kind == "link":
-            _in_thread(self.sharing.open, letters)
+            self._line.submit(self.sharing.open, letters)
         elif kept := keeping.decode(letters):
             self._resume(kept)
 
@@ -83,13 +91,31 @@ class Answers:
                 self.gallery.change(ask)
 
 
-def _in_thread(work: Callable[..., None], *arguments: Any) -> None:
-    """Have something done soon, in another thread."""
+class Line:
+    """Work of one page, done in order by the threads of all pages, so that none keeps them to itself."""
 
-    def do() -> None:
+    def __init__(self) -> None:
+        self._waiting: deque[Callable[[], None]] = deque(maxlen=MOST_WAITING)
+        self._lock = threading.Lock()
+        self._busy = False
+
+    def submit(self, work: Callable[..., None], *arguments: Any) -> None:
+        """Have something done after all that waits, in another thread."""
+        with self._lock:
+            self._waiting.append(partial(work, *arguments))
+            if self._busy:
+                return
+            self._busy = True
+        _threads.submit(self._next)
+
+    def _next(self) -> None:
+        with self._lock:
+            work = self._waiting.popleft()
         try:
-            work(*arguments)
+            work()
         except Exception:  # a defect, or a page that went away meanwhile
             _log.exception("a request of a page failed")
-
-    _threads.submit(do)
+        with self._lock:
+            self._busy = more = bool(self._waiting)
+        if more:
+            _threads.submit(self._next)

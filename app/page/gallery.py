@@ -63,14 +63,14 @@ class Gallery:
 
     def list(self, ask: Scenes) -> None:
         """Send the page all scenes, then the pictures of the user's own as they get ready."""
-        entries = shelf.entries()
-        self._mail.send("scenes", scenes=entries, present=self._session.scene.name)
+        scenes = shelf.scenes()
+        self._mail.send("scenes", scenes=shelf.entries(scenes), present=self._session.scene.name)
         pictures: dict[str, str] = {}
-        own = [info for entry in entries if entry.own and (info := shelf.find(entry.name)) is not None]
-        for count, info in enumerate(own[:MOST_PAINTED], start=1):
+        own = [info for info in scenes if not info.built_in][:MOST_PAINTED]
+        for count, info in enumerate(own, start=1):
             if picture := _picture(info.path, ask.dark):
                 pictures[info.name] = picture
-            if count % PAINTED_AT_ONCE == 0 or count == len(own[:MOST_PAINTED]):
+            if count % PAINTED_AT_ONCE == 0 or count == len(own):
                 self._mail.send("pictures", pictures=pictures)
 
     def change(self, ask: Change) -> None:

@@ -192,13 +192,12 @@ class MeasurePanel:
     # --------------------------------------------------------------------- what is offered
     def _offer(self) -> None:
         """Show in the lists what can be chosen now."""
-        parts = self._parts()
-        _set_options(self._part, parts)
-        of = self._part.value.rstrip("0123456789")
-        _set_options(self._what, OFFERED[of])
+        part = _set_options(self._part, self._parts())
+        offered = OFFERED[part.rstrip("0123456789")]
+        chosen = f"{part}.{_set_options(self._what, offered)}"
         plotted = (name for shown in self._plots for name in shown.plot.wish.names)
-        beside = (f"{self._part.value}.{what}" for what in OFFERED[of])
-        others = [name for name in dict.fromkeys((*beside, *plotted)) if name != self._chosen]
+        beside = (f"{part}.{what}" for what in offered)
+        others = [name for name in dict.fromkeys((*beside, *plotted)) if name != chosen]
         _set_options(self._over, (TIME, *others))
 
     def _parts(self) -> tuple[str, ...]:
@@ -332,11 +331,16 @@ def _set(handle: viser.GuiHtmlHandle, content: str) -> None:
         handle.content = content
 
 
-def _set_options(handle: viser.GuiDropdownHandle[str], options: tuple[str, ...]) -> None:
-    """Offer some options; what is chosen stays, if it is among them: a page can send anything."""
+def _set_options(handle: viser.GuiDropdownHandle[str], options: tuple[str, ...]) -> str:
+    """Offer some options; what is chosen stays, if it is among them: a page can send anything, at any time.
+
+    Returns:
+        What is chosen now.
+    """
     value = handle.value
     if handle.options != options:
         handle.options = options
     wanted = value if value in options else options[0]
     if handle.value != wanted:
         handle.value = wanted
+    return wanted

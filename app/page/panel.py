@@ -37,7 +37,10 @@ FOREMOST = (
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""
 
-NEEDED = {"gallery": "chooser", "anew": "chooser", "share": "files", "energy": "solver", "help": "help"}
+NEEDED = {
+    "gallery": "chooser", "anew": "chooser", "share": "files", "plot": "measure", "energy": "solver",
+    "foretell": "solver", "help": "help",
+}  # fmt: skip
 """Commands of the palette, and the controls without which they are left out."""
 
 SOLVER_DIALS = ("dt", "tolerance")

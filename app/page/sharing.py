@@ -35,17 +35,17 @@ class Sharing:
 
     def offer(self) -> None:
         """Have the page show its dialog."""
-        self._mail.send("share", open=True)
+        self._mail.send("share")
 
     def share(self, ask: Share) -> None:
         """Send the page a link to its scene."""
         try:
             data = pack_scene(self._session.snapshot(self._session.scene.name, ask.pose))
         except (InputError, SceneError) as error:
-            self._mail.send("share", problem=str(error))
+            self._mail.send("link", problem=str(error))
             return
         link = f"{ask.origin}{PATH}#{data}"
-        self._mail.send("share", link=link, qr=qr_code(link) if len(link) <= MOST_IN_QR else "")
+        self._mail.send("link", link=link, qr=qr_code(link) if len(link) <= MOST_IN_QR else "")
 
     def open(self, data: str) -> None:
         """Open the scene in a link; nothing in it is trusted, and if it is no scene, nothing changes."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import re
 import time
+from collections.abc import Iterable
 from pathlib import Path
 
 import msgspec
@@ -68,8 +69,8 @@ GROUPS = ("Tutorial", "Lessons", "Bodies", "Surroundings", OWN, "Studies")
 _FOLDERS = {"study": "Studies", "lessons": "Lessons"}
 
 
-def entries() -> list[Entry]:
-    """All scenes, by their groups and in these by their names, lessons by their titles."""
+def entries(scenes: Iterable[SceneInfo]) -> list[Entry]:
+    """Scenes by their groups, and in these by their names, lessons by their titles."""
     found = [
         Entry(
             name=info.name,
@@ -79,7 +80,7 @@ def entries() -> list[Entry]:
             group=_group(info),
             own=not info.built_in,
         )
-        for info in scenes()
+        for info in scenes
     ]
     return sorted(found, key=_order)
 

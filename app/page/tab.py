@@ -189,7 +189,7 @@ class Tab:
 
     def _begin(self, session: Session) -> Session:
         """What is made after the first picture has been sent."""
-        self._answers = Answers(session, self._mail, self.notify, lambda kept: self._resume(session, kept))
+        self._answers = Answers(session, self._mail, self.notify, lambda kept: self.request("resume", kept))
         self._controls = self._wanted_controls(session.scene)
         self._make_panel(session)
         self._session = session
@@ -375,6 +375,8 @@ class Tab:
                 self._gizmos = argument
                 self._view.show_gizmos(argument)
                 self._panel.show_looks(self._dark, self._gizmos)
+            elif what == "resume":
+                self._resume(session, argument)
             elif what == "fit":
                 self._fits += 1
             elif what == "picture":
@@ -396,7 +398,7 @@ class Tab:
                     begin_step(session, argument)
                 except sim.SettingError as error:
                     self.notify(Notice("error", "This step cannot begin", str(error)))
-            elif what == "joint":
+            elif what == "joint" and argument < len(session.scene.masses):
                 if self._tools is not None:
                     self._tools.choose(argument)
                 joint = readouts.joint_of_mass(session.scene, argument)

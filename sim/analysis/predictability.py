@@ -263,7 +263,7 @@ def verdict(scene: Scene, per_second: float) -> str:
     adaptive = METHODS[integrator.method].adaptive
     grow = "errors do not grow" if per_second < 1.5 else f"errors grow × {per_second:.2g} in a second"
     if per_second < MANY:
-        kept = f"a tolerance of {integrator.tolerance:g} {scene.view.unit} keeps"
+        kept = f"a tolerance of {integrator.tolerance:g} {scene.view.unit} is kept"
         return f"{grow}: {kept if adaptive else 'a shorter time step makes them smaller'}"
     what = "tolerance" if adaptive else "time step"
     return f"{grow}: no {what} can promise where it is in {horizon(scene, per_second):.2g} s"

@@ -10,6 +10,7 @@ import contextlib
 import os
 import re
 import tempfile
+import threading
 import unicodedata
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,6 +31,10 @@ MAX_FILE_BYTES = 5_000_000
 
 _TEXT_OR_NUMBERS = re.compile(rb'"(?:[^"\\]|\\.)*"|\[\s+[-+.\deE]+(?:,\s+[-+.\deE]+)*\s+\]')
 """Matches a string, which is left as it is, or an array of numbers, which is put on one line."""
+
+
+# There is no way to read the mask of the process but to set it: two threads could leave each other's.
+_umask_lock = threading.Lock()
 
 
 @dataclass(frozen=True)
@@ -255,8 +260,9 @@ def write_atomically(path: Path, data: bytes) -> None:
             file.flush()
             os.fsync(file.fileno())
         # mkstemp makes files that only their owner can read; a scene is as readable as any new file.
-        mask = os.umask(0)
-        os.umask(mask)
+        with _umask_lock:
+            mask = os.umask(0)
+            os.umask(mask)
         Path(temporary).chmod(0o666 & ~mask)
         Path(temporary).replace(path)
     except BaseException:

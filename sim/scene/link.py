@@ -28,14 +28,22 @@ MAX_LINK = 2_000_000
 PATH = "/s"
 """Where a page takes such links."""
 
-_LINK = re.compile(r"https?://[^\s#]+#(.*)", re.DOTALL)
+_LINK = re.compile(r"https?://[^\s#]+(?:#(.*))?", re.DOTALL)
 _DATA = re.compile(r"(\d{1,6})\.([A-Za-z0-9_-]+)")
 _BROKEN = "the link is broken: a part of it is missing or was changed"
 
 
 def link_data(text: str) -> str | None:
-    """What stands after the `#` of a link, or None if a text is no link."""
+    """What stands after the `#` of a link; None if a text is no link.
+
+    Raises:
+        SceneError: the link has no `#`: a shell may have taken it for a comment.
+    """
     match = _LINK.fullmatch(text.strip())
+    if match is not None and match[1] is None:
+        raise SceneError(
+            f"the link {match[0]} has no # with a scene after it; on a command line, put it in quotes"
+        )
     return match[1] if match else None
 
 

@@ -38,7 +38,7 @@ def test_errors_grow_as_fast_as_they_do() -> None:
     assert growth == pytest.approx(math.sqrt(10.0), rel=0.05)
     told = readouts.predictability_table(page.session)
     assert "Errors grow × 2" in told
-    assert "a tolerance of 0.1 px keeps." in told
+    assert "a tolerance of 0.1 px is kept." in told
     assert "any error grows" not in readouts.ghost_table(page.session)
     page.frames(1, commands.Compare("rk4", ""))
     assert "any error grows" in readouts.ghost_table(page.session)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Callable
 from pathlib import Path
 
 import msgspec
@@ -103,6 +104,23 @@ def test_the_list_has_all_scenes_and_own_ones_are_painted_once(
     page.gallery.list(Scenes(dark=True))
     assert page.letters.sent[-1] == painted
     assert gallery._painted.cache_parameters()["maxsize"] is not None
+
+
+def test_the_folder_is_read_once_for_a_list_however_many_scenes_were_just_saved(
+    home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for number in range(3):
+        files.save_user_scene(sim.rope(), f"mine {number}")
+    page, counted = Page(), list[int]()
+
+    def counting(list_scenes: Callable[[], list[files.SceneInfo]] = sim.list_scenes) -> list[files.SceneInfo]:
+        counted.append(1)
+        return list_scenes()
+
+    monkeypatch.setattr(sim, "list_scenes", counting)
+    page.gallery.list(Scenes(dark=False))
+    assert len(page.letters.sent[-1]["pictures"]) == 3
+    assert len(counted) == 1
 
 
 def test_what_is_done_is_said_and_can_be_undone(home: Path) -> None:

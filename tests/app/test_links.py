@@ -164,6 +164,7 @@ def test_the_command_keeps_a_pose_where_it_is_told_to(
     ("words", "said"),
     [
         (("link", "http://x/s#1.AAAA"), "the link is broken"),
+        (("link", "http://x:8080/s"), "the link http://x:8080/s has no # with a scene after it"),
         (("link", "ring", "--address", "nowhere"), "--address: 'nowhere'"),
         (("link", "study-cloth", "--address", "http://" + "x" * 3000, "--qr"), "too long for a QR code"),
     ],

@@ -60,12 +60,12 @@ def test_a_ruler_is_dragged_out_measures_two_masses_and_is_thrown_back(open_page
     # A grip is 24 px beyond its end; the end goes onto the mass from 10 px away.
     (x, y), first = desk.place(2), middle(one)
     drag(desk, first, (x - 24.0 + 8.0, y + 6.0))
-    assert "At mass 3" in (one.get_attribute("aria-label") or "")
+    assert "At mass 2" in (one.get_attribute("aria-label") or "")
     (x, y), (gx, gy) = desk.place(9), middle(two)
     (ax, ay) = desk.place(2)
     way = np.array((gx - ax, gy - ay)) / np.hypot(gx - ax, gy - ay)
     drag(desk, (gx, gy), (x + 24.0 * way[0] + 5.0, y + 24.0 * way[1] + 5.0))
-    assert "At mass 10" in (two.get_attribute("aria-label") or "")
+    assert "At mass 9" in (two.get_attribute("aria-label") or "")
 
     def is_right() -> bool:
         dx, dy = desk.simulation.positions[9] - desk.simulation.positions[2]
@@ -107,10 +107,10 @@ def test_a_protractor_measures_a_joint_by_keys_alone(open_page: OpenPage) -> Non
         label = ""
         for _ in range(24):
             label = grip.get_attribute("aria-label") or ""
-            if f"At mass {mass + 1}." in label:
+            if f"At mass {mass}." in label:
                 break
             desk.page.keyboard.press("ArrowRight")
-        assert f"At mass {mass + 1}." in label
+        assert f"At mass {mass}." in label
     turn = abs(desk.simulation.angles[4])
     wanted = (180.0 - turn, turn)
     desk.until(
@@ -209,7 +209,7 @@ def test_a_clicked_mass_is_traced_and_read_out(open_page: OpenPage) -> None:
     desk.control("Coordinates").click()
     label = desk.page.locator(".softrod-coordinates text").first
     x, y = desk.simulation.positions[11]
-    desk.until(lambda: label.text_content() == f"mass 12: {x:.1f}, {y:.1f} px", "its place is told")
+    desk.until(lambda: label.text_content() == f"mass 11: {x:.1f}, {y:.1f} px", "its place is told")
     desk.tell(commands.SetValue("rest_angle", 30.0), commands.Play(True))
     line = (
         "() => [...document.querySelectorAll('.softrod-trace path')].map((p) => p.getAttribute('d')).join('')"

@@ -106,3 +106,18 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
     desk.until(lambda: desk.page.locator(".softrod-dock").is_visible(), "the page is back")
     overlay = desk.page.locator(".softrod-overlay")
     desk.until(lambda: overlay.get_attribute("viewBox") is None, "the marks are as before")
+
+
+def test_the_bar_of_time_stays_above_the_panel_of_a_phone_while_that_is_scrolled(open_page: OpenPage) -> None:
+    desk = open_page(size=(390, 844), phone=True)
+    if not desk.page.get_by_role("tab", name="Files", exact=True).is_visible():
+        desk.page.get_by_text("softrod", exact=True).last.tap()
+    desk.show("Files")
+    last = desk.button("3D model")
+    last.wait_for()
+    bottom = "() => document.querySelector('.softrod-dock').getBoundingClientRect().bottom"
+    desk.until(lambda: desk.page.evaluate(bottom) < 700.0, "the bar is above the panel")
+    before = desk.page.evaluate(bottom)
+    last.scroll_into_view_if_needed()
+    desk.pause(1.0)
+    assert abs(desk.page.evaluate(bottom) - before) < 1.0

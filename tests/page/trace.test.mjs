@@ -36,6 +36,13 @@ test("gone back in time, what came after is gone; after a reset all is", () => {
   assert.deepEqual(places(one.bands(0, 5, shownAt(0), place)), []);
 });
 
+test("a path whose beginning was given up begins with a move", () => {
+  // Gone back in time: the oldest place that is left is no longer too old.
+  const one = trail(0, 8);
+  assert.equal(one.steps[0].cut, false);
+  for (const path of one.bands(6, 5, shownAt(6), place)) assert.match(path, /^(M|$)/);
+});
+
 test("there is no line over a leap in time", () => {
   const one = trail(0, 1);
   one.add(3, 500, 0, 5);

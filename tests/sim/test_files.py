@@ -7,6 +7,9 @@ import os
 import random
 import stat
 import sys
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +26,7 @@ from sim.scene.files import (
     safe_name,
     save_user_scene,
     user_folder,
+    write_atomically,
 )
 from sim.scene.own_scenes import trash_user_scene
 from sim.scene.types import Circle
@@ -325,6 +329,25 @@ def test_a_saved_file_is_as_readable_as_any_new_file(tmp_path: Path) -> None:
     save_scene(star(3), tmp_path / "scene.json")
     (tmp_path / "other").write_bytes(b"")
     assert (tmp_path / "scene.json").stat().st_mode == (tmp_path / "other").stat().st_mode
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX permissions")
+def test_threads_that_write_at_once_leave_the_mask_of_the_process(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def slow(mask: int, umask: Callable[[int], int] = os.umask) -> int:
+        time.sleep(0.002)
+        return umask(mask)
+
+    monkeypatch.setattr(os, "umask", slow)
+    before = os.umask(0o027)
+    try:
+        with ThreadPoolExecutor(8) as threads:
+            list(threads.map(lambda n: write_atomically(tmp_path / str(n), b""), range(32)))
+        assert os.umask(0o027) == 0o027
+        assert {path.stat().st_mode & 0o777 for path in tmp_path.iterdir()} == {0o640}
+    finally:
+        os.umask(before)
 
 
 # ------------------------------------------------------------------------- the user's own scenes

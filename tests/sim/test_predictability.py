@@ -72,7 +72,7 @@ def test_a_pendulum_that_stands_on_its_head() -> None:
     # The arm is a little shorter under the weight.
     assert found.rate == pytest.approx(math.sqrt(1000.0 / (100.0 - 1e-3)), rel=0.01)
     assert found.per_second == pytest.approx(math.exp(found.rate))
-    assert "errors grow × 24 in a second: a tolerance of 0.001 px keeps" in found.verdict
+    assert "errors grow × 24 in a second: a tolerance of 0.001 px is kept" in found.verdict
 
 
 def test_a_double_pendulum_is_chaotic() -> None:

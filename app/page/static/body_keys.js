@@ -37,7 +37,7 @@ export function addBodyKeys() {
   let hand = null;
   const name = () => {
     const { plan } = shown();
-    return plan ? `mass ${chosenMass() + 1} of ${plan.radius.length}` : "no mass";
+    return plan ? `mass ${chosenMass()} of 0 to ${plan.radius.length - 1}` : "no mass";
   };
   const where = () => {
     const { plan, frame } = shown();

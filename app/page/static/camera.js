@@ -50,6 +50,20 @@ function flatten(controls) {
 }
 
 /**
+ * Where an element can be seen from: what is scrolled out of view does not count.
+ *
+ * @param {Element} element
+ * @param {HTMLCanvasElement} canvas
+ */
+function visibleTop(element, canvas) {
+  let { top } = element.getBoundingClientRect();
+  for (let around = element.parentElement; around && !around.contains(canvas); around = around.parentElement) {
+    if (getComputedStyle(around).overflowY !== "visible") top = Math.max(top, around.getBoundingClientRect().top);
+  }
+  return top;
+}
+
+/**
  * Height of what lies over the canvas at the bottom: the sheet of the panel on a phone.
  *
  * @param {HTMLCanvasElement} canvas
@@ -60,7 +74,8 @@ function covered(canvas, box) {
   for (const element of document.elementsFromPoint(box.left + box.width / 2, box.bottom - 4)) {
     if (element === canvas || element.contains(canvas)) break;
     if (element.closest(".softrod-dock, .softrod-lesson")) continue;
-    const { top: edge, width } = element.getBoundingClientRect();
+    const { width } = element.getBoundingClientRect();
+    const edge = visibleTop(element, canvas);
     if (width > 0.9 * box.width && edge > box.top + 0.2 * box.height) top = Math.min(top, edge);
   }
   return box.bottom - top;

@@ -69,7 +69,7 @@ export function addCoordinates() {
     const digits = (value) => value.toFixed(Math.abs(value) < 10 ? 2 : 1);
     const speed = speedOf(before, frame, mass);
     const [px, py] = [frame.positions[2 * mass], frame.positions[2 * mass + 1]];
-    lines[0].textContent = `mass ${mass + 1}: ${digits(px)}, ${digits(py)} ${unit}`;
+    lines[0].textContent = `mass ${mass}: ${digits(px)}, ${digits(py)} ${unit}`;
     lines[1].textContent = Number.isFinite(speed) ? `${digits(speed)} ${unit}/s` : "";
     for (const [name, value] of [["cx", x], ["cy", y], ["r", radius + 5]]) ring.setAttribute(String(name), String(value));
     const width = Math.max(...lines.map((line) => line.getComputedTextLength()));

@@ -95,7 +95,7 @@ function write(lines, words, at, side, size) {
 /** @param {Kept} kept @param {number} i */
 function named(kept, i) {
   const { mass } = kept.points[i];
-  const where = mass < 0 ? "Arrows move it, Enter fixes it to a mass" : `At mass ${mass + 1}. Arrows choose another, Enter frees it`;
+  const where = mass < 0 ? "Arrows move it, Enter fixes it to a mass" : `At mass ${mass}. Arrows choose another, Enter frees it`;
   return `${NAMES[kept.kind]}, ${ENDS[kept.kind][i]}. ${where}`;
 }
 

@@ -64,13 +64,12 @@ export function addShareDialog() {
   };
   withPose.addEventListener("change", renew);
   field.addEventListener("focus", () => field.select());
-  onMail("share", ({ open, link = "", qr = "", problem = "" }) => {
-    if (open) {
-      if (!dialog.open) dialog.showModal();
-      copy.focus();
-      renew();
-      return;
-    }
+  onMail("share", () => {
+    if (!dialog.open) dialog.showModal();
+    copy.focus();
+    renew();
+  });
+  onMail("link", ({ link = "", qr = "", problem = "" }) => {
     field.value = link;
     copy.disabled = !link;
     warning.textContent = problem || caution(link);

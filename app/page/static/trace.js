@@ -65,8 +65,9 @@ export class Trail {
       if (age > 1) open = -1;
       else {
         const band = Math.min(BANDS - 1, Math.floor((1 - age) * BANDS));
-        if (!step.cut && last) paths[band] += band === open ? `L${at}` : `M${last}L${at}`;
-        open = step.cut ? -1 : band;
+        const joins = !step.cut && last !== "";
+        if (joins) paths[band] += band === open ? `L${at}` : `M${last}L${at}`;
+        open = joins ? band : -1;
       }
       last = at;
     }

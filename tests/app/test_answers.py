@@ -1,0 +1,79 @@
+"""What a page's script asks for is done in order, and letters do not take each other's place."""
+
+from __future__ import annotations
+
+import threading
+from pathlib import Path
+
+import pytest
+
+import sim
+from app.page import answers
+from app.page.answers import MOST_WAITING, Line
+from app.page.mail import Scenes
+from sim.scene import files
+from tests.app.test_gallery import Page
+
+LIMIT = 20.0
+"""Seconds, at most, until other threads have done their work."""
+
+
+def wait(event: threading.Event) -> None:
+    """Keep a thread busy until then."""
+    event.wait(LIMIT)
+
+
+def test_requests_of_a_page_are_done_one_after_the_other() -> None:
+    line, done, go, end = Line(), list[int](), threading.Event(), threading.Event()
+    line.submit(wait, go)
+    for number in range(MOST_WAITING - 1):
+        line.submit(done.append, number)
+    line.submit(end.set)
+    go.set()
+    assert end.wait(LIMIT)
+    assert done == list(range(MOST_WAITING - 1))
+
+
+def fail() -> None:
+    """A defect."""
+    raise ValueError
+
+
+def test_a_request_that_fails_does_not_stop_those_after_it(caplog: pytest.LogCaptureFixture) -> None:
+    line, end = Line(), threading.Event()
+    line.submit(fail)
+    line.submit(end.set)
+    assert end.wait(LIMIT)
+    assert "a request of a page failed" in caplog.text
+
+
+def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_others() -> None:
+    line, others, busy, go, end = Line(), Line(), threading.Event(), threading.Event(), threading.Event()
+    done: list[int] = []
+    line.submit(busy.set)
+    line.submit(wait, go)
+    assert busy.wait(LIMIT)
+    for number in range(10 * MOST_WAITING):
+        line.submit(done.append, number)
+    others.submit(end.set)
+    assert end.wait(LIMIT), "another page is answered meanwhile"
+    go.set()
+    last = threading.Event()
+    line.submit(last.set)
+    assert last.wait(LIMIT)
+    assert len(done) <= MOST_WAITING
+    assert done[-1] == 10 * MOST_WAITING - 1
+    assert answers._threads._work_queue.qsize() <= 1
+
+
+def test_what_must_not_be_lost_to_another_letter_has_a_kind_of_its_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    files.save_user_scene(sim.rope(), "mine")
+    page = Page()
+    page.gallery.offer()
+    page.gallery.list(Scenes(dark=False))
+    page.gallery.changed()
+    kinds = [letter["kind"] for letter in page.letters.sent]
+    assert len(set(kinds)) == len(kinds) == 4
