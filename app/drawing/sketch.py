@@ -6,15 +6,14 @@ makes their instances from the positions, and draws what is behind the body.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from sim import LinearSpring, Scene
+from sim import AngularSpring, LinearSpring, Scene
 from sim.body.surroundings import new_surroundings
 from sim.scene.types import is_surrounded
 
@@ -101,7 +100,7 @@ class Sketch:
         self.encode = encode
         n = len(scene.masses)
         self.many = n > MANY
-        self.springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
+        self.springs = _ends(scene.linear_springs)
         self.bars = self.many or len(self.springs) > NET * n
         self.full_strain = _full_strains(scene)
         self.yields = any(s.yield_force is not None for s in scene.linear_springs)
@@ -110,7 +109,7 @@ class Sketch:
         self.held = np.array([a.mass for a in scene.anchors], np.int64)
         self.driven = next((a.mass for a in scene.anchors if a.driven), None)
         self.slices = 1 if self.many else WEDGE_SLICES
-        joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
+        joints = _ends(scene.angular_springs)
         self.joint_a, self.joint_b = joints[:, 0], joints[:, 1]
         # The mass at the tip of each wedge is the one that both springs share, and the wedge ends at spring b
         # as it leaves that mass.
@@ -164,13 +163,19 @@ class Sketch:
         return self.held[self.held != self.driven] if self.driven is not None else self.held
 
 
+def _ends(parts: Sequence[LinearSpring] | Sequence[AngularSpring]) -> NDArray[np.int64]:
+    """(k, 2) the `a` and the `b` of each part."""
+    return np.stack([np.array(end, np.int64) for end in ([p.a for p in parts], [p.b for p in parts])], 1)
+
+
 def _full_strains(scene: Scene) -> Floats:
     """See `Sketch`: a spring that yields or breaks before FULL_STRAIN has its full colour there."""
-
-    def full(spring: LinearSpring) -> float:
-        force = min((f for f in (spring.strength, spring.yield_force) if f is not None), default=math.inf)
-        stiffness = spring.stiffness * spring.rest_length
-        return force / stiffness if force < FULL_STRAIN * stiffness else FULL_STRAIN
-
-    strains = np.array([full(spring) for spring in scene.linear_springs])
+    springs = scene.linear_springs
+    strains = np.full(len(springs), FULL_STRAIN)
+    if not {spring.strength for spring in springs} | {spring.yield_force for spring in springs} <= {None}:
+        limits = [[spring.strength for spring in springs], [spring.yield_force for spring in springs]]
+        force = np.fmin(*np.array(limits, float))  # it passes over NaN, which None becomes
+        stiffness = np.array([spring.stiffness * spring.rest_length for spring in springs])
+        early = force < FULL_STRAIN * stiffness
+        strains[early] = force[early] / stiffness[early]
     return np.maximum(strains, LEAST_STRAIN) if (strains < FULL_STRAIN).any() else np.array([FULL_STRAIN])

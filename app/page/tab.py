@@ -321,7 +321,7 @@ class Tab:
         still = at_rest and self._was_at_rest and not self._panel.unsettled
         if changed or (now >= self._readouts_due and not still):
             self._readouts_due = now + READOUTS_EVERY
-            self._was_at_rest = at_rest
+            self._was_at_rest = at_rest and not session.is_looking
             with self.client.atomic():
                 self._panel.refresh_controls()
                 self._panel.refresh_readouts(self._dark, at_rest)

@@ -81,11 +81,7 @@ class Kept:
 
 
 def encode(moment: sim.Moment, wishes: Wishes, opened: sim.Scene) -> bytes:
-    """A keepsake; see `Kept`.
-
-    Raises:
-        SceneError: the scene cannot be written.
-    """
+    """A keepsake; see `Kept`."""
     scene = log.raw_scene(moment.scene)
     there = log.restore_entry(moment, with_scene=False)
     keepsake = _Keepsake(format=FORMAT, version=VERSION, scene=scene, moment=there, wishes=wishes)

@@ -23,10 +23,10 @@ import sim
 from sim.errors import InputError, SceneError
 from sim.kernels.core.tables import SCALE_MAX, SCALE_MIN
 from sim.motion.simulation import Key
-from sim.scene.files import MAX_FILE_BYTES, decode_scene, encode_scene
+from sim.scene.files import MAX_FILE_BYTES, decode_scene, encode_fields, fields_of
 from sim.scene.numbers import Angle, Vector
 from sim.scene.sentences import in_words
-from sim.scene.validate import consistent_pose
+from sim.scene.validate import consistent_pose, validate
 
 FORMAT, VERSION = "softrod-log", 1
 
@@ -253,7 +253,7 @@ def keys_entry(keys: frozenset[str]) -> Keys:
 
 def encode_entry(entry: Entry) -> bytes:
     """One line, without its end."""
-    return msgspec.json.encode(entry)
+    return encode_fields(entry)
 
 
 def encode_header(scene: sim.Scene, note: str = "") -> bytes:
@@ -267,7 +267,7 @@ def encode_header(scene: sim.Scene, note: str = "") -> bytes:
         version=VERSION,
         softrod=_version(),
         machine=this_machine(),
-        scene=raw_scene(scene),
+        scene=raw_scene(validate(scene)),
         note=note,
     )
     return msgspec.json.encode(header)
@@ -281,12 +281,8 @@ def _version() -> str:
 
 
 def raw_scene(scene: sim.Scene) -> msgspec.Raw:
-    """A scene on one line.
-
-    Raises:
-        SceneError: the scene is not valid.
-    """
-    return msgspec.Raw(msgspec.json.format(encode_scene(scene), indent=-1))
+    """A valid scene on one line."""
+    return msgspec.Raw(encode_fields(fields_of(scene)))
 
 
 def restore_entry(moment: sim.Moment, with_scene: bool) -> Restore:
@@ -302,7 +298,7 @@ def restore_entry(moment: sim.Moment, with_scene: bool) -> Restore:
         step=moment.step_count,
         scale=moment.rest_length_scale,
         shift=moment.rest_angle_shift,
-        scene=msgspec.json.decode(encode_scene(moment.scene)) if with_scene else None,
+        scene=fields_of(moment.scene) if with_scene else None,
     )
 
 

@@ -12,7 +12,7 @@ import msgspec
 import sim
 from sim.body.system import same_topology
 from sim.edit.edit import Selection
-from sim.motion.stability import StabilityEstimate
+from sim.motion.stability import Look, StabilityEstimate
 from sim.settings import settings_of
 
 from .ghost import Ghost, GhostMoment
@@ -86,6 +86,7 @@ class Running:
         self.notices: list[Notice] = []
         self.stability = StabilityEstimate(math.inf, None)
         self._stability_due = 0.0
+        self._look: Look | None = None  # at the stability limit, if one is under way
         self.hand = PointerHand(self._bodies, clock)
         self.ghost: Ghost | None = None
         self.foresight: Foresight | None = None
@@ -196,6 +197,7 @@ class Running:
         self.revision += 1
         self.pacer = Pacer(self.pacer.speed)  # what the last body cost says nothing
         self._stability_due = 0.0
+        self._look = None
         self.stability = StabilityEstimate(math.inf, None)
 
     def _begin_history(self) -> None:

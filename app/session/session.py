@@ -19,6 +19,7 @@ import sim
 from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
 from sim.motion.simulation import KEYS
+from sim.motion.stability import Look
 from sim.settings import CHOICES
 
 from . import commands, keepsakes
@@ -43,6 +44,8 @@ MAX_QUEUE = 4000
 STABILITY_EVERY, STABILITY_SHARE = 0.25, 0.02
 """Seconds between two looks at the stability limit, at least; and the share of the budget that they may
 take."""
+LOOK_SHARE = 0.25
+"""Share of a frame's budget that a look may take: that at a large body goes on over many frames."""
 
 T = TypeVar("T")
 
@@ -63,6 +66,7 @@ class Session(Editing):
         self._lock = threading.Lock()
         self._queue: deque[tuple[float, Command]] = deque(maxlen=MAX_QUEUE)
         self._estimated = -1  # revision at the last look at the stability limit
+        self._looked = 0.0  # seconds of computing that the present look has taken
         self._keys_at = -math.inf
 
     @property
@@ -76,6 +80,11 @@ class Session(Editing):
             or any(map(is_large, (self.simulation.scene, *opened)))
             or any(isinstance(command, commands.Resume | commands.Replay) for command in waiting)
         )
+
+    @property
+    def is_looking(self) -> bool:
+        """Whether `stability` is still to be that of the present body."""
+        return self._look is not None
 
     @property
     def will_play(self) -> bool:
@@ -148,19 +157,15 @@ class Session(Editing):
         elif running:
             self._step(now, budget)
         # While the clock stands, only what its user changes can move the limit.
-        if now >= self._stability_due and (running or self._estimated != self.revision):
-            self._estimated = self.revision
-            began = time.perf_counter()
-            self.stability = self.simulation.stability()
-            took = time.perf_counter() - began
-            self._stability_due = now + max(STABILITY_EVERY, took / (STABILITY_SHARE * budget / FRAME))
+        due = now >= self._stability_due and (running or self._estimated != self.revision)
+        if self._look is None and due:
+            self._estimated, self._looked = self.revision, 0.0
+            self._look = self.simulation.stability_in_parts()
+        if self._look is not None:
+            self._go_on_looking(self._look, now, budget)
 
     def keepsake(self) -> bytes:
-        """What is needed to go on later where this page is now, see `commands.Resume`; the ticker's, too.
-
-        Raises:
-            SceneError: the scene cannot be written.
-        """
+        """What is needed to go on later where this page is now, see `commands.Resume`; the ticker's, too."""
         ghost = self.ghost
         return keepsakes.encode(
             self.simulation.capture(),
@@ -193,6 +198,19 @@ class Session(Editing):
             self.hand.steer(self._following, glide=False)
 
     # --------------------------------------------------------------------- inside
+    def _go_on_looking(self, look: Look, now: float, budget: float) -> None:
+        """Go on with a look at the stability limit, for a part of a frame."""
+        began = time.perf_counter()
+        try:
+            while time.perf_counter() - began <= LOOK_SHARE * budget:
+                next(look)
+        except StopIteration as end:
+            self._look, self.stability = None, end.value
+        self._looked += time.perf_counter() - began
+        if self._look is None and self._estimated == self.revision:
+            share = STABILITY_SHARE * budget / FRAME
+            self._stability_due = now + max(STABILITY_EVERY, self._looked / share)
+
     def _apply(self, command: Command, at: float) -> None:
         match command:
             case commands.HoldKeys(keys):

@@ -10,23 +10,27 @@ import numpy as np
 
 from ..kernels.core.strength import Strength
 from ..kernels.core.tables import Floats, Indices
-from ..scene.types import Scene, is_damageable
+from ..scene.types import Scene
 
 if TYPE_CHECKING:
     from .system import System
 
 
+_NOTHING = np.zeros(0)
+NO_STRENGTH = Strength(
+    present=False, breaking=_NOTHING, yielding=_NOTHING, hardening=_NOTHING, bending=_NOTHING
+)
+"""The table of a scene in which nothing yields or breaks."""
+
+
 def new_strength(scene: Scene, spring_order: Indices, joint_order: Indices) -> Strength:
-    """The table of a valid scene.
+    """The table of a valid scene in which something yields or breaks.
 
     Args:
         scene: the scene.
         spring_order: (S,) scene index of each spring of the tables.
         joint_order: (J,) index in the tables of each angular spring of the scene.
     """
-    if not is_damageable(scene):
-        nothing = np.zeros(0)
-        return Strength(present=False, breaking=nothing, yielding=nothing, hardening=nothing, bending=nothing)
     springs = [scene.linear_springs[s] for s in spring_order]
     bending = np.full(len(scene.angular_springs), math.inf)
     bending[joint_order] = [_limit(joint.yield_torque) for joint in scene.angular_springs]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,8 +22,9 @@ from ..kernels.core.tables import (
 )
 from ..kernels.forces.laws import LAWS, NO_JOINTS
 from ..methods.registry import METHODS
+from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Scene, is_damageable, is_surrounded
-from .damage import new_strength
+from .damage import NO_STRENGTH, new_strength
 from .surroundings import new_surroundings
 
 _SOFT_IN_TOLERANCES = 0.02
@@ -67,16 +69,14 @@ def build_system(scene: Scene) -> System:
     chain. A body in surroundings is neither, nor is one that yields or breaks.
     """
     n = len(scene.masses)
-    order = None if is_surrounded(scene) or is_damageable(scene) else _order_along(scene)
-    mass_order, spring_order = order or (list(range(n)), _hinged_first(scene))
+    damageable = is_damageable(scene)
+    order = None if damageable or is_surrounded(scene) else _order_along(scene)
+    mass_order, spring_order = order or (np.arange(n), _hinged_first(scene))
     mass_index = np.empty(n, np.int64)
     mass_index[mass_order] = np.arange(1, n + 1)
-    spring_index = np.empty(len(spring_order), np.int64)
-    spring_index[spring_order] = np.arange(len(spring_order))
-    body, joint_order = _body(scene, mass_index, spring_order, spring_index, order is not None)
+    body, joint_order = _body(scene, mass_index, spring_order, order is not None, damageable)
     held = np.zeros(n, np.bool_)
-    for anchor in scene.anchors:
-        held[mass_index[anchor.mass] - 1] = True
+    held[mass_index[[anchor.mass for anchor in scene.anchors]] - 1] = True
     if scene.pose is not None:
         positions, velocities = scene.pose.positions, scene.pose.velocities
     else:
@@ -86,11 +86,11 @@ def build_system(scene: Scene) -> System:
     start[2:, held] = 0.0
     return System(
         body=body,
-        mass_order=np.array(mass_order, np.int64),
+        mass_order=mass_order,
         mass_index=mass_index,
-        spring_order=np.array(spring_order, np.int64),
+        spring_order=spring_order,
         joint_order=joint_order,
-        inverse_mass=1.0 / np.array([scene.masses[i].mass for i in mass_order], float),
+        inverse_mass=1.0 / np.array([mass.mass for mass in scene.masses], float)[mass_order],
         held=held,
         start=np.ascontiguousarray(start),
     )
@@ -199,7 +199,7 @@ def new_scratch(system: System) -> Scratch:
     return Scratch(**dict(zip(Scratch.fields, arrays, strict=True)))
 
 
-def _order_along(scene: Scene) -> tuple[list[int], list[int]] | None:
+def _order_along(scene: Scene) -> tuple[Indices, Indices] | None:
     """(masses, springs) in order along a chain or a ring, or None for any other body."""
     n, springs = len(scene.masses), scene.linear_springs
     closed = len(springs) == n
@@ -223,50 +223,61 @@ def _order_along(scene: Scene) -> tuple[list[int], list[int]] | None:
     index = {s: i for i, s in enumerate(spring_order)}
     if any(index[joint.b] != (index[joint.a] + 1) % n for joint in scene.angular_springs):
         return None
-    return mass_order, spring_order
+    return np.array(mass_order, np.int64), np.array(spring_order, np.int64)
 
 
-def _hinged_first(scene: Scene) -> list[int]:
+def _hinged_first(scene: Scene) -> Indices:
     """Indices of the springs, with those that angular springs hold first."""
-    hinged = {s for joint in scene.angular_springs for s in (joint.a, joint.b)}
-    return sorted(range(len(scene.linear_springs)), key=lambda s: s not in hinged)
+    hinged = np.zeros(len(scene.linear_springs), np.bool_)
+    for end in _ends(scene.angular_springs):
+        hinged[end] = True
+    return np.concatenate((np.flatnonzero(hinged), np.flatnonzero(~hinged)))
+
+
+def _ends(parts: Sequence[LinearSpring] | Sequence[AngularSpring]) -> tuple[Indices, Indices]:
+    """(k,) the `a` and the `b` of each part."""
+    return np.array([part.a for part in parts], np.int64), np.array([part.b for part in parts], np.int64)
 
 
 def _body(
-    scene: Scene, mass_index: Indices, spring_order: list[int], spring_index: Indices, in_order: bool
+    scene: Scene, mass_index: Indices, spring_order: Indices, in_order: bool, damageable: bool
 ) -> tuple[Body, Indices]:
-    n, springs = len(scene.masses), [scene.linear_springs[s] for s in spring_order]
-    ring = in_order and len(springs) == n
+    n, springs, joints = len(scene.masses), scene.linear_springs, scene.angular_springs
+    count = len(springs)
+    ring = in_order and count == n
     # At least as many springs as masses, since the chain's loops over masses read as many, and one more.
-    room = padded(max(len(springs), n)) + 1
-    torques = max(room, len(scene.angular_springs)) + 1
+    room = padded(max(count, n)) + 1
+    torques = max(room, len(joints)) + 1
     stiffness, damping, rest, torque_size, softenings = slab(
         [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
     )
-    for s, spring in enumerate(springs):
-        stiffness[s], damping[s], rest[s] = spring.stiffness, spring.damping, spring.rest_length
+    stiffness[:count] = np.array([spring.stiffness for spring in springs], float)[spring_order]
+    damping[:count] = np.array([spring.damping for spring in springs], float)[spring_order]
+    rest[:count] = np.array([spring.rest_length for spring in springs], float)[spring_order]
     softening = _softening(scene)
     # The loop around a ring visits its first spring twice.
-    softenings[:], softenings[: len(springs) + ring] = _ENDLESS, max(softening, LEAST)
-    spring_a = mass_index[np.array([spring.a for spring in springs], np.int64)]
-    spring_b = mass_index[np.array([spring.b for spring in springs], np.int64)]
-    joint_a = spring_index[np.array([joint.a for joint in scene.angular_springs], np.int64)]
-    joint_b = spring_index[np.array([joint.b for joint in scene.angular_springs], np.int64)]
+    softenings[:], softenings[: count + ring] = _ENDLESS, max(softening, LEAST)
+    spring_a, spring_b = (mass_index[end[spring_order]] for end in _ends(springs))
+    spring_index = np.empty(count, np.int64)
+    spring_index[spring_order] = np.arange(count)
+    joint_a, joint_b = (spring_index[end] for end in _ends(joints))
     strength = np.array(joint_stiffness(scene), float)
-    rest_angle = np.array([joint.rest_angle for joint in scene.angular_springs], float)
-    resistance = np.array([joint.damping for joint in scene.angular_springs], float)
+    rest_angle = np.array([joint.rest_angle for joint in joints], float)
+    resistance = np.array([joint.damping for joint in joints], float)
     joint_order = np.arange(joint_a.size)
-    hinged = np.union1d(joint_a, joint_b).size
+    held = np.zeros(count, np.bool_)
+    held[joint_a] = held[joint_b] = True
+    hinged = np.count_nonzero(held)
     if in_order and joint_a.size:
         joint_order = joint_a
-        joints = n if ring else n - 2
-        by_index = np.zeros((3, joints))
+        of_chain = n if ring else n - 2
+        by_index = np.zeros((3, of_chain))
         by_index[:, joint_a] = strength, rest_angle, resistance
         strength, rest_angle, resistance = by_index.copy()
-        joint_a, joint_b = np.arange(joints), (np.arange(joints) + 1) % len(springs)
-        hinged = len(springs)
+        joint_a, joint_b = np.arange(of_chain), (np.arange(of_chain) + 1) % count
+        hinged = count
     joint_in, joint_out, more_joint, more_joint_spring, more_joint_sign = _slots(
-        joint_b, joint_a, len(springs), first=1, nothing=0
+        joint_b, joint_a, count, first=1, nothing=0
     )
     layers = _layers(spring_b, spring_a, n + 1)
     spring_in, spring_out, more_spring, more_spring_mass, more_spring_sign = _slots(
@@ -278,7 +289,7 @@ def _body(
         torque_size[0] = strength[-1]
     body = Body(
         masses=n,
-        springs=len(springs),
+        springs=count,
         joints=joint_a.size,
         damped=bool(damping.any()),
         joint_damped=bool(resistance.any()),
@@ -310,7 +321,7 @@ def _body(
         more_spring=more_spring,
         more_spring_mass=more_spring_mass,
         more_spring_sign=more_spring_sign,
-        strength=new_strength(scene, np.array(spring_order, np.int64), joint_order),
+        strength=new_strength(scene, spring_order, joint_order) if damageable else NO_STRENGTH,
         surroundings=new_surroundings(
             scene, mass_index, np.stack((spring_a, spring_b), 1), _slots_for(n, room if in_order else 0)
         ),
@@ -354,23 +365,24 @@ def _slots(
         in the lists: number, owner and sign.
     """
     slots = np.full((2, layers, owners), nothing, np.int64)
-    more: list[tuple[int, int, float]] = []
+    left: list[tuple[Indices, Indices, Floats]] = []
     for slot, owner_of, sign in ((slots[0], plus, 1.0), (slots[1], minus, -1.0)):
-        taken = np.zeros(owners, np.int64)
-        for thing, owner in enumerate(owner_of, start=first):
-            if taken[owner] < layers:
-                slot[taken[owner], owner] = thing
-                taken[owner] += 1
-            else:
-                more.append((thing, int(owner), sign))
-    thing, owner, sign = (list(column) for column in zip(*more, strict=True)) if more else ([], [], [])
-    return (
-        slots[0].ravel(),
-        slots[1].ravel(),
-        np.array(thing, np.int64),
-        np.array(owner, np.int64),
-        np.array(sign, float),
-    )
+        layer = _places(owner_of, owners)
+        found = layer < layers
+        slot[layer[found], owner_of[found]] = first + np.flatnonzero(found)
+        rest = np.flatnonzero(~found)
+        left.append((first + rest, owner_of[rest], np.full(rest.size, sign)))
+    thing, owner, signs = (np.concatenate(columns) for columns in zip(*left, strict=True))
+    return slots[0].ravel(), slots[1].ravel(), thing, owner, signs
+
+
+def _places(owner_of: Indices, owners: int) -> Indices:
+    """How many things of the same owner come before each thing."""
+    order = np.argsort(owner_of, kind="stable")
+    starts = np.cumsum(np.bincount(owner_of, minlength=owners)) - np.bincount(owner_of, minlength=owners)
+    places = np.empty(owner_of.size, np.int64)
+    places[order] = np.arange(owner_of.size) - starts[owner_of[order]]
+    return places
 
 
 def _layers(plus: Indices, minus: Indices, owners: int) -> int:

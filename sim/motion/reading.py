@@ -119,9 +119,10 @@ class Reading:
         self._whole = self._system = system  # `_system` is without what has broken
         self._body = system.body
         self._state: State = new_state(system)
-        springs = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
-        joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
-        self._joint_ends = springs[joints[:, 0]], springs[joints[:, 1]]
+        joints = system.joint_order
+        springs = np.stack((self._body.spring_a, self._body.spring_b), 1)
+        ends = system.mass_order[springs - 1]  # of the springs of the tables, as the scene counts masses
+        self._joint_ends = ends[self._body.joint_a[joints]], ends[self._body.joint_b[joints]]
 
     def _rows(self) -> NDArray[np.float64]:
         """(4, n) x, y, vx and vy of the scene's masses; a copy."""

@@ -26,7 +26,7 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from typing import Literal
 
@@ -77,6 +77,10 @@ class StabilityEstimate:
     cause: Cause | None
 
 
+Look = Generator[None, None, StabilityEstimate]
+"""Finds an estimate in parts: it yields between two of them, and returns the estimate."""
+
+
 class StabilityMeter:
     """Estimates the stability limit of a moving body under a method.
 
@@ -108,6 +112,20 @@ class StabilityMeter:
             state: the state; masses whose `inverse_mass` is zero count as held.
             air_friction: kg/px.
         """
+        look = self.look(state, air_friction)
+        while True:
+            try:
+                next(look)
+            except StopIteration as end:
+                return end.value
+
+    def look(self, state: State, air_friction: float) -> Look:
+        """As `update`, in parts, each of some evaluations of the forces. It is about the state as it is when
+        the first part begins; one look must be over before the next begins.
+
+        Args:
+            state, air_friction: as of `update`.
+        """
         if self._rule is None:
             return StabilityEstimate(np.inf, None)
         body, probe = self._system.body, self._probe
@@ -124,7 +142,7 @@ class StabilityMeter:
         passes, size = (1, _SIZE) if self._limit else (_FIRST_PASSES, _FIRST_SIZE)
         for _ in range(passes):
             before = self._limit
-            limit, mode = self._estimate(physics, root, air, min(size, 2 * int(free.sum())))
+            limit, mode = yield from self._estimate(physics, root, air, min(size, 2 * int(free.sum())))
             if limit == np.inf:
                 return StabilityEstimate(np.inf, None)
             self._limit, self._start = limit, mode
@@ -132,7 +150,9 @@ class StabilityMeter:
                 break
         return StabilityEstimate(self._limit, self._cause(physics, self._start * root, self._limit, air))
 
-    def _estimate(self, physics: Physics, root: Floats, air: Floats, size: int) -> tuple[float, Floats]:
+    def _estimate(
+        self, physics: Physics, root: Floats, air: Floats, size: int
+    ) -> Generator[None, None, tuple[float, Floats]]:
         """The limit and the motion that sets it, (2, n), from a Krylov space with at most `size` dimensions.
 
         The space is that of dt² K + weight dt C with the last limit as dt.
@@ -153,9 +173,11 @@ class StabilityMeter:
             basis.append(q / norm)
             w = basis[-1] * root
             k_basis.append(self._by_positions(physics, w) * root)
+            yield
             c_basis.append((self._by_velocities(physics, w) + air * w) * root)
             q = scale * scale * k_basis[-1] + weight * scale * c_basis[-1]
             q = q / max(float(np.sqrt((q * q).sum())), 1e-300)
+            yield
         if not basis:
             return np.inf, self._start
         flat = np.array(basis).reshape(len(basis), -1)

@@ -21,10 +21,11 @@ import platformdirs
 
 from ..errors import SceneError
 from .link import link_data, unpack
+from .numbers import of_python
 from .places import line_and_column, place_of
 from .sentences import sentence
 from .types import BODY_FIELDS, FORMAT_VERSION, Scene, is_surrounded
-from .validate import consistent, plain, validate
+from .validate import consistent, validate
 
 MAX_FILE_BYTES = 5_000_000
 """Size of the largest scene file that is read or written, bytes."""
@@ -84,14 +85,24 @@ def encode_scene(scene: Scene) -> bytes:
         SceneError: the scene is not valid.
     """
     validate(scene)
-    fields = plain(scene)
+    text = msgspec.json.format(encode_fields(fields_of(scene)), indent=2) + b"\n"
+    return _TEXT_OR_NUMBERS.sub(_on_one_line, text)
+
+
+def fields_of(scene: Scene) -> dict[str, Any]:
+    """What a file of a valid scene has, by its fields' names; `encode_fields` makes JSON of it."""
+    fields = {**msgspec.structs.asdict(scene), "format": FORMAT_VERSION}
     if scene.bodies:
         for field in BODY_FIELDS:
-            fields.pop(field, None)
+            del fields[field]
     if scene.lesson is None:
-        fields.pop("lesson")
-    text = msgspec.json.format(msgspec.json.encode({**fields, "format": FORMAT_VERSION}), indent=2) + b"\n"
-    return _TEXT_OR_NUMBERS.sub(_on_one_line, text)
+        del fields["lesson"]
+    return fields
+
+
+def encode_fields(fields: Any) -> bytes:
+    """JSON on one line of whatever a valid scene is made of."""
+    return msgspec.json.encode(fields, enc_hook=of_python)
 
 
 def _on_one_line(match: re.Match[bytes]) -> bytes:
