@@ -199,10 +199,11 @@ class Session(Editing):
 
     # --------------------------------------------------------------------- inside
     def _go_on_looking(self, look: Look, now: float, budget: float) -> None:
-        """Go on with a look at the stability limit, for a part of a frame."""
+        """Go on with a look at the stability limit, for a share of a frame, but by one part at least."""
         began = time.perf_counter()
         try:
-            while time.perf_counter() - began <= LOOK_SHARE * budget:
+            next(look)
+            while time.perf_counter() - began < LOOK_SHARE * budget:
                 next(look)
         except StopIteration as end:
             self._look, self.stability = None, end.value

@@ -345,6 +345,33 @@ def test_the_meter_warns_before_that(page: SessionPage) -> None:
     assert calm > page.session.simulation.dt
 
 
+def test_a_look_at_the_limit_goes_on_over_frames(page: SessionPage) -> None:
+    """With next to no time for it, a frame does a part; a change, or another body, has it begin anew."""
+    page.frames(2, commands.Play(False))
+    session, calm = page.session, page.session.stability
+    session.post(commands.SetValue("angular_stiffness", 1e8))
+    frames = 0
+    while frames < 4 or session.stability.limit < calm.limit or session.is_looking:
+        page.wall.time += FRAME
+        session.drain()
+        session.tick(1e-9)
+        frames += 1
+        if frames == 3:
+            assert session.stability == calm
+            session.post(commands.SetValue("angular_stiffness", 1.0))
+    assert frames > 40
+    assert session.stability.limit > calm.limit
+    session.post(commands.SetValue("angular_stiffness", 1e8))
+    session.drain()
+    session.tick(1e-9)
+    assert session.is_looking
+    session.post(commands.Open(sim.load_scene("ring")))  # under "auto", which has no limit
+    session.drain()
+    session.tick(1e-9)
+    assert not session.is_looking
+    assert session.stability.limit == math.inf
+
+
 def test_the_meter_follows_changes_while_paused(page: SessionPage) -> None:
     page.frames(2, commands.Play(False))
     page.frames(2, commands.SetValue("angular_stiffness", 1e8))

@@ -296,3 +296,19 @@ def test_a_row_brings_its_own_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     far = Simulation(scene, dt=3.0 * simulation.stability().limit)
     far.step(4000)
     assert far.divergence is not None
+
+
+def test_a_look_in_parts_finds_the_same() -> None:
+    """It is about the state with which it began, though the body goes on meanwhile."""
+    whole, other = (Simulation(REPLACE(sim.load_scene("ring"), integrator=euler())) for _ in range(2))
+    at_once = whole.stability()
+    look, parts = other.stability_in_parts(), 0
+    while True:
+        try:
+            next(look)
+        except StopIteration as end:
+            assert end.value == at_once
+            break
+        parts += 1
+        other.step(1)
+    assert parts > 20

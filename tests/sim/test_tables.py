@@ -1,0 +1,109 @@
+"""The tables of a body: each says of every part what the scene says, whatever the order of the kernels."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import sim
+from sim.body.system import System, _slots, build_system, joint_stiffness
+from sim.errors import SceneError
+from sim.kernels.core.tables import Indices
+from sim.scene.validate import validate
+from tests.sim.fuzzing import wild_scene, wild_world
+
+Table = list[tuple[int, ...]]
+
+
+def one_by_one(plus: Indices, minus: Indices, owners: int, first: int, nothing: int, layers: int) -> Table:
+    """What `_slots` makes, a thing at a time: the first of an owner take its slots, the others are listed."""
+    tables: Table = []
+    lists: list[list[int]] = [[], [], []]
+    for owner_of, sign in ((plus, 1), (minus, -1)):
+        slots = [[nothing] * owners for _ in range(layers)]
+        for thing, owner in enumerate(owner_of.tolist(), start=first):
+            free = next((slot for slot in slots if slot[owner] == nothing), None)
+            if free is not None:
+                free[owner] = thing
+            else:
+                for column, value in zip(lists, (thing, owner, sign), strict=True):
+                    column.append(value)
+        tables.append(tuple(thing for slot in slots for thing in slot))
+    return [*tables, *map(tuple, lists)]
+
+
+@given(st.data(), st.integers(1, 9), st.integers(0, 1), st.integers(1, 4))
+def test_things_take_the_slots_of_their_owners_in_order(
+    data: st.DataObject, owners: int, first: int, layers: int
+) -> None:
+    count = data.draw(st.integers(0, 40))
+    ends = st.lists(st.integers(0, owners - 1), min_size=count, max_size=count)
+    plus, minus = (np.array(data.draw(ends), np.int64) for _ in range(2))
+    made = _slots(plus, minus, owners, first, -1, layers)
+    assert [tuple(table.tolist()) for table in made] == one_by_one(plus, minus, owners, first, -1, layers)
+    assert [table.dtype.kind for table in made] == ["i", "i", "i", "i", "f"]
+
+
+def check_tables(scene: sim.Scene, system: System) -> None:
+    body = system.body
+    at = system.mass_order.tolist()
+    assert sorted(at) == list(range(len(scene.masses)))
+    assert [at[slot - 1] for slot in system.mass_index.tolist()] == list(range(len(scene.masses)))
+    assert system.inverse_mass.tolist() == [1.0 / scene.masses[i].mass for i in at]
+    held = {anchor.mass for anchor in scene.anchors}
+    assert system.held.tolist() == [i in held for i in at]
+    order = system.spring_order.tolist()
+    assert sorted(order) == list(range(len(scene.linear_springs)))
+    for s, spring in enumerate(scene.linear_springs[i] for i in order):
+        ends = at[body.spring_a[s] - 1], at[body.spring_b[s] - 1]
+        numbers = body.stiffness[s], body.damping[s], body.rest_length[s]
+        assert (*ends, *numbers) == (spring.a, spring.b, spring.stiffness, spring.damping, spring.rest_length)
+    for array in (body.stiffness, body.damping, body.rest_length):
+        assert not array[len(order) :].any()
+    joints = system.joint_order.tolist()
+    stiffnesses = joint_stiffness(scene)
+    for j, joint, stiffness in zip(joints, scene.angular_springs, stiffnesses, strict=True):
+        assert (order[body.joint_a[j]], order[body.joint_b[j]]) == (joint.a, joint.b)
+        assert (body.joint_stiffness[j], body.joint_rest[j]) == (stiffness, joint.rest_angle)
+        assert (body.torque_size[j + 1], body.torque_damping[j + 1]) == (stiffness, joint.damping)
+    springs = len(order)
+    of_joints = one_by_one(body.joint_b, body.joint_a, springs, 1, 0, 1)
+    assert of_joints == [tuple(table.tolist()) for table in (
+        body.joint_in, body.joint_out, body.more_joint, body.more_joint_spring, body.more_joint_sign
+    )]  # fmt: skip
+    padding = body.stiffness.size
+    of_springs = one_by_one(body.spring_b, body.spring_a, len(at) + 1, 0, padding, body.layers)
+    assert of_springs == [tuple(table.tolist()) for table in (
+        body.spring_in, body.spring_out, body.more_spring, body.more_spring_mass, body.more_spring_sign
+    )]  # fmt: skip
+    hinged = {s for joint in (body.joint_a, body.joint_b) for s in joint.tolist()}
+    assert hinged == set(range(body.hinged))
+    assert all(not array.flags.writeable for _, array in body.arrays())
+
+
+@settings(deadline=None)
+@given(st.integers(0, 2**32 - 1), st.booleans())
+def test_tables_say_what_the_scene_says(seed: int, world: bool) -> None:
+    rng = np.random.default_rng(seed)
+    scene = wild_scene(rng)
+    try:
+        scene = validate(wild_world(scene, rng) if world else scene)
+    except SceneError:
+        return
+    system = build_system(scene)
+    check_tables(scene, system)
+    # Of the angles, too, which are read by the ends of the joints.
+    simulation = sim.Simulation(scene, wait=False)
+    at = np.array([complex(*position) for position in simulation.positions.tolist()])
+    way = [at[spring.b] - at[spring.a] for spring in scene.linear_springs]
+    angles = [np.degrees(np.angle(way[j.b] * np.conj(way[j.a]))) for j in scene.angular_springs]
+    off = np.remainder(np.array(angles) - simulation.angles + 180.0, 360.0) - 180.0
+    assert np.abs(off).max(initial=0.0) < 1e-5
+
+
+@pytest.mark.parametrize("name", ["tutorial-3.3", "ring", "box", "hair-tuft", "girder", "air-balloon", "pile"])
+def test_tables_of_presets(name: str) -> None:
+    scene = sim.load_scene(name)
+    check_tables(scene, build_system(scene))
