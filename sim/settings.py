@@ -29,6 +29,7 @@ from .errors import SceneError, SettingError
 from .kernels.forces.laws import LAWS
 from .methods.registry import METHODS
 from .recipe_settings import Setting, keys_of_recipe, recipe_settings, scaled, turned
+from .scene.columns import column, has_any
 from .scene.recipes.assembly import wrapped
 from .scene.recipes.recipe import AnyRecipe
 from .scene.surroundings import Contact, Gas, Liquid, Wall, Wind
@@ -155,7 +156,7 @@ def shift_rest_angles(scene: Scene, degrees: float) -> Scene:
 
 # ------------------------------------------------------------------------- reading and writing
 def _largest(field: str, springs: str) -> Callable[[Scene], float]:
-    return lambda scene: max((getattr(s, field) for s in getattr(scene, springs)), default=0.0)
+    return lambda scene: float(column(getattr(scene, springs), field).max(initial=0.0))
 
 
 def _scaled(field: str, springs: str) -> Callable[[Scene, float], Scene]:
@@ -271,11 +272,7 @@ def _has_filling(kind: type) -> Callable[[Scene], bool]:
 
 def _has_limit(field: str) -> Callable[[Scene], bool]:
     """Whether any spring has a limit to what it bears; recipes have settings of their own for that."""
-    return lambda scene: (
-        moves(scene)
-        and not scene.bodies
-        and any(getattr(spring, field) is not None for spring in scene.linear_springs)
-    )
+    return lambda scene: moves(scene) and not scene.bodies and has_any(scene.linear_springs, field)
 
 
 def _has_rest_angle(scene: Scene) -> bool:

@@ -6,15 +6,16 @@ makes their instances from the positions, and draws what is behind the body.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from sim import AngularSpring, LinearSpring, Scene
+from sim import Scene
 from sim.body.surroundings import new_surroundings
+from sim.scene.columns import column, ends, has_any
 from sim.scene.types import is_surrounded
 
 from .colors import Palette, Rgb, sent
@@ -100,17 +101,16 @@ class Sketch:
         self.encode = encode
         n = len(scene.masses)
         self.many = n > MANY
-        self.springs = _ends(scene.linear_springs)
+        self.springs = np.stack(ends(scene.linear_springs), 1)
         self.bars = self.many or len(self.springs) > NET * n
         self.full_strain = _full_strains(scene)
-        self.yields = any(s.yield_force is not None for s in scene.linear_springs)
-        self.rest_length = np.array([s.rest_length for s in scene.linear_springs])
-        self.radius = np.array([m.radius for m in scene.masses]) * mapping.scale
+        self.yields = has_any(scene.linear_springs, "yield_force")
+        self.rest_length = column(scene.linear_springs, "rest_length")
+        self.radius = column(scene.masses, "radius") * mapping.scale
         self.held = np.array([a.mass for a in scene.anchors], np.int64)
         self.driven = next((a.mass for a in scene.anchors if a.driven), None)
         self.slices = 1 if self.many else WEDGE_SLICES
-        joints = _ends(scene.angular_springs)
-        self.joint_a, self.joint_b = joints[:, 0], joints[:, 1]
+        self.joint_a, self.joint_b = ends(scene.angular_springs)
         # The mass at the tip of each wedge is the one that both springs share, and the wedge ends at spring b
         # as it leaves that mass.
         ends_a, ends_b = self.springs[self.joint_a], self.springs[self.joint_b]
@@ -163,19 +163,12 @@ class Sketch:
         return self.held[self.held != self.driven] if self.driven is not None else self.held
 
 
-def _ends(parts: Sequence[LinearSpring] | Sequence[AngularSpring]) -> NDArray[np.int64]:
-    """(k, 2) the `a` and the `b` of each part."""
-    return np.stack([np.array(end, np.int64) for end in ([p.a for p in parts], [p.b for p in parts])], 1)
-
-
 def _full_strains(scene: Scene) -> Floats:
     """See `Sketch`: a spring that yields or breaks before FULL_STRAIN has its full colour there."""
     springs = scene.linear_springs
     strains = np.full(len(springs), FULL_STRAIN)
-    if not {spring.strength for spring in springs} | {spring.yield_force for spring in springs} <= {None}:
-        limits = [[spring.strength for spring in springs], [spring.yield_force for spring in springs]]
-        force = np.fmin(*np.array(limits, float))  # it passes over NaN, which None becomes
-        stiffness = np.array([spring.stiffness * spring.rest_length for spring in springs])
-        early = force < FULL_STRAIN * stiffness
-        strains[early] = force[early] / stiffness[early]
+    force = np.fmin(column(springs, "strength"), column(springs, "yield_force"))  # NaN where there is neither
+    stiffness = column(springs, "stiffness") * column(springs, "rest_length")
+    early = force < FULL_STRAIN * stiffness
+    strains[early] = force[early] / stiffness[early]
     return np.maximum(strains, LEAST_STRAIN) if (strains < FULL_STRAIN).any() else np.array([FULL_STRAIN])

@@ -16,6 +16,7 @@ import viser
 
 from sim.errors import InputError
 from sim.motion.quantities import COUNTED
+from sim.scene.columns import ends
 
 from ..drawing.colors import palette
 from ..session.notices import Notice
@@ -207,9 +208,11 @@ class MeasurePanel:
         mass = self._mass
         if mass is None:
             mass = readouts.mass_of_joint(scene, joint) if scene.angular_springs else 0
-        springs = [s for s, spring in enumerate(scene.linear_springs) if mass in (spring.a, spring.b)]
-        at = set(springs)
-        joints = [j for j, of in enumerate(scene.angular_springs) if of.a in at and of.b in at]
+        a, b = ends(scene.linear_springs)
+        at = (a == mass) | (b == mass)
+        springs: list[int] = np.flatnonzero(at).tolist()
+        a, b = ends(scene.angular_springs)
+        joints: list[int] = np.flatnonzero(at[a] & at[b]).tolist()
         if scene.angular_springs:
             joints = list(dict.fromkeys((joint, *joints)))
         counted = (

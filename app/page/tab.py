@@ -108,6 +108,11 @@ class Tab:
         self._view.build(scene, self._dark)
         self._view.draw(Picture.at_start(scene), time.monotonic())
 
+    @property
+    def session(self) -> Session | None:
+        """The page's simulation; None until the first picture has been sent."""
+        return self._session
+
     # --------------------------------------------------------------------- handlers, any thread
     def request(self, what: str, argument: Any) -> None:
         """Ask for something that is not the session's: of the ticker, but for what the page's script does."""

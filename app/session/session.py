@@ -44,7 +44,7 @@ MAX_QUEUE = 4000
 STABILITY_EVERY, STABILITY_SHARE = 0.25, 0.02
 """Seconds between two looks at the stability limit, at least; and the share of the budget that they may
 take."""
-LOOK_SHARE = 0.25
+LOOK_SHARE = 0.1
 """Share of a frame's budget that a look may take: that at a large body goes on over many frames."""
 
 T = TypeVar("T")

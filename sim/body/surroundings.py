@@ -9,6 +9,7 @@ import numpy as np
 from ..kernels.core.surroundings import FILLING_ROW, WALL_ROW, WAVE_ROW, Surroundings
 from ..kernels.core.tables import Floats, Indices
 from ..methods.registry import METHODS
+from ..scene.columns import column
 from ..scene.surroundings import Gas, Liquid, Wall, Wind
 from ..scene.types import Scene, is_surrounded
 from .contact import new_contacts
@@ -34,7 +35,7 @@ def new_surroundings(scene: Scene, mass_index: Indices, ends: Indices, slots: in
         slots: number of slots of a state.
     """
     mass = np.zeros(slots)
-    mass[mass_index] = [m.mass for m in scene.masses]
+    mass[mass_index] = column(scene.masses, "mass")
     start = np.cumsum([0, *(len(filling.masses) for filling in scene.fillings)])
     loops = [_loop(scene, filling.masses) for filling in scene.fillings]
     method = METHODS[scene.integrator.method]

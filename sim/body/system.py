@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,7 +21,7 @@ from ..kernels.core.tables import (
 )
 from ..kernels.forces.laws import LAWS, NO_JOINTS
 from ..methods.registry import METHODS
-from ..scene.parts import AngularSpring, LinearSpring
+from ..scene.columns import column, ends
 from ..scene.types import Scene, is_damageable, is_surrounded
 from .damage import NO_STRENGTH, new_strength
 from .surroundings import new_surroundings
@@ -90,7 +89,7 @@ def build_system(scene: Scene) -> System:
         mass_index=mass_index,
         spring_order=spring_order,
         joint_order=joint_order,
-        inverse_mass=1.0 / np.array([mass.mass for mass in scene.masses], float)[mass_order],
+        inverse_mass=1.0 / column(scene.masses, "mass")[mass_order],
         held=held,
         start=np.ascontiguousarray(start),
     )
@@ -107,8 +106,12 @@ def same_topology(old: Scene, new: Scene) -> bool:
 
 def joint_stiffness(scene: Scene) -> list[float]:
     """The stiffness of each angular spring, kg/s²; diagonal templates are sqrt(2) times as stiff."""
+    return _joint_stiffness(scene).tolist()
+
+
+def _joint_stiffness(scene: Scene) -> Floats:
     factor = math.sqrt(2.0) if scene.template is not None and scene.template % 90 else 1.0
-    return [joint.stiffness * factor for joint in scene.angular_springs]
+    return column(scene.angular_springs, "stiffness") * factor
 
 
 def slab(sizes: list[tuple[int, int]], page_offset: int) -> list[Floats]:
@@ -229,14 +232,9 @@ def _order_along(scene: Scene) -> tuple[Indices, Indices] | None:
 def _hinged_first(scene: Scene) -> Indices:
     """Indices of the springs, with those that angular springs hold first."""
     hinged = np.zeros(len(scene.linear_springs), np.bool_)
-    for end in _ends(scene.angular_springs):
+    for end in ends(scene.angular_springs):
         hinged[end] = True
     return np.concatenate((np.flatnonzero(hinged), np.flatnonzero(~hinged)))
-
-
-def _ends(parts: Sequence[LinearSpring] | Sequence[AngularSpring]) -> tuple[Indices, Indices]:
-    """(k,) the `a` and the `b` of each part."""
-    return np.array([part.a for part in parts], np.int64), np.array([part.b for part in parts], np.int64)
 
 
 def _body(
@@ -251,23 +249,22 @@ def _body(
     stiffness, damping, rest, torque_size, softenings = slab(
         [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
     )
-    stiffness[:count] = np.array([spring.stiffness for spring in springs], float)[spring_order]
-    damping[:count] = np.array([spring.damping for spring in springs], float)[spring_order]
-    rest[:count] = np.array([spring.rest_length for spring in springs], float)[spring_order]
+    stiffness[:count] = column(springs, "stiffness")[spring_order]
+    damping[:count] = column(springs, "damping")[spring_order]
+    rest[:count] = column(springs, "rest_length")[spring_order]
     softening = _softening(scene)
     # The loop around a ring visits its first spring twice.
     softenings[:], softenings[: count + ring] = _ENDLESS, max(softening, LEAST)
-    spring_a, spring_b = (mass_index[end[spring_order]] for end in _ends(springs))
+    spring_a, spring_b = (mass_index[end[spring_order]] for end in ends(springs))
     spring_index = np.empty(count, np.int64)
     spring_index[spring_order] = np.arange(count)
-    joint_a, joint_b = (spring_index[end] for end in _ends(joints))
-    strength = np.array(joint_stiffness(scene), float)
-    rest_angle = np.array([joint.rest_angle for joint in joints], float)
-    resistance = np.array([joint.damping for joint in joints], float)
+    joint_a, joint_b = (spring_index[end] for end in ends(joints))
+    strength = _joint_stiffness(scene)
+    rest_angle, resistance = column(joints, "rest_angle"), column(joints, "damping")
     joint_order = np.arange(joint_a.size)
     held = np.zeros(count, np.bool_)
     held[joint_a] = held[joint_b] = True
-    hinged = np.count_nonzero(held)
+    hinged = int(held.sum())
     if in_order and joint_a.size:
         joint_order = joint_a
         of_chain = n if ring else n - 2
@@ -335,11 +332,11 @@ def _softening(scene: Scene) -> float:
     """`Body.softening`, px²: practically none for methods with a fixed step."""
     if not METHODS[scene.integrator.method].adaptive:
         return SHORTEST_SQUARED
-    lengths = np.array([spring.rest_length for spring in scene.linear_springs])
+    lengths = column(scene.linear_springs, "rest_length")
     if not lengths.any():
         at = np.array([mass.position for mass in scene.masses])
-        ends = np.array([(spring.a, spring.b) for spring in scene.linear_springs], np.int64).reshape(-1, 2)
-        lengths = np.hypot(*(at[ends[:, 1]] - at[ends[:, 0]]).T)
+        a, b = ends(scene.linear_springs)
+        lengths = np.hypot(*(at[b] - at[a]).T)
     lengths = lengths[lengths > 0.0]
     typical = float(np.median(lengths)) if lengths.size else 1.0
     soft = min(_SOFT_IN_TOLERANCES * scene.integrator.tolerance, _SOFT_AT_MOST * typical)

@@ -58,15 +58,15 @@ def add_springs(scene: Scene, pairs: Sequence[tuple[int, int]], positions: Seque
         SceneError: a mass does not exist, the two are in the same place, or there are too many springs.
     """
     scene = of_parts(scene)
-    taken = {frozenset((spring.a, spring.b)) for spring in scene.linear_springs}
+    taken = {(spring.a, spring.b) for spring in scene.linear_springs}
     typical, springs = typical_spring(scene), []
     for a, b in pairs:
         for mass in (a, b):
             if not 0 <= mass < len(scene.masses):
                 raise SceneError(f"mass {mass} does not exist (0..{len(scene.masses) - 1})")
-        if a == b or frozenset((a, b)) in taken:
+        if a == b or (a, b) in taken or (b, a) in taken:
             continue
-        taken.add(frozenset((a, b)))
+        taken.add((a, b))
         length = math.dist(positions[a], positions[b]) / scene.rest_length_scale
         apart = math.dist(scene.masses[a].position, scene.masses[b].position)
         if scene.pose is not None:
@@ -100,7 +100,7 @@ def add_joints(
         SceneError: a spring does not exist, the two share no mass, or there are too many joints.
     """
     scene = of_parts(scene)
-    taken = {frozenset((joint.a, joint.b)) for joint in scene.angular_springs}
+    taken = {(joint.a, joint.b) for joint in scene.angular_springs}
     typical, joints, springs = typical_joint(scene), [], scene.linear_springs
     if stiffness is not None:
         typical = msgspec.structs.replace(typical, stiffness=stiffness)
@@ -110,9 +110,9 @@ def add_joints(
                 raise SceneError(f"spring {s} does not exist (0..{len(springs) - 1})")
         if a == b or not {springs[a].a, springs[a].b} & {springs[b].a, springs[b].b}:
             raise SceneError(f"springs {a} and {b} share no mass, so no angular spring can hold them")
-        if frozenset((a, b)) in taken:
+        if (a, b) in taken or (b, a) in taken:
             continue
-        taken.add(frozenset((a, b)))
+        taken.add((a, b))
         joints.append(msgspec.structs.replace(typical, a=a, b=b, rest_angle=wrapped(angle)))
     count = len(scene.angular_springs)
     if count + len(joints) > MAX_SPRINGS:

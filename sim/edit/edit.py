@@ -18,6 +18,7 @@ from ..scene.parts import AngularSpring, LinearSpring, Mass
 from ..scene.types import Damage, Pose, Scene
 
 T = TypeVar("T")
+Ended = TypeVar("Ended", LinearSpring, AngularSpring)
 Map = tuple[int, ...] | None
 """For each part after an edit, its index before, or -1 where it is new; None where nothing changed places."""
 
@@ -65,8 +66,10 @@ class Edit:
 def existing(selection: Selection, scene: Scene) -> Selection:
     """What of a selection a scene has."""
     counts = len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)
-    ranges = (frozenset(range(count)) for count in counts)
-    return Selection(*(parts & every for parts, every in zip(selection, ranges, strict=True)))
+    there = (
+        frozenset(i for i in parts if 0 <= i < count) for parts, count in zip(selection, counts, strict=True)
+    )
+    return Selection(*there)
 
 
 def still_selected(edit: Edit, selection: Selection) -> Selection:
@@ -254,15 +257,9 @@ def without(scene: Scene, gone: Selection) -> tuple[Scene, Map, Map, Map]:
         loops = [(f, tuple(at[i] for i in f.masses if i in at)) for f in scene.fillings]
         changes["fillings"] = tuple(replace(f, masses=loop) for f, loop in loops if len(loop) >= 3)
     if not (same[0] and same[1]):
-        changes["linear_springs"] = tuple(
-            spring if same[0] else replace(spring, a=at[spring.a], b=at[spring.b])
-            for spring in (scene.linear_springs[s] for s in springs)
-        )
+        changes["linear_springs"] = tuple(_renumbered(scene.linear_springs[s], at) for s in springs)
     if len(joints) < len(scene.angular_springs) or not same[1]:
-        changes["angular_springs"] = tuple(
-            joint if same[1] else replace(joint, a=spring_at[joint.a], b=spring_at[joint.b])
-            for joint in (scene.angular_springs[j] for j in joints)
-        )
+        changes["angular_springs"] = tuple(_renumbered(scene.angular_springs[j], spring_at) for j in joints)
     maps = (
         None if same[0] else tuple(masses),
         None if same[1] else tuple(springs),
@@ -271,6 +268,12 @@ def without(scene: Scene, gone: Selection) -> tuple[Scene, Map, Map, Map]:
     if scene.pose is not None and changes:
         changes["pose"] = _shorter_pose(scene.pose, masses, springs, joints)
     return replace(scene, **changes), *maps
+
+
+def _renumbered(part: Ended, at: dict[int, int]) -> Ended:
+    """A part with the new numbers of what is at its ends; itself where these are as before."""
+    a, b = at[part.a], at[part.b]
+    return part if a == part.a and b == part.b else msgspec.structs.replace(part, a=a, b=b)
 
 
 def _shorter_pose(pose: Pose, masses: list[int], springs: list[int], joints: list[int]) -> Pose:

@@ -27,7 +27,7 @@ from .plain import PlainSolver
 from .reading import Reading
 from .recording import Recording
 from .solver import UNLIMITED, Solver, SolverStats
-from .stability import Look, StabilityEstimate, StabilityMeter
+from .stability import Look, StabilityEstimate, StabilityMeter, finished
 from .stepping import Outcome, Stepper, presses_of
 
 Key = Literal["up", "down", "left", "right"]
@@ -107,11 +107,13 @@ class Simulation(Reading):
 
     def stability(self) -> StabilityEstimate:
         """The method's estimated stability limit at the present state; each call refines it a little."""
-        return self._stability_meter.update(self._state, self._scene.air_friction)
+        return finished(self.stability_in_parts())
 
     def stability_in_parts(self) -> Look:
         """As `stability`, for whom the whole would take too long at once; see `StabilityMeter.look`."""
-        return self._stability_meter.look(self._state, self._scene.air_friction)
+        if self._meter is None:
+            self._meter = StabilityMeter(self._system, self.method)
+        return self._meter.look(self._state, self._scene.air_friction)
 
     def stats(self) -> SolverStats:
         """What the method did since the last call of this."""
@@ -387,12 +389,6 @@ class Simulation(Reading):
         self._books: Books | None = None
         self._weigher: Weigher | None = None
         self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
-
-    @property
-    def _stability_meter(self) -> StabilityMeter:
-        if self._meter is None:
-            self._meter = StabilityMeter(self._system, self.method)
-        return self._meter
 
     @property
     def _needed(self) -> tuple[str, ...]:

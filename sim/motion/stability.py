@@ -81,6 +81,15 @@ Look = Generator[None, None, StabilityEstimate]
 """Finds an estimate in parts: it yields between two of them, and returns the estimate."""
 
 
+def finished(look: Look) -> StabilityEstimate:
+    """What a look finds, all parts at once."""
+    while True:
+        try:
+            next(look)
+        except StopIteration as end:
+            return end.value
+
+
 class StabilityMeter:
     """Estimates the stability limit of a moving body under a method.
 
@@ -112,12 +121,7 @@ class StabilityMeter:
             state: the state; masses whose `inverse_mass` is zero count as held.
             air_friction: kg/px.
         """
-        look = self.look(state, air_friction)
-        while True:
-            try:
-                next(look)
-            except StopIteration as end:
-                return end.value
+        return finished(self.look(state, air_friction))
 
     def look(self, state: State, air_friction: float) -> Look:
         """As `update`, in parts, each of some evaluations of the forces. It is about the state as it is when

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta
 
+from .columns import has_any
 from .lesson import Lesson
 from .numbers import Angle, Coordinate, Force, Index, Name, Speed, Vector, bounded, of_python
 from .parts import Anchor, AngularSpring, Circle, LinearSpring, Mass
@@ -231,9 +232,8 @@ def is_surrounded(scene: Scene) -> bool:
 
 def is_damageable(scene: Scene) -> bool:
     """Whether any spring of a scene breaks or yields."""
-    return any(
-        spring.strength is not None or spring.yield_force is not None for spring in scene.linear_springs
-    ) or any(joint.yield_torque is not None for joint in scene.angular_springs)
+    springs, joints = scene.linear_springs, scene.angular_springs
+    return has_any(springs, "strength") or has_any(springs, "yield_force") or has_any(joints, "yield_torque")
 
 
 def rebuilt(scene: Scene, **changes: Any) -> Scene:

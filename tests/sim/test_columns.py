@@ -1,0 +1,48 @@
+"""Numbers of many parts as arrays: those of the parts as they are, however many others were asked for."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import sim
+from sim.scene import columns
+from sim.scene.columns import column, ends, has_any
+
+
+def spring(a: int, b: int, stiffness: float, strength: float | None = None) -> sim.LinearSpring:
+    return sim.LinearSpring(a=a, b=b, stiffness=stiffness, rest_length=1.0, strength=strength)
+
+
+def springs_of(count: int, first: int = 0) -> tuple[sim.LinearSpring, ...]:
+    return tuple(spring(i, i + 1, float(i)) for i in range(first, first + count))
+
+
+def test_arrays_are_those_of_the_parts() -> None:
+    some = (*springs_of(3), spring(7, 2, 9, 5.0))
+    for _ in range(2):
+        assert column(some, "stiffness").tolist() == [0.0, 1.0, 2.0, 9.0]
+        assert [end.tolist() for end in ends(some)] == [[0, 1, 2, 7], [1, 2, 3, 2]]
+        assert np.isnan(column(some, "strength")).tolist() == [True, True, True, False]
+    assert (has_any(some, "strength"), has_any(some, "yield_force")) == (True, False)
+    assert (column((), "stiffness").size, has_any((), "strength")) == (0, False)
+    assert [end.dtype for end in ends(())] == [np.int64, np.int64]
+
+
+def test_nobody_can_write_to_them() -> None:
+    array = column(springs_of(3), "stiffness")
+    with pytest.raises(ValueError, match="read-only"):
+        array[0] = 5.0
+
+
+def test_few_are_kept() -> None:
+    for i in range(3 * columns.MOST):  # a tuple that is gone may leave its id to the next
+        assert column(springs_of(4, first=i), "stiffness").tolist() == [float(i + k) for k in range(4)]
+        assert len(columns._kept) <= columns.MOST
+
+
+def test_a_list_that_changes_is_looked_at_again() -> None:
+    some = list(springs_of(3))
+    assert column(some, "stiffness").tolist() == [0.0, 1.0, 2.0]  # type: ignore[arg-type]
+    some[1] = spring(8, 9, 8.0)
+    assert column(some, "stiffness").tolist() == [0.0, 8.0, 2.0]  # type: ignore[arg-type]
