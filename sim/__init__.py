@@ -10,8 +10,11 @@ It does not depend on the page; `import sim` is enough to use it in a script:
     print(simulation.positions)
 """
 
-from .analysis.equilibrium import Vibrations, equilibrium, vibrations
+from .analysis.equilibrium import equilibrium
 from .analysis.predictability import Predictability, predictability
+from .analysis.tuning import Tuning, Vibration, tuning
+from .analysis.vibrations import Vibrations, vibrations
+from .edit.tune import damp_vibration, make_stable
 from .errors import InputError, SceneError, SettingError
 from .motion.energy import EnergyBook
 from .motion.moment import Moment
@@ -93,6 +96,8 @@ __all__ = [
     "SettingError",
     "Simulation",
     "Tree",
+    "Tuning",
+    "Vibration",
     "Vibrations",
     "View",
     "Wall",
@@ -102,6 +107,7 @@ __all__ = [
     "box",
     "bridge",
     "cloth",
+    "damp_vibration",
     "equilibrium",
     "flag_pole",
     "girder",
@@ -109,6 +115,7 @@ __all__ = [
     "jelly",
     "list_scenes",
     "load_scene",
+    "make_stable",
     "polygon",
     "predictability",
     "quantity",
@@ -118,6 +125,7 @@ __all__ = [
     "set_choice",
     "set_value",
     "tree",
+    "tuning",
     "validate",
     "vibrations",
     "water_balloon",

@@ -11,7 +11,8 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 import sim
-from sim.analysis.equilibrium import equilibrium, vibrations
+from sim.analysis.equilibrium import equilibrium
+from sim.analysis.vibrations import vibrations
 from sim.scene.types import ForceLaw
 
 from . import bodies, exact

@@ -1,8 +1,6 @@
-"""The equilibrium of a body, in which its forces balance, and its small vibrations about a pose."""
+"""The equilibrium of a body, in which its forces balance."""
 
 from __future__ import annotations
-
-from typing import NamedTuple
 
 import msgspec
 import numpy as np
@@ -55,9 +53,6 @@ _TRIALS = 4
 """Number of trials for the rounding errors of surroundings."""
 _MAGNIFIED = 1e3
 """Errors of coordinates in a trial, relative to rounding errors."""
-_MOST_MASSES = 1000
-"""Largest number of masses for vibrations, which are computed with full matrices."""
-_NOT_HELD = "vibrations: the springs do not hold the body where it starts, so it does not vibrate there"
 
 
 def equilibrium(scene: Scene) -> Pose:
@@ -88,7 +83,7 @@ def equilibrium(scene: Scene) -> Pose:
         SceneError: the scene is not valid.
         InputError: a part of the body falls because nothing holds it, or the steps do not end in a balance.
     """
-    body = _Resting(scene, balanced=True)
+    body = Resting(scene, balanced=True)
     if any(scene.gravity):
         body.refuse_falling()
     q = _continuation(body)
@@ -96,66 +91,7 @@ def equilibrium(scene: Scene) -> Pose:
     return body.pose(q)
 
 
-class Vibrations(NamedTuple):
-    """Small vibrations without damping, the slowest first.
-
-    Attributes:
-        frequencies: (k,) angular frequencies, rad/s.
-        shapes: (k, n, 2) amplitude of each mass relative to the largest; signs are arbitrary.
-    """
-
-    frequencies: Floats
-    shapes: Floats
-
-
-def vibrations(scene: Scene, count: int) -> Vibrations:
-    """The slowest small vibrations about the scene's start, which should be an equilibrium.
-
-    They are found from the eigenvalues of the inverse of the Jacobian of the accelerations with respect to
-    positions, so that the slow ones are accurate however stiff the body is. Damping and air friction are
-    ignored.
-
-    Args:
-        scene: a valid scene of at most 1000 masses.
-        count: number of vibrations, from 1 to twice the number of free masses.
-
-    Raises:
-        SceneError: the scene is not valid.
-        InputError: the count or the number of masses is out of range, or the body can move without any
-            restoring force, or moves away from its start by itself, so that its motion there is no vibration.
-    """
-    body = _Resting(scene, balanced=False)
-    free = np.flatnonzero(body.state.inverse_mass)
-    columns = np.concatenate((free, body.slots + free))
-    if not 1 <= count <= columns.size:
-        raise InputError(f"vibrations: {count} is not in the range 1..{columns.size}")
-    if body.tables.masses > _MOST_MASSES:
-        raise InputError(f"vibrations: {body.tables.masses} masses are more than {_MOST_MASSES}")
-    # A negligible shift; without it the rows of held masses would be zero.
-    stable = body.factorise(body.start, 1e-100)
-    inverse = np.array([body.solve(unit)[columns] for unit in np.eye(2 * body.slots)[columns]]).T
-    # Scaling by the masses on both sides makes it symmetric if the law has an energy.
-    root = np.sqrt(np.tile(body.state.inverse_mass[free], 2))
-    scaled = inverse / root[:, None] * root[None, :]
-    if not (stable and np.isfinite(scaled).all()):
-        raise InputError(_NOT_HELD)
-    if np.allclose(scaled, scaled.T, rtol=1e-6, atol=1e-9 * float(np.abs(scaled).max())):
-        values, vectors = np.linalg.eigh(0.5 * (scaled + scaled.T))
-    else:
-        values, vectors = np.linalg.eig(scaled)
-        if not (np.abs(np.imag(values)) <= 1e-6 * np.abs(values)).all():
-            raise InputError(_NOT_HELD)
-        values, vectors = np.real(values), np.real(vectors)
-    if not values.max() < 1e18 * values.min():
-        raise InputError(_NOT_HELD)
-    slowest = np.argsort(values)[::-1][:count]
-    flat = np.zeros((count, 2 * body.slots))
-    flat[:, columns] = (root[:, None] * vectors[:, slowest]).T
-    shapes = np.stack([np.column_stack(body.by_mass(row)) for row in flat])
-    return Vibrations(1.0 / np.sqrt(values[slowest]), shapes / np.abs(shapes).max((1, 2), keepdims=True))
-
-
-class _Resting:
+class Resting:
     """The tables of a scene's body, and linear systems with the Jacobian of its accelerations.
 
     Vectors are flat: x of every slot, then y of every slot.
@@ -331,7 +267,7 @@ class _Resting:
         return Pose(positions=tuple(zip(x, y, strict=True)), velocities=((0.0, 0.0),) * len(x))
 
 
-def _continuation(body: _Resting) -> Floats:
+def _continuation(body: Resting) -> Floats:
     """Positions at which the accelerations vanish."""
     q = body.start
     neutral = _NEUTRAL if body.system.held.any() else _NEUTRAL_FREE
@@ -391,7 +327,7 @@ def _continuation(body: _Resting) -> Floats:
     )
 
 
-def _settle(body: _Resting, q: Floats, move: Floats, shift: float) -> tuple[float, Floats]:
+def _settle(body: Resting, q: Floats, move: Floats, shift: float) -> tuple[float, Floats]:
     """Newton's iterations for the end of an implicit step, of which `move` is the first.
 
     Returns:
@@ -419,7 +355,7 @@ def _settle(body: _Resting, q: Floats, move: Floats, shift: float) -> tuple[floa
     return np.inf, q
 
 
-def _search(body: _Resting, q: Floats, a: Floats) -> tuple[float, Floats, Floats]:
+def _search(body: Resting, q: Floats, a: Floats) -> tuple[float, Floats, Floats]:
     """One step along the solution with the positive definite matrix.
 
     It is halved until the power of the forces along it is no longer much below zero, so that the step does

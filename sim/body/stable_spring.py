@@ -54,20 +54,36 @@ def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: floa
 
 def _joint_limit(body: Body, free: Floats) -> Floats:
     """(J,) the largest stiffness of each joint times dt², kg; also its largest damping times dt."""
+    ends = joint_ends(body)
+    at_mass = np.zeros(body.masses + 1, np.int64)
+    for j in range(len(ends)):
+        at_mass[np.unique(ends[j])] += 1
+    share = at_mass[ends].max(1)
+    with np.errstate(divide="ignore"):
+        return 1.0 / (joint_softness(body, free) * share)
+
+
+def joint_ends(body: Body) -> np.ndarray:
+    """(J, 4) the slots of the masses at the ends of both springs of each joint."""
     p, q = body.joint_a, body.joint_b
-    ends = np.stack((body.spring_a[p], body.spring_b[p], body.spring_a[q], body.spring_b[q]), 1)
+    return np.stack((body.spring_a[p], body.spring_b[p], body.spring_a[q], body.spring_b[q]), 1)
+
+
+def joint_softness(body: Body, free: Floats) -> Floats:
+    """(J,) the square of the angular frequency of each joint alone, of springs in line, per stiffness, 1/kg.
+
+    Args:
+        body: the tables.
+        free: (n + 1,) 1/kg, by slot; zero where a mass is held.
+    """
+    ends = joint_ends(body)
     lengths = np.maximum(body.rest_length, 1e-9)
-    la, lb = lengths[p], lengths[q]
+    la, lb = lengths[body.joint_a], lengths[body.joint_b]
     # The derivative of the angle by the position of each end, for springs in line; the shared mass adds two.
     slopes = np.stack((-1.0 / la, 1.0 / la, 1.0 / lb, -1.0 / lb), 1)
-    softness = np.zeros(len(p))
+    softness = np.zeros(len(ends))
     for i in range(4):
         together = (slopes * (ends == ends[:, i : i + 1])).sum(1)
         first = (ends[:, :i] != ends[:, i : i + 1]).all(1)
         softness += np.where(first, together**2 * free[ends[:, i]], 0.0)
-    at_mass = np.zeros(body.masses + 1, np.int64)
-    for j in range(len(p)):
-        at_mass[np.unique(ends[j])] += 1
-    share = at_mass[ends].max(1)
-    with np.errstate(divide="ignore"):
-        return 1.0 / (softness * la * lb * share)
+    return softness * la * lb

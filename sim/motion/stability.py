@@ -99,12 +99,15 @@ class StabilityMeter:
 
     Args:
         system: the tables; those of `clamp_stiffness` for the stable spring.
-        method: name of the method.
+        method: name of the method, or a rule instead.
+
+    Attributes:
+        motion: (2, n) the motion that sets the limit, in the order of the slots, of any size.
     """
 
-    def __init__(self, system: System, method: str) -> None:
+    def __init__(self, system: System, method: str | StabilityLimit) -> None:
         self._system = system
-        self._rule: StabilityLimit | None = METHODS[method].limit
+        self._rule = METHODS[method].limit if isinstance(method, str) else method
         self._probe = new_state(system)
         n = system.body.masses
         self._here = slice(1, n + 1)  # the slots of the masses
@@ -113,6 +116,7 @@ class StabilityMeter:
         self._noise = noise / float(np.sqrt((noise * noise).sum()))
         self._start = noise + 3.0 * (-1.0) ** np.arange(n)
         self._limit = 0.0
+        self.motion = np.zeros((2, n))
 
     def update(self, state: State, air_friction: float) -> StabilityEstimate:
         """The limit at the state in `state` (which is only read).
@@ -152,7 +156,8 @@ class StabilityMeter:
             self._limit, self._start = limit, mode
             if abs(limit - before) <= _SETTLED * limit:
                 break
-        return StabilityEstimate(self._limit, self._cause(physics, self._start * root, self._limit, air))
+        self.motion = self._start * root
+        return StabilityEstimate(self._limit, self._cause(physics, self.motion, self._limit, air))
 
     def _estimate(
         self, physics: Physics, root: Floats, air: Floats, size: int
@@ -298,11 +303,11 @@ def largest_step(scene: Scene, method: str) -> float:
     """
     system = build_system(scene)
     if method != "stable_spring":
-        return _limit_of(scene, system, method)
+        return limit_at_start(scene, system, method).limit
 
     def is_stable(dt: float) -> bool:
         body = clamp_stiffness(system.body, system.inverse_mass, system.held, dt)
-        return _limit_of(scene, dataclasses.replace(system, body=body), method) > dt
+        return limit_at_start(scene, dataclasses.replace(system, body=body), method).limit > dt
 
     low, high = 1e-6, 1.0
     if is_stable(high):
@@ -313,11 +318,12 @@ def largest_step(scene: Scene, method: str) -> float:
     return low
 
 
-def _limit_of(scene: Scene, system: System, method: str) -> float:
+def limit_at_start(scene: Scene, system: System, method: str) -> StabilityEstimate:
+    """The limit of a method, but the stable spring, at a scene's start, of its tables."""
     state = start_of(scene, system)
     meter = StabilityMeter(system, method)
     meter.update(state, scene.air_friction)
-    return meter.update(state, scene.air_friction).limit
+    return meter.update(state, scene.air_friction)
 
 
 def start_of(scene: Scene, system: System) -> State:

@@ -11,7 +11,8 @@ import pytest
 
 import sim
 from sim import Anchor, AngularSpring, InputError, Integrator, LinearSpring, Mass, Pose, Scene, Simulation
-from sim.analysis.equilibrium import _Resting, equilibrium, vibrations
+from sim.analysis.equilibrium import Resting, equilibrium
+from sim.analysis.vibrations import vibrations
 from sim.scene.types import ForceLaw
 from tests.sim.arrays import Arrays
 from tests.sim.builders import PRESETS, chain, row, tangle
@@ -98,7 +99,7 @@ def test_bodies_rest_on_each_other() -> None:
 
 
 def test_a_contact_too_stiff_for_a_step_makes_it_shorter() -> None:
-    body = _Resting(two_balloons(5e6), balanced=True)
+    body = Resting(two_balloons(5e6), balanced=True)
     tangled = body.nudge(body.start, 3.0)
     shifts = (1e-6, 1e-3, 1e-1)
     tried = [body.factorise(tangled, shift) for shift in shifts]

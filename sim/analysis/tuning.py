@@ -1,0 +1,319 @@
+"""What the numbers of a scene mean for its motion: frequencies, sag, damping, and the time steps it bears."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import msgspec
+import numpy as np
+
+from ..body.stable_spring import joint_softness
+from ..body.system import build_system, joint_stiffness
+from ..errors import InputError
+from ..kernels.core.tables import Floats
+from ..methods.limits import flip
+from ..methods.registry import METHODS
+from ..motion.stability import StabilityMeter, limit_at_start, start_of
+from ..physics import Physics
+from ..scene.types import Scene
+from ..scene.validate import validate
+from .equilibrium import equilibrium
+from .vibrations import MOST_MASSES, Vibrations, free_vibrations
+
+_UPDATES = 4
+"""Updates of the estimate of the fastest vibration."""
+MOST_VIBRATIONS = 100
+"""How many vibrations are looked at, the slowest first."""
+
+
+@dataclass(frozen=True)
+class Vibration:
+    """A small vibration of the whole body.
+
+    Attributes:
+        frequency: without damping, Hz.
+        damping_ratio: 1 where it is critically damped. It is that of the vibration by itself, as if damping
+            did not couple it with others, which is exact where damping is in proportion to stiffness. Air
+            friction, which vanishes with the amplitude, is not in it; friction on walls is as at a creep.
+        shape: (n, 2) amplitude of each mass relative to the largest; the sign is arbitrary.
+    """
+
+    frequency: float
+    damping_ratio: float
+    shape: Floats
+
+    @property
+    def period(self) -> float:
+        """s."""
+        return 1.0 / self.frequency
+
+
+class Alone(NamedTuple):
+    """What each spring, or each joint, would do if there were no others.
+
+    Attributes:
+        frequency: (k,) Hz, of the masses at its ends; 0 where none of them is free.
+        damping_ratio: (k,) 1 where it is critically damped; infinite where it is damped without stiffness.
+        stable_step: (k,) s, the largest stable time step of symplectic Euler; infinite where there is none.
+    """
+
+    frequency: Floats
+    damping_ratio: Floats
+    stable_step: Floats
+
+
+@dataclass(frozen=True)
+class Tuning:
+    """What `tuning` found.
+
+    Attributes:
+        slowest, fastest: of the vibrations about the pose at rest; None where there is none.
+        elastic: the slowest of those that springs or joints hold by more than half, so that it is no swing
+            under gravity; None where there is none among the slowest hundred.
+        sag: px by which the mass that sinks most sinks in the direction of gravity, from where the scene puts
+            it to its place at rest; None without gravity, or where it comes to no rest.
+        sag_mass: which mass that is.
+        stable_steps: s, the largest stable time step of each method that has one, about the scene's start;
+            infinite where nothing limits it.
+        springs, joints: each alone.
+        notes: why something is missing, a sentence without a full stop each.
+    """
+
+    slowest: Vibration | None
+    elastic: Vibration | None
+    fastest: Vibration | None
+    sag: float | None
+    sag_mass: int | None
+    stable_steps: dict[str, float]
+    springs: Alone
+    joints: Alone
+    notes: tuple[str, ...]
+
+
+def tuning(scene: Scene) -> Tuning:
+    """What a scene's stiffnesses, dampings and masses mean for its motion.
+
+    The vibrations are those about the pose at rest, see `sim.equilibrium`; where gravity makes the body fall,
+    about its pose without gravity, and where there is none, about the scene's start. The slowest comes from
+    all of them (`sim.vibrations`), for at most 1000 masses; motions that nothing resists, such as those of a
+    free body as a whole, are no vibrations. The fastest is found by Arnoldi's method, within a per cent.
+
+    A spring alone has the square of the angular frequency stiffness / mu, where mu = m1 m2 / (m1 + m2) is the
+    reduced mass of its ends (m1, if the other one is held), and a joint alone is that of two springs in line
+    at their rest lengths. Their steps are those of `sim.motion.stability`.
+
+    Args:
+        scene: a valid scene. Its pose, if it has one, is its start.
+
+    Raises:
+        SceneError: the scene is not valid.
+    """
+    scene = validate(scene)
+    notes: list[str] = []
+    resting, sag, sag_mass = _at_rest(scene, notes)
+    slowest = elastic = fastest = None
+    if _freedoms(scene):
+        slowest, elastic = _slowest(resting, notes)
+        fastest = _fastest(resting)
+    system = build_system(scene)
+    methods = [name for name, method in METHODS.items() if method.limit and name != "stable_spring"]
+    steps = {name: limit_at_start(scene, system, name).limit for name in methods}
+    springs, joints = softnesses(scene)
+    return Tuning(
+        slowest=slowest,
+        elastic=elastic,
+        fastest=fastest,
+        sag=sag,
+        sag_mass=sag_mass,
+        stable_steps=steps,
+        springs=_alone(
+            [s.stiffness for s in scene.linear_springs], [s.damping for s in scene.linear_springs], springs
+        ),
+        joints=_alone(joint_stiffness(scene), [j.damping for j in scene.angular_springs], joints),
+        notes=tuple(notes),
+    )
+
+
+def softnesses(scene: Scene) -> tuple[Floats, Floats]:
+    """1 / the reduced mass of each spring (S,), and of each joint (J,), 1/kg; 0 where all masses are held.
+
+    The stiffness times it is the square of the angular frequency of that part alone, 1/s².
+    """
+    system = build_system(scene)
+    body = system.body
+    free = np.concatenate(([0.0], np.where(system.held, 0.0, system.inverse_mass)))
+    springs = np.zeros(body.springs)
+    springs[system.spring_order] = free[body.spring_a] + free[body.spring_b]
+    return springs, joint_softness(body, free)[system.joint_order]
+
+
+def vibrations_at_rest(scene: Scene, count: int) -> tuple[Scene, Vibrations]:
+    """A scene in the pose that `tuning` takes, and its slowest vibrations there, or all if they are fewer.
+
+    Raises:
+        InputError: as `vibrations`, but of the count.
+    """
+    resting, _, _ = _at_rest(scene, [])
+    freedoms = _freedoms(scene)
+    if not freedoms:
+        return resting, Vibrations(np.zeros(0), np.zeros((0, len(scene.masses), 2)))
+    return resting, free_vibrations(resting, min(count, freedoms))
+
+
+class Dampers:
+    """What damps small vibrations about a scene's start.
+
+    Args:
+        scene: a valid scene.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self._system = build_system(scene)
+        self._state = start_of(scene, self._system)
+        self._physics = Physics(self._system.body, self._state)
+        self._mass = np.array([[m.mass] for m in scene.masses])
+        self.stiffness = np.array([s.stiffness for s in scene.linear_springs], float)
+        self.joint_stiffness = np.array(joint_stiffness(scene), float)
+        self.damping = np.array([s.damping for s in scene.linear_springs], float)
+        self.joint_damping = np.array([j.damping for j in scene.angular_springs], float)
+
+    def ratio(
+        self, omega: float, shape: Floats, springs: Floats | None = None, joints: Floats | None = None
+    ) -> float:
+        """The damping ratio of a vibration: what damping takes at the velocity `shape`, as a part of what it
+        would take if all of the vibration were damped critically.
+
+        Args:
+            omega: angular frequency, rad/s.
+            shape: (n, 2) amplitude of each mass.
+            springs, joints: their dampings, kg/s, in the order of the scene; None for no damping.
+        """
+        system, state, physics = self._system, self._state, self._physics
+        physics.damping = np.zeros(system.body.springs) if springs is None else springs[system.spring_order]
+        physics.joint_damping = np.zeros(system.body.joints)
+        if joints is not None:
+            physics.joint_damping[system.joint_order] = joints
+        w = np.zeros(state.slots, complex)
+        w[system.mass_index] = shape[:, 0] + 1j * shape[:, 1]
+        x = state.x + 1j * state.y
+        change = (physics.forces(x, -w) - physics.forces(x, w)) / 2.0
+        power = max(
+            0.0, float((w.conj() * change).real.sum())
+        )  # of nothing but rounding it may be below zero
+        return power / (2.0 * omega * float((self._mass * shape**2).sum()))
+
+    def hold(self, omega: float, shape: Floats) -> Hold:
+        """What holds a vibration; arguments as of `ratio`."""
+        unit, around = 2.0 / omega, self.ratio(omega, shape)
+        return Hold(
+            self.ratio(omega, shape, springs=unit * self.stiffness) - around,
+            self.ratio(omega, shape, joints=unit * self.joint_stiffness) - around,
+            around,
+        )
+
+
+class Hold(NamedTuple):
+    """What holds and damps a vibration.
+
+    Attributes:
+        springs, joints: the part of its stiffness that is of springs, and of joints; it is their damping
+            ratio, were each of them damped critically for it.
+        around: damping ratio by what is neither.
+    """
+
+    springs: float
+    joints: float
+    around: float
+
+    @property
+    def is_elastic(self) -> bool:
+        """Whether springs or joints hold it by more than half and may damp it critically."""
+        return max(self.springs, self.joints) > 0.5 and self.around < 1.0
+
+
+# ------------------------------------------------------------------------- inside
+def _freedoms(scene: Scene) -> int:
+    return 2 * (len(scene.masses) - len({anchor.mass for anchor in scene.anchors}))
+
+
+def _at_rest(scene: Scene, notes: list[str]) -> tuple[Scene, float | None, int | None]:
+    """The scene in the pose at rest, if there is one, how far it sinks, and which mass sinks most."""
+    pose, sinks = None, any(scene.gravity) and _freedoms(scene) > 0
+    try:
+        pose = equilibrium(scene)
+    except InputError as error:
+        notes.append(_of(error))
+        if sinks:
+            sinks = False
+            try:
+                pose = equilibrium(msgspec.structs.replace(scene, gravity=(0.0, 0.0)))
+                notes.append("the vibrations are those of the body without gravity")
+            except InputError:
+                pose = None
+    if pose is None:
+        notes.append("the vibrations are those about the start")
+        return scene, None, None
+    resting = msgspec.structs.replace(scene, pose=pose)
+    if not sinks:
+        return _weightless(resting) if any(scene.gravity) else resting, None, None
+    down = np.array(scene.gravity) / math.hypot(*scene.gravity)
+    moved = (np.array(pose.positions) - np.array([m.position for m in scene.masses])) @ down
+    most = int(np.argmax(moved))
+    return resting, float(moved[most]), most
+
+
+def _weightless(scene: Scene) -> Scene:
+    return msgspec.structs.replace(scene, gravity=(0.0, 0.0))
+
+
+def _of(error: InputError) -> str:
+    """The sentence of an error without the name of what it came from."""
+    return str(error).partition(": ")[2] or str(error)
+
+
+def _slowest(scene: Scene, notes: list[str]) -> tuple[Vibration | None, Vibration | None]:
+    """The slowest vibration, and the slowest elastic one."""
+    if len(scene.masses) > MOST_MASSES:
+        notes.append(f"the slowest vibrations are found for at most {MOST_MASSES} masses")
+        return None, None
+    try:
+        found = free_vibrations(scene, min(MOST_VIBRATIONS, _freedoms(scene)))
+    except InputError as error:
+        notes.append(_of(error))
+        return None, None
+    dampers = Dampers(scene)
+    pairs = list(zip(found.frequencies.tolist(), found.shapes, strict=True))
+    elastic = next((pair for pair in pairs if dampers.hold(*pair).is_elastic), None)
+    return (_vibration(dampers, *pairs[0]) if pairs else None), elastic and _vibration(dampers, *elastic)
+
+
+def _vibration(dampers: Dampers, omega: float, shape: Floats) -> Vibration:
+    ratio = dampers.ratio(omega, shape, dampers.damping, dampers.joint_damping)
+    return Vibration(omega / math.tau, ratio, shape)
+
+
+def _fastest(scene: Scene) -> Vibration | None:
+    system = build_system(scene)
+    state = start_of(scene, system)
+    state.vx[:] = state.vy[:] = 0.0
+    meter = StabilityMeter(system, flip(0.0))  # 2 / the largest angular frequency
+    limit = min(meter.update(state, 0.0).limit for _ in range(_UPDATES))
+    if not math.isfinite(limit):
+        return None
+    omega = 2.0 / limit
+    shape = np.zeros((len(scene.masses), 2))
+    shape[system.mass_order] = meter.motion.T
+    shape /= np.abs(shape).max()
+    return _vibration(Dampers(scene), omega, shape)
+
+
+def _alone(stiffness: list[float], damping: list[float], softness: Floats) -> Alone:
+    """Of each part: with k and c as in `sim.methods.limits`, the limit is where dt² k + 2 dt c = 4."""
+    k, c = np.array(stiffness) * softness, np.array(damping) * softness
+    omega = np.sqrt(k)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = np.where(c > 0.0, c / (2.0 * omega), 0.0)
+        step = 4.0 / (c + np.sqrt(c * c + 4.0 * k))
+    return Alone(omega / math.tau, ratio, step)

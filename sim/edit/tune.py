@@ -1,0 +1,246 @@
+"""Scenes with other stiffnesses and dampings: stable at a time step, or critically damped."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple, TypeVar
+
+import msgspec
+import numpy as np
+
+from ..analysis.tuning import MOST_VIBRATIONS, Dampers, Hold, softnesses, vibrations_at_rest
+from ..body.system import build_system, joint_stiffness
+from ..errors import InputError
+from ..kernels.core.tables import Floats
+from ..methods.registry import METHODS
+from ..motion.simulation import Simulation
+from ..motion.stability import Cause, limit_at_start
+from ..scene.parts import AngularSpring, LinearSpring
+from ..scene.types import Method, Scene
+from ..scene.validate import number_range, validate
+from .edit import of_parts
+
+_MARGIN = 1.01
+"""By how much the limit is to exceed the time step: it is estimated within a per cent."""
+_SOFTEST = 1e-6
+"""The smallest cap that is tried, see `make_stable`."""
+_CLOSE = 1.002
+"""Ratio of caps at which the search ends."""
+_SECONDS, _MOST_STEPS = 1.0, 2000
+"""How long it is run, s and steps."""
+_LOWER = 0.8
+"""Factor of the cap after a run that did not end well."""
+_LEAST_HOLD = 1e-6
+"""Part of a vibration's stiffness that is of springs or joints, below which they do not hold it."""
+
+
+P = TypeVar("P", LinearSpring, AngularSpring)
+
+
+class _Numbers(NamedTuple):
+    """Stiffness and damping of springs (S,) and joints (J,)."""
+
+    stiffness: Floats
+    damping: Floats
+    joint_stiffness: Floats
+    joint_damping: Floats
+
+    @staticmethod
+    def of(scene: Scene) -> _Numbers:
+        springs, joints = scene.linear_springs, scene.angular_springs
+        return _Numbers(
+            np.array([s.stiffness for s in springs], float),
+            np.array([s.damping for s in springs], float),
+            np.array(joint_stiffness(scene), float),
+            np.array([j.damping for j in joints], float),
+        )
+
+    def put(self, scene: Scene) -> Scene:
+        """The scene with these numbers; parts whose numbers are the same stay the same objects."""
+        scene = of_parts(scene)
+        springs = tuple(
+            part if (part.stiffness, part.damping) == (k, c) else _with(part, k, c)
+            for part, k, c in zip(
+                scene.linear_springs, self.stiffness.tolist(), self.damping.tolist(), strict=True
+            )
+        )
+        joints = tuple(
+            part if (part.stiffness, part.damping) == (k, c) else _with(part, k, c)
+            for part, k, c in zip(
+                scene.angular_springs, self.joint_stiffness.tolist(), self.joint_damping.tolist(), strict=True
+            )
+        )
+        return msgspec.structs.replace(scene, linear_springs=springs, angular_springs=joints)
+
+
+def _with(part: P, stiffness: float, damping: float) -> P:
+    return msgspec.structs.replace(part, stiffness=stiffness, damping=damping)
+
+
+def make_stable(scene: Scene, dt: float | None = None, method: Method | None = None) -> Scene:
+    """The scene with the least change that makes it stable at a time step.
+
+    The least change is one common cap, as high as can be. It is a cap of what each spring and each joint asks
+    of the time step by itself: dt² stiffness / mu, and w dt damping / mu, where mu is its reduced mass, see
+    `sim.tuning`, and w is 2 for symplectic Euler and 4 for velocity Verlet. Only what is above the cap is
+    lowered to it, stiffness and damping each by itself; all other numbers, and the parts that they belong to,
+    stay as they are. The cap is the highest at which the limit of `sim.motion.stability` at the scene's start
+    is a per cent above the time step, within 0.2 %.
+
+    Then the body is run for a second, or 2000 steps if those are fewer. Large motions may run away where
+    small ones do not; then the cap is lowered by a fifth until the body does not.
+
+    Args:
+        scene: a valid scene. Its pose, if it has one, is its start.
+        dt: 1e-6..1 s; None for the scene's own.
+        method: None for the scene's own.
+
+    Returns:
+        The scene with this time step and method. It is the scene itself if these are its own and it is
+        stable, and nothing but they are changed where the method has no limit. A body that a recipe made
+        becomes one of its parts.
+
+    Raises:
+        SceneError: the scene, the time step or the method is not valid.
+        InputError: what limits the time step are not springs and joints, or the body runs away even with soft
+            ones.
+    """
+    integrator = scene.integrator
+    if dt is not None and dt != integrator.dt:
+        integrator = msgspec.structs.replace(integrator, dt=dt)
+    if method is not None and method != integrator.method:
+        integrator = msgspec.structs.replace(integrator, method=method)
+    if integrator is not scene.integrator:
+        scene = msgspec.structs.replace(scene, integrator=integrator)
+    validate(scene)
+    rule = METHODS[integrator.method].limit
+    if rule is None or integrator.method == "stable_spring":
+        return scene
+    calm = _is_calm(scene)
+    if calm and _survives(scene):
+        return scene
+    own, step = _Numbers.of(scene), integrator.dt
+    springs, joints = softnesses(scene)
+    asked = _Numbers(
+        step**2 * springs, rule.damping * step * springs, step**2 * joints, rule.damping * step * joints
+    )
+
+    def capped(cap: float) -> Scene:
+        with np.errstate(divide="ignore"):
+            limits = [cap / each for each in asked]
+        return _Numbers(*map(np.minimum, own, limits)).put(scene)
+
+    loads = np.concatenate([of * number for of, number in zip(asked, own, strict=True)])
+    high, low = float(loads.max(initial=0.0)), _SOFTEST
+    if high <= low or not _is_calm(capped(low)):
+        raise InputError(
+            f"make_stable: at {step:g} s it is not springs and joints that limit the time step, but "
+            f"{_cause(capped(low)) or 'something else'}"
+        )
+    while not calm and high > _CLOSE * low:
+        middle = math.sqrt(low * high)
+        low, high = (middle, high) if _is_calm(capped(middle)) else (low, middle)
+    cap = high if calm else low
+    while cap >= _SOFTEST:
+        found = capped(cap)
+        if _survives(found):
+            return found
+        cap *= _LOWER
+    raise InputError(
+        f"make_stable: at {step:g} s the body runs away from its start, however soft its springs"
+    )
+
+
+def damp_vibration(scene: Scene, mode: int | None = None, spring: int | None = None) -> Scene:
+    """The scene with a vibration of the whole body, or a spring by itself, critically damped.
+
+    For a spring by itself its damping becomes 2 sqrt(stiffness mu), where mu is its reduced mass.
+
+    For a vibration, either the springs or the joints get damping in proportion to their stiffness, whichever
+    of the two then damp it more, so that other dampings can stay and no more parts than necessary are damped
+    strongly. The damping ratio in `sim.tuning` becomes 1. All faster vibrations are damped beyond that, which
+    lowers the largest stable time step of explicit methods.
+
+    Args:
+        scene: a valid scene.
+        mode: 0 for the slowest vibration about the pose at rest, and so on; None for the slowest that springs
+            and joints hold by more than half, so that it is no swing under gravity, which they hardly damp.
+        spring: index of a linear spring, instead of a vibration.
+
+    Returns:
+        The scene. A body that a recipe made becomes one of its parts.
+
+    Raises:
+        SceneError: the scene is not valid.
+        InputError: there is no such spring or vibration, the body has more than 1000 masses, or no damping of
+            springs and joints within its range does it.
+    """
+    validate(scene)
+    own = _Numbers.of(scene)
+    if spring is not None:
+        return _damped_spring(scene, own, spring)
+    if mode is not None and (isinstance(mode, bool) or not isinstance(mode, int) or mode < 0):
+        raise InputError(f"damp_vibration: {mode} is not the number of a vibration, from 0")
+    resting, found = vibrations_at_rest(scene, MOST_VIBRATIONS if mode is None else mode + 1)
+    if mode is not None and mode >= len(found.frequencies):
+        raise InputError(f"damp_vibration: the body has no vibration {mode}, but {len(found.frequencies)}")
+    dampers = Dampers(resting)
+    for omega, shape in list(zip(found.frequencies.tolist(), found.shapes, strict=True))[mode or 0 :]:
+        hold = dampers.hold(omega, shape)
+        if hold.is_elastic or (mode is not None and max(hold.springs, hold.joints) > _LEAST_HOLD):
+            return _damped(own, dampers, omega, shape, hold).put(scene)
+    raise InputError("damp_vibration: springs and joints hold no such vibration, so they cannot damp it")
+
+
+def _damped(own: _Numbers, dampers: Dampers, omega: float, shape: Floats, hold: Hold) -> _Numbers:
+    """The numbers with which the damping ratio of a vibration is 1."""
+    left = 1.0 - hold.around
+    if not left > 0.0:
+        raise InputError("damp_vibration: the vibration is damped critically without springs and joints")
+    by_joints = hold.joints > hold.springs
+    springs, joints = own.damping, own.joint_damping
+    other = dampers.ratio(omega, shape, springs) if by_joints else dampers.ratio(omega, shape, None, joints)
+    other -= hold.around
+    # If the other kind alone is too much, it is lowered, and this one gets none.
+    lower, rest = min(1.0, left / other) if other > 0.0 else 1.0, max(0.0, left - other)
+    if by_joints:
+        springs, joints = lower * springs, rest / hold.joints * (2.0 / omega) * own.joint_stiffness
+    else:
+        springs, joints = rest / hold.springs * (2.0 / omega) * own.stiffness, lower * joints
+    return own._replace(damping=_allowed(springs), joint_damping=_allowed(joints))
+
+
+def _damped_spring(scene: Scene, own: _Numbers, spring: int) -> Scene:
+    count = len(own.stiffness)
+    if isinstance(spring, bool) or not isinstance(spring, int) or not 0 <= spring < count:
+        raise InputError(f"damp_vibration: spring {spring} does not exist (0..{count - 1})")
+    softness = float(softnesses(scene)[0][spring])
+    if not softness > 0.0:
+        raise InputError(f"damp_vibration: both masses of spring {spring} are held, so it does not vibrate")
+    damping = own.damping.copy()
+    damping[spring] = 2.0 * math.sqrt(float(own.stiffness[spring]) / softness)
+    return own._replace(damping=_allowed(damping)).put(scene)
+
+
+def _allowed(damping: Floats) -> Floats:
+    most = number_range(LinearSpring, "damping")[1]
+    if damping.size and not damping.max() <= most:
+        raise InputError(
+            f"damp_vibration: it would take a damping of {damping.max():.3g} kg/s, and {most:g} is the most"
+        )
+    return damping
+
+
+def _is_calm(scene: Scene) -> bool:
+    method, dt = scene.integrator.method, scene.integrator.dt
+    return limit_at_start(scene, build_system(scene), method).limit >= _MARGIN * dt
+
+
+def _cause(scene: Scene) -> Cause | None:
+    return limit_at_start(scene, build_system(scene), scene.integrator.method).cause
+
+
+def _survives(scene: Scene) -> bool:
+    simulation = Simulation(scene)
+    simulation.step(min(math.ceil(_SECONDS / scene.integrator.dt), _MOST_STEPS))
+    return simulation.divergence is None

@@ -1,0 +1,411 @@
+"""What stiffnesses mean, held against textbooks; and scenes made stable, or critically damped."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from msgspec.structs import replace
+
+import sim
+from sim.analysis import tuning as module
+from sim.errors import InputError, SceneError
+from sim.motion.stability import largest_step
+from sim.scene.types import Method
+from tests.sim.builders import euler
+
+EULER, VERLET = euler(), sim.Integrator(method="velocity_verlet")
+
+
+def weight(
+    k: float = 500.0, c: float = 3.0, mass: float = 2.0, gravity: float = 90.0, **changes: object
+) -> sim.Scene:
+    """A mass that hangs by a spring."""
+    scene = sim.Scene(
+        name="weight",
+        masses=(sim.Mass(position=(0.0, 0.0)), sim.Mass(position=(0.0, 100.0), mass=mass)),
+        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=k, damping=c, rest_length=100.0),),
+        anchors=(sim.Anchor(mass=0),),
+        gravity=(0.0, gravity),
+        integrator=EULER,
+    )
+    return replace(scene, **changes)
+
+
+def row(stiffness: list[float], damping: list[float], masses: list[float], dt: float = 0.0025) -> sim.Scene:
+    """Springs in a row, held at both ends, without gravity."""
+    count = len(stiffness)
+    return sim.Scene(
+        name="row",
+        masses=tuple(sim.Mass(position=(10.0 * i, 0.0), mass=masses[i]) for i in range(count + 1)),
+        linear_springs=tuple(
+            sim.LinearSpring(a=i, b=i + 1, stiffness=stiffness[i], damping=damping[i], rest_length=10.0)
+            for i in range(count)
+        ),
+        anchors=(sim.Anchor(mass=0), sim.Anchor(mass=count)),
+        integrator=euler(dt),
+    )
+
+
+# ------------------------------------------------------------------------- what numbers mean
+def test_a_weight_on_a_spring_is_that_of_the_textbook() -> None:
+    k, c, mass, gravity = 500.0, 3.0, 2.0, 90.0
+    found = sim.tuning(weight(k, c, mass, gravity))
+    omega, zeta = math.sqrt(k / mass), c / (2.0 * math.sqrt(k * mass))
+    fastest = found.fastest
+    assert fastest is not None
+    assert fastest.frequency == pytest.approx(omega / math.tau, rel=1e-6)
+    assert fastest.damping_ratio == pytest.approx(zeta, rel=1e-6)
+    assert fastest.period == pytest.approx(math.tau / omega, rel=1e-6)
+    assert np.abs(fastest.shape) == pytest.approx(np.array([[0.0, 0.0], [0.0, 1.0]]), abs=1e-6)
+    # The other one is that of a pendulum.
+    assert found.sag == pytest.approx(mass * gravity / k, rel=1e-9)
+    assert found.sag_mass == 1
+    assert found.sag is not None
+    assert found.slowest is not None
+    assert found.slowest.frequency == pytest.approx(math.sqrt(gravity / (100.0 + found.sag)) / math.tau)
+    assert found.slowest.damping_ratio < 1e-6
+    assert found.elastic is not None
+    assert found.elastic.frequency == pytest.approx(fastest.frequency, rel=1e-6)
+    # Limits of the methods, and of the spring alone.
+    assert set(found.stable_steps) == {"symplectic_euler", "velocity_verlet", "rk4"}
+    limit = 2.0 * (math.sqrt(1.0 + zeta**2) - zeta) / omega
+    assert found.stable_steps["symplectic_euler"] == pytest.approx(limit, rel=1e-6)
+    limit = 2.0 * (math.sqrt(1.0 + 4.0 * zeta**2) - 2.0 * zeta) / omega
+    assert found.stable_steps["velocity_verlet"] == pytest.approx(limit, rel=1e-6)
+    assert found.springs.stable_step == pytest.approx([found.stable_steps["symplectic_euler"]], rel=1e-6)
+    assert found.springs.frequency == pytest.approx([omega / math.tau])
+    assert found.springs.damping_ratio == pytest.approx([zeta])
+    assert found.notes == ()
+    undamped = sim.tuning(weight(c=0.0))
+    assert undamped.stable_steps["rk4"] == pytest.approx(math.sqrt(8.0) / omega, rel=1e-3)
+
+
+def test_two_free_masses_have_one_vibration_and_fall() -> None:
+    free = weight(mass=3.0, anchors=())
+    found = sim.tuning(free)
+    omega = math.sqrt(500.0 / (1.0 * 3.0 / 4.0))
+    for vibration in (found.slowest, found.elastic, found.fastest):
+        assert vibration is not None
+        assert vibration.frequency == pytest.approx(omega / math.tau, rel=1e-5)
+    assert found.springs.frequency == pytest.approx([omega / math.tau])
+    assert found.sag is None
+    assert found.sag_mass is None
+    assert found.notes == (
+        "nothing holds mass 0, so it falls",
+        "the vibrations are those of the body without gravity",
+    )
+    assert sim.tuning(replace(free, gravity=(0.0, 0.0))).notes == ()
+
+
+def test_a_row_of_springs_has_the_frequencies_of_the_textbook() -> None:
+    n, k, mass = 9, 800.0, 0.5
+    scene = row([k] * (n + 1), [0.0] * (n + 1), [mass] * (n + 2))
+    found = sim.tuning(scene)
+    omega = [2.0 * math.sqrt(k / mass) * math.sin(j * math.pi / (2 * (n + 1))) for j in (1, n)]
+    assert found.slowest is not None
+    assert found.fastest is not None
+    assert found.slowest.frequency == pytest.approx(omega[0] / math.tau, rel=1e-6)
+    assert found.fastest.frequency == pytest.approx(omega[1] / math.tau, rel=1e-3)
+    assert found.sag is None
+    alone = math.sqrt(k * 2.0 / mass) / math.tau
+    assert found.springs.frequency[1:-1] == pytest.approx([alone] * (n - 1))
+    # At both ends one mass is held.
+    assert found.springs.frequency[[0, -1]] == pytest.approx([alone / math.sqrt(2.0)] * 2)
+
+
+def test_a_joint_alone_is_that_of_three_masses() -> None:
+    scene = sim.Scene(
+        name="three",
+        masses=tuple(sim.Mass(position=(x, 0.0), mass=m) for x, m in ((0.0, 1.0), (30.0, 2.0), (80.0, 0.5))),
+        linear_springs=(
+            sim.LinearSpring(a=0, b=1, stiffness=1e7, rest_length=30.0),
+            sim.LinearSpring(a=1, b=2, stiffness=1e7, rest_length=50.0),
+        ),
+        angular_springs=(sim.AngularSpring(a=0, b=1, stiffness=4.0, damping=0.02),),
+    )
+    found = sim.tuning(scene)
+    assert found.elastic is not None
+    assert found.joints.frequency == pytest.approx([found.elastic.frequency], rel=1e-4)
+    assert found.joints.damping_ratio == pytest.approx([found.elastic.damping_ratio], rel=1e-4)
+    # Turned around, and with the parts in another order, it is the same.
+    springs = (scene.linear_springs[1], scene.linear_springs[0])
+    other = replace(
+        scene, linear_springs=springs, angular_springs=(replace(scene.angular_springs[0], a=1, b=0),)
+    )
+    assert sim.tuning(other).joints.frequency == pytest.approx(found.joints.frequency)
+    assert sim.tuning(other).springs.frequency[::-1] == pytest.approx(found.springs.frequency)
+
+
+@pytest.mark.parametrize("name", ["rod", "ring", "cloth", "air-balloon", "tutorial-3.3"])
+def test_steps_are_those_of_the_stability_meter(name: str) -> None:
+    scene = sim.load_scene(name)
+    found = sim.tuning(scene)
+    for method, step in found.stable_steps.items():
+        assert step == largest_step(scene, method)
+    assert found.elastic is not None
+    assert found.fastest is not None
+    assert found.elastic.frequency <= 1.01 * found.fastest.frequency
+
+
+def test_a_pose_is_the_start_of_steps_and_not_of_the_sag() -> None:
+    scene = weight()
+    pose = sim.Pose(positions=((0.0, 0.0), (0.0, 0.5)), velocities=((0.0, 0.0), (0.0, 0.0)))
+    posed = replace(scene, pose=pose, linear_springs=(replace(scene.linear_springs[0], damping=0.0),))
+    assert sim.tuning(posed).sag == pytest.approx(sim.tuning(scene).sag, rel=1e-6)
+    # So short a spring is stiff across itself: its tension by its length.
+    assert sim.tuning(posed).stable_steps["symplectic_euler"] < 0.2
+
+
+def test_what_cannot_be_found_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    held = weight(anchors=(sim.Anchor(mass=0), sim.Anchor(mass=1)))
+    found = sim.tuning(held)
+    assert (found.slowest, found.elastic, found.fastest, found.sag) == (None, None, None, None)
+    assert found.springs.frequency.tolist() == [0.0]
+    assert found.springs.stable_step.tolist() == [math.inf]
+    monkeypatch.setattr(module, "MOST_MASSES", 1)
+    found = sim.tuning(weight())
+    assert found.slowest is None
+    assert found.fastest is not None
+    assert found.notes == ("the slowest vibrations are found for at most 1 masses",)
+    loose = sim.Scene(name="loose", masses=(sim.Mass(position=(0.0, 0.0)),))
+    assert sim.tuning(loose).fastest is None
+    with pytest.raises(SceneError):
+        sim.tuning(replace(loose, air_friction=-1.0))
+
+
+# ------------------------------------------------------------------------- stable at a step
+numbers = st.floats(0.1, 10.0)
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    st.lists(st.tuples(st.floats(1.0, 1e6), st.floats(0.0, 300.0), numbers), min_size=2, max_size=6),
+    st.floats(1e-4, 0.1),
+    st.sampled_from(["symplectic_euler", "velocity_verlet", "rk4"]),
+)
+def test_the_change_makes_it_stable_and_is_the_least(
+    springs: list[tuple[float, float, float]], dt: float, method: Method
+) -> None:
+    scene = row([k for k, _, _ in springs], [c for _, c, _ in springs], [1.0, *(m for *_, m in springs)])
+    scene = replace(scene, integrator=sim.Integrator(method=method, dt=dt))
+    made = sim.make_stable(scene)
+    limit = largest_step(made, method)
+    assert limit >= dt
+    if largest_step(scene, method) >= 1.02 * dt:
+        assert made is scene
+        return
+    # Nothing else has changed, and nothing has grown.
+    assert replace(made, linear_springs=scene.linear_springs) == scene
+    for old, new in zip(scene.linear_springs, made.linear_springs, strict=True):
+        assert new.stiffness <= old.stiffness
+        assert new.damping <= old.damping
+        assert replace(new, stiffness=old.stiffness, damping=old.damping) == old
+    # With a cap that is some per cent higher it would not be.
+    assert limit <= 1.03 * dt
+    simulation = sim.Simulation(made)
+    simulation.step(300)
+    assert simulation.divergence is None
+
+
+def test_only_what_offends_is_changed() -> None:
+    k, c = [100.0, 100.0, 9e5, 100.0, 100.0], [1.0] * 5
+    made = sim.make_stable(row(k, c, [1.0] * 6, dt=0.01))
+    assert [s.stiffness for s in made.linear_springs[:2] + made.linear_springs[3:]] == [100.0] * 4
+    assert made.linear_springs[2].stiffness < 3e4
+    assert [s.damping for s in made.linear_springs] == c
+    # Where damping is too strong, stiffness stays.
+    c[2] = 5000.0
+    made = sim.make_stable(row([100.0] * 5, c, [1.0] * 6, dt=0.01))
+    assert [s.stiffness for s in made.linear_springs] == [100.0] * 5
+    assert made.linear_springs[2].damping < 250.0
+    assert [s.damping for i, s in enumerate(made.linear_springs) if i != 2] == [1.0] * 4
+
+
+def test_a_spring_alone_keeps_what_the_step_bears() -> None:
+    dt, mass = 0.02, 3.0
+    made = sim.make_stable(weight(1e7, 0.0, mass, integrator=euler(dt)))
+    assert made.linear_springs[0].stiffness == pytest.approx(4.0 * mass / (1.01 * dt) ** 2, rel=3e-3)
+
+
+@pytest.mark.parametrize("name", ["rod", "ring", "girder", "tree", "tutorial-3.2"])
+def test_presets_run_after_it(name: str) -> None:
+    scene = sim.load_scene(name)
+    made = sim.make_stable(scene, 0.01, "symplectic_euler")
+    assert (made.integrator.dt, made.integrator.method) == (0.01, "symplectic_euler")
+    assert largest_step(made, "symplectic_euler") >= 0.01
+    simulation = sim.Simulation(made)
+    simulation.step(200)
+    assert simulation.divergence is None
+    assert len(made.masses) == len(scene.masses)
+    assert made.anchors == scene.anchors
+    # A template's factor is in the numbers of the joints.
+    assert sim.make_stable(made) is made
+
+
+def test_a_violent_start_is_run_too() -> None:
+    # At its start, drawn out, it is less stiff than when it has sprung back.
+    scene = row([3e4] * 4, [0.0] * 4, [1.0] * 5, dt=0.0075)
+    speeds = ((0.0, 0.0), (2e4, 100.0), (-2e4, 0.0), (2e4, -100.0), (0.0, 0.0))
+    places = tuple((10.0 * i, 0.0) for i in range(5))
+    posed = replace(scene, pose=sim.Pose(positions=places, velocities=speeds))
+    made = sim.make_stable(posed)
+    assert made.pose == posed.pose
+    simulation = sim.Simulation(made)
+    simulation.step(133)
+    assert simulation.divergence is None
+
+
+def test_what_springs_do_not_limit_is_refused() -> None:
+    fast = sim.Pose(positions=((0.0, 0.0), (0.0, 100.0)), velocities=((0.0, 0.0), (1e4, 0.0)))
+    scene = weight(air_friction=5.0, pose=fast)
+    with pytest.raises(InputError, match=r"^make_stable: at 0.0025 s it is not springs .* but air friction$"):
+        sim.make_stable(scene)
+
+
+def test_methods_without_a_limit_change_nothing_but_the_step() -> None:
+    stiff = weight(1e9)
+    for method in ("auto", "rodas4", "generalized_alpha", "stable_spring"):
+        made = sim.make_stable(stiff, 0.01, method)
+        assert made == replace(stiff, integrator=sim.Integrator(method=method, dt=0.01))
+    own = weight(1e9, integrator=sim.Integrator())
+    assert sim.make_stable(own) is own
+    with pytest.raises(SceneError, match="dt"):
+        sim.make_stable(stiff, 2.0)
+    with pytest.raises(SceneError, match="method"):
+        sim.make_stable(stiff, 0.01, "magic")  # type: ignore[arg-type]
+
+
+# ------------------------------------------------------------------------- critical damping
+def test_a_spring_is_damped_critically_by_the_known_solution() -> None:
+    k, mass = 700.0, 3.0
+    made = sim.damp_vibration(weight(k, 0.0, mass), spring=0)
+    assert made.linear_springs[0].damping == pytest.approx(2.0 * math.sqrt(k * mass), rel=1e-12)
+    assert sim.tuning(made).springs.damping_ratio == pytest.approx([1.0], rel=1e-12)
+    both = sim.damp_vibration(weight(k, 0.0, mass, anchors=()), spring=0)
+    assert both.linear_springs[0].damping == pytest.approx(2.0 * math.sqrt(k * 0.75), rel=1e-12)
+    # The body's own vibration is the same one, whatever damping it had before.
+    for c in (0.0, 5.0, 900.0):
+        whole = sim.damp_vibration(weight(k, c, mass))
+        assert whole.linear_springs[0].damping == pytest.approx(2.0 * math.sqrt(k * mass), rel=1e-6)
+
+
+def test_a_damped_rod_comes_back_as_the_known_solution_says() -> None:
+    rod = sim.rod(masses=7, length=200.0)
+    rod = replace(rod, gravity=(0.0, 0.0), air_friction=0.0, force_law="conservative")
+    made = sim.damp_vibration(rod)
+    found = sim.tuning(made)
+    assert found.elastic is not None
+    assert found.elastic.damping_ratio == pytest.approx(1.0, rel=1e-6)
+    # Joints have what it takes, springs what they had.
+    assert [s.damping for s in made.linear_springs] == [s.damping for s in rod.linear_springs]
+    assert all(j.damping > 0.0 for j in made.angular_springs)
+    # Bent a little, it comes back without passing: by (1 + w t) exp(-w t).
+    rest = np.array([m.position for m in made.masses])
+    bent = rest + 0.5 * found.elastic.shape
+    start = replace(
+        made,
+        pose=sim.Pose(positions=tuple(map(tuple, bent.tolist())), velocities=((0.0, 0.0),) * len(bent)),
+        integrator=sim.Integrator(method="rodas5p", tolerance=1e-7, dt=0.01),
+    )
+    simulation = sim.Simulation(start)
+    omega = math.tau * found.elastic.frequency
+    free = np.argmax(np.abs(found.elastic.shape).max(1))
+    for _ in range(5):
+        simulation.advance(round(1.0 / omega / 0.01) * 0.01)
+        part = (simulation.positions - rest)[free] @ found.elastic.shape[free] * 2.0
+        part /= float((found.elastic.shape[free] ** 2).sum())
+        wt = omega * simulation.time
+        assert part == pytest.approx((1.0 + wt) * math.exp(-wt), abs=0.01)
+
+
+def test_the_swing_under_gravity_is_passed_over_unless_it_is_asked_for() -> None:
+    scene = sim.load_scene("tutorial-3.3")
+    made = sim.damp_vibration(scene)
+    found = sim.tuning(made)
+    assert found.elastic is not None
+    assert found.slowest is not None
+    assert found.elastic.damping_ratio == pytest.approx(1.0, rel=1e-6)
+    assert found.slowest.frequency < 0.5 * found.elastic.frequency
+    with pytest.raises(InputError, match=r"take a damping of .* and 1e\+06 is the most"):
+        sim.damp_vibration(scene, mode=0)
+    pendulum = weight(1e7, 0.0)
+    with pytest.raises(InputError, match="springs and joints hold no such vibration"):
+        sim.damp_vibration(pendulum, mode=0)
+
+
+def test_another_vibration_can_be_damped() -> None:
+    rod = replace(sim.rod(masses=7, length=200.0), gravity=(0.0, 0.0))
+    made = sim.damp_vibration(rod, mode=1)
+    resting, found = module.vibrations_at_rest(made, 2)
+    dampers = module.Dampers(resting)
+    ratios = [
+        dampers.ratio(float(found.frequencies[k]), found.shapes[k], dampers.damping, dampers.joint_damping)
+        for k in (0, 1)
+    ]
+    assert ratios[1] == pytest.approx(1.0, rel=1e-6)
+    assert ratios[0] < 0.9
+
+
+def test_dampings_of_the_other_kind_stay_unless_they_are_too_much_alone() -> None:
+    rod = replace(sim.rod(masses=7, length=200.0), gravity=(0.0, 0.0))
+    row_of = sim.damp_vibration(rod, mode=0)
+    strong = replace(
+        row_of,
+        angular_springs=tuple(replace(j, damping=3.0 * j.damping) for j in row_of.angular_springs),
+    )
+    again = sim.damp_vibration(strong)
+    assert [j.damping for j in again.angular_springs] == pytest.approx(
+        [j.damping for j in row_of.angular_springs], rel=1e-6
+    )
+    # A mass at the corner of two springs and a weak joint: the springs hold it, the joint damps too much.
+    corner = sim.Scene(
+        name="corner",
+        masses=tuple(sim.Mass(position=p) for p in ((0.0, 0.0), (50.0, 0.0), (80.0, 40.0))),
+        linear_springs=(
+            sim.LinearSpring(a=0, b=1, stiffness=500.0, damping=1.0, rest_length=50.0),
+            sim.LinearSpring(a=1, b=2, stiffness=500.0, damping=1.0, rest_length=50.0),
+        ),
+        angular_springs=(
+            sim.AngularSpring(a=0, b=1, stiffness=1.0, damping=900.0, rest_angle=53.130102354155980),
+        ),
+        anchors=(sim.Anchor(mass=0), sim.Anchor(mass=2)),
+    )
+    made = sim.damp_vibration(corner)
+    assert [s.damping for s in made.linear_springs] == [0.0, 0.0]
+    assert 0.0 < made.angular_springs[0].damping < 900.0
+    found = sim.tuning(made).elastic
+    assert found is not None
+    assert found.damping_ratio == pytest.approx(1.0, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"spring": 1}, "spring 1 does not exist (0..0)"),
+        ({"spring": -1}, "spring -1 does not exist"),
+        ({"spring": True}, "spring True does not exist"),
+        ({"mode": -1}, "-1 is not the number of a vibration"),
+        ({"mode": True}, "True is not the number of a vibration"),
+        ({"mode": 2}, "the body has no vibration 2, but 2"),
+    ],
+)
+def test_what_cannot_be_damped_is_refused(changes: dict, said: str) -> None:
+    with pytest.raises(InputError) as refused:
+        sim.damp_vibration(weight(), **changes)
+    assert str(refused.value).startswith("damp_vibration: ")
+    assert said in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_held_springs_and_too_stiff_ones_are_refused() -> None:
+    held = weight(anchors=(sim.Anchor(mass=0), sim.Anchor(mass=1)))
+    with pytest.raises(InputError, match="both masses of spring 0 are held"):
+        sim.damp_vibration(held, spring=0)
+    with pytest.raises(InputError, match="hold no such vibration"):
+        sim.damp_vibration(held)
+    with pytest.raises(InputError, match=r"take a damping of 6.32e\+09 kg/s, and 1e\+06 is the most"):
+        sim.damp_vibration(weight(1e15, 0.0, 1e4), spring=0)
