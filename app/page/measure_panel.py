@@ -50,20 +50,28 @@ ABOUT = (
 
 @dataclass
 class _Shown:
-    """A plot in the page."""
+    """A plot in the page. Its chart keeps its number of lines: after a change viser may draw nothing."""
 
     plot: Plot
     title: viser.GuiHtmlHandle
-    chart: viser.GuiUplotHandle | viser.GuiHtmlHandle
     reading: viser.GuiHtmlHandle
     buttons: viser.GuiButtonGroupHandle
+    order: float  # of the chart
+    chart: viser.GuiUplotHandle | viser.GuiHtmlHandle | None = None
     sent: int = -1  # the version of the plot that the page has
     looks: tuple[object, ...] = ()  # what its lines and axes are for
 
     def remove(self) -> None:
         """Take it out of the page."""
-        for handle in (self.title, self.chart, self.reading, self.buttons):
+        for handle in (self.title, self.reading, self.buttons):
             handle.remove()
+        self.remove_chart()
+
+    def remove_chart(self) -> None:
+        """Take its chart out of the page; the next time that it is shown it gets another one."""
+        if self.chart is not None:
+            self.chart.remove()
+        self.chart = None
 
 
 class MeasurePanel:
@@ -77,6 +85,7 @@ class MeasurePanel:
 
     Attributes:
         called: counts how often the tab was to be shown.
+        looked_at: whether anybody sees the plots; otherwise they run on, but are not sent.
     """
 
     def __init__(
@@ -96,6 +105,7 @@ class MeasurePanel:
         self._due = self._read_due = 0.0
         self._numbers = 0
         self.called = 0
+        self.looked_at = True
         gui = client.gui
         with tab:
             gui.add_html(ABOUT, order=1)
@@ -179,7 +189,7 @@ class MeasurePanel:
             return
         for shown in self._plots:
             shown.plot.sample(session)
-        if now >= self._due:
+        if now >= self._due and self.looked_at:
             self._due = now + EVERY
             reads = now >= self._read_due
             if reads:
@@ -229,6 +239,7 @@ class MeasurePanel:
     # --------------------------------------------------------------------- plots
     def _add_chosen(self) -> None:
         over = self._over.value
+        self.called += 1
         self._try_add(Wish((self._chosen,), "" if over == TIME else over))
 
     def _add_angle(self) -> None:
@@ -254,15 +265,9 @@ class MeasurePanel:
         order, gui = 10.0 * self._numbers + 10.0, self._client.gui
         with self._tab:
             title = gui.add_html("", order=order)
-            if wish.over:
-                chart = gui.add_html("", order=order + 1)
-            else:
-                chart = gui.add_uplot(
-                    (np.zeros(1), np.zeros(1)), ({}, {}), height=HEIGHT, padding=(8, 4, 0, 0), order=order + 1
-                )
             reading = gui.add_html("", order=order + 2)
             buttons = gui.add_button_group("", (_HERE, _TABLE, _REMOVE), order=order + 3)
-        shown = _Shown(plot, title, chart, reading, buttons)
+        shown = _Shown(plot, title, reading, buttons, order + 1)
         self._plots.append(shown)
 
         @buttons.on_click
@@ -300,6 +305,7 @@ class MeasurePanel:
             self._notify(Notice("error", "That cannot be added", f"{error}."))
             return
         plot.take_over(shown.plot)
+        shown.remove_chart()
         shown.plot, shown.sent = plot, -1
         plot.sample(self._session)
         self._show(shown, reads=True)
@@ -319,11 +325,20 @@ class MeasurePanel:
         drawn = curve(plot, seconds, WIDTH)
         colors = palette(self._session.scene.view.colors, self._dark)
         series = plots.colors_of(plot, colors)
-        with self._client.atomic():
-            if isinstance(shown.chart, viser.GuiUplotHandle):
-                shown.looks = plots.draw_over_time(shown.chart, plot, drawn, series, colors, shown.looks)
+        gui, chart = self._client.gui, shown.chart
+        with self._client.atomic(), self._tab:
+            if plot.wish.over:
+                content = plots.draw_over_another(plot, drawn, series)
+                if isinstance(chart, viser.GuiHtmlHandle):
+                    chart.content = content
+                else:
+                    shown.chart = gui.add_html(content, order=shown.order)
             else:
-                shown.chart.content = plots.draw_over_another(plot, drawn, series)
+                before = chart if isinstance(chart, viser.GuiUplotHandle) else None
+                add = partial(gui.add_uplot, height=HEIGHT, padding=(8, 4, 0, 0), order=shown.order)
+                shown.chart, shown.looks = plots.draw_over_time(
+                    before, add, plot, drawn, series, colors, shown.looks
+                )
             if reads:
                 _set(shown.title, plots.title(plot, series))
                 _set(shown.reading, plots.reading(plot, seconds))

@@ -25,12 +25,15 @@ def ticks(low: float, high: float) -> list[float]:
     return [step * i for i in range(math.ceil(low / step), math.floor(high / step) + 1)]
 
 
-def phase_svg(x: Floats, ys: Floats, colors: Sequence[str], labels: tuple[str, str], name: str) -> str:
-    """The plot.
+def phase_svg(
+    x: Floats, ys: Floats, past: int, colors: Sequence[str], labels: tuple[str, str], name: str
+) -> str:
+    """The plot; a disc marks the moment that is shown, and what is ahead of it is pale.
 
     Args:
         x: (k,) values along the axis to the right.
         ys: (quantities, k) values of each quantity that is plotted upwards.
+        past: how many of the k are not ahead of the moment that is shown.
         colors: of each quantity, as CSS has them.
         labels: of the axes, to the right and upwards.
         name: what it is, for screen readers.
@@ -66,13 +69,18 @@ def phase_svg(x: Floats, ys: Floats, colors: Sequence[str], labels: tuple[str, s
             f"{across(a):.1f} {up(b):.1f}" if math.isfinite(a) and math.isfinite(b) else ""
             for a, b in zip(x.tolist(), y.tolist(), strict=True)
         ]
-        if path := _path(points):
-            curves.append(f'<path d="{path}" style="stroke:{color}"/>')
-        if points and points[-1]:
-            cx, cy = points[-1].split()
+        for part, kind in ((points[max(past - 1, 0) :], "softrod-ahead"), (points[:past], "")):
+            if len(part) > 1 and (path := _path(part)):
+                curves.append(f'<path class="{kind}" d="{path}" style="stroke:{color}"/>')
+        if past and points[past - 1]:
+            cx, cy = points[past - 1].split()
             curves.append(f'<circle cx="{cx}" cy="{cy}" r="4" style="fill:{color}"/>')
+    # For static/phase.js, which reads the values under the pointer.
+    edges = f"{LEFT:g} {right:g} {bottom:g} {TOP:g}"
+    ends = " ".join(f"{end:.9g}" for end in (x_low, x_high, y_low, y_high))
     return (
-        f'<svg class="softrod-phase" viewBox="0 0 {WIDTH:g} {HEIGHT:g}" role="img" '
+        f'<svg class="softrod-phase" data-edges="{edges}" data-ends="{ends}" data-right="{to_right}" '
+        f'data-up="{upwards}" viewBox="0 0 {WIDTH:g} {HEIGHT:g}" role="img" '
         f'aria-label="{html.escape(name)}"><path class="softrod-phase-grid" d="{"".join(lines)}"/>'
         f"{''.join(texts)}{''.join(curves)}</svg>"
     )

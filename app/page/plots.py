@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import viser
@@ -14,7 +14,7 @@ import sim
 from sim.analysis.swings import swings
 
 from ..drawing.colors import Palette
-from ..session.plots import Plot
+from ..session.plots import Drawn, Plot
 from . import readouts
 from .phase import phase_svg
 
@@ -24,62 +24,86 @@ _OF = {"joint": "torque_plus", "spring": "pulled", "mass": "driven", "ghost": "h
 
 _FONT = "12px system-ui, sans-serif"
 
+_LONGEST_LABEL = 26
+"""Letters of the label of an axis for which there is room."""
+
+PALE = 0.35
+"""Opacity of what is ahead of the moment that is shown."""
+
 
 def draw_over_time(
-    chart: viser.GuiUplotHandle,
+    chart: viser.GuiUplotHandle | None,
+    add: Callable[..., viser.GuiUplotHandle],
     plot: Plot,
-    drawn: NDArray[np.float64],
+    drawn: Drawn,
     series: Sequence[str],
     colors: Palette,
     before: tuple[object, ...],
-) -> tuple[object, ...]:
+) -> tuple[viser.GuiUplotHandle, tuple[object, ...]]:
     """Set the data of a plot over time; and its lines and axes, if these are others than before.
 
+    What is ahead of the moment that is shown is pale: a pale line has all values, and the one over it ends
+    there.
+
     Args:
-        chart: where.
+        chart: where; None to make it.
+        add: makes it.
         plot, drawn: what.
         series: colours of its lines, as CSS has them.
         colors: of everything else.
         before: what this returned the last time.
+
+    Returns:
+        The chart, and what its lines and axes are for.
     """
     # uPlot takes a number for the first value of every line that it goes by in finding its range.
-    some: NDArray[np.bool_] = np.asarray(np.isfinite(drawn).any(1))
-    drawn = drawn[:, int(np.isfinite(drawn[some]).all(0).argmax()) :]
-    if drawn.shape[1] == 1:  # a range of no length has no marks
-        drawn = np.column_stack((drawn, drawn))
-        drawn[0, 1] += 0.1
+    values, past = drawn
+    some: NDArray[np.bool_] = np.asarray(np.isfinite(values).any(1))
+    begin = int(np.isfinite(values[some]).all(0).argmax())
+    values, past = values[:, begin:], max(past - begin, 0)
+    ahead = past < values.shape[1]
+    if values.shape[1] == 1:  # a range of no length has no marks
+        values = np.column_stack((values, values))
+        values[0, 1] += 0.1
+    until = values[1:]
+    if ahead:
+        until = until.copy()
+        until[:, past:] = np.nan
+    data = *values, *until
     looks = plot.wish, tuple(series), colors.css("text"), tuple(some.tolist()), plot.units
-    chart.data = tuple(drawn)
+    lines, axes = _lines(plot, series, some), _axes(plot, colors)
+    if chart is None:
+        scales = {"x": {"time": False}, **{f"y{i}": {} for i in range(len(plot.units))}}
+        return add(data, lines, scales=scales, axes=axes, cursor={"drag": {"x": True, "y": False}}), looks
+    chart.data = data
     if looks != before:
-        chart.series = _lines(plot, series, some)
-        chart.scales = {"x": {"time": False}, **{f"y{i}": {} for i in range(len(plot.units))}}
-        chart.axes = _axes(plot, colors)
-        chart.cursor = {"drag": {"x": True, "y": False}}
-    return looks
+        chart.series, chart.axes = lines, axes
+    return chart, looks
 
 
-def draw_over_another(plot: Plot, drawn: NDArray[np.float64], series: Sequence[str]) -> str:
+def draw_over_another(plot: Plot, drawn: Drawn, series: Sequence[str]) -> str:
     """A plot over another quantity than the time, as HTML."""
-    count = len(plot.wish.names)
+    count, values = len(plot.wish.names), drawn.values
     labels = _labelled(plot.quantities[-1:]), _labelled(plot.quantities[:count])
     name = f"{', '.join(plot.wish.names)} over {plot.wish.over}"
-    return phase_svg(drawn[1 + count], drawn[1 : 1 + count], series, labels, name)
+    return phase_svg(values[1 + count], values[1 : 1 + count], drawn.past, series, labels, name)
 
 
 def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[uplot.Series, ...]:
-    lines: list[uplot.Series] = [{"label": "time, s"}]
+    whole: list[uplot.Series] = []
+    until: list[uplot.Series] = []
     for quantity, color, has_values in zip(plot.quantities, series, some[1:], strict=True):
-        lines.append(
-            {
-                "label": f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name,
-                "stroke": color,
-                "width": 2.0,
-                "scale": f"y{plot.units.index(quantity.unit)}",
-                "auto": bool(has_values),
-                "points": {"show": False},
-            }
-        )
-    return tuple(lines)
+        line: uplot.Series = {
+            "label": f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name,
+            "stroke": color,
+            "width": 2.0,
+            "scale": f"y{plot.units.index(quantity.unit)}",
+            "points": {"show": False},
+        }
+        # The legend and the range are the pale line's, which has all values.
+        whole.append({**line, "alpha": PALE, "auto": bool(has_values)})
+        until.append({**line, "class": "softrod-until", "auto": False})
+    return {"label": "time, s"}, *whole, *until
 
 
 def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
@@ -91,14 +115,16 @@ def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
         "grid": {"stroke": grid, "width": 1.0},
         "ticks": {"stroke": grid, "width": 1.0, "size": 4.0},
     }
-    axes: list[uplot.Axis] = [{**common, "scale": "x", "label": "time, s", "labelSize": 18.0, "size": 26.0}]
+    axes: list[uplot.Axis] = [
+        {**common, "scale": "x", "label": "time, s", "labelSize": 18.0, "size": 26.0, "space": 36.0}
+    ]
     for i, unit in enumerate(plot.units):
-        names = ", ".join(dict.fromkeys(q.kind.what for q in plot.quantities if q.unit == unit))
+        label = _label([q for q in plot.quantities[: len(plot.wish.names)] if q.unit == unit], unit)
         axis: uplot.Axis = {
             **common,
             "scale": f"y{i}",
             "side": 1 if i else 3,
-            "label": f"{names}, {unit}" if unit else names,
+            "label": label,
             "labelSize": 18.0,
             "size": 76.0 if unit.startswith("kg") else 50.0,  # forces and energies have many digits
         }
@@ -118,16 +144,27 @@ def colors_of(plot: Plot, colors: Palette) -> list[str]:
 
 
 def _labelled(quantities: Sequence[sim.Quantity]) -> str:
-    """The label of an axis for some quantities."""
-    names = ", ".join(dict.fromkeys(q.kind.what if len(quantities) > 1 else q.name for q in quantities))
+    """The label of an axis for some quantities, of one or two units."""
     units = ", ".join(dict.fromkeys(q.unit for q in quantities if q.unit))
-    return f"{names}, {units}" if units else names
+    if len(quantities) > 1:
+        return _label(quantities, units)
+    return f"{quantities[0].name}, {units}" if units else quantities[0].name
+
+
+def _label(quantities: Sequence[sim.Quantity], unit: str) -> str:
+    """What some quantities are, with their unit; of what they are, where that would be too long."""
+    for words in ((q.kind.what for q in quantities), (q.kind.of for q in quantities)):
+        names = ", ".join(dict.fromkeys(words))
+        label = f"{names}, {unit}" if unit else names
+        if len(label) <= _LONGEST_LABEL:
+            break
+    return label
 
 
 def title(plot: Plot, series: Sequence[str]) -> str:
     """The names of what is plotted, with their colours."""
     keys = (
-        f'<i style="background:{color}"></i>{html.escape(name)}'
+        f'<span><i style="background:{color}"></i>{html.escape(name)}</span>'
         for name, color in zip(plot.wish.names, series, strict=True)
     )
     over = f" over {html.escape(plot.wish.over)}" if plot.wish.over else ""

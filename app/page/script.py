@@ -38,7 +38,7 @@ ONCE: dict[str, Command] = {
     "before": commands.BackBeforeDivergence(),
     "forget": commands.ForgetFuture(),
 }
-"""Commands that the script sends by a word; `follow` and `plot` are no commands, but words besides."""
+"""Commands that the script sends by a word; those in `_ASKED` are no commands, but words besides."""
 
 
 def style_html(
@@ -160,16 +160,28 @@ class PlotAngle:
 
 
 @dataclass(frozen=True)
+class Look:
+    """Whether anybody sees the plots."""
+
+    on: bool
+
+
+@dataclass(frozen=True)
 class Begin:
     """A step of the scene's lesson begins."""
 
     step: int
 
 
-_ASKED: dict[str, Switch | PlotAngle] = {"follow": Switch(), "plot": PlotAngle()}
+_ASKED: dict[str, Switch | PlotAngle | Look] = {
+    "follow": Switch(),
+    "plot": PlotAngle(),
+    "look": Look(True),
+    "away": Look(False),
+}
 
 
-def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAngle | Begin | None:
+def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAngle | Look | Begin | None:
     """What a message of the script asks for, or None for nonsense.
 
     Args:

@@ -247,6 +247,9 @@ class Tab:
                 case script.PlotAngle():
                     if self._measure is not None:
                         self._measure.plot_angle()
+                case script.Look(on):
+                    if self._measure is not None:
+                        self._measure.looked_at = on
                 case script.Begin(step):
                     self.request("lesson", step)
                 case command:

@@ -1,14 +1,15 @@
 """What a page plots: which quantities, and their values in the last minute.
 
-A plot follows the history of its session: it ends at the moment that is shown. What is ahead of that stays,
-and is shown again on the way forward, until something else takes its place.
+A plot follows the history of its session. What is ahead of the moment that is shown stays, until something
+else takes its place.
 """
 
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Sequence
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import msgspec
 import numpy as np
@@ -30,6 +31,12 @@ MOST_PLOTS, MOST_SERIES = 4, 5
 
 MOST_UNITS = 2
 """Units of the quantities of a plot, at most: it has an axis on either side."""
+
+AHEAD = 0.5
+"""Part of a plot's time, at most, that is ahead of the moment that is shown."""
+
+FINE = 4
+"""How many times more pieces a plot over another quantity has: its curve goes to and fro."""
 
 STEPS = 2.0**14
 """Heights on a plot that can be told apart: many times the pixels that there are, and good for four digits.
@@ -158,36 +165,61 @@ class Plot:
         first, end = np.searchsorted(rows[:, 0], (self.shown - seconds, self.shown), side="right")
         return rows[first:end]
 
+    def view(self, seconds: float) -> tuple[Floats, int]:
+        """The rows of so many seconds, (k, 1 + quantities), and how many are not ahead of the moment shown.
+
+        They end with the newest row, or `AHEAD` of the seconds after the moment that is shown.
+        """
+        times = self.rows[:, 0]
+        newest = float(times[-1]) if times.size else self.shown
+        end = max(min(newest, self.shown + AHEAD * seconds), self.shown)
+        first, now, last = np.searchsorted(times, (end - seconds, self.shown, end), side="right").tolist()
+        return self.rows[first:last], now - first
+
     def table(self) -> str:
         """All rows as CSV, see `sim.Recording.to_csv`."""
         return table_text(self.quantities, self.rows)
 
 
-def curve(plot: Plot, seconds: float, width: int) -> Floats:
+class Drawn(NamedTuple):
+    """What a page is sent of a plot.
+
+    Attributes:
+        values: (1 + quantities, k) times, s, and values.
+        past: how many of the k are not ahead of the moment that is shown.
+    """
+
+    values: Floats
+    past: int
+
+
+def curve(plot: Plot, seconds: float, width: int) -> Drawn:
     """What a page is sent of a plot, rounded to what can be seen.
 
     Args:
         plot: the plot.
         seconds: of the window.
-        width: pieces of the window; of each there are the highest and the lowest value of each quantity.
-
-    Returns:
-        (1 + quantities, k) times, s, and values.
+        width: pieces of the window. Of each there are the highest and the lowest value of each quantity; over
+            another quantity than the time there is the first moment of each of `FINE` times as many.
     """
-    rows = plot.window(seconds)
-    if len(rows) > 2 * width:
+    rows, past = plot.view(seconds)
+    pieces = FINE * width if plot.wish.over else width
+    if len(rows) > (pieces if plot.wish.over else 2 * pieces):
         # The pieces lie at fixed times, or the curve would flicker as it moves on.
-        piece = np.floor(rows[:, 0] * (width / seconds)).astype(np.int64)
+        piece = np.floor(rows[:, 0] * (pieces / seconds)).astype(np.int64)
         starts = np.flatnonzero(np.diff(piece, prepend=piece[0] - 1))
-        keep = {0, len(rows) - 1}
-        for column in rows.T[1:]:
+        keep = {0, max(past - 1, 0), len(rows) - 1}
+        if plot.wish.over:
+            keep.update(starts.tolist())
+        for column in () if plot.wish.over else rows.T[1:]:
             for sign in (1.0, -1.0):
                 height = np.where(np.isnan(column), -np.inf, sign * column)
                 most = np.maximum.reduceat(height, starts)
                 where = np.flatnonzero(height == np.repeat(most, np.diff(starts, append=len(rows))))
                 keep.update(where[np.unique(piece[where], return_index=True)[1]].tolist())
-        rows = rows[sorted(keep)]
-    return np.array([_rounded(column) for column in rows.T]).reshape(rows.shape[::-1])
+        kept = sorted(keep)
+        rows, past = rows[kept], bisect_left(kept, past)
+    return Drawn(np.array([_rounded(column) for column in rows.T]).reshape(rows.shape[::-1]), past)
 
 
 def _rounded(values: Floats) -> Floats:

@@ -5,14 +5,19 @@ from __future__ import annotations
 import csv
 import io
 import math
+import re
 from typing import Any
+from unittest.mock import MagicMock
 
 import numpy as np
 import pytest
 import viser
 
 import sim
+from app.drawing.colors import palette
+from app.page import plots
 from app.page.measure_panel import MeasurePanel
+from app.page.phase import phase_svg
 from app.session import commands
 from app.session.history import SPAN
 from app.session.notices import Notice
@@ -61,10 +66,17 @@ def test_back_in_time_what_is_ahead_stays_until_something_else_comes(page: PlotP
     shown = page.session.simulation.time
     assert np.array_equal(page.plot.rows, before)
     assert page.plot.shown == shown < before[-1, 0]
-    drawn = curve(page.plot, 10.0, 200)
-    assert drawn.shape[1] == int((before[:, 0] <= shown).sum()) < len(before)
+    values, past = curve(page.plot, 10.0, 200)
+    assert values.shape[1] == len(before)
+    assert past == int((before[:, 0] <= shown).sum()) < len(before)
+    assert len(page.plot.window(10.0)) == past, "what is read off ends there"
     page.frames(1, commands.GoForward())
-    assert curve(page.plot, 10.0, 200).shape[1] == drawn.shape[1] + 1
+    assert curve(page.plot, 10.0, 200).past == past + 1
+    # Half of the time may be ahead, and of a short time all is near.
+    rows, there = page.plot.view(0.4)
+    assert rows[there - 1, 0] == page.plot.shown
+    assert rows[-1, 0] == pytest.approx(page.plot.shown + 0.2, abs=0.02)
+    assert rows[0, 0] == pytest.approx(page.plot.shown - 0.2, abs=0.02)
     page.frames(1, commands.GoBack())
     page.frames(5, commands.SetValue("gravity", 100.0), commands.Play(True))
     rows = page.plot.rows
@@ -100,7 +112,7 @@ def test_what_is_sent_has_every_peak_and_is_little(page: PlotPage) -> None:
     for row in zip(time, values, strict=True):
         page.plot._append(row)
     page.plot.shown = float(time[-1])
-    drawn = curve(page.plot, 40.0, 100)
+    drawn = curve(page.plot, 40.0, 100).values
     inside = time > time[-1] - 40.0
     assert len(drawn[0]) <= 2 * 101 + 2
     assert drawn[1].max() == pytest.approx(values[inside].max(), abs=1e-3)
@@ -111,8 +123,87 @@ def test_what_is_sent_has_every_peak_and_is_little(page: PlotPage) -> None:
     # A frame later the same moments are sent, but for the ends.
     page.plot._append((float(time[-1]) + 1.0 / 60.0, 0.0))
     page.plot.shown += 1.0 / 60.0
-    again = curve(page.plot, 40.0, 100)
+    again = curve(page.plot, 40.0, 100).values
     assert len(set(drawn[0]) & set(again[0])) > len(drawn[0]) - 6
+
+
+def test_the_curve_over_another_quantity_goes_through_moments_that_follow_each_other() -> None:
+    page = PlotPage("mass11.vy", over="mass11.y")
+    page.frames(1)
+    time = np.arange(1, 3001) / 60.0 + 1.0
+    for t in time:
+        page.plot._append((t, math.cos(t), math.sin(t)))
+    page.plot.shown = float(time[-1])
+    values, past = curve(page.plot, 40.0, 100)
+    assert past == values.shape[1] <= 4 * 100 + 3
+    assert np.hypot(*values[1:]) == pytest.approx(np.ones(past), abs=1e-3)
+    assert np.diff(values[0])[1:-1] == pytest.approx(np.full(past - 3, 0.1), abs=0.02)
+
+
+def test_what_is_ahead_is_pale_and_the_axes_have_room_for_their_labels() -> None:
+    page = PlotPage("energy.kinetic", "energy.linear", "energy.angular")
+    page.frames(60)
+    page.frames(1, commands.GoBack(0.5))
+    chart, colors = MagicMock(), palette("softrod", dark=False)
+    drawn, series = curve(page.plot, 10.0, 200), plots.colors_of(page.plot, colors)
+    plots.draw_over_time(chart, MagicMock(), page.plot, drawn, series, colors, ())
+    time, *lines = chart.data
+    whole, until = lines[:3], lines[3:]
+    assert len(time) == drawn.values.shape[1]
+    for one, other, pale, strong in zip(whole, until, chart.series[1:4], chart.series[4:], strict=True):
+        assert np.isfinite(one).all()
+        assert np.array_equal(one[: drawn.past], other[: drawn.past])
+        assert np.isnan(other[drawn.past :]).all()
+        assert pale["stroke"] == strong["stroke"]
+        assert pale["alpha"] == plots.PALE
+        assert "alpha" not in strong
+    assert chart.axes[1]["label"] == "energy, kg px²/s²"
+    page.frames(30, commands.Play(True))
+    plots.draw_over_time(chart, MagicMock(), page.plot, curve(page.plot, 10.0, 200), series, colors, ())
+    assert len(chart.series) == len(chart.data) == 7, "as before: another number would be another chart"
+    assert all(map(np.array_equal, chart.data[1:4], chart.data[4:]))
+
+
+def test_over_another_quantity_a_disc_marks_the_moment_and_what_is_ahead_is_pale() -> None:
+    x, y = np.array([0.0, 1.0, 2.0, 3.0]), np.array([[0.0, 1.0, 4.0, 9.0]])
+    for past, paths in ((4, [""]), (2, ["softrod-ahead", ""]), (1, ["softrod-ahead"])):
+        text = phase_svg(x, y, past, ["red"], ("<x>", "y"), "y over x")
+        assert re.findall(r'<path class="(softrod-ahead|)"', text) == paths
+        (place,) = re.findall(r'<circle cx="([\d.]+)" cy="([\d.]+)"', text)
+        if past > 1:  # where the strong line ends
+            assert text.split('<path class="" d="')[1].split('"')[0].endswith(" ".join(place))
+        assert "<x>" not in text
+
+
+def test_plots_that_nobody_sees_run_on_and_are_not_sent() -> None:
+    page = SessionPage(sim.load_scene("rod"))
+    server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
+    try:
+        client: Any = server  # has the same `gui`
+        panel = MeasurePanel(client, server.gui.add_tab_group().add_tab("Measure"), page.session, print)
+        panel.plot_angle()
+        panel.tick()
+        (shown,) = panel._plots
+        assert isinstance(shown.chart, viser.GuiUplotHandle)
+        # Another number of lines is another chart.
+        chart = shown.chart
+        panel._what.value = "rate"
+        panel._extend(shown)
+        assert isinstance(shown.chart, viser.GuiUplotHandle)
+        assert shown.chart is not chart
+        assert len(shown.chart.data) == len(shown.chart.series) == 5
+        panel.looked_at = False
+        before = shown.chart.data
+        for _ in range(30):
+            page.frames(1)
+            panel.tick()
+        assert shown.chart.data is before
+        assert len(shown.plot.rows) >= 30
+        panel.looked_at = True
+        panel.tick()
+        assert shown.chart.data[0][-1] == pytest.approx(page.session.simulation.time, abs=1e-3)
+    finally:
+        server.stop()
 
 
 def test_values_that_are_none_leave_a_gap() -> None:
@@ -123,7 +214,7 @@ def test_values_that_are_none_leave_a_gap() -> None:
     page.frames(3, commands.Compare("rk4", "", 4))
     assert page.session.ghost is not None
     assert page.plot.rows[-1, 1] == page.session.ghost.distance
-    assert np.isfinite(curve(page.plot, 10.0, 5)[2]).all()
+    assert np.isfinite(curve(page.plot, 10.0, 5).values[2]).all()
     assert page.plot.table().splitlines()[1].split(",")[1] == ""
 
 
@@ -158,7 +249,7 @@ def test_a_body_that_ran_away_leaves_finite_values() -> None:
     page = PlotPage("mass11.speed")
     page.frames(90, commands.SetValue("angular_stiffness", 1e8), commands.SetValue("rest_angle", 10.0))
     assert page.session.simulation.divergence is not None
-    drawn = curve(page.plot, 10.0, 50)
+    drawn = curve(page.plot, 10.0, 50).values
     assert len(drawn[0]) >= 1
     assert all(map(math.isfinite, drawn[0]))
 

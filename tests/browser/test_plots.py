@@ -58,10 +58,18 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     desk.page.mouse.move(over["x"] + 0.5 * over["width"], over["y"] + 60.0)
     desk.until(lambda: "--" not in desk.page.locator(".u-legend").inner_text(), "the legend has values")
 
-    # Back in time the curve ends where the body is.
+    # Back in time the curve is pale from where the body is; the legend reads it there, too.
     desk.tell(commands.GoBack(0.5))
     shown = desk.simulation.time
-    desk.until(lambda: abs(charts(desk)[0]["data"][0][-1] - shown) < 1e-2, "it is cut there")
+
+    def is_pale_from_there() -> bool:
+        at, whole, *until = charts(desk)[0]["data"]
+        known = [t for t, value in zip(at, until[0], strict=True) if value is not None]
+        return None not in whole and abs(at[-1] - time) < 1e-2 and abs(known[-1] - shown) < 1e-2
+
+    desk.until(is_pale_from_there, "it is pale ahead")
+    desk.page.mouse.move(over["x"] + 0.99 * over["width"], over["y"] + 60.0)
+    desk.until(lambda: "--" not in desk.page.locator(".u-legend").inner_text(), "the legend has values there")
 
     with desk.page.expect_download() as download:
         desk.button("CSV").click()
@@ -69,6 +77,12 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
         header, *rows = csv.reader(file)
     assert header == ["time [s]", "joint0.angle [deg]"]
     assert np.array(rows, float)[-1, 0] == time
+
+    # While nobody sees it, it is not sent.
+    desk.show("Play")
+    desk.until(lambda: not measures(desk).looked_at, "the page says that it is not seen")
+    desk.show("Measure")
+    desk.until(lambda: measures(desk).looked_at, "and that it is")
 
     # It is there again after a reload, and gone when it is removed.
     desk.until(lambda: ANGLE in desk.tab._kept[-1], "the page keeps it")
@@ -98,4 +112,14 @@ def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None
     desk.until(lambda: "joint3.angle" in measures(desk)._over.options, "it can be plotted over the angle")
     desk.choose("Over", "joint3.angle")
     desk.button("New plot").click()
-    desk.page.get_by_role("img", name="joint3.rate over joint3.angle").wait_for()
+    phase = desk.page.get_by_role("img", name="joint3.rate over joint3.angle")
+    phase.wait_for()
+    # The pointer over it reads values.
+    desk.page.locator(".softrod-plot-title").scroll_into_view_if_needed()
+    box = phase.bounding_box()
+    assert box is not None
+    desk.page.mouse.move(box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"])
+    read = desk.page.locator(".softrod-phase-values")
+    desk.until(lambda: read.is_visible() and "joint3.angle, °: " in read.inner_text(), "it reads")
+    desk.page.mouse.move(5.0, 5.0)
+    desk.until(lambda: not read.is_visible(), "and stops")

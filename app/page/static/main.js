@@ -22,6 +22,7 @@ import { quietNotices } from "./notices.js";
 import { mindNumbers } from "./numbers.js";
 import { addOverlay } from "./overlay.js";
 import { mindPictures } from "./picture.js";
+import { readPhases } from "./phase.js";
 import { listenToPointer } from "./pointer.js";
 import { addHeading } from "./paper.js";
 import { addShareDialog } from "./share.js";
@@ -77,6 +78,7 @@ whenViser((viser) => {
   addBodyKeys();
   nameControls();
   showMeasures();
+  readPhases();
   quietNotices();
   mindPictures();
   // For the browser tests.

@@ -1,8 +1,17 @@
 // @ts-check
-/** Shows the Measure tab when the server asks for it: viser has no way to turn to a tab. */
-import { onTold, told } from "./channel.js";
+/**
+ * Shows the Measure tab when the server asks for it, since viser has no way to turn to a tab, and tells the server
+ * whether anybody sees the plots, which are not sent otherwise.
+ */
+import { onTold, send, told } from "./channel.js";
 
 const NAME = "Measure";
+/** Milliseconds between two looks whether plots can be seen. */
+const LOOK_EVERY = 250;
+/** Milliseconds between two looks whether a new plot is there, and how many. */
+const [SOON, TRIES] = [50, 20];
+
+const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 
 /** Begins to listen. */
 export function showMeasures() {
@@ -11,11 +20,43 @@ export function showMeasures() {
     const { measures = "0" } = told();
     if (measures === asked) return;
     asked = measures;
+    const count = titles().length;
     const tabs = [...document.querySelectorAll("[role=tab]")];
     const tab = tabs.find((each) => each.textContent?.trim() === NAME);
     if (!(tab instanceof HTMLElement)) return;
     // The panel beside the canvas hears of no click, that of a phone of nothing else.
     tab.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true }));
     tab.click();
+    scrollToNew(count);
   });
+  tellWhetherSeen();
+}
+
+/** Scrolls to the newest plot, once it is there. @param {number} count of plots before */
+function scrollToNew(count) {
+  let tries = 0;
+  const look = setInterval(() => {
+    const present = titles();
+    if (present.length <= count && ++tries < TRIES) return;
+    clearInterval(look);
+    present.at(-1)?.scrollIntoView({ block: "start" });
+  }, SOON);
+}
+
+function tellWhetherSeen() {
+  /** @type {string | undefined} */
+  let channel;
+  let said = "";
+  setInterval(() => {
+    if (told().channel !== channel) {
+      channel = told().channel;
+      said = "";
+    }
+    // What is in a tab that is not shown, or in a folded panel, has no place on the screen.
+    const seen = document.visibilityState === "visible" && titles().some((title) => title.getClientRects().length);
+    const word = seen ? "look" : "away";
+    if (!channel || word === said) return;
+    said = word;
+    send("do", word);
+  }, LOOK_EVERY);
 }
