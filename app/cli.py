@@ -17,13 +17,13 @@ from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
 from sim.errors import InputError, SceneError, SettingError
-from sim.lesson_settings import scene_of_step
 from sim.motion.quantities import PARTS
 from sim.scene.files import read_scene
 
 from . import headless
 from .command import Settings, fail, scene_of
 from .export.command import Export
+from .lessons import check_lesson
 from .linking import Link
 from .page.controls import of_scene
 from .session.log import Log
@@ -186,9 +186,7 @@ class Check:
             try:
                 scene = read_scene(path)
                 of_scene(scene)
-                step = scene
-                for number in range(len(scene.lesson.steps) if scene.lesson else 0):
-                    step = scene_of_step(step, number)
+                check_lesson(scene)
             except (InputError, SettingError) as error:
                 failed = fail(f"{path}: {error}")
             except ValueError as error:

@@ -57,7 +57,7 @@ class Arrows:
             exactly: send the smallest change, for a paused picture.
         """
         if not kinds:
-            self._clear()
+            self.clear()
             return
         if not exactly and now < self._due:
             return
@@ -80,7 +80,8 @@ class Arrows:
             )
         self._node.points = encode(plan, simulation.time, least, sorted(held), numbers)
 
-    def _clear(self) -> None:
+    def clear(self) -> None:
+        """Take the numbers out of the page."""
         if self._node is not None:
             self._node.remove()
             self._node = self._sent = None

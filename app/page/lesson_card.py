@@ -10,7 +10,11 @@ from sim.lesson_settings import scene_of_step
 from sim.scene.lesson import Lesson
 
 from ..session import commands
+from ..session.plots import wish_of
 from ..session.session import Session
+from .measure_panel import MeasurePanel
+from .script import Begin
+from .tools_panel import ToolsPanel
 
 
 def lesson_html(lesson: Lesson) -> str:
@@ -28,13 +32,26 @@ def lesson_html(lesson: Lesson) -> str:
     return f'<div id="softrod-lesson" hidden data-steps="{data}"></div>'
 
 
-def begin_step(session: Session, number: int) -> None:
+def begin_step(
+    session: Session, begin: Begin, measure: MeasurePanel | None, tools: ToolsPanel | None
+) -> None:
     """Open the scene anew, as a step of its lesson wants it; it waits while the step has a question.
+
+    Args:
+        session: whose scene it is.
+        begin: which step.
+        measure, tools: where the plots and arrows are that the step wants, if the page has that.
 
     Raises:
         SettingError: there is no such step, or what it sets cannot be set.
     """
     lesson = session.scene.lesson
-    if lesson is not None:
-        session.post(commands.Open(scene_of_step(session.opened, number)))
-        session.post(commands.Play(lesson.steps[number].question is None))
+    if lesson is None:
+        return
+    session.post(commands.Open(scene_of_step(session.opened, begin.step), begun=True))
+    step = lesson.steps[begin.step]
+    session.post(commands.Play(begin.run or step.question is None))
+    if step.plots is not None and measure is not None:
+        measure.remember(tuple(map(wish_of, step.plots)), show=bool(step.plots))
+    if step.arrows is not None and tools is not None:
+        tools.show_arrows(frozenset(step.arrows))

@@ -20,7 +20,7 @@ from sim.scene.columns import ends
 
 from ..drawing.colors import palette
 from ..session.notices import Notice
-from ..session.plots import MOST_PLOTS, MOST_SERIES, OFFERED, Plot, Wish, curve
+from ..session.plots import MOST_PLOTS, OFFERED, Plot, Wish, curve
 from ..session.session import Session
 from . import plots, readouts
 
@@ -98,7 +98,7 @@ class MeasurePanel:
         self._client, self._tab, self._session, self._notify = client, tab, session, notify
         self._asked: deque[Callable[[], None]] = deque(maxlen=100)
         self._plots: list[_Shown] = []
-        self._kept: tuple[Wish, ...] = ()
+        self._kept: tuple[Wish, ...] | None = None  # None for those that are open
         self._mass: int | None = None
         self._joint = -1
         self._dark = False
@@ -143,11 +143,17 @@ class MeasurePanel:
     @property
     def wishes(self) -> tuple[Wish, ...]:
         """The plots that are open."""
-        return tuple(shown.plot.wish for shown in self._plots) or self._kept
+        return tuple(shown.plot.wish for shown in self._plots) if self._kept is None else self._kept
 
-    def remember(self, wishes: tuple[Wish, ...]) -> None:
-        """Open these plots as soon as the scene is there that they were of."""
+    def remember(self, wishes: tuple[Wish, ...], show: bool = False) -> None:
+        """Have these plots, and no others, as soon as the scene is there that they are of.
+
+        Args:
+            wishes: the plots.
+            show: whether the tab is to be shown.
+        """
         self._kept = wishes[:MOST_PLOTS]
+        self.called += show
 
     def choose(self, mass: int) -> None:
         """Offer a mass and what is at it; it was clicked."""
@@ -162,8 +168,10 @@ class MeasurePanel:
         self._joint = -1
         if self._mass is not None and self._mass >= len(scene.masses):
             self._mass = None
-        wishes, self._kept = self.wishes, ()
-        if wishes and not self._plots:
+        wishes, self._kept = self._kept, None
+        if wishes is not None:
+            for shown in list(self._plots):
+                self._remove(shown)
             for wish in wishes:
                 self._try_add(wish)
         for shown in list(self._plots):
@@ -298,8 +306,6 @@ class MeasurePanel:
         if shown not in self._plots or name in wish.names:
             return
         try:
-            if len(wish.names) == MOST_SERIES:
-                raise InputError(f"a plot has room for {MOST_SERIES} quantities")
             plot = Plot(Wish((*wish.names, name), wish.over), self._session.scene)
         except InputError as error:
             self._notify(Notice("error", "That cannot be added", f"{error}."))

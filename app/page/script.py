@@ -21,7 +21,7 @@ _NUMBER = r"-?\d{1,7}(?:\.\d{1,6})?"
 _MESSAGE = re.compile(
     rf"\d{{1,15}}\|(?:keys\|([UDLR]{{0,4}})|at\|({_NUMBER}),({_NUMBER})|do\|([a-z]{{1,10}})"
     rf"|go\|({_NUMBER})|speed\|({_NUMBER})"
-    rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}})|lesson\|(\d{{1,2}}))"
+    rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}})|lesson\|(\d{{1,2}})(\|run)?)"
 )
 _PART = re.compile(r"\d{1,15}\|(resume|link)\|(\d{1,2})/(\d{1,2})\|([\x21-\x7e]{0,48000})")
 
@@ -132,7 +132,7 @@ def told(
         **({"broken": broken} if broken else {}),
         **({"measures": measures} if measures else {}),
         **({"picture": pictures} if pictures else {}),
-        **({"lesson": 1} if session.scene.lesson else {}),
+        **({"lesson": int(session.lesson_begun)} if session.scene.lesson else {}),
     }
 
 
@@ -168,9 +168,10 @@ class Look:
 
 @dataclass(frozen=True)
 class Begin:
-    """A step of the scene's lesson begins."""
+    """A step of the scene's lesson begins; one with a question waits for an answer, unless it is to run."""
 
     step: int
+    run: bool = False
 
 
 _ASKED: dict[str, Switch | PlotAngle | Look] = {
@@ -191,7 +192,7 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAn
     match = _MESSAGE.fullmatch(message) if isinstance(message, str) else None
     if match is None:
         return None
-    keys, x, y, word, time, speed, mass, grab_x, grab_y, drop, picked, step = match.groups()
+    keys, x, y, word, time, speed, mass, grab_x, grab_y, drop, picked, step, run = match.groups()
     if keys is not None:
         return commands.HoldKeys(frozenset(_KEYS[key] for key in keys))
     if word is not None:
@@ -205,7 +206,7 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAn
     if picked is not None:
         return Pick(int(picked))
     if step is not None:
-        return Begin(int(step))
+        return Begin(int(step), run is not None)
     if mass is not None:
         point = mapping.to_scene(float(grab_x), float(grab_y))
         return commands.DragStart(int(mass), *point) if all(map(math.isfinite, point)) else None

@@ -100,6 +100,7 @@ class Tab:
         self._asked_controls = self._checked(controls.of_query, query)
         self._controls = controls.ALL
         self._plots_kept: tuple[Wish, ...] = ()
+        self._arrows_kept: frozenset[str] = frozenset()
         self._measure: MeasurePanel | None = None
         self._tools: ToolsPanel | None = None
         self._session: Session | None = None
@@ -223,6 +224,7 @@ class Tab:
             if "tools" in self._controls:
                 with self._panel.measure_tab:
                     self._tools = ToolsPanel(self.client, session, self.request)
+                self._tools.show_arrows(self._arrows_kept)
                 self._panel.outlined += self._tools.outlined
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
@@ -250,8 +252,8 @@ class Tab:
                 case script.Look(on):
                     if self._measure is not None:
                         self._measure.looked_at = on
-                case script.Begin(step):
-                    self.request("lesson", step)
+                case script.Begin() as begin:
+                    self.request("lesson", begin)
                 case command:
                     session.post(command)
 
@@ -286,6 +288,8 @@ class Tab:
             self._controls, pictures = wanted, self._panel.pictures
             if self._measure is not None:
                 self._plots_kept = self._measure.wishes
+            if self._tools is not None:
+                self._arrows_kept = self._tools.leave()
             self.client.gui.reset()
             self._make_panel(session)
             self._panel.pictures = pictures
@@ -397,13 +401,13 @@ class Tab:
             elif what == "foretell":
                 session.post(commands.Foretell(session.foresight is None))
             elif what == "anew":
-                session.post(commands.Open(session.opened))
+                session.post(commands.Open(session.opened, session.lesson_begun))
             elif what == "tools":
                 if self._tools is not None:
                     self._tools.serve(*argument)
             elif what == "lesson":
                 try:
-                    begin_step(session, argument)
+                    begin_step(session, argument, self._measure, self._tools)
                 except sim.SettingError as error:
                     self.notify(Notice("error", "This step cannot begin", str(error)))
             elif what == "joint" and argument < len(session.scene.masses):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from typing import Any
 
 import viser
@@ -88,6 +88,18 @@ class ToolsPanel:
         if mass < len(self._session.scene.masses):
             self._chosen = mass
             self._show()
+
+    def show_arrows(self, kinds: Set[str]) -> None:
+        """Have arrows of these kinds, and no others."""
+        self._kinds = frozenset(kinds)
+        for kind, switch in self._switches.items():
+            if switch.value != (kind in kinds):
+                switch.value = kind in kinds
+
+    def leave(self) -> frozenset[str]:
+        """The panel is taken out of the page: take away the arrows, too, and return their kinds."""
+        self._arrows.clear()
+        return self._kinds
 
     def serve(self, what: str, value: Any) -> None:
         """Do what a control asks for: a kind of arrows, a trace of the chosen mass, none, or tell."""

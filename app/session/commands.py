@@ -152,9 +152,14 @@ class Redo:
 
 @dataclass(frozen=True)
 class Open:
-    """Another scene is to be shown from its beginning."""
+    """Another scene is to be shown from its beginning.
+
+    Attributes:
+        begun: whether it is as a step of its lesson begins; otherwise the page is to begin one.
+    """
 
     scene: Scene
+    begun: bool = False
 
 
 @dataclass(frozen=True)

@@ -51,6 +51,7 @@ class Editing(Timeline):
             edit: what made it of the one before; None where it is another body's.
         """
         self.hand.drop()
+        self.lesson_begun = True  # it goes on where it was
         self.recorder.restore(moment)
         if edit is None:
             self.openings += 1

@@ -57,6 +57,12 @@ class Wish(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     over: Name = ""
 
 
+def wish_of(text: str) -> Wish:
+    """The plot that a text names: "joint0.angle", "mass1.x, mass3.x", "joint0.rate over joint0.angle"."""
+    names, _, over = text.partition(" over ")
+    return Wish(tuple(name.strip() for name in names.split(",")), over.strip())
+
+
 _GHOST = Kind(
     "ghost",
     "distance",
@@ -94,11 +100,13 @@ class Plot:
         version: counts changes of what is to be drawn.
 
     Raises:
-        InputError: there is no such quantity, they have too many units, or the scene has no such part.
+        InputError: there is no such quantity or part, or the quantities or their units are too many.
     """
 
     def __init__(self, wish: Wish, scene: sim.Scene) -> None:
         names = tuple(dict.fromkeys(wish.names))
+        if len(names) > MOST_SERIES:
+            raise InputError(f"a plot has room for {MOST_SERIES} quantities")
         self.quantities = tuple(find(name, scene) for name in (*names, *((wish.over,) if wish.over else ())))
         self.wish = Wish(tuple(q.name for q in self.quantities[: len(names)]), wish.over)
         if len(self.units) > MOST_UNITS:

@@ -52,6 +52,7 @@ class Running:
         offer_back: whether the body ran away and can be taken back to just before that.
         replay: the log that is played, if one is.
         opened: the scene as it was opened.
+        lesson_begun: whether a step of the scene's lesson has begun; if not, the page says which.
         hand: what the pointer does.
         preparing: what is being compiled, for the page to say; empty when nothing is.
 
@@ -79,6 +80,7 @@ class Running:
         self.playing = True
         self.follow = False
         self.joint = 0
+        self.lesson_begun = False
         self.generation = self.openings = 0
         self.versions = Versions()
         self.selection = Selection()
@@ -181,6 +183,7 @@ class Running:
     def _open(self, scene: sim.Scene) -> None:
         simulation = sim.Simulation(scene, wait=self._wait)
         self.opened = simulation.capture().scene
+        self.lesson_begun = True
         self.hand.drop()
         self.simulation, self.recorder = simulation, Recorder(simulation)
         if self.books:

@@ -255,10 +255,11 @@ class Session(Editing):
                 self.books = on
                 self.recorder.keep_books(on)
                 self.revision += 1
-            case commands.Open(scene):
+            case commands.Open(scene, begun):
                 stopped = self.simulation.divergence is not None
                 before = self.simulation.capture()
                 self._open(scene)
+                self.lesson_begun = begun
                 opened = self.simulation.capture()
                 self.versions.add_leap(f"opening {scene.title or scene.name}", before, opened)
                 if stopped:

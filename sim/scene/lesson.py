@@ -6,7 +6,7 @@ seeing it (Crouch, Fagen, Callan and Mazur 2004, American Journal of Physics 72,
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
 from msgspec import Meta
@@ -42,6 +42,9 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         watch: what to look at meanwhile; may be empty.
         settings: what the step begins with, as `--set` has it: ``("gravity=0", "method=rk4")``. What other
             steps set stays as it was, so a step names everything that the lesson changes.
+        plots: of quantities, which the Measure tab is to show: ``("joint0.angle", "mass1.x, mass3.x",
+            "joint0.rate over joint0.angle")``, at most 4. None leaves those that are open.
+        arrows: which are to be on; None leaves them as they are.
     """
 
     title: Line
@@ -49,6 +52,8 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     do: Sentence
     watch: Annotated[str, Meta(max_length=600)] = ""
     settings: tuple[Assignment, ...] = ()
+    plots: Annotated[tuple[Line, ...], Meta(max_length=4)] | None = None
+    arrows: tuple[Literal["forces", "velocities", "torques"], ...] | None = None
 
 
 class Lesson(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -61,4 +66,4 @@ def texts_of(step: Step) -> tuple[str, ...]:
     """Everything that can be read in a step."""
     question = step.question
     asked = (question.text, *question.choices, question.because) if question else ()
-    return (step.title, step.do, step.watch, *asked, *step.settings)
+    return (step.title, step.do, step.watch, *asked, *step.settings, *(step.plots or ()))

@@ -157,6 +157,22 @@ def panel_of(scene: sim.Scene) -> tuple[ToolsPanel, Any]:
     return panel, client.gui.add_html.return_value
 
 
+def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones() -> None:
+    client, session = MagicMock(), SessionPage(sim.load_scene("ring")).session
+    client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
+    one = ToolsPanel(client, session, lambda what, argument: None)
+    one.show_arrows({"forces", "torques"})
+    assert [switch.value for switch in one._switches.values()] == [True, False, True]
+    one.draw(1, 0.0, exactly=True)
+    node = client.scene.add_point_cloud.return_value
+    assert not node.remove.called
+    kinds = one.leave()
+    assert node.remove.called
+    other = ToolsPanel(client, session, lambda what, argument: None)
+    other.show_arrows(kinds)
+    assert [switch.value for switch in other._switches.values()] == [True, False, True]
+
+
 def test_the_page_is_told_which_masses_are_traced() -> None:
     panel, told = panel_of(sim.load_scene("ring"))
     assert 'data-traced="" data-seconds="10" data-chosen="-1"' in told.content

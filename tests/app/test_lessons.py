@@ -6,6 +6,7 @@ import html
 import json
 import re
 from pathlib import Path
+from unittest.mock import MagicMock
 
 import msgspec
 import pytest
@@ -14,10 +15,14 @@ import sim
 from app.cli import Check
 from app.drawing.sketch import Mapping
 from app.page import script
-from app.page.lesson_card import lesson_html
+from app.page.lesson_card import begin_step, lesson_html
+from app.session import commands
+from app.session.log import decode_log
+from app.session.plots import Wish
 from sim.lesson_settings import scene_of_step
 from sim.scene.files import decode_scene, encode_scene
 from sim.scene.lesson import Lesson, Question, Step
+from tests.app.pages import SessionPage
 
 QUESTION = Question(text="?", choices=("a", "b"), answer=1, because="so")
 
@@ -40,7 +45,15 @@ def test_the_page_gets_a_lesson_as_text() -> None:
 def test_a_message_begins_a_step_and_nonsense_does_not() -> None:
     mapping = Mapping.of(sim.load_scene("ring"))
     assert script.parse("3|lesson|12", mapping) == script.Begin(12)
-    for nonsense in ("3|lesson|", "3|lesson|-1", "3|lesson|123", "3|lesson|1|2", "3|lesson|x"):
+    assert script.parse("3|lesson|2|run", mapping) == script.Begin(2, run=True)
+    for nonsense in (
+        "3|lesson|",
+        "3|lesson|-1",
+        "3|lesson|123",
+        "3|lesson|1|2",
+        "3|lesson|x",
+        "3|lesson|1|run|",
+    ):
         assert script.parse(nonsense, mapping) is None
 
 
@@ -72,3 +85,70 @@ def test_what_is_wrong_with_a_lesson_is_said(tmp_path: Path, capsys: pytest.Capt
     sim.save_scene(with_lesson(Step(title="A", do="B", settings=("gravity=0", "gravty=1"))), path)
     assert Check((path,)).run() == 1
     assert f"{path}: lesson.steps[0].settings[1]: gravty: there is no such setting" in capsys.readouterr().err
+
+
+def test_a_plot_that_cannot_be_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "lesson.json"
+    for text, said in (
+        ("joint0.angle, joint99.angle", "joint99.angle: joint 99 does not exist (0..9)"),
+        ("joint0.rate over time", "'time' is not a quantity"),
+        ("mass0.x, mass0.y, mass1.x, mass1.y, mass2.x, mass2.y", "a plot has room for 5 quantities"),
+        ("joint0.angle,", "'' is not a quantity"),
+    ):
+        sim.save_scene(with_lesson(Step(title="A", do="B"), Step(title="A", do="B", plots=(text,))), path)
+        assert Check((path,)).run() == 1
+        assert f"{path}: lesson.steps[1].plots[0]: {said}" in capsys.readouterr().err
+    sim.save_scene(
+        with_lesson(Step(title="A", do="B", plots=("mass1.x, ghost.distance",), arrows=("forces",))), path
+    )
+    assert Check((path,)).run() == 0
+    with pytest.raises(sim.SceneError, match=r"^x: lesson\.steps\[0\]\.arrows\[0\]"):
+        decode_scene(path.read_bytes().replace(b'"forces"', b'"force"'), "x")
+
+
+def test_a_step_has_its_plots_and_arrows_and_one_that_names_none_leaves_them() -> None:
+    steps = (
+        Step(
+            title="A",
+            do="B",
+            question=QUESTION,
+            plots=("joint0.rate over joint0.angle",),
+            arrows=("torques",),
+        ),
+        Step(title="A", do="B"),
+        Step(title="A", do="B", plots=(), arrows=()),
+    )
+    page = SessionPage(with_lesson(*steps))
+    measure, tools = MagicMock(), MagicMock()
+    begin_step(page.session, script.Begin(0), measure, tools)
+    page.frames(1)
+    assert not page.session.playing
+    measure.remember.assert_called_once_with((Wish(("joint0.rate",), "joint0.angle"),), show=True)
+    tools.show_arrows.assert_called_once_with({"torques"})
+    begin_step(page.session, script.Begin(1), measure, tools)
+    assert measure.remember.call_count == tools.show_arrows.call_count == 1
+    begin_step(page.session, script.Begin(2), measure, tools)
+    measure.remember.assert_called_with((), show=False)
+    tools.show_arrows.assert_called_with(frozenset())
+    # Where the page has no such tab, nothing is shown; what has been answered need not wait.
+    begin_step(page.session, script.Begin(0, run=True), None, None)
+    page.frames(1)
+    assert page.session.playing
+
+
+def test_a_step_begins_when_a_scene_is_opened_and_not_when_it_goes_on() -> None:
+    scene = with_lesson(Step(title="A", do="B"))
+    page = SessionPage(scene)
+    assert not page.session.lesson_begun
+    begin_step(page.session, script.Begin(0), None, None)
+    page.frames(5)
+    assert page.session.lesson_begun
+    kept, log = page.session.keepsake(), page.session.recorder.file()
+    page.frames(1, commands.Open(scene))
+    assert not page.session.lesson_begun
+    for command in (commands.Resume(kept), commands.Replay(decode_log(log, "log")), commands.Undo()):
+        page.frames(1, commands.Open(sim.load_scene("ring")))
+        page.frames(1, command)
+        assert page.session.scene.lesson == scene.lesson
+        assert page.session.lesson_begun
+        page.frames(1, commands.Open(scene))

@@ -7,6 +7,7 @@ import pytest
 
 import sim
 from app.session import commands
+from sim.lesson_settings import scene_of_step
 from sim.scene.files import built_in_folder
 from sim.scene.lesson import Lesson, Step
 from tests.browser.conftest import OpenPage
@@ -76,6 +77,45 @@ def test_a_wrong_answer_is_told_and_the_lesson_outlives_a_reload(open_page: Open
     desk.until(lambda: second.title in words(desk), "the same step is shown")
     press(desk, "Back")
     desk.until(lambda: "The answer is: 100 px." in words(desk), "what was answered is still known")
+
+
+def test_a_lesson_that_is_opened_again_goes_on_at_its_step_with_what_that_sets(open_page: OpenPage) -> None:
+    desk = open_page()
+    hooke, modes = sim.load_scene("lesson-hooke"), sim.load_scene("lesson-modes")
+    desk.tell(commands.Open(modes))
+    first, second = steps("lesson-modes")[:2]
+    begins(desk, first)
+    for step in (first, second):
+        assert step.question is not None
+        desk.until(lambda step=step: step.title in words(desk), "the step is shown")
+        press(desk, step.question.choices[0])
+        if step is first:
+            press(desk, "Next")
+    desk.until(lambda: "Tune it" in words(desk) and desk.session.playing, "the second step runs")
+    desk.tell(commands.Open(sim.load_scene("ring")))
+    desk.until(lambda: not desk.page.locator(CARD).is_visible(), "the card goes with its scene")
+    desk.tell(commands.Open(modes))
+    desk.until(lambda: second.title in words(desk), "the second step is shown again")
+    there = scene_of_step(modes, 1)
+    desk.until(lambda: desk.session.scene.linear_springs == there.linear_springs, "with what it sets")
+    desk.until(lambda: desk.session.playing, "and it does not wait for what is answered")
+    # The step has its plots, in the tab that is shown.
+    desk.until(lambda: desk.page.locator(".softrod-plot-title").count() == 3, "there are its three plots")
+    desk.tell(commands.Open(hooke))
+    begins(desk, steps("lesson-hooke")[0])
+    desk.until(
+        lambda: desk.page.locator(".softrod-plot-title").all_inner_texts() == ["mass1.y"], "another's plot"
+    )
+
+
+def test_a_step_has_its_arrows(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Open(sim.load_scene("lesson-laws")))
+    question = steps("lesson-laws")[0].question
+    assert question is not None
+    press(desk, question.choices[question.answer])
+    desk.page.locator(".softrod-arrow-words.softrod-torques:visible").wait_for()
+    assert desk.control("Torques").is_checked()
 
 
 def test_by_keys_alone_folded_and_gone_with_the_scene(open_page: OpenPage) -> None:

@@ -44,9 +44,9 @@ function progressOf(lesson, count) {
   try {
     const old = JSON.parse(kept(NAME) ?? "null");
     const fits = old?.lesson === lesson && old.at >= 0 && old.at < count && old.answers?.length === count;
-    return { progress: fits ? /** @type {Progress} */ (old) : fresh, isNew: !fits };
+    return fits ? /** @type {Progress} */ (old) : fresh;
   } catch {
-    return { progress: fresh, isNew: true };
+    return fresh;
   }
 }
 
@@ -59,30 +59,37 @@ export function hearLesson(content) {
   const lesson = (element instanceof HTMLElement && element.dataset.steps) || "[]";
   if (lesson === progress.lesson) return;
   steps = JSON.parse(lesson);
-  const { progress: found, isNew } = progressOf(lesson, steps.length);
-  progress = found;
-  if (isNew) enter(0);
-  else show();
+  progress = progressOf(lesson, steps.length);
+  keepProgress();
+  begunIn = "";
+  begin();
+  show();
 }
 
-/** Whether the server is still to be told that the step begins: at first there is no way to tell it. */
-let due = false;
+/** The opening of the lesson's scene, as the server counts them, in which a step was begun. */
+let begunIn = "";
 
 /** Begins a step: the scene anew, as the step wants it. @param {number} step */
 function enter(step) {
   progress.at = step;
-  due = true;
   tell();
   keepProgress();
   show();
   card?.querySelector("h2")?.focus();
 }
 
-/** Tells the server which step begins, once it can be told and has the lesson's scene. */
+/** Tells the server which step begins. The body need not wait for a question that is answered. */
 function tell() {
-  if (!due || !told().channel || !told().lesson) return;
-  due = false;
-  send("lesson", String(progress.at));
+  const answered = steps[progress.at].question !== null && progress.answers[progress.at] !== null;
+  send("lesson", `${progress.at}${answered ? "|run" : ""}`);
+}
+
+/** Begins the present step, whenever the lesson's scene was opened and no step of it has begun. */
+function begin() {
+  const opening = `${told().channel}.${told().scene?.split(".")[0]}`;
+  if (!told().channel || told().lesson !== "0" || steps.length === 0 || begunIn === opening) return;
+  begunIn = opening;
+  tell();
 }
 
 const keepProgress = () => store(NAME, JSON.stringify(progress));
@@ -218,7 +225,7 @@ export function addLesson() {
   document.body.append(card);
   onTold(() => {
     if (card) card.hidden = !told().lesson || steps.length === 0;
-    tell();
+    begin();
   });
   show();
 }
