@@ -28,6 +28,7 @@ PARTS = {
     "solver": "the Solver tab",
     "measure": "the Measure tab",
     "tools": "the instruments",
+    "edit": "the tools that build and change the body, undo and redo",
     "files": "the Files tab",
     "view": "the View tab",
 }

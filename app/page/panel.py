@@ -24,6 +24,7 @@ from . import readouts, script
 from .controls import Controls
 from .lesson_card import lesson_html
 from .play_panel import PlayPanel
+from .selection_panel import SelectionPanel
 from .slider_box import SliderBox
 from .solver_panel import SolverPanel
 
@@ -100,6 +101,7 @@ class Panel:
         self.outlined: list[Any] = []
         self.pictures = 0
         self._shown_revision = -1
+        self._dark = False
         self._told: dict[str, object] = {}
         gui = client.gui
         gui.set_panel_label("softrod")
@@ -107,6 +109,9 @@ class Panel:
         gui.main_panel.set_width(PANEL_WIDTH)
         if not controls.in_panel:
             gui.main_panel.minimize()
+        self._selection: SelectionPanel | None = None
+        if "edit" in controls:
+            self._selection = SelectionPanel(client, session, lambda notice: act("notice", notice))
         self.channel = gui.add_text("softrod", initial_value="", visible=False)
         self._hud = gui.add_html("")
         self._state = gui.add_html("")
@@ -320,6 +325,22 @@ class Panel:
         """Whether a control shows what is not set."""
         return any(slider_box.refused for slider_box in self._sliders)
 
+    def show_selection(self) -> None:
+        """Show what is selected, if it may be edited."""
+        if self._selection is not None and self._selection.tick():
+            self.outlined += self._selection.outlined
+            self.set_style(self._dark)
+
+    def show_help(self) -> None:
+        """Open the help."""
+        with self._client.gui.add_modal("How to use softrod") as modal:
+            self._client.gui.add_html(readouts.help_html())
+            close = self._client.gui.add_button("Close")
+
+        @close.on_click
+        async def _(_: object) -> None:
+            modal.close()
+
     def refresh_controls(self) -> None:
         """Show in the controls what keys, commands or other controls changed."""
         session = self._session
@@ -361,6 +382,7 @@ class Panel:
 
     def set_style(self, dark: bool) -> None:
         """Colours of the page, and the boxes that are hidden in it."""
+        self._dark = dark
         sliders = [(_id(slider_box.slider), _id(slider_box.box)) for slider_box in self._sliders]
         outlined = [_id(button) for button in self.outlined]
         colors = palette("softrod", dark)

@@ -82,7 +82,7 @@ class SliderBox:
         )
         self.box = client.gui.add_number(
             "",
-            initial_value=_rounded(value),
+            initial_value=rounded(value),
             step=box_step,  # and no limits: viser would take the sign out of a number, or put in another one
             order=None if order is None else order + 0.5,
         )
@@ -95,7 +95,7 @@ class SliderBox:
             if event.client_id is not None:
                 value = self._from_slider(self.slider.value)
                 if self._send(value):
-                    self.box.value = _rounded(value)
+                    self.box.value = rounded(value)
 
         @self.box.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -112,14 +112,14 @@ class SliderBox:
     def show(self, value: float) -> None:
         """Show what the solver has, if that is not what this page's user is just setting."""
         idle = time.monotonic() - self._touched
-        if idle < TOUCHED or (_alike(value, self._known) and idle < TYPED):
+        if idle < TOUCHED or (alike(value, self._known) and idle < TYPED):
             return
         self._known = value
         if self.refused:
             self.refused = False
             self._say_range()
-        if not _alike(value, self.box.value):
-            self.box.value = _rounded(value)
+        if not alike(value, self.box.value):
+            self.box.value = rounded(value)
         place = self._place(value)
         if abs(place - self.slider.value) >= 0.5 * self._slider_step:
             self.slider.value = place
@@ -155,9 +155,11 @@ class SliderBox:
         return float(f"{10.0**place:.3g}") if self.setting.logarithmic else float(place)
 
 
-def _alike(a: float, b: float) -> bool:
+def alike(a: float, b: float) -> bool:
+    """Whether two numbers are the same in a box."""
     return math.isclose(a, b, rel_tol=1e-6, abs_tol=1e-9)
 
 
-def _rounded(value: float) -> float:
+def rounded(value: float) -> float:
+    """A number as a box shows it."""
     return float(f"{value:.7g}")

@@ -185,6 +185,7 @@ class Tab:
         if self._measure is not None:
             self._measure.tick()
         self._show(session)
+        self._panel.show_selection()
         self._tell(session)
         self._keep(session)
 
@@ -423,16 +424,7 @@ class Tab:
                 if self._measure is not None:
                     self._measure.plot_angle()
             elif what == "help":
-                self._help()
-
-    def _help(self) -> None:
-        with self.client.gui.add_modal("How to use softrod") as modal:
-            self.client.gui.add_html(readouts.help_html())
-            close = self.client.gui.add_button("Close")
-
-        @close.on_click
-        async def _(_: object) -> None:
-            modal.close()
+                self._panel.show_help()
 
     def _tell(self, session: Session) -> None:
         self._notices.extend(session.notices)

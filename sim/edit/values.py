@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Literal
 
 import msgspec
+import numpy as np
 
 from ..errors import SettingError
+from ..motion.moment import Moment
+from ..scene.columns import column
 from ..scene.parts import AngularSpring, LinearSpring, Mass
-from ..scene.types import Scene
+from ..scene.recipes.assembly import wrapped
+from ..scene.types import Damage, Scene
 from ..scene.validate import number_range
-from .edit import Edit, changed, counted, of_parts
+from .build import angle_between, positions_of
+from .edit import Edit, Selection, changed, counted, of_parts
 
 Kind = Literal["masses", "linear_springs", "angular_springs"]
 """The field of a scene that has the parts."""
@@ -82,33 +88,102 @@ def number(kind: str, field: str) -> Number:
 
 def values_of(scene: Scene, of: Number, parts: Collection[int]) -> set[float | None]:
     """The different values that some parts have."""
-    every = getattr(scene, of.kind)
-    return {getattr(every[i], of.field) for i in parts}
+    found = np.unique(column(getattr(scene, of.kind), of.field)[list(parts)])
+    return {None if math.isnan(value) else value for value in found.tolist()}
 
 
-def set_number(scene: Scene, of: Number, parts: Collection[int], value: float | None) -> Edit:
+def set_number(
+    scene: Scene, of: Number, parts: Collection[int], value: float | None, shift: float = 0.0
+) -> Edit:
     """A number of some parts, all to the same value; None takes it away where it may be missing.
+
+    Args:
+        scene: whose parts.
+        of: which number.
+        parts: their indices.
+        value: the new one.
+        shift: degrees that keys have added to all rest angles since the scene was put in place; the value of
+            a rest angle is with them.
 
     Raises:
         SettingError: the value is out of range, a part does not exist, or the number does not go with the
             others of a part.
     """
     _refuse_value(of, value)
+    if of.field == "rest_angle" and value is not None:
+        value = _turned(value, -shift)
     return _with_values(scene, of, dict.fromkeys(parts, value), f"{of.label} set")
 
 
-def scale_number(scene: Scene, of: Number, parts: Collection[int], largest: float) -> Edit:
+def scale_number(
+    scene: Scene, of: Number, parts: Collection[int], largest: float, shift: float = 0.0
+) -> Edit:
     """A number of some parts so that the largest gets a value and the others keep their proportions to it.
+
+    The largest is that of the largest size; where it is negative, it is the size that gets the value.
+
+    Args:
+        scene, of, parts, shift: as of `set_number`.
+        largest: the new value of the largest.
 
     Raises:
         SettingError: as `set_number`.
     """
     _refuse_value(of, largest)
-    every = getattr(scene, of.kind)
-    values = {i: value for i in parts if (value := getattr(every[i], of.field)) is not None}
+    _refuse_missing(scene, of, parts)
+    every, shift = getattr(scene, of.kind), shift if of.field == "rest_angle" else 0.0
+    has = {i: value for i in parts if (value := getattr(every[i], of.field)) is not None}
+    values = {i: _turned(value, shift) for i, value in has.items()}
     old = max(map(abs, values.values()), default=0.0)
     scaled = {i: largest * (value / old) if old else largest for i, value in values.items()}
-    return _with_values(scene, of, scaled, f"{of.label} scaled")
+    for value in scaled.values():
+        _refuse_value(of, value)
+    new: dict[int, float | None] = {i: _turned(value, -shift) for i, value in scaled.items()}
+    return _with_values(scene, of, new, f"{of.label} scaled")
+
+
+def take_as_rest(moment: Moment, parts: Selection) -> Edit:
+    """The selected springs and joints rest as they are at a moment; where only masses are, those at them.
+
+    Raises:
+        SettingError: there is nothing that could rest, or a spring is too long.
+    """
+    scene, damage, places = of_parts(moment.scene), moment.damage or Damage(), positions_of(moment)
+    springs, joints = parts.springs, parts.joints
+    if not (springs or joints):
+        every, masses = scene.linear_springs, parts.masses
+        springs = frozenset(s for s, each in enumerate(every) if each.a in masses or each.b in masses)
+        pairs = enumerate(scene.angular_springs)
+        joints = frozenset(j for j, each in pairs if each.a in springs and each.b in springs)
+    if not (springs or joints):
+        raise SettingError("no spring and no joint is selected that could rest as it is")
+    length, angle = number("linear_springs", "rest_length"), number("angular_springs", "rest_angle")
+    lengths: dict[int, float | None] = {}
+    for s in springs:
+        spring = scene.linear_springs[s]
+        yielded = damage.set_lengths[s] if damage.set_lengths else 0.0
+        now = math.dist(places[spring.a], places[spring.b]) - yielded
+        lengths[s] = max(now, 0.0) / moment.rest_length_scale
+        _refuse_value(length, lengths[s])
+    angles: dict[int, float | None] = {}
+    for j in joints:
+        joint = scene.angular_springs[j]
+        turned = moment.rest_angle_shift + (damage.set_angles[j] if damage.set_angles else 0.0)
+        angles[j] = _turned(angle_between(scene, joint.a, joint.b, places), -turned)
+    first = _with_values(scene, length, lengths, "")
+    return Edit("rest as it is", _with_values(first.scene, angle, angles, "").scene)
+
+
+def _turned(angle: float, by: float) -> float:
+    """A rest angle, degrees, turned and wrapped into (-180, 180]; exactly itself where it is not turned."""
+    return wrapped(math.remainder(angle + by, 360.0)) if by else angle
+
+
+def _refuse_missing(scene: Scene, of: Number, parts: Collection[int]) -> None:
+    count = len(getattr(scene, of.kind))
+    for i in parts:
+        if not 0 <= i < count:
+            raise SettingError(f"{_WORDS[of.kind]} {i} does not exist (0..{count - 1})")
 
 
 def _refuse_value(of: Number, value: float | None) -> None:
@@ -123,10 +198,8 @@ def _refuse_value(of: Number, value: float | None) -> None:
 
 def _with_values(scene: Scene, of: Number, values: dict[int, float | None], label: str) -> Edit:
     scene = of_parts(scene)
+    _refuse_missing(scene, of, values)
     every = getattr(scene, of.kind)
-    for i in values:
-        if not 0 <= i < len(every):
-            raise SettingError(f"{_WORDS[of.kind]} {i} does not exist (0..{len(every) - 1})")
     new = [(i, msgspec.structs.replace(every[i], **{of.field: value})) for i, value in values.items()]
     for _, part in new:
         _refuse_contradiction(part)
