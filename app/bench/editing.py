@@ -146,6 +146,20 @@ def edit_times(tab: Tab, make: Callable[[Moment, int], Edit], repeats: int) -> t
     return tuple(best)
 
 
+def select_time(tab: Tab, parts: Selection, repeats: int) -> float:
+    """The least s of all repeats: some parts are selected, and the frame after that."""
+    session, best = tab.session, math.inf
+    assert session is not None
+    for selection in (Selection(), parts) * repeats:
+        session.post(commands.Select(lambda *_, selection=selection: selection))
+        began = time.perf_counter()
+        session.drain()
+        _frame(tab)
+        if selection is parts:
+            best = min(best, time.perf_counter() - began)
+    return best
+
+
 def bench_edit(console: Console, repeats: int) -> None:
     """Measure, and print."""
     table = Table("ms", "edit", "page", "undo", "page", "of a frame", box=None)
@@ -158,4 +172,9 @@ def bench_edit(console: Console, repeats: int) -> None:
             times = edit_times(tab, make, repeats)
             part = max(sum(times[:2]), sum(times[2:])) / FRAME
             table.add_row(name, *(f"{1e3 * t:.1f}" for t in times), f"{100.0 * part:.0f} %")
+        scene = tab.session.scene
+        every = (scene.masses, scene.linear_springs, scene.angular_springs)
+        whole = Selection(*(frozenset(range(len(parts))) for parts in every))
+        one, all_ = (select_time(tab, p, repeats) for p in (Selection(springs=frozenset({5000})), whole))
     console.print(table)
+    console.print(f"selecting a spring: {1e3 * one:.1f} ms, with the page; everything: {1e3 * all_:.1f} ms")

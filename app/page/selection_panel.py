@@ -87,8 +87,10 @@ def changed(of: Number, value: float, in_proportion: bool) -> commands.MakeEdit:
 
     def make(moment: Moment, selection: Selection) -> Edit:
         parts = parts_of(selection, of.kind)
-        mixed = len(values_of(moment.scene, of, parts)) > 1
-        change = scale_number if in_proportion and mixed else set_number
+        scales = in_proportion and len(values_of(moment.scene, of, parts)) > 1
+        if not parts or (scales and value == 0.0):  # 0.5 begins with 0, which would leave no proportions
+            return Edit("", moment.scene)
+        change = scale_number if scales else set_number
         return change(moment.scene, of, parts, value, moment.rest_angle_shift)
 
     return make

@@ -34,6 +34,7 @@ def test_what_is_measured_is_printed(monkeypatch: pytest.MonkeyPatch) -> None:
     console = Console(file=io.StringIO(), width=100)
     editing.bench_edit(console, 1)
     assert isinstance(console.file, io.StringIO)
-    (row,) = console.file.getvalue().splitlines()[-1:]
+    row, last = console.file.getvalue().splitlines()[-2:]
     assert row.split()[:3] == ["a", "spring's", "stiffness"]
     assert all(float(number) > 0.0 for number in row.split()[3:7])
+    assert last.startswith("selecting a spring: ")

@@ -17,7 +17,7 @@ from sim.edit.build import add_joints, add_mass, add_springs, extend, pin, remov
 from sim.edit.copying import copy, decode, encode, paste
 from sim.edit.edit import Edit, Selection, carried, inverse, of_parts
 from sim.edit.shape import add_corners, cut, mirror, move, rest_as_is, triangulate
-from sim.edit.values import NUMBERS, number, scale_number, set_number, values_of
+from sim.edit.values import NUMBERS, number, scale_number, set_number, take_as_rest, values_of
 from sim.errors import SceneError, SettingError
 from sim.scene.types import Damage
 from sim.scene.validate import validate
@@ -280,3 +280,53 @@ def test_what_is_broken_stays_broken_when_others_go() -> None:
     assert simulation.damage == Damage(
         broken=(1,), set_lengths=(0.0,) * 3, hardened=(0.0,) * 3, set_angles=()
     )
+
+
+def test_numbers_in_proportion_stay_in_their_range() -> None:
+    scene = square()
+    mass = number("masses", "mass")
+    light = set_number(scene, mass, [1], 1e-5).scene
+    with pytest.raises(SettingError, match=r"^Mass: 5e-07 is not in the range 1e-06\.\.1e\+06 kg$"):
+        scale_number(light, mass, [0, 1], 0.05)
+    with pytest.raises(SettingError, match=r"^mass 4 does not exist \(0\.\.3\)$"):
+        scale_number(light, mass, [0, 4], 2.0)
+
+
+def test_rest_angles_can_be_set_with_what_keys_have_added() -> None:
+    scene, angle = square(joints=True), number("angular_springs", "rest_angle")
+    others = [joint.rest_angle for joint in scene.angular_springs[1:]]
+    one = set_number(scene, angle, [0], 30.0, shift=350.0).scene
+    assert [joint.rest_angle for joint in one.angular_springs] == [40.0, *others]
+    two = set_number(one, angle, [1], -175.0, shift=10.0).scene
+    assert two.angular_springs[1].rest_angle == pytest.approx(175.0)
+    # 50 and -165 degrees with the shift; the second is the largest, and gets 33.
+    scaled = scale_number(set_number(two, angle, [1], -175.0).scene, angle, [0, 1], 33.0, shift=10.0).scene
+    assert [joint.rest_angle for joint in scaled.angular_springs[:2]] == pytest.approx([0.0, -43.0])
+    assert set_number(scene, angle, [0], 33.3).scene.angular_springs[0].rest_angle == 33.3
+
+
+def moment_of(scene: sim.Scene, positions: Positions, damage: Damage | None = None) -> sim.Moment:
+    rows = np.array([*np.array(positions).T, *np.zeros((2, len(positions)))])
+    return sim.Moment(scene, 2.0, 15.0, rows, 0.0, 0, damage)
+
+
+def test_parts_rest_as_they_are_under_all_that_moves_their_rest() -> None:
+    scene = square(joints=True)
+    corners = [(0.0, 0.0), (120.0, 0.0), (120.0, 90.0), (0.0, 90.0)]
+    damage = Damage(set_lengths=(20.0, 0.0, 0.0, 0.0), set_angles=(5.0, 0.0, 0.0, 0.0))
+    moment = moment_of(scene, corners, damage)
+    edit = take_as_rest(moment, Selection(springs=frozenset({0, 1}), joints=frozenset({0})))
+    assert [s.rest_length for s in edit.scene.linear_springs] == pytest.approx([50.0, 45.0, 100.0, 100.0])
+    first, others = edit.scene.angular_springs[0].rest_angle, edit.scene.angular_springs[1:]
+    # The corner is as square as it was.
+    assert first == pytest.approx(scene.angular_springs[0].rest_angle - 20.0)
+    assert others == scene.angular_springs[1:]
+    # Of masses alone: the springs at them, and the joints between these.
+    of_mass = take_as_rest(moment, Selection(masses=frozenset({1}))).scene
+    changed = [new != old for new, old in zip(of_mass.linear_springs, scene.linear_springs, strict=True)]
+    assert changed == [True, True, False, False]
+    assert (
+        sum(new != old for new, old in zip(of_mass.angular_springs, scene.angular_springs, strict=True)) == 1
+    )
+    with pytest.raises(SettingError, match="no spring and no joint is selected"):
+        take_as_rest(moment, Selection())

@@ -1,0 +1,258 @@
+"""The folder of what is selected: its numbers, and what they and its buttons do to the body."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from contextlib import nullcontext
+from types import SimpleNamespace
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from app.page import selection_panel
+from app.page.selection_panel import SelectionPanel, described, numbers_of
+from app.session import commands
+from app.session.notices import Notice
+from sim.edit.edit import Selection
+from tests.app.pages import SessionPage
+
+
+class Handle(SimpleNamespace):
+    """A control that is in no page."""
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def listen(self, handler: Callable[[Any], Any]) -> Callable[[Any], Any]:
+        self.handler = handler
+        return handler
+
+    on_update = on_click = listen
+
+    def enter(self, value: object) -> None:
+        """As its user does."""
+        self.value = value
+        asyncio.run(self.handler(SimpleNamespace(client_id=1, target=self)))
+
+
+class Page(SessionPage):
+    """A session with the folder of its page, at 60 frames a second."""
+
+    def __init__(self, scene: sim.Scene) -> None:
+        super().__init__(scene)
+        self.made: dict[str, Handle] = {}
+        self.notices: list[Notice] = []
+        names = ("folder", "number", "checkbox", "button", "button_group")
+        gui = SimpleNamespace(**{f"add_{name}": self._add for name in names})
+        client: Any = SimpleNamespace(gui=gui, atomic=nullcontext)
+        self.panel = SelectionPanel(client, self.session, self.notices.append)
+        self.frames(1, commands.Play(False))
+
+    def _add(self, label: str, *_: object, initial_value: object = None, **rest: Any) -> Handle:
+        handle = Handle(label=label, value=initial_value, step=0.0, visible=rest.get("visible", True))
+        self.made[label] = handle
+        return handle
+
+    def frames(self, count: int, *posts: commands.Command) -> None:
+        for command in posts:
+            self.session.post(command)
+        for _ in range(count):
+            super().frames(1)
+            self.panel.tick()
+
+    def select(
+        self, masses: tuple[int, ...] = (), springs: tuple[int, ...] = (), joints: tuple[int, ...] = ()
+    ) -> None:
+        parts = Selection(*map(frozenset, (masses, springs, joints)))
+        self.frames(1, commands.Select(lambda *_: parts))
+
+    def shown(self) -> dict[str, object]:
+        """What the boxes that are there show, by their labels."""
+        rows = [row._box for row in self.panel._rows]
+        return {row.label: row.value for row in rows if row.visible}
+
+    def enter(self, label: str, value: object) -> None:
+        self.made[label].enter(value)
+        self.frames(10)
+
+    @property
+    def scene(self) -> sim.Scene:
+        return self.session.simulation.capture().scene
+
+
+def rope() -> sim.Scene:
+    """Of four masses; one spring is stiffer."""
+    scene = sim.rope(4, view=sim.View(frame=(0.0, 0.0, 600.0, 600.0)))
+    springs = tuple(
+        msgspec.structs.replace(spring, stiffness=20_000.0 if s == 1 else 10_000.0)
+        for s, spring in enumerate(scene.linear_springs)
+    )
+    return msgspec.structs.replace(scene, bodies=(), linear_springs=springs)
+
+
+@pytest.fixture(autouse=True)
+def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nobody is still typing when the next frame comes."""
+    monkeypatch.setattr(selection_panel, "TOUCHED", -1.0)
+
+
+def stiffnesses(page: Page) -> list[float]:
+    return [spring.stiffness for spring in page.scene.linear_springs]
+
+
+def test_nothing_is_made_until_something_is_selected_and_it_goes_with_the_selection() -> None:
+    page = Page(rope())
+    page.frames(20)
+    assert page.made == {}
+    page.select(masses=(1, 2), springs=(0,))
+    folder = next(iter(page.made.values()))
+    assert (folder.label, folder.visible) == ("2 masses, 1 spring", True)
+    assert list(page.shown()) == ["Mass", "Radius", "Stiffness", "Damping", "Rest length"]
+    count = len(page.made)
+    page.select(joints=(0, 1))
+    assert (folder.label, list(page.shown())) == (
+        "2 joints", ["Joint stiffness", "Joint damping", "Rest angle"]
+    )  # fmt: skip
+    assert not page.made["Masses"].visible
+    page.select()
+    assert not folder.visible
+    assert len(page.made) == count
+
+
+def test_a_number_that_differs_is_mixed_and_entering_one_sets_all_until_an_undo() -> None:
+    page = Page(rope())
+    page.select(springs=(0, 1))
+    assert page.shown()["Stiffness (mixed)"] == 20_000.0
+    for typed in (3.0, 30.0, 300.0):
+        page.made["Stiffness"].enter(typed)
+        page.frames(5)
+    assert stiffnesses(page) == [300.0, 300.0, 10_000.0]
+    assert page.shown()["Stiffness"] == 300.0
+    assert len(page.session.versions) == 1
+    page.frames(10, commands.Undo())
+    assert stiffnesses(page) == [10_000.0, 20_000.0, 10_000.0]
+    assert page.shown()["Stiffness (mixed)"] == 20_000.0
+    # The same number of other parts is another step.
+    page.enter("Stiffness", 5.0)
+    page.select(springs=(2,))
+    page.enter("Stiffness", 6.0)
+    assert stiffnesses(page) == [5.0, 5.0, 6.0]
+    assert len(page.session.versions) == 2
+
+
+def test_numbers_keep_their_proportions_if_they_are_to() -> None:
+    page = Page(rope())
+    page.select(springs=(0,))
+    assert not page.made["Keep proportions"].visible
+    page.select(springs=(0, 1))
+    assert page.made["Keep proportions"].visible
+    page.made["Keep proportions"].value = True
+    page.enter("Stiffness", 4_000.0)
+    assert stiffnesses(page) == [2_000.0, 4_000.0, 10_000.0]
+    page.enter("Stiffness", 0.0)  # on its way to 0.5, which would leave no proportions
+    page.enter("Stiffness", 0.5)
+    assert stiffnesses(page) == [0.25, 0.5, 10_000.0]
+
+
+def test_what_is_out_of_range_is_not_taken_and_its_user_is_told_when_done(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    page = Page(rope())
+    page.select(masses=(2,))
+    page.enter("Mass", -3.0)
+    assert page.scene.masses[2].mass == 1.0
+    monkeypatch.setattr(selection_panel, "TYPED", -1.0)
+    page.frames(10)
+    (notice,) = page.notices
+    assert (notice.kind, notice.text) == ("warning", "Mass: 1e-06 to 1,000,000 kg")
+    assert page.shown()["Mass"] == 1.0
+    assert page.session.notices == []
+
+
+def test_what_does_not_go_together_is_one_sentence() -> None:
+    page = Page(sim.load_scene("girder"))
+    page.select(springs=(0,))
+    page.enter("Strength", 1.0)
+    (notice,) = page.session.notices
+    assert notice.text == "Strength: 1 is below the yield force 280000"
+    assert len(page.session.versions) == 0
+
+
+def test_hardening_is_there_for_what_yields() -> None:
+    scene = sim.load_scene("girder")
+    some = Selection(springs=frozenset({0}))
+    assert [each.of.field for each in numbers_of(scene, some)][-3:] == [
+        "strength",
+        "yield_force",
+        "hardening",
+    ]
+    assert "hardening" not in [each.of.field for each in numbers_of(rope(), some)]
+
+
+def test_rest_angles_are_with_what_the_arrow_keys_did() -> None:
+    page = Page(sim.load_scene("tutorial-3.3"))
+    page.session.simulation.keys = {"right"}
+    page.session.simulation.step(50)
+    page.session.simulation.keys = set()
+    page.select(joints=(2,))
+    assert page.shown()["Rest angle"] == pytest.approx(5.0)
+    page.enter("Rest angle", -20.0)
+    rest = page.session.simulation.rest_angles
+    assert rest[[1, 2, 3]] == pytest.approx([5.0, -20.0, 5.0])
+    assert page.shown()["Rest angle"] == pytest.approx(-20.0)
+
+
+def test_masses_are_pinned_let_go_and_deleted() -> None:
+    page = Page(rope())
+    held = {anchor.mass for anchor in page.scene.anchors}
+    page.select(masses=(2, 3))
+    page.enter("Masses", "Pin")
+    assert {anchor.mass for anchor in page.scene.anchors} == held | {2, 3}
+    page.enter("Masses", "Let go")
+    assert {anchor.mass for anchor in page.scene.anchors} == held - {2, 3}
+    page.made["Delete"].enter(None)
+    page.frames(2)
+    assert (len(page.scene.masses), len(page.scene.linear_springs)) == (2, 1)
+    assert not next(iter(page.made.values())).visible
+    page.frames(2, commands.Undo())
+    assert len(page.scene.masses) == 4
+
+
+def test_springs_and_joints_rest_as_they_are() -> None:
+    """With all that makes a rest length and a rest angle: the factor and the shift of keys."""
+    page = Page(sim.load_scene("tutorial-3.3"))
+    simulation = page.session.simulation
+    simulation.keys = {"up", "right"}
+    simulation.step(80)
+    simulation.keys = set()
+    page.select(springs=(4,), joints=(4,))
+    page.made["Rest as it is now"].enter(None)
+    page.frames(1)
+    way = np.diff(page.session.simulation.positions[4:6], axis=0)
+    rest = page.scene.linear_springs[4].rest_length * page.session.simulation.rest_length_scale
+    assert rest == pytest.approx(float(np.hypot(*way[0])))
+    angles = page.session.simulation.angles, page.session.simulation.rest_angles
+    assert angles[0][4] == pytest.approx(angles[1][4])
+    assert abs(angles[0][5] - angles[1][5]) > 1e-3
+    assert page.scene.linear_springs[5] == page.session.opened.linear_springs[5]
+
+
+def test_a_mass_that_is_alone_has_nothing_that_could_rest() -> None:
+    page = Page(sim.Scene(name="one", masses=(sim.Mass(position=(0.0, 0.0)),)))
+    page.select(masses=(0,))
+    page.made["Rest as it is now"].enter(None)
+    page.frames(1)
+    (notice,) = page.session.notices
+    assert notice.text == "no spring and no joint is selected that could rest as it is"
+
+
+def test_what_is_selected_in_words() -> None:
+    parts = Selection(frozenset({1}), frozenset({1, 2}), frozenset({0, 4, 7}))
+    assert described(parts) == "1 mass, 2 springs, 3 joints"
