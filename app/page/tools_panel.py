@@ -16,6 +16,9 @@ MOST_TRACES = 8
 LENGTHS = {"1 s": 1, "2 s": 2, "5 s": 5, "10 s": 10, "30 s": 30}
 """Simulated seconds of a trace."""
 
+LAST = 1e6
+"""Order of the first control: they stand below the plots, which come and go."""
+
 LABELS = {"forces": "Forces", "velocities": "Velocities", "torques": "Torques"}
 HINTS = {
     "forces": "the net force on each mass; on a held one, dashed, what its support bears",
@@ -44,19 +47,26 @@ class ToolsPanel:
         self._traced: tuple[int, ...] = ()
         gui = client.gui
         self._switches = {
-            kind: gui.add_checkbox(LABELS[kind], initial_value=False, hint=HINTS[kind]) for kind in KINDS
+            kind: gui.add_checkbox(LABELS[kind], initial_value=False, hint=HINTS[kind], order=LAST + i / 10.0)
+            for i, kind in enumerate(KINDS)
         }
         self._coordinates = gui.add_checkbox(
-            "Coordinates", initial_value=False, hint="of the mass under the pointer, or clicked last"
+            "Coordinates",
+            initial_value=False,
+            hint="of the mass under the pointer, or clicked last",
+            order=LAST + 1,
         )
         self._trace = gui.add_checkbox(
             "Trace the chosen mass",
             initial_value=False,
             hint="click a mass to choose it; several can have one",
+            order=LAST + 2,
         )
-        self._length = gui.add_dropdown("Length of a trace", tuple(LENGTHS), initial_value="5 s")
-        clear = gui.add_button("Clear the traces", icon=viser.Icon.ERASER, color="gray")
-        self._told = gui.add_html("")
+        self._length = gui.add_dropdown(
+            "Length of a trace", tuple(LENGTHS), initial_value="5 s", order=LAST + 3
+        )
+        clear = gui.add_button("Clear the traces", icon=viser.Icon.ERASER, color="gray", order=LAST + 4)
+        self._told = gui.add_html("", order=LAST + 5)
         self.outlined = [clear]
 
         for kind, switch in self._switches.items():

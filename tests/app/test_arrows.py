@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from app.page.arrows import KINDS, MOST, Arrows, encode, smallest
-from app.page.tools_panel import MOST_TRACES, ToolsPanel
+from app.page.tools_panel import LAST, MOST_TRACES, ToolsPanel
 from app.session import commands
 from tests.app.pages import SessionPage
 
@@ -171,6 +171,17 @@ def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones()
     other = ToolsPanel(client, session, lambda what, argument: None)
     other.show_arrows(kinds)
     assert [switch.value for switch in other._switches.values()] == [True, False, True]
+
+
+def test_the_switches_stand_below_the_plots_however_many_pages_there_were() -> None:
+    client = MagicMock()
+    client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
+    ToolsPanel(client, SessionPage(sim.load_scene("ring")).session, lambda what, argument: None)
+    gui = client.gui
+    added = (gui.add_checkbox, gui.add_dropdown, gui.add_button, gui.add_html)
+    orders = [call.kwargs["order"] for add in added for call in add.call_args_list]
+    assert len(orders) == 8
+    assert min(orders) >= LAST
 
 
 def test_the_page_is_told_which_masses_are_traced() -> None:

@@ -144,3 +144,20 @@ def test_its_text_is_only_text(open_page: OpenPage) -> None:
     desk.tell(commands.Open(msgspec.structs.replace(sim.load_scene("ring"), name="evil", lesson=lesson)))
     desk.until(lambda: words(desk).count(evil) == 3, "it is shown as it is")
     assert desk.page.evaluate("window.evil") is None
+
+
+def test_on_a_phone_the_card_leaves_room_for_the_body_above_the_panel(open_page: OpenPage) -> None:
+    desk = open_page(size=(390, 844), phone=True)
+    desk.tell(commands.Open(sim.load_scene("lesson-hooke")))
+    begins(desk, steps("lesson-hooke")[0])
+    if not desk.page.get_by_role("tab", name="Play", exact=True).is_visible():
+        desk.page.get_by_text("softrod", exact=True).last.tap()
+    desk.page.get_by_role("tab", name="Play", exact=True).wait_for()
+
+    def is_free() -> bool:
+        box, dock = desk.page.locator(CARD).bounding_box(), desk.page.locator(".softrod-dock").bounding_box()
+        assert box is not None
+        assert dock is not None
+        return dock["y"] < 500.0 and box["y"] > 0.35 * dock["y"] and box["y"] + box["height"] < dock["y"]
+
+    desk.until(is_free, "the body can be seen above the card, the bar and the panel")

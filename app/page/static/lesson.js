@@ -27,6 +27,8 @@ const SOURCE = '<div id="softrod-lesson"';
 const NAME = "softrod-lesson";
 /** Pixels of the canvas from which on the card stands beside the body, and not over it at the bottom. */
 const WIDE = 720;
+/** Parts of the canvas, and of what of it can be seen, that the card takes at the bottom, at most. */
+const [PART, FREE_PART] = [0.36, 0.6];
 /** Pixels of the card and its margins beside the body. */
 const COLUMN = 332;
 
@@ -212,7 +214,8 @@ export function placeLesson(box, hidden) {
   card.style.width = `${wide ? COLUMN - 24 : box.width - 24}px`;
   card.style.bottom = `${window.innerHeight - box.bottom + hidden + 4}px`;
   const top = Math.max(box.top + 8, wide ? (hud?.bottom ?? 0) + 8 : 0);
-  card.style.maxHeight = `${wide ? box.bottom - hidden - top - 4 : 0.36 * box.height}px`;
+  const most = wide ? box.bottom - hidden - top - 4 : Math.min(PART * box.height, FREE_PART * (box.height - hidden));
+  card.style.maxHeight = `${most}px`;
   room = wide ? { left: folded ? 0 : COLUMN, bottom: 0 } : { left: 0, bottom: card.offsetHeight + 8 };
   return room;
 }
