@@ -11,8 +11,9 @@ from functools import partial
 from typing import Any
 
 from ..session.session import Notice, Session
-from . import keeping, mail, script
+from . import asks, keeping, mail, script
 from .controls import Controls
+from .edits import Edits
 from .gallery import Gallery
 from .sharing import Sharing
 
@@ -36,7 +37,7 @@ class Answers:
         resume: goes on with what the page had kept.
 
     Attributes:
-        sharing, gallery: what it asks about.
+        sharing, gallery, edits: what it asks about.
     """
 
     def __init__(
@@ -48,8 +49,9 @@ class Answers:
     ) -> None:
         self.sharing = Sharing(session, letters, notify)
         self.gallery = Gallery(session, letters, notify)
+        self.edits = Edits(session, letters, notify)
         self._resume = resume
-        self._parts = {"resume": keeping.Parts(), "link": keeping.Parts()}
+        self._parts = {"resume": keeping.Parts(), "link": keeping.Parts(), "paste": keeping.Parts()}
         self._line = Line()
 
     def take(self, message: object, controls: Controls) -> bool:
@@ -60,9 +62,12 @@ class Answers:
             controls: those of the page.
         """
         if part := script.parse_part(message):
-            self._take_part(part)
-        elif ask := mail.parse_ask(message):
-            if not isinstance(ask, mail.Offer):
+            self._take_part(part, controls)
+        elif ask := asks.parse_ask(message):
+            if isinstance(ask, asks.Gesture):
+                if "edit" in controls:
+                    self.edits.do(ask)
+            elif not isinstance(ask, asks.Offer):
                 self._line.submit(self._answer, ask)
             elif "chooser" in controls:
                 self.gallery.offer()
@@ -70,24 +75,27 @@ class Answers:
             return False
         return True
 
-    def _take_part(self, part: script.Part) -> None:
+    def _take_part(self, part: script.Part, controls: Controls) -> None:
         letters = self._parts[part.kind].add(part.number, part.of, part.letters)
         if letters is None:
             return
         if part.kind == "link":
             self._line.submit(self.sharing.open, letters)
+        elif part.kind == "paste":
+            if "edit" in controls:
+                self._line.submit(self.edits.paste, letters)
         elif kept := keeping.decode(letters):
             self._resume(kept)
 
-    def _answer(self, ask: mail.Ask) -> None:
+    def _answer(self, ask: asks.Ask) -> None:
         match ask:
-            case mail.Share():
+            case asks.Share():
                 self.sharing.share(ask)
-            case mail.Scenes():
+            case asks.Scenes():
                 self.gallery.list(ask)
-            case mail.OpenScene():
+            case asks.OpenScene():
                 self.gallery.open(ask)
-            case mail.Change():
+            case asks.Change():
                 self.gallery.change(ask)
 
 

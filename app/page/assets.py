@@ -19,6 +19,7 @@ _STYLES = (
     "overlay.css",
     "dock.css",
     "tools.css",
+    "edit.css",
     "dialogs.css",
     "gallery.css",
     "lesson.css",

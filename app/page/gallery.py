@@ -18,7 +18,8 @@ from sim.scene.files import read_scene
 from ..session import commands
 from ..session.session import Notice, Session
 from . import shelf, thumbnails
-from .mail import Change, Mail, OpenScene, Scenes
+from .asks import Change, OpenScene, Scenes
+from .mail import Mail
 
 MOST_PAINTED = 200
 """Own scenes that get a picture; the others have their names."""

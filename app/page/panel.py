@@ -375,7 +375,10 @@ class Panel:
     ) -> None:
         """Tell the page's script what it has to know, see `script.told`."""
         channel, session = _id(self.channel), self._session
-        told = script.told(channel, scene, session, playing, at_rest, broken, measures, self.pictures)
+        editable = "edit" in self._controls
+        told = script.told(
+            channel, scene, session, playing, at_rest, broken, measures, self.pictures, editable
+        )
         if told != self._told:
             self._told = told
             self._state.content = script.told_html(told)

@@ -23,7 +23,7 @@ _MESSAGE = re.compile(
     rf"|go\|({_NUMBER})|speed\|({_NUMBER})"
     rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}})|lesson\|(\d{{1,2}})(\|run)?)"
 )
-_PART = re.compile(r"\d{1,15}\|(resume|link)\|(\d{1,2})/(\d{1,2})\|([\x21-\x7e]{0,48000})")
+_PART = re.compile(r"\d{1,15}\|(resume|link|paste)\|(\d{1,2})/(\d{1,2})\|([\x21-\x7e]{0,48000})")
 
 ONCE: dict[str, Command] = {
     "play": commands.Play(),
@@ -95,6 +95,7 @@ def told(
     broken: int = 0,
     measures: int = 0,
     pictures: int = 0,
+    editable: bool = True,
 ) -> dict[str, object]:
     """What the script has to know.
 
@@ -107,6 +108,7 @@ def told(
         broken: how many springs are broken.
         measures: how often the Measure tab was to be shown.
         pictures: how many pictures of the page were asked for.
+        editable: whether the page has the tools that change the body.
     """
     frame, history = session.scene.view.frame, session.history
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
@@ -132,6 +134,7 @@ def told(
         **({"broken": broken} if broken else {}),
         **({"measures": measures} if measures else {}),
         **({"picture": pictures} if pictures else {}),
+        **({"edit": 1} if editable else {}),
         **({"lesson": int(session.lesson_begun)} if session.scene.lesson else {}),
     }
 
@@ -216,7 +219,7 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAn
 
 @dataclass(frozen=True)
 class Part:
-    """A part of what is too long for one message: of a keepsake ("resume") or of a link ("link").
+    """A part of what is too long for one message: a keepsake ("resume"), a link, or what is pasted.
 
     Attributes:
         number, of: from 1; how many parts there are.

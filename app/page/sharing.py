@@ -12,7 +12,8 @@ from sim.scene.link import PATH, pack_scene
 
 from ..session import commands
 from ..session.session import Notice, Session
-from .mail import Mail, Share
+from .asks import Share
+from .mail import Mail
 
 MOST_IN_QR = 1200
 """Characters of the longest link that gets a QR code; the squares of a longer one are too small for a camera

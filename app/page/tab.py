@@ -186,6 +186,8 @@ class Tab:
             self._measure.tick()
         self._show(session)
         self._panel.show_selection()
+        if "edit" in self._controls:
+            self._answers.edits.tell()
         self._tell(session)
         self._keep(session)
 

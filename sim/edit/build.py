@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 from statistics import median
 
 import msgspec
+import numpy as np
 
 from ..errors import SceneError
 from ..motion.moment import Moment
@@ -113,7 +115,7 @@ def add_joints(
         if (a, b) in taken or (b, a) in taken:
             continue
         taken.add((a, b))
-        joints.append(msgspec.structs.replace(typical, a=a, b=b, rest_angle=wrapped(angle)))
+        joints.append(msgspec.structs.replace(typical, a=a, b=b, rest_angle=in_turn(angle)))
     count = len(scene.angular_springs)
     if count + len(joints) > MAX_SPRINGS:
         raise SceneError(f"a scene has {MAX_SPRINGS} angular springs at most")
@@ -133,20 +135,31 @@ def extend(scene: Scene, mass: int, to: Vector, positions: Sequence[Vector]) -> 
     Raises:
         SceneError: as `add_mass` and `add_springs`.
     """
-    first = add_mass(scene, to)
-    n = len(first.scene.masses)
-    second = add_springs(first.scene, [(mass, n - 1)], [*positions, place(to)])
-    return joined("mass and spring added", first, second)
+    scene, (x, y) = of_parts(scene), place(to)
+    n = len(scene.masses)
+    if not 0 <= mass < n:
+        raise SceneError(f"mass {mass} does not exist (0..{n - 1})")
+    # The new mass starts from the other as it is seen from it now.
+    here = positions[mass]
+    start = scene.masses[mass].position if scene.pose is None else scene.pose.positions[mass]
+    begins = (start[0] + (x - here[0]), start[1] + (y - here[1]))
+    first = add_mass(scene, begins)
+    second = add_springs(first.scene, [(mass, n)], [*positions, (x, y)])
+    edit = joined("mass and spring added", first, second)
+    shift = np.zeros((2, n + 1))
+    shift[:, n] = x - begins[0], y - begins[1]
+    return replace(edit, shift=shift if shift.any() else None)
 
 
 def joined(label: str, first: Edit, second: Edit) -> Edit:
-    """Two edits, one after the other, as one."""
+    """Two edits, one after the other, as one; the second moves no masses."""
     return Edit(
         label,
         second.scene,
         _after(first.masses, second.masses),
         _after(first.springs, second.springs),
         _after(first.joints, second.joints),
+        shift=first.shift,
     )
 
 
@@ -245,6 +258,11 @@ def angle_between(scene: Scene, a: int, b: int, positions: Sequence[Vector]) -> 
         for spring in (scene.linear_springs[a], scene.linear_springs[b])
     )
     return math.degrees(math.atan2(ax * by - ay * bx, ax * bx + ay * by))
+
+
+def in_turn(angle: float) -> float:
+    """An angle, degrees, wrapped into (-180, 180]."""
+    return wrapped(math.remainder(angle, 360.0))
 
 
 def positions_of(moment: Moment) -> list[Vector]:

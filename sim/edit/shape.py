@@ -14,7 +14,7 @@ from ..scene.numbers import Vector
 from ..scene.recipes.assembly import wrapped
 from ..scene.types import Scene
 from ..scene.validate import SHORTEST
-from .build import add_joints, add_springs, angle_between, place, remove
+from .build import add_joints, add_springs, angle_between, in_turn, place, remove
 from .edit import Edit, Selection, changed, counted, of_parts
 
 
@@ -111,7 +111,7 @@ def rest_as_is(
     ]
     touched = {s for s, _ in springs}
     joints = [
-        (j, msgspec.structs.replace(joint, rest_angle=wrapped(_reduced(angle - shift))))
+        (j, msgspec.structs.replace(joint, rest_angle=in_turn(angle - shift)))
         for j, joint in enumerate(scene.angular_springs)
         if joint.a in touched or joint.b in touched
         for angle in (angle_between(scene, joint.a, joint.b, positions),)
@@ -124,21 +124,19 @@ def rest_as_is(
     return Edit("rest as it is", new)
 
 
-def _reduced(angle: float) -> float:
-    return math.remainder(angle, 360.0)
-
-
-def cut(scene: Scene, start: Vector, end: Vector, positions: Sequence[Vector]) -> Edit:
+def cut(scene: Scene, stroke: Sequence[Vector], positions: Sequence[Vector]) -> Edit:
     """The scene without the springs that a stroke crosses.
 
     Args:
         scene: what is cut.
-        start, end: of the stroke, px.
+        stroke: its corners, px; at least two.
         positions: of all masses, px.
     """
     at = np.asarray(positions, float).reshape(-1, 2)
     ends = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
-    hit = crossing(at[ends[:, 0]], at[ends[:, 1]], np.array([start], float), np.array([end], float))
+    hit = np.zeros(len(ends), bool)
+    for start, end in itertools.pairwise(stroke):
+        hit |= crossing(at[ends[:, 0]], at[ends[:, 1]], np.array([start], float), np.array([end], float))
     edit = remove(scene, Selection(springs=frozenset(np.flatnonzero(hit).tolist())))
     return Edit(edit.label.replace("removed", "cut"), edit.scene, edit.masses, edit.springs, edit.joints)
 

@@ -13,9 +13,9 @@ from PIL import Image
 
 import sim
 from app.page import gallery, thumbnails
+from app.page.asks import Change, OpenScene, Scenes
 from app.page.assets import page_files
 from app.page.gallery import Gallery
-from app.page.mail import Change, OpenScene, Scenes
 from app.session.notices import Notice
 from sim.scene import files
 from tests.app.pages import SessionPage

@@ -11,9 +11,10 @@ import pytest
 
 import sim
 from app.cli import main
-from app.page import mail, script
+from app.page import script
+from app.page.asks import Ask, Share, parse_ask
 from app.page.keeping import Parts
-from app.page.mail import Mail, Share, parse_ask
+from app.page.mail import Mail
 from app.page.sharing import Sharing
 from app.session import commands
 from app.session.notices import Notice
@@ -102,7 +103,7 @@ def test_what_makes_no_sense_is_not_answered(message: object) -> None:
 def test_what_the_page_asks_for_is_understood() -> None:
     message = '12|ask|{"do":"share","pose":true,"origin":"http://[::1]:8080"}'
     assert parse_ask(message) == Share(pose=True, origin="http://[::1]:8080")
-    assert issubclass(Share, mail.Ask)
+    assert issubclass(Share, Ask)
 
 
 def test_parts_are_put_together_in_their_order() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Callable
 from typing import Any
@@ -13,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from sim.edit.build import add_joints, add_mass, add_springs, extend, pin, remove
+from sim.edit.build import add_joints, add_mass, add_springs, extend, pin, positions_of, remove
 from sim.edit.copying import copy, decode, encode, paste
 from sim.edit.edit import Edit, Selection, carried, inverse, of_parts
 from sim.edit.shape import add_corners, cut, mirror, move, rest_as_is, triangulate
@@ -69,7 +70,7 @@ def some_edit(draw: Callable[[st.SearchStrategy[Any]], Any], scene: sim.Scene, a
         lambda: pin(scene, draw(masses), draw(st.booleans())),
         lambda: move(scene, draw(masses), draw(point)),
         lambda: mirror(scene, draw(masses), at),
-        lambda: cut(scene, draw(point), draw(point), at),
+        lambda: cut(scene, draw(st.lists(point, min_size=2, max_size=4)), at),
         lambda: add_corners(scene, draw(masses), at),
         lambda: triangulate(scene, draw(masses), at),
         lambda: rest_as_is(scene, draw(masses), at),
@@ -144,6 +145,23 @@ def test_a_mass_and_a_spring_are_like_the_others_and_rest_as_they_are() -> None:
     assert edit.masses == (0, 1, 2, 3, -1)
 
 
+def test_a_mass_that_extends_a_moving_body_starts_where_it_is_seen_from_the_other() -> None:
+    """After a reset the new spring is at rest, too."""
+    scene = square()
+    start = sim.Simulation(scene).capture()
+    rows = start.rows + np.array([[30.0], [-20.0], [0.0], [0.0]])
+    moment = dataclasses.replace(start, rows=rows)
+    edit = extend(scene, 2, (160.0, 180.0), positions_of(moment))
+    after = carried(edit, moment)
+    np.testing.assert_allclose(after.positions[4], (160.0, 180.0))
+    np.testing.assert_allclose(after.positions[:4], moment.positions)
+    start, other = (edit.scene.masses[i].position for i in (4, 2))
+    assert math.dist(start, other) == pytest.approx(edit.scene.linear_springs[4].rest_length)
+    assert start == pytest.approx((130.0, 200.0))
+    again = carried(inverse(edit, scene, moment), after)
+    np.testing.assert_array_equal(again.positions, moment.positions)
+
+
 def test_a_new_spring_is_at_rest_under_any_scale_of_rest_lengths() -> None:
     scene = msgspec.structs.replace(square(), rest_length_scale=2.0)
     edit = add_springs(scene, [(0, 2)], starts(scene))
@@ -198,11 +216,13 @@ def test_a_square_is_braced_by_one_diagonal_and_only_inside() -> None:
 
 def test_a_stroke_cuts_what_it_crosses() -> None:
     scene = square(joints=True)
-    edit = cut(scene, (50.0, -10.0), (50.0, 200.0), starts(scene))
+    edit = cut(scene, [(50.0, -10.0), (50.0, 200.0)], starts(scene))
     assert edit.label == "2 springs cut"
     assert [(s.a, s.b) for s in edit.scene.linear_springs] == [(1, 2), (3, 0)]
     assert not edit.scene.angular_springs
-    assert cut(scene, (50.0, 10.0), (50.0, 90.0), starts(scene)).scene.linear_springs == scene.linear_springs
+    assert (
+        cut(scene, [(50.0, 10.0), (50.0, 90.0)], starts(scene)).scene.linear_springs == scene.linear_springs
+    )
 
 
 def test_a_mirror_keeps_a_bent_body_at_rest() -> None:

@@ -80,6 +80,23 @@ export function uncovered({ surface }, others) {
   return ends;
 }
 
+/** Between two of the grid's thick lines, px. @param {number} size of the scene's frame, px: the larger of its sides */
+function majorStep(size) {
+  const power = 10 ** Math.floor(Math.log10(size / 5));
+  return power * ([5, 2].find((step) => step * power <= (size / 5) * (1 + 1e-9)) ?? 1);
+}
+
+/**
+ * Between two lines of the grid that can be seen, px.
+ *
+ * @param {number} size of the scene's frame, px: the larger of its sides
+ * @param {number} scale pixels of a px
+ */
+export function gridStep(size, scale) {
+  const major = majorStep(size);
+  return (major / 5) * scale < DENSE ? major : major / 5;
+}
+
 /**
  * Lines over all of the view.
  *
@@ -91,12 +108,11 @@ export function uncovered({ surface }, others) {
  */
 export function gridLines(plan, size, on, view) {
   const scale = plan.scale * on.step;
-  const power = 10 ** Math.floor(Math.log10(size / 5));
-  const major = power * ([5, 2].find((step) => step * power <= (size / 5) * (1 + 1e-9)) ?? 1);
+  const major = majorStep(size);
   const lines = { grid: "", major: "" };
   /** @param {number} start pixels of the window, where px are 0 @param {number} from @param {number} to @param {(at: string) => string} line */
   const rule = (start, from, to, line) => {
-    const every = ((major / 5) * scale < DENSE ? 1 : 1 / 5) * major * scale;
+    const every = gridStep(size, scale) * scale;
     for (let k = Math.ceil((from - start) / every); start + k * every <= to; k++) {
       lines[every < major * scale * 0.9 && k % 5 ? "grid" : "major"] += line((start + k * every).toFixed(1));
     }

@@ -3,11 +3,16 @@
 import { addArrows } from "./arrow_marks.js";
 import { addBodyKeys } from "./body_keys.js";
 import { fitted, keepFlat } from "./camera.js";
+import { listenToClipboard } from "./clipboard.js";
 import { drawBody, shown } from "./canvas.js";
 import { hear } from "./channel.js";
 import { showConnection, watchConnection } from "./connection.js";
 import { addCoordinates } from "./coordinates.js";
 import { mindDialogs } from "./dialogs.js";
+import { listenToEdits } from "./edit.js";
+import { listenToEditKeys } from "./edit_keys.js";
+import { addEditMarks } from "./edit_marks.js";
+import { addEditStrip } from "./edit_strip.js";
 import { addGallery } from "./gallery.js";
 import { showHud } from "./hud.js";
 import { addInstruments } from "./instruments.js";
@@ -58,9 +63,12 @@ whenViser((viser) => {
   drawBody(viser, [hear, hearLesson, showHud, hearTools, keepStyles]);
   keepFlat();
   mindDialogs();
+  listenToEditKeys();
   listenToKeys();
   addGallery();
   mindNumbers();
+  listenToEdits();
+  listenToClipboard();
   listenToPointer();
   resume(openLink);
   listenToLinks();
@@ -75,6 +83,8 @@ whenViser((viser) => {
   addInstruments();
   addHeading();
   addLesson();
+  addEditMarks();
+  addEditStrip();
   addBodyKeys();
   nameControls();
   showMeasures();

@@ -1,0 +1,158 @@
+"""What the page's script asks the server for, beside commands to the session."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated, Literal
+
+import msgspec
+from msgspec import Meta, Struct
+
+_ASK = re.compile(r"\d{1,15}\|ask\|(\{.{2,4000}\})", re.DOTALL)
+
+_SceneName = Annotated[str, Meta(min_length=1, max_length=200)]
+
+
+class Ask(Struct, frozen=True, forbid_unknown_fields=True, tag_field="do", tag=str.lower):
+    """What the script asks for; the tag is the name of the class."""
+
+
+class Share(Ask, frozen=True):
+    """A link to the scene, with the present pose or without; `origin` is the page's, for the QR code."""
+
+    pose: bool
+    origin: Annotated[str, Meta(pattern=r"^https?://[A-Za-z0-9.\[\]:-]{1,250}$")]
+
+
+class Offer(Ask, frozen=True):
+    """Have the page open one of its dialogs, if it has the control for it."""
+
+    what: Literal["gallery"]
+
+
+class Scenes(Ask, frozen=True):
+    """All scenes, and pictures of the user's own."""
+
+    dark: bool
+
+
+class OpenScene(Ask, frozen=True, tag="open"):
+    """Open a scene by its name."""
+
+    name: _SceneName
+
+
+class Change(Ask, frozen=True):
+    """Do something with one of the user's own scenes; `name` is that of a deleted one for "restore"."""
+
+    how: Literal["rename", "duplicate", "delete", "restore"]
+    name: _SceneName
+    to: Annotated[str, Meta(max_length=200)] = ""
+
+
+# ------------------------------------------------------------------------- of the body's parts
+Index = Annotated[int, Meta(ge=0, le=999_999)]
+Coordinate = Annotated[float, Meta(ge=-1e7, le=1e7)]
+"""In the page's world."""
+
+Degrees = Annotated[float, Meta(ge=-1e4, le=1e4)]
+Parts = Annotated[tuple[Index, ...], Meta(max_length=100)]
+
+
+class Gesture(Ask, frozen=True):
+    """Something that is to be done to the body's parts."""
+
+
+class Select(Gesture, frozen=True):
+    """Some parts are to be selected; with `toggle`, they change sides and the others stay as they are."""
+
+    masses: Parts = ()
+    springs: Parts = ()
+    joints: Parts = ()
+    toggle: bool = False
+
+
+class Marquee(Gesture, frozen=True):
+    """What lies whole in a rectangle is to be selected, or with `add` selected too."""
+
+    x: tuple[Coordinate, Coordinate]
+    y: tuple[Coordinate, Coordinate]
+    add: bool = False
+
+
+class Place(Gesture, frozen=True):
+    """A mass is to be put down."""
+
+    x: Coordinate
+    y: Coordinate
+
+
+class Line(Gesture, frozen=True):
+    """Two masses are to be joined by a spring; where one is not named, it is to be put down."""
+
+    a: Index | None = None
+    b: Index | None = None
+    start: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    end: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+
+
+class Hold(Gesture, frozen=True):
+    """An angular spring is to hold two springs at the angle that they have."""
+
+    a: Index
+    b: Index
+
+
+class Turn(Gesture, frozen=True):
+    """A joint is to rest at an angle, degrees, or at the one that it has."""
+
+    joint: Index
+    angle: Degrees | None = None
+
+
+class Stroke(Gesture, frozen=True):
+    """The springs that a stroke crosses are to be cut."""
+
+    points: Annotated[tuple[tuple[Coordinate, Coordinate], ...], Meta(min_length=2, max_length=64)]
+
+
+class Move(Gesture, frozen=True):
+    """What is selected, or one mass, is to be moved by (x, y), and may rest as it is then.
+
+    Moves by keys that follow each other are one step of undo.
+    """
+
+    x: Coordinate
+    y: Coordinate
+    rest: bool = False
+    mass: Index | None = None
+    keys: bool = False
+
+
+What = Literal[
+    "remove", "pin", "duplicate", "mirror", "corners", "triangulate", "rest", "all", "copy", "undo", "redo"
+]  # fmt: skip
+
+
+class Do(Gesture, frozen=True):
+    """Something that needs no place, to what is selected, or to one mass."""
+
+    what: What
+    mass: Index | None = None
+
+
+_decode = msgspec.json.Decoder(
+    Share | Offer | Scenes | OpenScene | Change
+    | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Do
+).decode  # fmt: skip
+
+
+def parse_ask(message: object) -> Ask | None:
+    """What a message of the script asks for; None if it is no such message, or makes no sense."""
+    match = _ASK.fullmatch(message) if isinstance(message, str) else None
+    if match is None:
+        return None
+    try:
+        return _decode(match[1])
+    except (msgspec.DecodeError, UnicodeError, RecursionError):
+        return None

@@ -1,0 +1,468 @@
+// @ts-check
+/**
+ * Building and changing the body by the pointer. The page finds what is under the pointer and draws what is under way,
+ * so that nothing lags; the server makes the edit.
+ */
+import { gridStep } from "./around.js";
+import { shown } from "./canvas.js";
+import { told } from "./channel.js";
+import { change, countSelected, editing } from "./editing.js";
+import { ask, onMail } from "./mail.js";
+import { moveSelected } from "./move.js";
+import { sight } from "./overlay.js";
+import * as pick from "./pick.js";
+import { massAt } from "./pointer.js";
+import { worldAt } from "./screen.js";
+import { viser } from "./viser.js";
+
+/**
+ * @typedef {import("./pick.js").Place} Place
+ * @typedef {import("./pick.js").Parts} Parts
+ */
+
+/** Pixels within which a press counts as a click. */
+const CLICK = 5;
+/** Pixels from a spring within which it is meant. */
+const REACH = { mouse: 9, pen: 12, touch: 18 };
+/** Milliseconds after which a finger that rests selects what is under it. */
+const LONG = 550;
+/** Milliseconds between two presses that are a double click. */
+const TWICE = 400;
+/** Pixels from a mass within which its corners are shown and hit, and the knob of a joint stands. */
+export const CORNER = 58;
+/** Pixels around a knob. */
+const KNOB = { mouse: 12, pen: 14, touch: 24 };
+/** Corners that a stroke is told with. */
+const MOST_POINTS = 48;
+
+/** The press that is under way: its pointer, where it began and what was there. */
+let press = {
+  id: -1, kind: "mouse", start: { x: 0, y: 0 }, moved: false, shift: false, toggled: false,
+  /** The event, to give it back to viser. @type {PointerEvent | null} */
+  event: null,
+};
+let longer = 0;
+/** The last click on a joint. */
+let last = { joint: -1, at: 0 };
+/** Whether a press is given back to viser. */
+let passing = false;
+/** Whether the mass that is built last goes on as a chain, once the server has said which it is. */
+let chaining = false;
+
+/** @param {Record<string, number>} reach @param {string} kind */
+const within = (reach, kind) => reach[kind] ?? reach.mouse;
+
+/**
+ * What is under a place: a mass before a joint before a spring.
+ *
+ * @param {Place} at @param {string} kind of pointer
+ * @returns {Parts}
+ */
+export function partAt(at, kind) {
+  const nothing = { masses: [], springs: [], joints: [] };
+  const seen = sight();
+  if (!seen) return nothing;
+  const mass = massAt(at, kind);
+  if (mass >= 0) return { ...nothing, masses: [mass] };
+  const joint = pick.jointAt(seen.plan, seen.places, at, seen.on.step);
+  if (joint >= 0) return { ...nothing, joints: [joint] };
+  const spring = pick.springAt(seen.plan, seen.places, at, within(REACH, kind), shown().damage.broken);
+  return spring >= 0 ? { ...nothing, springs: [spring] } : nothing;
+}
+
+/** @param {Parts} parts */
+const isNothing = ({ masses, springs, joints }) => masses.length + springs.length + joints.length === 0;
+/** @param {Parts} parts */
+const isSelected = (parts) =>
+  /** @type {const} */ (["masses", "springs", "joints"]).some((kind) => parts[kind].length > 0 && editing.selected[kind].includes(parts[kind][0]));
+
+/** The step of the grid that is seen, px of the scene. */
+export function step() {
+  const seen = sight();
+  const { plan, on } = seen ?? {};
+  if (!plan || !on) return 1;
+  return gridStep(Math.max(Number(told().width), Number(told().height)) / plan.scale, plan.scale * on.step);
+}
+
+/**
+ * The nearest crossing of the grid's lines.
+ *
+ * @param {Place} at @param {boolean} free off the grid
+ */
+export function snapped(at, free) {
+  const seen = sight();
+  if (!seen || free) return at;
+  const { plan, on } = seen;
+  const [scale, every] = [plan.scale * on.step, step()];
+  const x = pick.rounded((at.x - on.x) / scale + plan.x, every);
+  const y = pick.rounded(((on.y - at.y) / scale) * plan.flip + plan.y, every);
+  return { x: on.x + (x - plan.x) * scale, y: on.y - (y - plan.y) * scale * plan.flip };
+}
+
+/** A place in the page's world, as messages have it. @param {Place} at @returns {[number, number]} */
+function world(at) {
+  const seen = sight();
+  const point = seen ? worldAt(at, seen.on) : { x: 0, y: 0 };
+  return [Number(point.x.toFixed(6)), Number(point.y.toFixed(6))];
+}
+
+/** The direction of a place from a mass, degrees anticlockwise. @param {number} mass @param {Place} at */
+function directionTo(mass, at) {
+  const places = sight()?.places ?? new Float64Array(2 * mass + 2);
+  return (Math.atan2(places[2 * mass + 1] - at.y, at.x - places[2 * mass]) * 180) / Math.PI;
+}
+
+/** @param {number} mass @param {Place} at */
+function distanceTo(mass, at) {
+  const places = sight()?.places;
+  return places ? Math.hypot(places[2 * mass] - at.x, places[2 * mass + 1] - at.y) : Infinity;
+}
+
+/** The joint whose knob can be turned: the one that is selected alone. */
+export function turnable() {
+  const { masses, springs, joints } = editing.selected;
+  const alone = editing.tool === "joint" && joints.length === 1 && masses.length + springs.length === 0;
+  return alone && 4 * joints[0] < (shown().plan?.joints.length ?? 0) ? joints[0] : -1;
+}
+
+// ------------------------------------------------------------------------- presses
+/** @param {PointerEvent} event @returns {Place} */
+const placeOf = ({ clientX, clientY }) => ({ x: clientX, y: clientY });
+
+/** Nobody else is to act on it. @param {Event} event */
+function swallow(event) {
+  event.preventDefault();
+  event.stopImmediatePropagation();
+}
+
+/** @param {PointerEvent} event */
+function down(event) {
+  const { canvas } = viser() ?? {};
+  if (passing || !editing.on || event.target !== canvas || !canvas) return;
+  if (press.id >= 0) {
+    giveBack(canvas);
+    return;
+  }
+  const selects = editing.tool === "select" || event.shiftKey;
+  if (event.button !== 0 || !event.isPrimary || (editing.tool === "hand" && !selects)) return;
+  swallow(event);
+  const focused = document.activeElement;
+  if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
+  canvas.setPointerCapture(event.pointerId);
+  const start = placeOf(event);
+  press = { id: event.pointerId, kind: event.pointerType, start, moved: false, shift: event.shiftKey, toggled: false, event };
+  if (event.pointerType === "touch") longer = setTimeout(rest, LONG);
+  const knob = turnable();
+  if (knob >= 0 && isOnKnob(knob, start)) change({ drag: { kind: "turn", joint: knob, angle: restDirection(knob) }, hover: start });
+  else if (selects) takeParts(start);
+  else if (editing.tool === "build") beginLine(start, event.altKey);
+  else if (editing.tool === "cut") change({ drag: { kind: "stroke", points: [start] }, hover: start });
+  else change({ hover: start });
+}
+
+/** A second finger is for the view: viser gets the first one, too. @param {HTMLCanvasElement} canvas */
+function giveBack(canvas) {
+  const { event, id } = press;
+  drop();
+  if (!event || press.kind !== "touch") return;
+  if (canvas.hasPointerCapture(id)) canvas.releasePointerCapture(id);
+  const { pointerId, pointerType, clientX, clientY, pageX, pageY, button, buttons } = event;
+  const init = { pointerId, pointerType, clientX, clientY, pageX, pageY, button, buttons, bubbles: true, cancelable: true };
+  passing = true;
+  canvas.dispatchEvent(new PointerEvent("pointerdown", { ...init, isPrimary: false }));
+  passing = false;
+}
+
+/** A finger rests: what is under it is selected, and nothing else happens. */
+function rest() {
+  const parts = partAt(press.start, press.kind);
+  drop();
+  if (isNothing(parts)) return;
+  navigator.vibrate?.(15);
+  ask({ do: "select", ...parts });
+}
+
+function drop() {
+  clearTimeout(longer);
+  press.id = -1;
+  change({ drag: null });
+}
+
+/** @param {PointerEvent} event */
+function move(event) {
+  if (!editing.on || passing) return;
+  const at = placeOf(event);
+  if (press.id < 0) {
+    const over = event.target === viser()?.canvas && event.pointerType !== "touch" && event.buttons === 0;
+    if (over || editing.hover) hover(over ? at : null, event.pointerType);
+    return;
+  }
+  if (event.pointerId !== press.id) return;
+  event.stopImmediatePropagation();
+  if (!press.moved && Math.hypot(at.x - press.start.x, at.y - press.start.y) <= CLICK) return;
+  clearTimeout(longer);
+  press.moved = true;
+  change({ hover: at, drag: led(at, event) });
+}
+
+/** What the pointer does, once it is somewhere else. @param {Place} at @param {PointerEvent} event */
+function led(at, { altKey, shiftKey }) {
+  const { drag } = editing;
+  switch (drag?.kind) {
+    case "line": {
+      const to = massAt(at, press.kind);
+      return { ...drag, to: to === drag.from ? -1 : to, at: snapped(at, altKey) };
+    }
+    case "marquee":
+      return { ...drag, at };
+    case "move": {
+      const end = snapped({ x: drag.start.x + at.x - press.start.x, y: drag.start.y + at.y - press.start.y }, altKey);
+      return { ...drag, dx: end.x - drag.start.x, dy: end.y - drag.start.y, moved: true };
+    }
+    case "stroke":
+      return { ...drag, points: pick.thinned([...drag.points, at], 4 * MOST_POINTS) };
+    case "turn": {
+      const tip = shown().plan?.joints[4 * drag.joint + 2] ?? 0;
+      const angle = restFrom(drag.joint, directionTo(tip, at));
+      return { ...drag, angle: directionOfRest(drag.joint, shiftKey ? pick.rounded(angle, 15) : angle) };
+    }
+    default:
+      return null;
+  }
+}
+
+/** @param {PointerEvent} event */
+function up(event) {
+  if (press.id < 0 || event.pointerId !== press.id) return;
+  event.stopImmediatePropagation();
+  const { drag } = editing;
+  const at = placeOf(event);
+  const { moved } = press;
+  drop();
+  if (event.type === "pointercancel") return;
+  switch (drag?.kind) {
+    case "line":
+      return endLine(drag, moved);
+    case "marquee": {
+      if (moved) {
+        const [one, two] = [world(drag.start), world(at)];
+        ask({ do: "marquee", x: [one[0], two[0]], y: [one[1], two[1]], add: drag.add });
+      } else if (!press.shift && countSelected()) ask({ do: "select" });
+      return;
+    }
+    case "move": {
+      const step = sight()?.on.step ?? 1;
+      if (drag.moved && (drag.dx || drag.dy)) moveSelected(drag.dx / step, -drag.dy / step);
+      else if (press.shift && !press.toggled) ask({ do: "select", ...partAt(press.start, press.kind), toggle: true });
+      return;
+    }
+    case "stroke": {
+      if (moved) ask({ do: "stroke", points: pick.thinned(drag.points, MOST_POINTS).map(world) });
+      return;
+    }
+    case "turn": {
+      if (moved) ask({ do: "turn", joint: drag.joint, angle: restFrom(drag.joint, drag.angle) });
+      else if (isTwice(drag.joint)) ask({ do: "turn", joint: drag.joint });
+      return;
+    }
+    default:
+      if (editing.tool === "joint" && !moved) clickCorner(at);
+  }
+}
+
+/** @param {Place | null} at @param {string} kind */
+function hover(at, kind) {
+  if (!at) {
+    change({ hover: null });
+    return;
+  }
+  if (editing.tool === "joint") {
+    const mass = massAt(at, kind);
+    const kept = editing.corner >= 0 && distanceTo(editing.corner, at) <= CORNER + 14 ? editing.corner : -1;
+    change({ hover: at, corner: mass >= 0 ? mass : kept });
+  } else change({ hover: at });
+}
+
+// ------------------------------------------------------------------------- select
+/** A press of the select tool. @param {Place} at */
+function takeParts(at) {
+  const parts = partAt(at, press.kind);
+  if (isNothing(parts)) {
+    change({ drag: { kind: "marquee", start: at, at, add: press.shift }, hover: at });
+    return;
+  }
+  if (!isSelected(parts)) {
+    press.toggled = true;
+    ask({ do: "select", ...parts, toggle: press.shift });
+    // So that it can be moved at once: the server says the same.
+    change({ selected: press.shift ? joined(editing.selected, parts) : parts });
+  }
+  const { places } = sight() ?? {};
+  const [mass] = parts.masses;
+  const start = places && mass !== undefined ? { x: places[2 * mass], y: places[2 * mass + 1] } : at;
+  change({ drag: { kind: "move", start, dx: 0, dy: 0, moved: false }, hover: at });
+}
+
+/** @param {Parts} one @param {Parts} two @returns {Parts} */
+const joined = (one, two) => ({
+  masses: [...one.masses, ...two.masses],
+  springs: [...one.springs, ...two.springs],
+  joints: [...one.joints, ...two.joints],
+});
+
+// ------------------------------------------------------------------------- build
+/** @param {Place} at @param {boolean} free */
+function beginLine(at, free) {
+  const mass = massAt(at, press.kind);
+  const start = mass >= 0 ? at : snapped(at, free);
+  change({ drag: { kind: "line", from: mass, start, at: start, to: -1 }, hover: at });
+}
+
+/** @param {import("./editing.js").Line} line @param {boolean} moved */
+function endLine({ from, start, at, to }, moved) {
+  const { chain } = editing;
+  if (moved) {
+    if (from < 0 && to < 0 && Math.hypot(at.x - start.x, at.y - start.y) < 1) return;
+    line(from, start, to, at);
+  } else if (chain >= 0 && from === chain) change({ chain: -1 });
+  else if (chain >= 0) line(chain, start, from, start);
+  else if (from >= 0) change({ chain: from });
+  else {
+    const [x, y] = world(start);
+    ask({ do: "place", x, y });
+  }
+}
+
+/**
+ * A spring between two masses, each named or to be put down; the next one leads on from its end.
+ *
+ * @param {number} a @param {Place} start @param {number} b @param {Place} end
+ */
+export function line(a, start, b, end) {
+  chaining = true;
+  ask({
+    do: "line",
+    ...(a >= 0 ? { a } : { start: world(start) }),
+    ...(b >= 0 ? { b } : { end: world(end) }),
+  });
+}
+
+// ------------------------------------------------------------------------- joints
+/** From what a joint's rest angle is counted, degrees anticlockwise on the screen, and which way it turns. @param {number} joint */
+function zeroOf(joint) {
+  const { plan, frame } = shown();
+  if (!plan || !frame) return { zero: 0, flip: 1 };
+  const { springs, joints, flip } = plan;
+  const [spring, sense] = [joints[4 * joint], joints[4 * joint + 3]];
+  const [a, b] = [2 * springs[2 * spring], 2 * springs[2 * spring + 1]];
+  const { positions } = frame;
+  const [dx, dy] = [positions[b] - positions[a], (positions[b + 1] - positions[a + 1]) * flip];
+  return { zero: (Math.atan2(dy * sense, dx * sense) * 180) / Math.PI, flip };
+}
+
+/** The rest angle, degrees, that has the second spring in a direction. @param {number} joint @param {number} direction */
+function restFrom(joint, direction) {
+  const { zero, flip } = zeroOf(joint);
+  const angle = (((direction - zero) % 360) + 540) % 360 - 180;
+  return Number((angle * flip).toFixed(4));
+}
+
+/** The direction, degrees, in which the second spring rests at a rest angle. @param {number} joint @param {number} angle */
+function directionOfRest(joint, angle) {
+  const { zero, flip } = zeroOf(joint);
+  return zero + angle * flip;
+}
+
+/** The rest angle that a joint has now, degrees. @param {number} joint */
+export function restAngle(joint) {
+  const { plan, frame, damage } = shown();
+  return (plan?.restAngle[joint] ?? 0) + (frame?.angleShift ?? 0) + (damage.setAngle[joint] ?? 0);
+}
+
+/** In which direction a joint's second spring rests, degrees. @param {number} joint */
+export const restDirection = (joint) => directionOfRest(joint, restAngle(joint));
+
+/** What a direction means as a rest angle of a joint, degrees. @param {number} joint @param {number} direction */
+export const restAt = restFrom;
+
+/** @param {number} joint @param {Place} at */
+function isOnKnob(joint, at) {
+  const { plan } = shown();
+  const { places } = sight() ?? {};
+  if (!plan || !places) return false;
+  const tip = plan.joints[4 * joint + 2];
+  const t = (restDirection(joint) * Math.PI) / 180;
+  const knob = { x: places[2 * tip] + CORNER * Math.cos(t), y: places[2 * tip + 1] - CORNER * Math.sin(t) };
+  return Math.hypot(knob.x - at.x, knob.y - at.y) <= within(KNOB, press.kind);
+}
+
+/** Whether a click on a joint is the second of two. @param {number} joint */
+function isTwice(joint) {
+  const now = performance.now();
+  const twice = joint === last.joint && now - last.at < TWICE;
+  last = { joint, at: now };
+  return twice;
+}
+
+/** A click of the joint tool. @param {Place} at */
+function clickCorner(at) {
+  const seen = sight();
+  if (!seen) return;
+  const { broken } = shown().damage;
+  const mass = massAt(at, press.kind);
+  if (mass >= 0) {
+    change({ corner: mass, arm: -1 });
+    return;
+  }
+  const { corner } = editing;
+  if (corner >= 0 && distanceTo(corner, at) <= CORNER) {
+    const direction = directionTo(corner, at);
+    const corners = pick.cornersOf(seen.plan, seen.places, corner, broken);
+    const hit = corners.find(({ from, turn }) => pick.turnTo(from, direction) <= turn);
+    if (hit) {
+      if (hit.joint < 0) ask({ do: "hold", a: hit.a, b: hit.b });
+      else chooseJoint(hit.joint);
+      return;
+    }
+  }
+  const joint = pick.jointAt(seen.plan, seen.places, at, seen.on.step);
+  if (joint >= 0) {
+    chooseJoint(joint);
+    return;
+  }
+  // Any two springs that share a mass, one after the other.
+  const spring = pick.springAt(seen.plan, seen.places, at, within(REACH, press.kind), broken);
+  if (spring >= 0 && editing.arm >= 0 && spring !== editing.arm) {
+    ask({ do: "hold", a: editing.arm, b: spring });
+    change({ arm: -1 });
+  } else change({ arm: spring, corner: -1 });
+}
+
+/** @param {number} joint */
+function chooseJoint(joint) {
+  if (isTwice(joint)) ask({ do: "turn", joint });
+  else ask({ do: "select", joints: [joint] });
+}
+
+// ------------------------------------------------------------------------- what the server tells
+/** Begins to listen; before the pointer that takes hold of masses, and before the keys. */
+export function listenToEdits() {
+  window.addEventListener("pointerdown", down, true);
+  window.addEventListener("pointermove", move, true);
+  for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) window.addEventListener(kind, up, true);
+  window.addEventListener("contextmenu", (event) => {
+    if (!editing.on || event.target !== viser()?.canvas) return;
+    const parts = partAt({ x: event.clientX, y: event.clientY }, "mouse");
+    if (isNothing(parts)) return;
+    swallow(event);
+    ask({ do: "select", ...parts });
+  }, true);
+  onMail("selected", ({ masses, springs, joints }) => {
+    const changes = { selected: { masses, springs, joints } };
+    const chain = chaining && masses.length === 1 && editing.tool === "build" ? masses[0] : -1;
+    if (chaining) Object.assign(changes, { chain });
+    chaining = false;
+    change(changes);
+  });
+  onMail("versions", ({ undo, redo }) => change({ undo, redo }));
+}

@@ -1,0 +1,146 @@
+// @ts-check
+/**
+ * Editing by keys: the tools' letters, undo and redo everywhere, and on the body itself, which the Tab key reaches, all
+ * that the pointer can do.
+ */
+import { shown } from "./canvas.js";
+import { pasteHere, toClipboard } from "./clipboard.js";
+import { line, step } from "./edit.js";
+import { change, countSelected, editing, isEditable, setEditing, setTool } from "./editing.js";
+import { isFree } from "./keys.js";
+import { ask } from "./mail.js";
+import { moveSelected } from "./move.js";
+import { chosenMass, sight } from "./overlay.js";
+import { massAt } from "./pointer.js";
+
+/** @type {Record<string, import("./editing.js").Tool>} */
+const TOOLS = { KeyH: "hand", KeyB: "build", KeyK: "joint", KeyS: "select", KeyC: "cut" };
+/** @type {Record<string, [number, number]>} */
+const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
+/** By how much less an arrow moves with Shift. */
+const FINE = 0.1;
+
+/** @param {Event} event */
+function swallow(event) {
+  event.preventDefault();
+  event.stopImmediatePropagation();
+}
+
+/** Whether keys go to the page, even with Ctrl: nobody types, no dialog is open. @param {KeyboardEvent} event */
+const isFreeWithCtrl = ({ target }) => isFree(/** @type {any} */ ({ target }));
+
+/** The mass that the keys have chosen, if they are on the body. @param {KeyboardEvent} event */
+const massOf = ({ target }) => (target instanceof Element && target.matches(".softrod-body") ? chosenMass() : -1);
+
+/** What an action is done to: the mass of the keys, what is selected, or the mass under the pointer. @param {number} mass */
+function aim(mass) {
+  if (mass >= 0 && !countSelected()) return { mass };
+  if (countSelected() || !editing.hover) return {};
+  const under = massAt(editing.hover, "mouse");
+  return under >= 0 ? { mass: under } : {};
+}
+
+/** @param {KeyboardEvent} event @returns {boolean} whether that was one */
+function withCtrl(event) {
+  const { code, shiftKey } = event;
+  if (!isFreeWithCtrl(event)) return false;
+  if (code === "KeyZ") ask({ do: "do", what: shiftKey ? "redo" : "undo" });
+  else if (code === "KeyY") ask({ do: "do", what: "redo" });
+  else if (!editing.on) return false;
+  else if (code === "KeyD") ask({ do: "do", what: "duplicate" });
+  else if (code === "KeyA") ask({ do: "do", what: "all" });
+  else if (code === "KeyC" && countSelected()) toClipboard();
+  else return false;
+  return true;
+}
+
+/** Moves what is selected, or the mass of the keys, by a step of the grid. @param {KeyboardEvent} event @param {number} mass */
+function nudge({ key, shiftKey }, mass) {
+  const { plan } = shown();
+  const by = step() * (plan?.scale ?? 1) * (shiftKey ? FINE : 1);
+  const [x, y] = MOVES[key];
+  const to = countSelected() || mass < 0 ? {} : { mass };
+  if (countSelected() || mass >= 0) moveSelected(x * by, y * by, { ...to, keys: true });
+}
+
+/** Enter on a mass. @param {number} mass */
+function enter(mass) {
+  const { tool, chain } = editing;
+  const none = { x: 0, y: 0 };
+  if (tool === "select") ask({ do: "select", masses: [mass], toggle: true });
+  else if (tool === "joint") ask({ do: "do", what: "corners", mass });
+  else if (tool === "build" && chain === mass) change({ chain: -1 });
+  else if (tool === "build" && chain >= 0) line(chain, none, mass, none);
+  else if (tool === "build") change({ chain: mass });
+  else return false;
+  return true;
+}
+
+/** A spring to a new mass, away from the body. @param {number} mass */
+function grow(mass) {
+  const seen = sight();
+  if (!seen) return;
+  const { plan, places, on } = seen;
+  const far = Math.max(5 * step() * plan.scale * on.step, 30);
+  // Away from those that it is joined to already, or upwards.
+  let [dx, dy] = [0, 0];
+  for (let s = 0; 2 * s < plan.springs.length; s++) {
+    const [a, b] = [plan.springs[2 * s], plan.springs[2 * s + 1]];
+    if (a !== mass && b !== mass) continue;
+    const other = a === mass ? b : a;
+    dx += places[2 * mass] - places[2 * other];
+    dy += places[2 * mass + 1] - places[2 * other + 1];
+  }
+  const size = Math.hypot(dx, dy);
+  const [x, y] = size > 1 ? [dx / size, dy / size] : [0, -1];
+  line(mass, { x: 0, y: 0 }, -1, { x: places[2 * mass] + far * x, y: places[2 * mass + 1] + far * y });
+}
+
+/** @param {KeyboardEvent} event */
+function press(event) {
+  if (!isEditable()) return;
+  const { code, key, ctrlKey, metaKey, altKey, shiftKey } = event;
+  if ((ctrlKey || metaKey) && !altKey) {
+    if (withCtrl(event)) swallow(event);
+    return;
+  }
+  const mass = massOf(event);
+  if (altKey) {
+    if (!editing.on || !MOVES[key] || !isFreeWithCtrl(event)) return;
+    nudge(event, mass);
+    swallow(event);
+    return;
+  }
+  if (!isFree(event)) return;
+  if (code === "KeyE" && !shiftKey) {
+    if (!event.repeat) setEditing(!editing.on);
+  } else if (!editing.on) return;
+  else if (TOOLS[code]) setTool(TOOLS[code]);
+  else if (key === "Delete" || key === "Backspace") ask({ do: "do", what: "remove", ...aim(mass) });
+  else if (code === "KeyP") ask({ do: "do", what: "pin", ...aim(mass) });
+  else if (key === "Escape") {
+    if (!leave()) return;
+  } else if (mass >= 0 && key === "Enter") {
+    if (!enter(mass)) return;
+  } else if (mass >= 0 && key === "+") grow(mass);
+  else return;
+  swallow(event);
+}
+
+/** Leaves what is under way: the chain, then the selection. @returns {boolean} whether there was something */
+function leave() {
+  if (editing.chain >= 0 || editing.drag || editing.arm >= 0) change({ chain: -1, drag: null, arm: -1 });
+  else if (countSelected()) ask({ do: "select" });
+  else return false;
+  return true;
+}
+
+/** Begins to listen; before the keys of the body are listened to. */
+export function listenToEditKeys() {
+  window.addEventListener("keydown", press, true);
+  window.addEventListener("paste", (event) => {
+    if (!editing.on || !isEditable() || !isFreeWithCtrl(/** @type {any} */ (event))) return;
+    event.preventDefault();
+    pasteHere(event.clipboardData?.getData("text/plain") ?? "");
+  });
+}

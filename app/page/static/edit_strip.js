@@ -1,0 +1,155 @@
+// @ts-check
+/** The tools at the left of the canvas, undo and redo, and what can be done to what is selected. */
+import { onPicture } from "./canvas.js";
+import { onTold } from "./channel.js";
+import { toClipboard, pasteHere } from "./clipboard.js";
+import { make, makeButton } from "./dialog.js";
+import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
+import { lessonRoom } from "./lesson.js";
+import { ask } from "./mail.js";
+import { setTakesNew, takesNew } from "./move.js";
+import { viser } from "./viser.js";
+
+/** Outlines of 24 by 24, as strokes. @type {Record<string, string>} */
+const ICONS = {
+  edit: "M4 20l1-4L16 5l3 3L8 19zM14 7l3 3",
+  hand: "M8 12V5.5a1.5 1.5 0 0 1 3 0V11m0-1V4.5a1.5 1.5 0 0 1 3 0V11m0-5a1.5 1.5 0 0 1 3 0v7c0 4-2 7-6 7-3 0-4-1-5.500-4l-2-3.500a1.500 1.500 0 0 1 2.500-1.500L8 14",
+  build: "M6 18a2.500 2.500 0 1 0 0-.01zM18 8a2.500 2.500 0 1 0 0-.01zM8 16l8-7M18 15v6M15 18h6",
+  joint: "M5 19L19 6M5 19h15M11 13.500a8 8 0 0 1 2.500 5.500",
+  select: "M5 4l14 7-6 2-2 6z",
+  cut: "M6 8a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM6 20a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM7.700 7.200L19 18M7.700 16.800L19 6",
+  undo: "M9 7L4 12l5 5M4 12h10a5 5 0 0 1 0 10h-2",
+  redo: "M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2",
+};
+
+/** @type {[import("./editing.js").Tool, string, string, string][]} */
+const TOOLS = [
+  ["hand", "Hand", "H", "Take hold of masses and drag them"],
+  ["build", "Build", "B", "Click for a mass, drag from mass to mass for a spring"],
+  ["joint", "Joint", "K", "Point at a mass and click a corner for an angular spring"],
+  ["select", "Select", "S", "Click parts, or drag a frame around them"],
+  ["cut", "Cut", "C", "Draw a line through springs"],
+];
+
+/** What can be done: its name, its key, and what it asks for. @type {[string, string, string, string][]} */
+const ACTIONS = [
+  ["Pin", "P", "pin", "Hold the masses where they are, or let them go"],
+  ["Delete", "Delete", "remove", "Take away what is selected"],
+  ["Duplicate", "Ctrl D", "duplicate", "A copy beside it"],
+  ["Mirror", "", "mirror", "Left becomes right"],
+];
+/** Also without a selection: then for the whole body. @type {typeof ACTIONS} */
+const ALWAYS = [
+  ["Corners", "", "corners", "Angular springs at every corner, at rest as they are"],
+  ["Triangulate", "", "triangulate", "Springs until all is triangles"],
+  ["Rest as is", "", "rest", "Springs and joints rest as they are now"],
+];
+
+/** Pixels that the box of instruments takes. */
+const BOX = 50;
+
+/** @param {string} name */
+const icon = (name) => `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`;
+
+/** @param {string} name @param {string} label @param {string} title @param {() => void} press */
+function iconButton(name, label, title, press) {
+  const button = makeButton("", press, "");
+  button.innerHTML = `${icon(name)}<span>${label}</span>`;
+  button.title = title;
+  return button;
+}
+
+/** Puts up the tools. */
+export function addEditStrip() {
+  const strip = make("div", "softrod-edit");
+  strip.setAttribute("role", "toolbar");
+  strip.ariaLabel = "Editing";
+  const lid = iconButton("edit", "Edit", "Build and change the body (E)", () => setEditing(!editing.on));
+  const tools = make("div", "softrod-edit-tools");
+  const undo = iconButton("undo", "Undo", "", () => ask({ do: "do", what: "undo" }));
+  const redo = iconButton("redo", "Redo", "", () => ask({ do: "do", what: "redo" }));
+  const buttons = TOOLS.map(([tool, label, key, title]) => {
+    const button = iconButton(tool, label, `${title} (${key})`, () => setTool(tool));
+    tools.append(button);
+    return /** @type {const} */ ([tool, button]);
+  });
+  strip.append(lid, tools, undo, redo);
+
+  const bar = make("div", "softrod-edit-bar");
+  bar.setAttribute("role", "toolbar");
+  bar.ariaLabel = "What is selected";
+  const count = make("span", "softrod-edit-count");
+  /** @param {[string, string, string, string]} action */
+  const actionButton = ([label, key, what, title]) => {
+    const button = makeButton(label, () => ask({ do: "do", what }), "");
+    button.title = key ? `${title} (${key})` : title;
+    return button;
+  };
+  const onSelected = [...ACTIONS.map(actionButton), makeButton("Copy", toClipboard, "")];
+  const paste = makeButton("Paste", pasteHere, "");
+  const rests = makeButton("Moved rest", () => setTakesNew(!takesNew()), "");
+  rests.title = "Springs and joints of what is moved take their new lengths and angles as rest, or keep the old ones";
+  const done = makeButton("Done", () => setEditing(false), "softrod-edit-done");
+  bar.append(count, ...onSelected, paste, ...ALWAYS.map(actionButton), rests, done);
+  const live = make("div", "softrod-tell");
+  live.setAttribute("role", "status");
+  document.body.append(strip, bar, live);
+
+  /** @param {Element} element @param {boolean} on */
+  const showIf = (element, on) => element.toggleAttribute("hidden", !on);
+  let before = { undo: "", count: 0 };
+  const show = () => {
+    const able = isEditable();
+    const { on, tool, selected, undo: undoable, redo: redoable } = editing;
+    document.documentElement.toggleAttribute("data-softrod-edit", able && on && tool !== "hand");
+    document.documentElement.dataset.softrodTool = able && on ? tool : "";
+    strip.hidden = !able;
+    bar.hidden = !(able && on);
+    lid.ariaPressed = String(on);
+    showIf(tools, on);
+    for (const [one, button] of buttons) button.ariaPressed = String(tool === one);
+    showIf(undo, on || undoable !== "" || redoable !== "");
+    showIf(redo, on || redoable !== "");
+    undo.disabled = !undoable;
+    redo.disabled = !redoable;
+    undo.title = undoable ? `Undo: ${undoable} (Ctrl Z)` : "Nothing to undo";
+    redo.title = redoable ? `Redo: ${redoable} (Ctrl Y)` : "Nothing to redo";
+    const some = countSelected();
+    count.textContent = some ? inWords(selected) : "";
+    for (const button of onSelected) showIf(button, some > 0);
+    rests.ariaPressed = String(takesNew());
+    if (on && some !== before.count) live.textContent = some ? `${inWords(selected)} selected` : "Nothing selected";
+    else if (undoable !== before.undo && undoable) live.textContent = undoable;
+    before = { undo: undoable, count: some };
+    place();
+  };
+  const place = () => {
+    const canvas = viser()?.canvas?.getBoundingClientRect();
+    if (!canvas || strip.hidden) return;
+    const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
+    const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
+    const left = canvas.left + 14 + lessonRoom().left;
+    strip.style.left = `${left}px`;
+    strip.style.top = `${Math.max(canvas.top, hud?.bottom ?? 0) + 10}px`;
+    // Over the bar of time, beside the box of instruments.
+    bar.style.left = `${left + BOX}px`;
+    bar.style.maxWidth = `${canvas.right - left - BOX - 14}px`;
+    const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity) - lessonRoom().bottom;
+    bar.style.bottom = `${window.innerHeight - bottom + 8}px`;
+  };
+  onEditing(show);
+  onTold(() => {
+    if (editing.on && !isEditable()) change({ on: false });
+    show();
+  });
+  onPicture(place);
+  window.addEventListener("resize", place);
+  show();
+}
+
+/** @param {number} count @param {string} one @param {string} several */
+const number = (count, one, several) => (count ? [`${count} ${count === 1 ? one : several}`] : []);
+
+/** What is selected, in words. @param {import("./pick.js").Parts} parts */
+export const inWords = ({ masses, springs, joints }) =>
+  [...number(masses.length, "mass", "masses"), ...number(springs.length, "spring", "springs"), ...number(joints.length, "joint", "joints")].join(", ");
