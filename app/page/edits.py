@@ -176,6 +176,8 @@ def edited(ask: asks.Gesture, moment: Moment, selection: Selection) -> Edit:
             masses = masses_of(scene, selection) if mass is None else {mass}
             return _moved(moment, masses, (point[0] - origin[0], point[1] - origin[1]), rest)
         case asks.Do(what, mass):
+            if mass is not None:
+                build.refuse_missing([mass], len(scene.masses))
             return _done(what, moment, selection if mass is None else _one(mass))
         case _:
             return Edit("", scene)

@@ -63,9 +63,7 @@ def add_springs(scene: Scene, pairs: Sequence[tuple[int, int]], positions: Seque
     taken = {(spring.a, spring.b) for spring in scene.linear_springs}
     typical, springs = typical_spring(scene), []
     for a, b in pairs:
-        for mass in (a, b):
-            if not 0 <= mass < len(scene.masses):
-                raise SceneError(f"mass {mass} does not exist (0..{len(scene.masses) - 1})")
+        refuse_missing((a, b), len(scene.masses))
         if a == b or (a, b) in taken or (b, a) in taken:
             continue
         taken.add((a, b))
@@ -137,8 +135,7 @@ def extend(scene: Scene, mass: int, to: Vector, positions: Sequence[Vector]) -> 
     """
     scene, (x, y) = of_parts(scene), place(to)
     n = len(scene.masses)
-    if not 0 <= mass < n:
-        raise SceneError(f"mass {mass} does not exist (0..{n - 1})")
+    refuse_missing([mass], n)
     # The new mass starts from the other as it is seen from it now.
     here = positions[mass]
     start = scene.masses[mass].position if scene.pose is None else scene.pose.positions[mass]
@@ -188,8 +185,13 @@ def remove(scene: Scene, gone: Selection) -> Edit:
 
 
 def pin(scene: Scene, masses: Collection[int], on: bool) -> Edit:
-    """Hold some masses where they are, or let them go."""
+    """Hold some masses where they are, or let them go.
+
+    Raises:
+        SceneError: one of them does not exist.
+    """
     scene = of_parts(scene)
+    refuse_missing(masses, len(scene.masses))
     held = {anchor.mass for anchor in scene.anchors}
     if on:
         anchors = (*scene.anchors, *(Anchor(mass=i) for i in sorted(set(masses) - held)))
@@ -200,6 +202,17 @@ def pin(scene: Scene, masses: Collection[int], on: bool) -> Edit:
 
 
 # ------------------------------------------------------------------------- numbers
+def refuse_missing(masses: Collection[int], n: int) -> None:
+    """Refuse masses that a scene of n does not have.
+
+    Raises:
+        SceneError: one of them does not exist.
+    """
+    for mass in masses:
+        if not 0 <= mass < n:
+            raise SceneError(f"mass {mass} does not exist (0..{n - 1})")
+
+
 def place(at: Vector) -> Vector:
     """A place as a scene can have it.
 

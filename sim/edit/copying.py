@@ -12,7 +12,7 @@ from ..scene.parts import Anchor, AngularSpring, LinearSpring, Mass
 from ..scene.sentences import in_words
 from ..scene.types import Scene
 from ..scene.validate import validate
-from .build import place
+from .build import place, refuse_missing
 from .edit import Edit, added, counted, of_parts, with_added
 
 MAX_FRAGMENT_BYTES = 2_000_000
@@ -38,9 +38,10 @@ def copy(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> 
     """Some masses as they are now, at rest, with the springs and joints among them.
 
     Raises:
-        SceneError: there are none.
+        SceneError: there are none, or one does not exist.
     """
     chosen = sorted(masses)
+    refuse_missing(chosen, len(scene.masses))
     if not chosen:
         raise SceneError("nothing is selected that could be copied")
     scene = of_parts(scene)

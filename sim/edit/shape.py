@@ -14,7 +14,7 @@ from ..scene.numbers import Vector
 from ..scene.recipes.assembly import wrapped
 from ..scene.types import Scene
 from ..scene.validate import SHORTEST
-from .build import add_joints, add_springs, angle_between, in_turn, place, remove
+from .build import add_joints, add_springs, angle_between, in_turn, place, refuse_missing, remove
 from .edit import Edit, Selection, changed, counted, of_parts
 
 
@@ -53,7 +53,7 @@ def mirror(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -
 
 def _displaced(scene: Scene, by: dict[int, Vector], label: str) -> Edit:
     scene = of_parts(scene)
-    _refuse_missing(by, len(scene.masses))
+    refuse_missing(by, len(scene.masses))
     new = []
     for i, (dx, dy) in by.items():
         x, y = scene.masses[i].position
@@ -70,12 +70,6 @@ def _displaced(scene: Scene, by: dict[int, Vector], label: str) -> Edit:
     for i, d in by.items():
         shift[:, i] = d
     return Edit(label, moved, shift=shift)
-
-
-def _refuse_missing(masses: Collection[int], n: int) -> None:
-    for i in masses:
-        if not 0 <= i < n:
-            raise SceneError(f"mass {i} does not exist (0..{n - 1})")
 
 
 def _refuse_coincidence(scene: Scene, moved: set[int]) -> None:

@@ -1,0 +1,336 @@
+"""What gestures of a page do to the body: edits, the selection, and what the page is told of them."""
+
+from __future__ import annotations
+
+import base64
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from app.drawing.sketch import Mapping
+from app.page.asks import Do, Gesture, Hold, Line, Marquee, Move, Place, Select, Stroke, Turn, parse_ask
+from app.page.edits import Edits
+from app.session import commands
+from app.session.notices import Notice
+from sim.edit import build
+from sim.edit.edit import Selection
+from tests.app.pages import SessionPage
+
+
+class Letters:
+    """Takes letters instead of a page."""
+
+    def __init__(self) -> None:
+        self.sent: list[tuple[str, dict[str, Any]]] = []
+
+    def send(self, kind: str, **content: Any) -> None:
+        self.sent.append((kind, content))
+
+    def last(self, kind: str) -> dict[str, Any]:
+        return [content for sent, content in self.sent if sent == kind][-1]
+
+
+class Page(SessionPage):
+    """A session whose body is edited; it stands unless it is told to run."""
+
+    def __init__(self, scene: sim.Scene) -> None:
+        super().__init__(scene)
+        self.notices: list[Notice] = []
+        self.letters = Letters()
+        self.edits = Edits(self.session, self.letters, self.notices.append)  # type: ignore[arg-type]
+        self.frames(2, commands.Play(False))
+
+    def do(self, *gestures: Gesture) -> sim.Scene:
+        """Do them one after the other; the scene as it is then."""
+        for gesture in gestures:
+            self.edits.do(gesture)
+            self.frames(1)
+        self.edits.tell()
+        return self.session.simulation.capture().scene
+
+    def world(self, x: float, y: float) -> tuple[float, float]:
+        """A point of the scene in the page's world."""
+        mapping = Mapping.of(self.session.scene)
+        wx, wy, _ = mapping.to_world(np.array([[x, y]]))[0]
+        return float(wx), float(wy)
+
+    def of_mass(self, mass: int, dx: float = 0.0, dy: float = 0.0) -> tuple[float, float]:
+        x, y = self.session.simulation.positions[mass]
+        return self.world(x + dx, y + dy)
+
+
+def square(pinned: bool = False) -> sim.Scene:
+    """Four masses around a hundred px, joined, in a frame in which y grows downwards."""
+    corners = ((0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0))
+    return sim.Scene(
+        name="square",
+        masses=tuple(sim.Mass(position=at) for at in corners),
+        linear_springs=tuple(
+            sim.LinearSpring(a=i, b=(i + 1) % 4, stiffness=1000.0, damping=3.0, rest_length=100.0)
+            for i in range(4)
+        ),
+        anchors=(sim.Anchor(mass=0),) if pinned else (),
+        gravity=(0.0, 0.0),
+        arrow_keys=sim.ArrowKeys(),
+    )
+
+
+@pytest.fixture
+def page() -> Page:
+    return Page(square())
+
+
+def test_a_click_puts_down_a_mass_where_it_was_made(page: Page) -> None:
+    x, y = page.world(40.0, 30.0)
+    scene = page.do(Place(x, y))
+    assert scene.masses[4].position == pytest.approx((40.0, 30.0))
+    assert page.letters.last("selected") == {"masses": [4], "springs": [], "joints": []}
+    assert page.letters.last("versions") == {"undo": "mass added", "redo": ""}
+
+
+def test_lines_join_masses_and_put_down_what_is_missing(page: Page) -> None:
+    scene = page.do(Line(a=0, b=2))
+    assert (scene.linear_springs[4].a, scene.linear_springs[4].b) == (0, 2)
+    assert scene.linear_springs[4].rest_length == pytest.approx(math.hypot(100.0, 100.0))
+    assert page.session.selection.masses == {2}
+    assert page.do(Line(a=2, b=0)) is scene  # there is one already
+    scene = page.do(Line(a=2, end=page.world(160.0, 100.0)))
+    assert (scene.linear_springs[5].a, scene.linear_springs[5].b) == (2, 4)
+    scene = page.do(Line(b=3, start=page.world(-50.0, 100.0)))
+    assert {scene.linear_springs[6].a, scene.linear_springs[6].b} == {3, 5}
+    scene = page.do(Line(start=page.world(300.0, 0.0), end=page.world(350.0, 0.0)))
+    assert (scene.linear_springs[7].a, scene.linear_springs[7].b) == (6, 7)
+    assert scene.linear_springs[7].rest_length == pytest.approx(50.0)
+    assert page.session.selection.masses == {7}
+    page.do(Do("undo"))
+    assert len(page.session.scene.masses) == 6  # two masses and their spring are one step
+
+
+def turn_by_keys(page: Page) -> None:
+    """Change all rest angles as the arrow keys do."""
+    page.frames(1, commands.Play(True))
+    for _ in range(20):
+        page.frames(1, commands.HoldKeys(frozenset({"left"})))
+    page.frames(1, commands.HoldKeys(frozenset()), commands.Play(False))
+    assert page.session.simulation.rest_angle_shift != 0.0
+
+
+def test_a_corner_gets_a_joint_at_its_present_angle_whatever_keys_have_added(page: Page) -> None:
+    page.do(Hold(0, 1))
+    turn_by_keys(page)
+    shift = page.session.simulation.rest_angle_shift
+    present = build.angle_between(
+        page.session.scene, 1, 2, build.positions_of(page.session.simulation.capture())
+    )
+    scene = page.do(Hold(1, 2))
+    assert page.session.selection == Selection(joints=frozenset({1}))
+    assert scene.angular_springs[0].rest_angle == pytest.approx(90.0)
+    assert scene.angular_springs[1].rest_angle == pytest.approx(present - shift)
+    assert page.do(Hold(1, 2)) is scene
+    page.do(Hold(0, 2))
+    assert "share no mass" in page.session.notices.pop().text
+    page.do(Hold(0, 77))
+    assert "spring 77 does not exist (0..3)" in page.session.notices.pop().text
+
+
+def test_a_rest_angle_is_turned_and_the_present_one_is_taken(page: Page) -> None:
+    page.do(Hold(0, 1), Turn(0, 30.0))
+    assert page.session.scene.angular_springs[0].rest_angle == pytest.approx(30.0)
+    page.do(Turn(0))
+    assert page.session.scene.angular_springs[0].rest_angle == pytest.approx(90.0)
+    page.do(Turn(0, 300.0))
+    assert page.session.scene.angular_springs[0].rest_angle == pytest.approx(-60.0)
+    page.do(Turn(5, 3.0))
+    assert "joint 5 does not exist" in page.session.notices.pop().text
+
+
+def test_a_stroke_cuts_all_that_it_crosses_and_nothing_else(page: Page) -> None:
+    scene = page.do(Stroke((page.world(50.0, -20.0), page.world(50.0, 50.0), page.world(130.0, 50.0))))
+    assert [(spring.a, spring.b) for spring in scene.linear_springs] == [(2, 3), (3, 0)]
+    assert page.letters.last("versions")["undo"] == "2 springs cut"
+    assert page.do(Stroke((page.world(500.0, 0.0), page.world(500.0, 9.0)))) is scene
+
+
+def test_clicks_and_frames_select(page: Page) -> None:
+    page.do(Select(masses=(1,)))
+    page.do(Select(springs=(2,), toggle=True))
+    assert page.session.selection == Selection(frozenset({1}), frozenset({2}))
+    page.do(Select(masses=(1,), toggle=True))
+    assert page.session.selection == Selection(springs=frozenset({2}))
+    (x0, y0), (x1, y1) = page.world(-9.0, -9.0), page.world(109.0, 9.0)
+    page.do(Marquee((x0, x1), (y0, y1)))
+    assert page.session.selection == Selection(frozenset({0, 1}), frozenset({0}))
+    (x0, y0), (x1, y1) = page.world(91.0, 109.0), page.world(109.0, 91.0)
+    page.do(Marquee((x0, x1), (y0, y1), add=True))
+    assert page.session.selection == Selection(frozenset({0, 1, 2}), frozenset({0}))
+    page.do(Hold(0, 1), Do("all"))
+    assert page.session.selection == Selection(frozenset(range(4)), frozenset(range(4)), frozenset({0}))
+    page.do(Select())
+    assert not any(page.session.selection)
+    assert len(page.session.versions) == 1  # selecting is nothing to undo
+    page.do(Select(masses=(999,)))
+    assert not any(page.session.selection)
+
+
+def test_what_is_selected_is_moved_and_rests_if_that_is_wanted(page: Page) -> None:
+    zero, by = page.world(0.0, 0.0), page.world(0.0, 40.0)
+    dx, dy = by[0] - zero[0], by[1] - zero[1]
+    page.do(Hold(1, 2), Select(springs=(2,)))  # with its masses 2 and 3
+    scene = page.do(Move(dx, dy))
+    assert scene.masses[2].position == pytest.approx((100.0, 140.0))
+    assert scene.linear_springs[1].rest_length == 100.0
+    np.testing.assert_allclose(page.session.simulation.positions[3], (0.0, 140.0), atol=1e-6)
+    scene = page.do(Do("undo"), Move(dx, dy, rest=True))
+    assert scene.linear_springs[1].rest_length == pytest.approx(140.0)
+    assert scene.linear_springs[2].rest_length == pytest.approx(100.0)
+    page.do(Do("undo"))
+    np.testing.assert_allclose(page.session.simulation.positions[3], (0.0, 100.0), atol=1e-6)
+    page.do(Select(), Move(dx, dy))
+    assert "nothing is selected" in page.session.notices.pop().text
+    page.do(Move(dx, dy, mass=0))
+    np.testing.assert_allclose(page.session.simulation.positions[0], (0.0, 40.0), atol=1e-6)
+
+
+def test_moves_by_keys_are_one_step(page: Page) -> None:
+    page.do(*[Move(0.1, 0.0, mass=1, keys=True)] * 5)
+    assert len(page.session.versions) == 1
+    page.do(Move(0.1, 0.0, mass=1))
+    assert len(page.session.versions) == 2
+
+
+def test_the_joint_of_a_moved_corner_rests_as_it_is_under_shifted_angles(page: Page) -> None:
+    page.do(Hold(0, 1))
+    turn_by_keys(page)
+    page.do(Move(0.5, 0.3, mass=2, rest=True), Do("rest"))
+    loads = page.session.simulation.loads
+    assert np.abs(loads.torques).max() < 1e-6  # nothing pulls
+    assert page.session.simulation.rest_angle_shift != 0.0
+
+
+def test_actions_need_no_place(page: Page) -> None:
+    assert {a.mass for a in page.do(Do("pin", mass=1)).anchors} == {1}
+    assert {a.mass for a in page.do(Select(masses=(1, 2)), Do("pin")).anchors} == {1, 2}
+    assert not page.do(Do("pin")).anchors
+    scene = page.do(Do("duplicate"))
+    assert len(scene.masses) == 6
+    assert len(scene.linear_springs) == 5
+    assert page.session.selection.masses == {4, 5}
+    scene = page.do(Do("remove"))
+    assert len(scene.masses) == 4
+    scene = page.do(Do("corners"))  # nothing is selected: everywhere
+    assert len(scene.angular_springs) == 4
+    page.do(Do("corners"))
+    assert "every corner" in page.session.notices.pop().text
+    assert len(page.do(Do("triangulate")).linear_springs) == 5
+    page.do(Do("triangulate"))
+    assert "nothing left to brace" in page.session.notices.pop().text
+    page.do(Do("remove"))
+    assert page.session.notices.pop().text == "nothing is selected"
+    page.do(Do("remove", mass=3))
+    assert len(page.session.scene.masses) == 3
+
+
+def test_a_body_rests_as_it_is(page: Page) -> None:
+    page.do(Move(0.4, 0.2, mass=2))
+    scene = page.do(Do("rest"))
+    moved = math.dist(scene.masses[1].position, scene.masses[2].position)
+    assert scene.linear_springs[1].rest_length == pytest.approx(moved)
+
+
+def pasted(page: Page, text: str, x: float = 0.0, y: float = 0.0) -> None:
+    page.edits.paste(f"{x:.6f},{y:.6f},{base64.b64encode(text.encode()).decode()}")
+    page.frames(1)
+
+
+def test_what_is_copied_is_pasted_into_another_page(page: Page) -> None:
+    page.do(Select(masses=(1, 2)), Do("copy"))
+    text = page.letters.last("copied")["text"]
+    assert text.startswith('{"type":"softrod-fragment"')  # by which the script knows it
+    other = Page(sim.load_scene("tutorial-3.3"))
+    n = len(other.session.scene.masses)
+    pasted(other, text, 0.2, 0.1)
+    assert len(other.session.scene.masses) == n + 2
+    assert other.session.selection.masses == {n, n + 1}
+    middle = Mapping.of(other.session.scene).to_scene(0.2, 0.1)
+    assert other.session.simulation.positions[n:].mean(0) == pytest.approx(middle)
+    page.do(Select(), Do("copy"))
+    assert "nothing is selected" in page.notices.pop().text
+
+
+@pytest.mark.parametrize("text", ["", "{}", "hello", '{"type":"softrod-fragment","masses":[]}', "[" * 5000])
+def test_what_is_no_fragment_is_refused_in_one_sentence(page: Page, text: str) -> None:
+    before = page.session.simulation.capture().scene
+    pasted(page, text)
+    assert page.session.simulation.capture().scene is before
+    if text:
+        (notice,) = page.notices
+        assert notice.title == "That cannot be pasted"
+        assert len(notice.text.splitlines()) == 1
+    page.edits.paste("0,0,*")
+    page.edits.paste("1e9,0,e30=")
+    assert len(page.notices) == bool(text)
+
+
+HOSTILE = (
+    '{"do":"place","x":1e9,"y":0}',
+    '{"do":"place","x":NaN,"y":0}',
+    '{"do":"place","x":"1","y":0}',
+    '{"do":"line","a":-1,"b":0}',
+    '{"do":"line","a":1.5,"b":0}',
+    '{"do":"hold","a":1}',
+    '{"do":"stroke","points":[[0,0]]}',
+    '{"do":"stroke","points":' + str([[0, 0]] * 65) + "}",
+    '{"do":"select","masses":' + str(list(range(101))) + "}",
+    '{"do":"turn","joint":0,"angle":1e5}',
+    '{"do":"do","what":"explode"}',
+    '{"do":"move","x":0,"y":0,"rest":1}',
+    '{"do":"gesture"}',
+)
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_forged_gestures_are_no_gestures(text: str) -> None:
+    assert parse_ask(f"1|ask|{text}") is None
+
+
+@pytest.mark.parametrize(
+    "gesture",
+    [
+        Line(a=999_999, b=0),
+        Line(a=0, b=999_999),
+        Line(a=0, b=0),
+        Line(a=999_999, end=(0.0, 0.0)),
+        Line(a=0, end=(1e7, 0.0)),
+        Place(1e7, 1e7),
+        Move(1e7, 0.0, mass=0),
+        Move(0.0, 0.0, mass=999_999),
+        Do("remove", mass=999_999),
+        Do("pin", mass=999_999),
+        Do("duplicate", mass=999_999),
+        Turn(999_999),
+        Stroke(((0.0, 0.0), (1e7, 1e7))),
+    ],
+)
+def test_what_cannot_be_done_leaves_all_as_it_was(page: Page, gesture: Gesture) -> None:
+    decoded = parse_ask(f"1|ask|{msgspec.json.encode(gesture).decode()}")
+    assert decoded == gesture
+    before = page.session.simulation.capture().scene
+    scene = page.do(gesture)
+    assert scene is before
+    for notice in page.session.notices:
+        assert len(notice.text.splitlines()) == 1
+        assert "Error" not in notice.text
+    page.frames(5, commands.Play(True))
+    assert np.isfinite(page.session.simulation.positions).all()
+
+
+def test_what_is_told_is_told_once(page: Page) -> None:
+    page.do(Place(0.1, 0.1))
+    count = len(page.letters.sent)
+    page.frames(3, commands.Play(True))
+    page.edits.tell()
+    assert len(page.letters.sent) == count
