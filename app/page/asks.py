@@ -117,7 +117,7 @@ class Stroke(Gesture, frozen=True):
 
 
 class Move(Gesture, frozen=True):
-    """What is selected, or one mass, is to be moved by (x, y), and may rest as it is then.
+    """What is selected, or else one mass, is to be moved by (x, y), and may rest as it is then.
 
     Moves by keys that follow each other are one step of undo.
     """
@@ -125,7 +125,7 @@ class Move(Gesture, frozen=True):
     x: Coordinate
     y: Coordinate
     rest: bool = False
-    mass: Index | None = None
+    under: Index | None = None
     keys: bool = False
 
 
@@ -135,10 +135,11 @@ What = Literal[
 
 
 class Do(Gesture, frozen=True):
-    """Something that needs no place, to what is selected, or to one mass."""
+    """Something that needs no place: to a mass; or to what is selected, else what is under the pointer."""
 
     what: What
     mass: Index | None = None
+    under: Index | None = None
 
 
 _decode = msgspec.json.Decoder(

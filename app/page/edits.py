@@ -171,16 +171,24 @@ def edited(ask: asks.Gesture, moment: Moment, selection: Selection) -> Edit:
             stroke = [_point(scene, *point) for point in points]
             edit = shape.cut(scene, stroke, build.positions_of(moment))
             return edit if edit.springs else Edit("", scene)
-        case asks.Move(x, y, rest, mass):
+        case asks.Move(x, y, rest, under):
             origin, point = _point(scene, 0.0, 0.0), _point(scene, x, y)
-            masses = masses_of(scene, selection) if mass is None else {mass}
+            masses = masses_of(scene, _aimed(scene, selection, None, under))
             return _moved(moment, masses, (point[0] - origin[0], point[1] - origin[1]), rest)
-        case asks.Do(what, mass):
-            if mass is not None:
-                build.refuse_missing([mass], len(scene.masses))
-            return _done(what, moment, selection if mass is None else _one(mass))
+        case asks.Do(what, mass, under):
+            return _done(what, moment, _aimed(scene, selection, mass, under))
         case _:
             return Edit("", scene)
+
+
+def _aimed(scene: Scene, selection: Selection, mass: int | None, under: int | None) -> Selection:
+    """What an action is meant for: a mass, or what is selected, or else what is under the pointer."""
+    if mass is None:
+        mass = None if any(selection) else under
+    if mass is None:
+        return selection
+    build.refuse_missing([mass], len(scene.masses))
+    return _one(mass)
 
 
 def _done(what: str, moment: Moment, selection: Selection) -> Edit:
@@ -257,7 +265,7 @@ def _turned(moment: Moment, joint: int, angle: float | None) -> Edit:
     return replace(edit, select=Selection(joints=frozenset({joint})))
 
 
-def _moved(moment: Moment, masses: frozenset[int] | set[int], by: Vector, rest: bool) -> Edit:
+def _moved(moment: Moment, masses: frozenset[int], by: Vector, rest: bool) -> Edit:
     if not masses:
         raise SettingError("nothing is selected that could be moved")
     edit = shape.move(moment.scene, masses, by)

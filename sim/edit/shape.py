@@ -129,19 +129,25 @@ def cut(scene: Scene, stroke: Sequence[Vector], positions: Sequence[Vector]) -> 
     at = np.asarray(positions, float).reshape(-1, 2)
     ends = np.array([(s.a, s.b) for s in scene.linear_springs], np.int64).reshape(-1, 2)
     hit = np.zeros(len(ends), bool)
-    for start, end in itertools.pairwise(stroke):
-        hit |= crossing(at[ends[:, 0]], at[ends[:, 1]], np.array([start], float), np.array([end], float))
+    a, b = at[ends[:, 0]], at[ends[:, 1]]
+    for one, two in itertools.pairwise(stroke):
+        start, end = np.array([one], float), np.array([two], float)
+        # A corner of the stroke that lies on a spring belongs to one side of it.
+        hit |= ((_side(a, b, start) < 0.0) != (_side(a, b, end) < 0.0)) & (
+            _side(start, end, a) * _side(start, end, b) < 0.0
+        )
     edit = remove(scene, Selection(springs=frozenset(np.flatnonzero(hit).tolist())))
     return Edit(edit.label.replace("removed", "cut"), edit.scene, edit.masses, edit.springs, edit.joints)
 
 
 def crossing(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> np.ndarray:
     """Whether segments from a to b cross segments from c to d; (k, 2) each, or (1, 2) for one for all."""
+    return (_side(a, b, c) * _side(a, b, d) < 0.0) & (_side(c, d, a) * _side(c, d, b) < 0.0)
 
-    def side(p: np.ndarray, q: np.ndarray, r: np.ndarray) -> np.ndarray:
-        return (q[:, 0] - p[:, 0]) * (r[:, 1] - p[:, 1]) - (q[:, 1] - p[:, 1]) * (r[:, 0] - p[:, 0])
 
-    return (side(a, b, c) * side(a, b, d) < 0.0) & (side(c, d, a) * side(c, d, b) < 0.0)
+def _side(p: np.ndarray, q: np.ndarray, r: np.ndarray) -> np.ndarray:
+    """On which side of the line from p to q the points r are: by sign; 0 on it."""
+    return (q[:, 0] - p[:, 0]) * (r[:, 1] - p[:, 1]) - (q[:, 1] - p[:, 1]) * (r[:, 0] - p[:, 0])
 
 
 def add_corners(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> Edit:

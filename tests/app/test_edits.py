@@ -191,21 +191,21 @@ def test_what_is_selected_is_moved_and_rests_if_that_is_wanted(page: Page) -> No
     np.testing.assert_allclose(page.session.simulation.positions[3], (0.0, 100.0), atol=1e-6)
     page.do(Select(), Move(dx, dy))
     assert "nothing is selected" in page.session.notices.pop().text
-    page.do(Move(dx, dy, mass=0))
+    page.do(Move(dx, dy, under=0))
     np.testing.assert_allclose(page.session.simulation.positions[0], (0.0, 40.0), atol=1e-6)
 
 
 def test_moves_by_keys_are_one_step(page: Page) -> None:
-    page.do(*[Move(0.1, 0.0, mass=1, keys=True)] * 5)
+    page.do(*[Move(0.1, 0.0, under=1, keys=True)] * 5)
     assert len(page.session.versions) == 1
-    page.do(Move(0.1, 0.0, mass=1))
+    page.do(Move(0.1, 0.0, under=1))
     assert len(page.session.versions) == 2
 
 
 def test_the_joint_of_a_moved_corner_rests_as_it_is_under_shifted_angles(page: Page) -> None:
     page.do(Hold(0, 1))
     turn_by_keys(page)
-    page.do(Move(0.5, 0.3, mass=2, rest=True), Do("rest"))
+    page.do(Move(0.5, 0.3, under=2, rest=True), Do("rest"))
     loads = page.session.simulation.loads
     assert np.abs(loads.torques).max() < 1e-6  # nothing pulls
     assert page.session.simulation.rest_angle_shift != 0.0
@@ -234,8 +234,17 @@ def test_actions_need_no_place(page: Page) -> None:
     assert len(page.session.scene.masses) == 3
 
 
+def test_what_is_under_the_pointer_is_meant_where_nothing_is_selected(page: Page) -> None:
+    assert {a.mass for a in page.do(Do("pin", under=3)).anchors} == {3}
+    assert {a.mass for a in page.do(Select(masses=(1,)), Do("pin", under=2)).anchors} == {1, 3}
+    assert {a.mass for a in page.do(Do("pin", mass=2)).anchors} == {1, 2, 3}
+    dx = page.world(10.0, 0.0)[0] - page.world(0.0, 0.0)[0]
+    page.do(Move(dx, 0.0, under=2))
+    np.testing.assert_allclose(page.session.simulation.positions[1:3, 0], (110.0, 100.0))
+
+
 def test_a_body_rests_as_it_is(page: Page) -> None:
-    page.do(Move(0.4, 0.2, mass=2))
+    page.do(Move(0.4, 0.2, under=2))
     scene = page.do(Do("rest"))
     moved = math.dist(scene.masses[1].position, scene.masses[2].position)
     assert scene.linear_springs[1].rest_length == pytest.approx(moved)
@@ -306,8 +315,8 @@ def test_forged_gestures_are_no_gestures(text: str) -> None:
         Line(a=999_999, end=(0.0, 0.0)),
         Line(a=0, end=(1e7, 0.0)),
         Place(1e7, 1e7),
-        Move(1e7, 0.0, mass=0),
-        Move(0.0, 0.0, mass=999_999),
+        Move(1e7, 0.0, under=0),
+        Move(0.0, 0.0, under=999_999),
         Do("remove", mass=999_999),
         Do("pin", mass=999_999),
         Do("duplicate", mass=999_999),

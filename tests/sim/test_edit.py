@@ -220,9 +220,10 @@ def test_a_stroke_cuts_what_it_crosses() -> None:
     assert edit.label == "2 springs cut"
     assert [(s.a, s.b) for s in edit.scene.linear_springs] == [(1, 2), (3, 0)]
     assert not edit.scene.angular_springs
-    assert (
-        cut(scene, [(50.0, 10.0), (50.0, 90.0)], starts(scene)).scene.linear_springs == scene.linear_springs
-    )
+    inside = cut(scene, [(50.0, 10.0), (50.0, 90.0)], starts(scene))
+    assert inside.scene.linear_springs == scene.linear_springs
+    corner_on_a_spring = [(50.0, -10.0), (50.0, 0.0), (50.0, 10.0)]
+    assert cut(scene, corner_on_a_spring, starts(scene)).label == "1 spring cut"
 
 
 def test_a_mirror_keeps_a_bent_body_at_rest() -> None:

@@ -36,11 +36,11 @@ export function addBodyKeys() {
   /** Where the mass in hand is, in the world; null while none is. @type {{x: number, y: number} | null} */
   let hand = null;
   const name = () => {
-    const { plan } = shown();
+    const { pictured: plan } = shown();
     return plan ? `mass ${chosenMass()} of 0 to ${plan.radius.length - 1}` : "no mass";
   };
   const where = () => {
-    const { plan, frame } = shown();
+    const { pictured: plan, frame } = shown();
     const mass = chosenMass();
     if (!plan || !frame || mass < 0) return null;
     const [x, y] = frame.positions.subarray(2 * mass, 2 * mass + 2);
@@ -54,7 +54,7 @@ export function addBodyKeys() {
   };
 
   stop.addEventListener("focus", () => {
-    choose(Math.max(shown().plan?.driven ?? 0, 0));
+    choose(Math.max(shown().pictured?.driven ?? 0, 0));
     say(`${name()}. Arrows choose, Space takes hold`);
   });
   stop.addEventListener("blur", () => {
@@ -62,7 +62,7 @@ export function addBodyKeys() {
     choose(-1);
   });
   stop.addEventListener("keydown", (event) => {
-    const { plan } = shown();
+    const { pictured: plan } = shown();
     if (!plan || event.ctrlKey || event.metaKey || event.altKey) return;
     const move = MOVES[event.key];
     if (event.code === "Space" || event.key === "Enter") {

@@ -73,7 +73,7 @@ function covered(canvas, box) {
   let top = box.bottom;
   for (const element of document.elementsFromPoint(box.left + box.width / 2, box.bottom - 4)) {
     if (element === canvas || element.contains(canvas)) break;
-    if (element.closest(".softrod-dock, .softrod-lesson")) continue;
+    if (element.closest(".softrod-dock, .softrod-lesson, .softrod-edit-bar")) continue;
     const { width } = element.getBoundingClientRect();
     const edge = visibleTop(element, canvas);
     if (width > 0.9 * box.width && edge > box.top + 0.2 * box.height) top = Math.min(top, edge);

@@ -28,6 +28,8 @@ const state = {
   damage: UNHARMED,
   /** The picture that is shown. @type {Frame | null} */
   frame: null,
+  /** What it is a picture of: a new body's plan comes before its first picture. @type {Plan | null} */
+  pictured: null,
   /** When it was shown, ms of the screen's clock. */
   since: 0,
   /** Pictures drawn so far. */
@@ -93,6 +95,7 @@ function paint() {
   const frame = glide.at(seconds());
   if (frame && plan && frame.generation === plan.generation) {
     state.frame = frame;
+    state.pictured = plan;
     state.since = performance.now();
     show(plan, frame, state.damage.generation === plan.generation ? state.damage : UNHARMED);
     state.drawn += 1;

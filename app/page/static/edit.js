@@ -5,14 +5,14 @@
  */
 import { gridStep } from "./around.js";
 import { shown } from "./canvas.js";
-import { told } from "./channel.js";
-import { change, countSelected, editing } from "./editing.js";
+import { onTold, told } from "./channel.js";
+import { change, countSelected, editing, giveUp } from "./editing.js";
 import { ask, onMail } from "./mail.js";
 import { moveSelected } from "./move.js";
 import { sight } from "./overlay.js";
 import * as pick from "./pick.js";
 import { massAt } from "./pointer.js";
-import { worldAt } from "./screen.js";
+import { nearest, worldAt } from "./screen.js";
 import { viser } from "./viser.js";
 
 /**
@@ -46,8 +46,6 @@ let longer = 0;
 let last = { joint: -1, at: 0 };
 /** Whether a press is given back to viser. */
 let passing = false;
-/** Whether the mass that is built last goes on as a chain, once the server has said which it is. */
-let chaining = false;
 
 /** @param {Record<string, number>} reach @param {string} kind */
 const within = (reach, kind) => reach[kind] ?? reach.mouse;
@@ -122,7 +120,7 @@ function distanceTo(mass, at) {
 export function turnable() {
   const { masses, springs, joints } = editing.selected;
   const alone = editing.tool === "joint" && joints.length === 1 && masses.length + springs.length === 0;
-  return alone && 4 * joints[0] < (shown().plan?.joints.length ?? 0) ? joints[0] : -1;
+  return alone && 4 * joints[0] < (shown().pictured?.joints.length ?? 0) ? joints[0] : -1;
 }
 
 // ------------------------------------------------------------------------- presses
@@ -194,7 +192,7 @@ function move(event) {
   const at = placeOf(event);
   if (press.id < 0) {
     const over = event.target === viser()?.canvas && event.pointerType !== "touch" && event.buttons === 0;
-    if (over || editing.hover) hover(over ? at : null, event.pointerType);
+    if (over || editing.hover) hover(over ? at : null);
     return;
   }
   if (event.pointerId !== press.id) return;
@@ -222,7 +220,7 @@ function led(at, { altKey, shiftKey }) {
     case "stroke":
       return { ...drag, points: pick.thinned([...drag.points, at], 4 * MOST_POINTS) };
     case "turn": {
-      const tip = shown().plan?.joints[4 * drag.joint + 2] ?? 0;
+      const tip = shown().pictured?.joints[4 * drag.joint + 2] ?? 0;
       const angle = restFrom(drag.joint, directionTo(tip, at));
       return { ...drag, angle: directionOfRest(drag.joint, shiftKey ? pick.rounded(angle, 15) : angle) };
     }
@@ -262,25 +260,23 @@ function up(event) {
     }
     case "turn": {
       if (moved) ask({ do: "turn", joint: drag.joint, angle: restFrom(drag.joint, drag.angle) });
-      else if (isTwice(drag.joint)) ask({ do: "turn", joint: drag.joint });
+      else if (isTwice(drag.joint, event.timeStamp)) ask({ do: "turn", joint: drag.joint });
       return;
     }
     default:
-      if (editing.tool === "joint" && !moved) clickCorner(at);
+      if (editing.tool === "joint" && !moved) clickCorner(at, event.timeStamp);
   }
 }
 
-/** @param {Place | null} at @param {string} kind */
-function hover(at, kind) {
+/** @param {Place | null} at */
+function hover(at) {
   if (!at) {
     change({ hover: null });
     return;
   }
-  if (editing.tool === "joint") {
-    const mass = massAt(at, kind);
-    const kept = editing.corner >= 0 && distanceTo(editing.corner, at) <= CORNER + 14 ? editing.corner : -1;
-    change({ hover: at, corner: mass >= 0 ? mass : kept });
-  } else change({ hover: at });
+  const { plan, places } = sight() ?? {};
+  const corner = plan && places && editing.tool === "joint" ? nearest(places, plan.radius, at, CORNER) : -1;
+  change({ hover: at, corner });
 }
 
 // ------------------------------------------------------------------------- select
@@ -339,7 +335,7 @@ function endLine({ from, start, at, to }, moved) {
  * @param {number} a @param {Place} start @param {number} b @param {Place} end
  */
 export function line(a, start, b, end) {
-  chaining = true;
+  change(b >= 0 ? { chain: b } : { chaining: true });
   ask({
     do: "line",
     ...(a >= 0 ? { a } : { start: world(start) }),
@@ -350,7 +346,7 @@ export function line(a, start, b, end) {
 // ------------------------------------------------------------------------- joints
 /** From what a joint's rest angle is counted, degrees anticlockwise on the screen, and which way it turns. @param {number} joint */
 function zeroOf(joint) {
-  const { plan, frame } = shown();
+  const { pictured: plan, frame } = shown();
   if (!plan || !frame) return { zero: 0, flip: 1 };
   const { springs, joints, flip } = plan;
   const [spring, sense] = [joints[4 * joint], joints[4 * joint + 3]];
@@ -375,7 +371,7 @@ function directionOfRest(joint, angle) {
 
 /** The rest angle that a joint has now, degrees. @param {number} joint */
 export function restAngle(joint) {
-  const { plan, frame, damage } = shown();
+  const { pictured: plan, frame, damage } = shown();
   return (plan?.restAngle[joint] ?? 0) + (frame?.angleShift ?? 0) + (damage.setAngle[joint] ?? 0);
 }
 
@@ -387,7 +383,7 @@ export const restAt = restFrom;
 
 /** @param {number} joint @param {Place} at */
 function isOnKnob(joint, at) {
-  const { plan } = shown();
+  const { pictured: plan } = shown();
   const { places } = sight() ?? {};
   if (!plan || !places) return false;
   const tip = plan.joints[4 * joint + 2];
@@ -396,16 +392,15 @@ function isOnKnob(joint, at) {
   return Math.hypot(knob.x - at.x, knob.y - at.y) <= within(KNOB, press.kind);
 }
 
-/** Whether a click on a joint is the second of two. @param {number} joint */
-function isTwice(joint) {
-  const now = performance.now();
+/** Whether a click on a joint is the second of two. @param {number} joint @param {number} now when it was made, ms */
+function isTwice(joint, now) {
   const twice = joint === last.joint && now - last.at < TWICE;
   last = { joint, at: now };
   return twice;
 }
 
-/** A click of the joint tool. @param {Place} at */
-function clickCorner(at) {
+/** A click of the joint tool. @param {Place} at @param {number} now when it was made, ms */
+function clickCorner(at, now) {
   const seen = sight();
   if (!seen) return;
   const { broken } = shown().damage;
@@ -421,13 +416,13 @@ function clickCorner(at) {
     const hit = corners.find(({ from, turn }) => pick.turnTo(from, direction) <= turn);
     if (hit) {
       if (hit.joint < 0) ask({ do: "hold", a: hit.a, b: hit.b });
-      else chooseJoint(hit.joint);
+      else chooseJoint(hit.joint, now);
       return;
     }
   }
   const joint = pick.jointAt(seen.plan, seen.places, at, seen.on.step);
   if (joint >= 0) {
-    chooseJoint(joint);
+    chooseJoint(joint, now);
     return;
   }
   // Any two springs that share a mass, one after the other.
@@ -438,10 +433,16 @@ function clickCorner(at) {
   } else change({ arm: spring, corner: -1 });
 }
 
-/** @param {number} joint */
-function chooseJoint(joint) {
-  if (isTwice(joint)) ask({ do: "turn", joint });
+/** @param {number} joint @param {number} now */
+function chooseJoint(joint, now) {
+  if (isTwice(joint, now)) ask({ do: "turn", joint });
   else ask({ do: "select", joints: [joint] });
+}
+
+/** Takes the last change back, or does it again: numbers of masses are then others. @param {"undo" | "redo"} what */
+export function stepBack(what) {
+  giveUp();
+  ask({ do: "do", what });
 }
 
 // ------------------------------------------------------------------------- what the server tells
@@ -458,11 +459,17 @@ export function listenToEdits() {
     ask({ do: "select", ...parts });
   }, true);
   onMail("selected", ({ masses, springs, joints }) => {
-    const changes = { selected: { masses, springs, joints } };
-    const chain = chaining && masses.length === 1 && editing.tool === "build" ? masses[0] : -1;
-    if (chaining) Object.assign(changes, { chain });
-    chaining = false;
-    change(changes);
+    const { chaining, chain } = editing;
+    change({
+      selected: { masses, springs, joints },
+      chain: chaining && masses.length === 1 ? masses[0] : chain,
+      chaining: false,
+    });
   });
   onMail("versions", ({ undo, redo }) => change({ undo, redo }));
+  let { scene } = told();
+  onTold(() => {
+    if (told().scene !== scene) giveUp();
+    ({ scene } = told());
+  });
 }

@@ -5,8 +5,8 @@
  */
 import { shown } from "./canvas.js";
 import { pasteHere, toClipboard } from "./clipboard.js";
-import { line, step } from "./edit.js";
-import { change, countSelected, editing, isEditable, setEditing, setTool } from "./editing.js";
+import { line, step, stepBack } from "./edit.js";
+import { change, countSelected, editing, giveUp, isEditable, setEditing, setTool } from "./editing.js";
 import { isFree } from "./keys.js";
 import { ask } from "./mail.js";
 import { moveSelected } from "./move.js";
@@ -32,20 +32,18 @@ const isFreeWithCtrl = ({ target }) => isFree(/** @type {any} */ ({ target }));
 /** The mass that the keys have chosen, if they are on the body. @param {KeyboardEvent} event */
 const massOf = ({ target }) => (target instanceof Element && target.matches(".softrod-body") ? chosenMass() : -1);
 
-/** What an action is done to: the mass of the keys, what is selected, or the mass under the pointer. @param {number} mass */
+/** The mass that is meant where nothing is selected: that of the keys, or the one under the pointer. @param {number} mass */
 function aim(mass) {
-  if (mass >= 0 && !countSelected()) return { mass };
-  if (countSelected() || !editing.hover) return {};
-  const under = massAt(editing.hover, "mouse");
-  return under >= 0 ? { mass: under } : {};
+  const under = mass < 0 && editing.hover ? massAt(editing.hover, "mouse") : mass;
+  return under >= 0 ? { under } : {};
 }
 
 /** @param {KeyboardEvent} event @returns {boolean} whether that was one */
 function withCtrl(event) {
   const { code, shiftKey } = event;
   if (!isFreeWithCtrl(event)) return false;
-  if (code === "KeyZ") ask({ do: "do", what: shiftKey ? "redo" : "undo" });
-  else if (code === "KeyY") ask({ do: "do", what: "redo" });
+  if (code === "KeyZ") stepBack(shiftKey ? "redo" : "undo");
+  else if (code === "KeyY") stepBack("redo");
   else if (!editing.on) return false;
   else if (code === "KeyD") ask({ do: "do", what: "duplicate" });
   else if (code === "KeyA") ask({ do: "do", what: "all" });
@@ -56,11 +54,10 @@ function withCtrl(event) {
 
 /** Moves what is selected, or the mass of the keys, by a step of the grid. @param {KeyboardEvent} event @param {number} mass */
 function nudge({ key, shiftKey }, mass) {
-  const { plan } = shown();
+  const { pictured: plan } = shown();
   const by = step() * (plan?.scale ?? 1) * (shiftKey ? FINE : 1);
   const [x, y] = MOVES[key];
-  const to = countSelected() || mass < 0 ? {} : { mass };
-  if (countSelected() || mass >= 0) moveSelected(x * by, y * by, { ...to, keys: true });
+  if (countSelected() || mass >= 0) moveSelected(x * by, y * by, { ...aim(mass), keys: true });
 }
 
 /** Enter on a mass. @param {number} mass */
@@ -129,9 +126,9 @@ function press(event) {
 
 /** Leaves what is under way: the chain, then the selection. @returns {boolean} whether there was something */
 function leave() {
-  if (editing.chain >= 0 || editing.drag || editing.arm >= 0) change({ chain: -1, drag: null, arm: -1 });
-  else if (countSelected()) ask({ do: "select" });
-  else return false;
+  if (giveUp()) return true;
+  if (!countSelected()) return false;
+  ask({ do: "select" });
   return true;
 }
 

@@ -4,6 +4,7 @@ import { onPicture } from "./canvas.js";
 import { onTold } from "./channel.js";
 import { toClipboard, pasteHere } from "./clipboard.js";
 import { make, makeButton } from "./dialog.js";
+import { stepBack } from "./edit.js";
 import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
 import { lessonRoom } from "./lesson.js";
 import { ask } from "./mail.js";
@@ -47,6 +48,8 @@ const ALWAYS = [
 
 /** Pixels that the box of instruments takes. */
 const BOX = 50;
+/** Pixels of height that a column of tools needs, with the bar below. */
+const COLUMN = 480;
 
 /** @param {string} name */
 const icon = (name) => `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`;
@@ -56,6 +59,7 @@ function iconButton(name, label, title, press) {
   const button = makeButton("", press, "");
   button.innerHTML = `${icon(name)}<span>${label}</span>`;
   button.title = title;
+  button.ariaLabel = label; // also where its word is left out
   return button;
 }
 
@@ -66,8 +70,8 @@ export function addEditStrip() {
   strip.ariaLabel = "Editing";
   const lid = iconButton("edit", "Edit", "Build and change the body (E)", () => setEditing(!editing.on));
   const tools = make("div", "softrod-edit-tools");
-  const undo = iconButton("undo", "Undo", "", () => ask({ do: "do", what: "undo" }));
-  const redo = iconButton("redo", "Redo", "", () => ask({ do: "do", what: "redo" }));
+  const undo = iconButton("undo", "Undo", "", () => stepBack("undo"));
+  const redo = iconButton("redo", "Redo", "", () => stepBack("redo"));
   const buttons = TOOLS.map(([tool, label, key, title]) => {
     const button = iconButton(tool, label, `${title} (${key})`, () => setTool(tool));
     tools.append(button);
@@ -129,12 +133,17 @@ export function addEditStrip() {
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
     const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
     const left = canvas.left + 14 + lessonRoom().left;
+    const top = Math.max(canvas.top, hud?.bottom ?? 0) + 10;
+    const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity) - lessonRoom().bottom;
+    // On a phone they stand in a row, without words.
+    const low = bottom - top < COLUMN;
+    strip.classList.toggle("softrod-edit-row", low);
+    bar.classList.toggle("softrod-edit-row", low);
     strip.style.left = `${left}px`;
-    strip.style.top = `${Math.max(canvas.top, hud?.bottom ?? 0) + 10}px`;
+    strip.style.top = `${top}px`;
     // Over the bar of time, beside the box of instruments.
     bar.style.left = `${left + BOX}px`;
     bar.style.maxWidth = `${canvas.right - left - BOX - 14}px`;
-    const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity) - lessonRoom().bottom;
     bar.style.bottom = `${window.innerHeight - bottom + 8}px`;
   };
   onEditing(show);

@@ -31,6 +31,8 @@ export const editing = {
   drag: null,
   /** The mass from which the next spring leads, or -1. */
   chain: -1,
+  /** Whether it is to be the mass that is built last, as soon as the server has said which. */
+  chaining: false,
   /** The mass whose corners are shown, or -1. */
   corner: -1,
   /** The spring from which a joint is to lead, or -1. */
@@ -55,8 +57,18 @@ export const isEditable = () => told().edit === "1";
 export const countSelected = () =>
   editing.selected.masses.length + editing.selected.springs.length + editing.selected.joints.length;
 
+/** Nothing is under way. */
+const NOTHING = { drag: null, chain: -1, chaining: false, corner: -1, arm: -1 };
+/** Gives up what is under way. @returns {boolean} whether there was something */
+export function giveUp() {
+  const { drag, chain, chaining, arm } = editing;
+  if (!drag && chain < 0 && !chaining && arm < 0) return false;
+  change(NOTHING);
+  return true;
+}
+
 /** Another tool, which begins with nothing under way. @param {Tool} tool */
-export const setTool = (tool) => change({ tool, drag: null, chain: -1, corner: -1, arm: -1 });
+export const setTool = (tool) => change({ tool, ...NOTHING });
 
 /** Takes the tools out, or puts them away. @param {boolean} on */
-export const setEditing = (on) => change({ on: on && isEditable(), drag: null, chain: -1, corner: -1, arm: -1 });
+export const setEditing = (on) => change({ on: on && isEditable(), ...NOTHING });

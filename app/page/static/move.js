@@ -11,7 +11,7 @@ const STORED = "softrod-moved-rest";
 let chosen = kept(STORED);
 /** @type {{dialog: HTMLDialogElement} | null} */
 let question = null;
-/** The move that waits for the answer, in the world. @type {{x: number, y: number, mass?: number, keys?: boolean}} */
+/** The move that waits for the answer, in the world. @type {{x: number, y: number, under?: number, keys?: boolean}} */
 let waiting = { x: 0, y: 0 };
 
 /** Whether moved springs take their new lengths. */
@@ -28,7 +28,7 @@ export function setTakesNew(rest) {
  * Moves what is selected, or one mass.
  *
  * @param {number} x in the world @param {number} y
- * @param {{mass?: number, keys?: boolean}} [how]
+ * @param {{under?: number, keys?: boolean}} [how]
  */
 export function moveSelected(x, y, how = {}) {
   waiting = { x: Number(x.toFixed(6)), y: Number(y.toFixed(6)), ...how };

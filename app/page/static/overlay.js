@@ -70,14 +70,14 @@ export function frameMarks(on) {
 }
 
 /**
- * What is on the screen now; null while it is on its way to paper, and until the first picture of a new body is there.
+ * What is on the screen now; null while it is on its way to paper.
  *
  * @param {Frame | null} frame the picture
  * @returns {Sight | null}
  */
 export function sight(frame = shown().frame) {
   if (printing || matchMedia("print").matches) return null;
-  const { plan } = shown();
+  const { pictured: plan } = shown();
   const [on, canvas] = [screen(), viser()?.canvas];
   if (!plan || frame?.generation !== plan.generation || !on || !canvas) return null;
   return { plan, frame, on, places: onScreen(plan, frame.positions, on), box: canvas.getBoundingClientRect() };

@@ -142,7 +142,7 @@ export function crossed({ springs }, places, stroke, broken) {
     for (let k = 1; k < stroke.length; k++) {
       const [c, d] = [stroke[k - 1], stroke[k]];
       if (
-        side(ax, ay, bx, by, c.x, c.y) * side(ax, ay, bx, by, d.x, d.y) < 0 &&
+        side(ax, ay, bx, by, c.x, c.y) < 0 !== side(ax, ay, bx, by, d.x, d.y) < 0 &&
         side(c.x, c.y, d.x, d.y, ax, ay) * side(c.x, c.y, d.x, d.y, bx, by) < 0
       ) {
         hit.push(s);

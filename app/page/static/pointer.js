@@ -29,7 +29,7 @@ const givesWay = (target) => target instanceof Element && target.closest(".softr
  * @param {string} kind of pointer; "disc" for the disc itself and nothing around it
  */
 export function massAt(place, kind) {
-  const { plan, frame } = shown();
+  const { pictured: plan, frame } = shown();
   const on = screen();
   if (!plan || !frame || !on) return -1;
   const radii = plan.radius.map((radius) => radius * on.step);

@@ -1,0 +1,333 @@
+"""A body built and changed by hand: by mouse, by touch, and by keys alone; undone, saved, sent, opened."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import sim
+from app.session import commands
+from sim.edit.edit import Selection
+from sim.scene import files
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk, Point
+from tests.browser.test_links import shared
+
+SMALL = (820, 620)
+
+
+def counts(desk: Desk) -> tuple[int, int, int]:
+    """Masses, springs and joints of the body."""
+    scene = desk.session.simulation.capture().scene
+    return len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)
+
+
+def becomes(desk: Desk, masses: int, springs: int, joints: int) -> None:
+    """Wait until the body has so many parts, and the page shows them."""
+    wanted = (masses, springs, joints)
+    desk.until(lambda: counts(desk) == wanted, f"the body has {wanted}, not {counts(desk)}")
+    desk.until(lambda: len(desk.masses()) == masses, "the page shows them")
+
+
+def paused(open_page: OpenPage, scene: str = "tutorial-3.3", size: tuple[int, int] = SMALL) -> Desk:
+    desk = open_page(scene, size=size)
+    desk.tell(commands.Play(False))
+    return desk
+
+
+def tool(desk: Desk, name: str) -> None:
+    """Take a tool by its button."""
+    button = desk.page.locator(".softrod-edit").get_by_role("button", name=name, exact=True)
+    if not button.is_visible():
+        desk.page.locator(".softrod-edit").get_by_role("button", name="Edit", exact=True).click()
+    button.click()
+    desk.until(lambda: button.get_attribute("aria-pressed") == "true", f"{name} is taken")
+
+
+def action(desk: Desk, name: str) -> None:
+    """Press a button of the bar."""
+    desk.page.locator(".softrod-edit-bar").get_by_role("button", name=name, exact=True).click()
+
+
+def beside(desk: Desk, mass: int, dx: float, dy: float) -> Point:
+    """A place so many pixels from a mass."""
+    x, y = desk.place(mass)
+    return x + dx, y + dy
+
+
+def drag(desk: Desk, start: Point, end: Point) -> None:
+    desk.page.mouse.move(*start)
+    desk.page.mouse.down()
+    desk.lead(start, end)
+    desk.let_go()
+
+
+def test_by_mouse(open_page: OpenPage) -> None:
+    """A body of one's own beside the rope, cut off, braced, undone to the last step and done again."""
+    desk = paused(open_page)
+    page = desk.page
+    first = desk.session.simulation.capture().scene
+    tool(desk, "Build")
+    at = beside(desk, 3, 60.0, 0.0)
+    page.mouse.click(*at)
+    becomes(desk, 13, 11, 10)
+    # On the grid, and at rest; a drag makes a spring and a mass, and a click goes on from there.
+    x, y = desk.session.scene.masses[12].position
+    assert (x % 20.0, y % 20.0) == pytest.approx((0.0, 0.0), abs=1e-3)
+    drag(desk, desk.place(12), beside(desk, 12, 60.0, 0.0))
+    becomes(desk, 14, 12, 10)
+    page.mouse.click(*beside(desk, 13, 0.0, 60.0))
+    becomes(desk, 15, 13, 10)
+    page.mouse.click(*desk.place(12))
+    becomes(desk, 15, 14, 10)
+    page.keyboard.press("Escape")
+    page.mouse.click(*beside(desk, 12, 20.0, 90.0))
+    becomes(desk, 16, 14, 10)
+    # From mass to mass.
+    drag(desk, desk.place(15), desk.place(14))
+    becomes(desk, 16, 15, 10)
+    page.keyboard.press("Escape")
+    # A joint in a corner: of a triangle the inner one.
+    tool(desk, "Joint")
+    page.mouse.move(*desk.place(13))
+    page.mouse.move(*beside(desk, 13, -16.0, 12.0))
+    page.mouse.click(*beside(desk, 13, -16.0, 12.0))
+    becomes(desk, 16, 15, 11)
+    (joint,) = desk.session.selection.joints
+    rest = desk.session.scene.angular_springs[joint].rest_angle
+    assert abs(rest) == pytest.approx(90.0, abs=0.1)
+    # Its knob turns it, with Shift by steps; a double click takes the present angle.
+    tip = desk.place(13)
+    other = desk.place(14 if desk.session.scene.angular_springs[joint].b == 12 else 12)
+    toward = math.atan2(other[1] - tip[1], other[0] - tip[0])
+    knob = (tip[0] + 58.0 * math.cos(toward), tip[1] + 58.0 * math.sin(toward))
+    page.mouse.move(*knob)
+    page.mouse.down()
+    page.keyboard.down("Shift")
+    turned = toward + 0.5
+    desk.lead(knob, (tip[0] + 58.0 * math.cos(turned), tip[1] + 58.0 * math.sin(turned)))
+    desk.let_go()
+    page.keyboard.up("Shift")
+    desk.until(
+        lambda: (
+            desk.session.scene.angular_springs[joint].rest_angle % 15.0 == pytest.approx(0.0, abs=1e-3)
+            and abs(desk.session.scene.angular_springs[joint].rest_angle - rest) > 20.0
+        ),
+        "the joint rests at another angle",
+    )
+    page.mouse.dblclick(*beside(desk, 13, -16.0, 12.0))
+    desk.until(
+        lambda: desk.session.scene.angular_springs[joint].rest_angle == pytest.approx(rest, abs=0.1),
+        "it rests at the present one",
+    )
+    # A frame around the new ones, which are moved; the first time it is asked what rests.
+    tool(desk, "Select")
+    drag(desk, beside(desk, 12, -20.0, -20.0), beside(desk, 14, 22.0, 40.0))
+    desk.until(lambda: desk.session.selection.masses == {12, 13, 14, 15}, "they are selected")
+    assert page.locator(".softrod-edit-count").inner_text() == "4 masses, 4 springs, 1 joint"
+    before = desk.simulation.positions
+    page.keyboard.down("Alt")  # off the grid
+    drag(desk, desk.place(12), beside(desk, 12, 31.0, 17.0))
+    page.keyboard.up("Alt")
+    page.get_by_role("button", name="Take the new lengths").click()
+    desk.until(lambda: not np.array_equal(desk.simulation.positions, before), "they are moved")
+    moved = desk.simulation.positions - before
+    assert np.abs(moved[:12]).max() == 0.0
+    np.testing.assert_allclose(moved[12:], np.tile(moved[12], (4, 1)), atol=1e-6)
+    assert np.hypot(*moved[12]) > 20.0
+    # Pinned, braced, mirrored, copied; a click beside it all leaves nothing selected.
+    action(desk, "Pin")
+    desk.until(lambda: {a.mass for a in desk.session.scene.anchors} >= {12, 13, 14, 15}, "they are pinned")
+    action(desk, "Triangulate")
+    becomes(desk, 16, 16, 11)
+    action(desk, "Duplicate")
+    becomes(desk, 20, 21, 12)
+    action(desk, "Delete")
+    becomes(desk, 16, 16, 11)
+    page.mouse.click(*beside(desk, 6, -60.0, 0.0))
+    desk.until(lambda: not any(desk.session.selection), "nothing is selected")
+    # The rope is cut in two, and one part taken away.
+    tool(desk, "Cut")
+    middle = (np.array(desk.place(5)) + desk.place(6)) / 2.0
+    drag(desk, (middle[0] - 30.0, middle[1] - 5.0), (middle[0] + 30.0, middle[1] + 5.0))
+    becomes(desk, 16, 15, 9)
+    built = desk.session.simulation.capture().scene
+    desk.picture("edit-mouse.png")
+    # Back to the very scene that it began with, by the button; and on again by keys.
+    undo = page.locator(".softrod-edit").get_by_role("button", name="Undo", exact=True)
+    for _ in range(len(desk.session.versions)):
+        undo.click()
+    desk.until(lambda: desk.session.simulation.capture().scene is first, "all is undone")
+    desk.until(lambda: not undo.is_enabled(), "there is nothing left to undo")
+    for _ in range(len(desk.session.versions)):
+        page.keyboard.press("Control+y")
+    desk.until(lambda: desk.session.simulation.capture().scene == built, "all is done again")
+    page.keyboard.press("Control+Shift+z")
+    page.keyboard.press("Control+z")
+    becomes(desk, 16, 16, 11)
+
+
+def test_by_touch(open_page: OpenPage) -> None:
+    """Fingers build, a long press selects, and two fingers move the view instead."""
+    desk = open_page(size=(390, 844), phone=True)
+    desk.tell(commands.Play(False))
+    touch = desk.context.new_cdp_session(desk.page)
+
+    def send(kind: str, *places: Point) -> None:
+        points = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(places)]
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    def stroke(start: Point, end: Point) -> None:
+        send("touchStart", start)
+        for part in np.linspace(0.2, 1.0, 5):
+            send("touchMove", (start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1])))
+        send("touchEnd")
+
+    tool(desk, "Build")
+    stroke(desk.place(11), beside(desk, 11, 60.0, 0.0))
+    becomes(desk, 13, 12, 10)
+    # The chain goes on with a tap.
+    send("touchStart", beside(desk, 12, 0.0, -50.0))
+    send("touchEnd")
+    becomes(desk, 14, 13, 10)
+    # A finger that rests selects what is under it.
+    send("touchStart", desk.place(13))
+    desk.until(lambda: desk.session.selection == Selection(masses=frozenset({13})), "it is selected")
+    desk.until(lambda: desk.page.locator(".softrod-edit-count").inner_text() == "1 mass", "the bar says so")
+    desk.pause(0.7)
+    send("touchEnd")
+    assert counts(desk) == (14, 13, 10)
+    # Two fingers are for the view.
+    before = desk.camera().distance
+    one, two = beside(desk, 5, 60.0, 0.0), beside(desk, 5, 90.0, 0.0)
+    send("touchStart", one)
+    send("touchStart", one, two)
+    for i in range(1, 9):
+        send("touchMove", (one[0] - 5.0 * i, one[1]), (two[0] + 5.0 * i, two[1]))
+        desk.rest(1)
+    send("touchEnd")
+    desk.until(lambda: desk.camera().distance < before * 0.97, "the view is nearer")
+    assert counts(desk) == (14, 13, 10)
+    tool(desk, "Cut")
+    middle = (np.array(desk.place(12)) + desk.place(13)) / 2.0
+    stroke((middle[0] - 25.0, middle[1]), (middle[0] + 25.0, middle[1] + 3.0))
+    becomes(desk, 14, 12, 10)
+    desk.picture("edit-touch.png")
+
+
+def test_by_keys_alone(open_page: OpenPage) -> None:
+    desk = paused(open_page)
+    page, keys = desk.page, desk.page.keyboard
+
+    def focus_body() -> None:
+        for _ in range(40):
+            if page.evaluate("document.activeElement?.classList.contains('softrod-body') ?? false"):
+                return
+            keys.press("Tab")
+        raise AssertionError("the Tab key does not reach the body")
+
+    keys.press("e")
+    keys.press("b")
+    focus_body()
+    keys.press("ArrowLeft")  # from mass 0 to the last
+    keys.press("+")
+    becomes(desk, 13, 12, 10)
+    keys.press("ArrowLeft")
+    keys.press("ArrowLeft")
+    keys.press("ArrowRight")
+    keys.press("ArrowRight")
+    # A spring from one to another: Enter, choose, Enter.
+    keys.press("Escape")
+    keys.press("Enter")
+    for _ in range(4):
+        keys.press("ArrowLeft")
+    keys.press("Enter")
+    desk.until(lambda: counts(desk)[1] == 13, "two masses are joined")
+    spring = desk.session.scene.linear_springs[12]
+    assert abs(spring.a - spring.b) == 4
+    keys.press("Escape")
+    keys.press("Escape")
+    # Joints at its corners, a pin, and moves on the grid.
+    joints = counts(desk)[2]
+    keys.press("k")
+    keys.press("Enter")
+    desk.until(lambda: counts(desk)[2] > joints, "the corners are held")
+    anchors = len(desk.session.scene.anchors)
+    keys.press("p")
+    desk.until(lambda: len(desk.session.scene.anchors) == anchors + 1, "it is pinned")
+    held = {a.mass for a in desk.session.scene.anchors}
+    mass = max(held)
+    before = desk.simulation.positions
+    keys.press("Alt+ArrowRight")
+    page.get_by_role("button", name="Keep the rest lengths").press("Enter")
+    desk.until(lambda: not np.array_equal(desk.simulation.positions, before), "it is moved")
+    focus_body()
+    moved = desk.simulation.positions - before
+    assert moved[mass, 0] > 0.0
+    assert np.count_nonzero(moved) == 1
+    keys.press("Control+z")
+    desk.until(lambda: np.array_equal(desk.simulation.positions, before), "it is back")
+    masses = counts(desk)[0]
+    focus_body()
+    keys.press("Delete")
+    desk.until(lambda: counts(desk)[0] == masses - 1, "it is gone")
+    keys.press("Control+z")
+    desk.until(lambda: counts(desk)[0] == masses, "it is back again")
+    keys.press("Control+a")
+    desk.until(lambda: len(desk.session.selection.masses) == masses, "all is selected")
+    live = page.locator(".softrod-tell").filter(has_text="selected")
+    desk.until(lambda: live.count() == 1, "a screen reader hears of it")
+    desk.picture("edit-keys.png")
+
+
+def test_a_body_can_be_edited_while_it_runs(open_page: OpenPage) -> None:
+    desk = open_page(size=SMALL)
+    tool(desk, "Select")
+    desk.page.mouse.click(*desk.place(11))
+    desk.until(lambda: desk.session.selection.masses == {11}, "the last mass is selected")
+    time = desk.simulation.time
+    desk.page.keyboard.press("Delete")
+    becomes(desk, 11, 10, 9)
+    desk.page.keyboard.press("Control+z")
+    becomes(desk, 12, 11, 10)
+    desk.until(lambda: desk.simulation.time > time + 0.2, "the run goes on")
+    assert not desk.notices()
+
+
+def test_what_was_built_is_saved_linked_and_opened_elsewhere(open_page: OpenPage) -> None:
+    desk = paused(open_page)
+    tool(desk, "Build")
+    drag(desk, desk.place(11), beside(desk, 11, 70.0, 0.0))
+    becomes(desk, 13, 12, 10)
+    built = desk.session.simulation.capture().scene
+    desk.page.keyboard.press("Escape")
+    link = shared(desk)
+    desk.page.keyboard.press("Escape")
+    desk.page.get_by_label("Name").fill("by hand")
+    desk.button("Save").click()
+    desk.until(lambda: files.user_path("by hand").exists(), "it is saved")
+    other = open_page("ring", size=(720, 460), path=link.removeprefix(desk.served.url))
+    other.until(lambda: len(other.session.scene.masses) == 13, "the link opens it")
+    assert other.session.scene.linear_springs == built.linear_springs
+    other.open_scene("by hand")
+    assert sim.load_scene("by hand").linear_springs == built.linear_springs
+    # A copy goes from page to page, too.
+    desk.page.keyboard.press("Control+a")
+    desk.until(lambda: len(desk.session.selection.masses) == 13, "all is selected")
+    action(desk, "Copy")
+    desk.until(
+        lambda: desk.page.evaluate("localStorage.getItem('softrod-clipboard') !== null"), "it is copied"
+    )
+    action(desk, "Paste")
+    becomes(desk, 26, 24, 20)
+
+
+def test_a_page_without_the_control_has_no_tools(open_page: OpenPage) -> None:
+    desk = open_page(size=SMALL, path="/?controls=play,body")
+    assert not desk.page.locator(".softrod-edit").is_visible()
+    desk.page.keyboard.press("e")
+    desk.page.keyboard.press("Control+z")
+    desk.rest(3)
+    assert not desk.page.locator(".softrod-edit-bar").is_visible()
