@@ -10,7 +10,7 @@ import pytest
 import sim
 from app.page import answers
 from app.page.answers import MOST_WAITING, Line
-from app.page.mail import Scenes
+from app.page.asks import Scenes
 from sim.scene import files
 from tests.app.test_gallery import Page
 
