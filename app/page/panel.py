@@ -209,6 +209,8 @@ class Panel:
             ("Show the whole scene", "0", "fit"),
             ("Energy: follow it, or stop", "", "energy"),
             ("Predictability: measure it, or stop", "", "foretell"),
+            ("Undo the last change of the body", "Ctrl Z", commands.Undo()),
+            ("Do again what was undone", "Ctrl Y", commands.Redo()),
             ("Open this scene anew", "", "anew"),
             ("Choose another scene", "O", "gallery"),
             ("Share this scene by a link", "", "share"),

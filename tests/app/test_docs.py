@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 import pytest
 
@@ -48,6 +48,14 @@ def test_the_reference_pages_are_linked_from_the_readme() -> None:
     assert pages
     for page in pages:
         assert f"](docs/{page.name})" in readme, page.name
+
+
+def test_the_examples_of_editing_run() -> None:
+    (example,) = blocks(DOCS / "editing.md", "python")
+    names: dict[str, Any] = {}
+    exec(example, names)
+    assert len(names["braced"].linear_springs) > len(names["scene"].linear_springs)
+    assert len(names["longer"].masses) == len(names["scene"].masses) + 1
 
 
 def test_the_python_example_of_the_readme_runs(capsys: pytest.CaptureFixture[str]) -> None:
