@@ -149,8 +149,10 @@ class Panel:
         if "solver" in controls:
             self._solver_tab = tabs.add_tab("Solver")
             with self._solver_tab:
-                self._solver = SolverPanel(self._client, self._session)
-            self.outlined.append(self._solver.own_values)
+                self._solver = SolverPanel(
+                    self._client, self._session, lambda notice: self._act("notice", notice)
+                )
+            self.outlined += self._solver.outlined
         if "measure" in controls or "tools" in controls:
             self.measure_tab = tabs.add_tab("Measure")
         if "files" in controls:
@@ -324,8 +326,9 @@ class Panel:
     # --------------------------------------------------------------------- what changes
     @property
     def unsettled(self) -> bool:
-        """Whether a control shows what is not set."""
-        return any(slider_box.refused for slider_box in self._sliders)
+        """Whether a control shows what is not set, or there will be more to show."""
+        waits = self._solver is not None and self._solver.waits
+        return waits or any(slider_box.refused for slider_box in self._sliders)
 
     def show_selection(self) -> None:
         """Show what is selected, if it may be edited."""

@@ -9,6 +9,7 @@ import numpy as np
 
 import sim
 from sim.analysis.predictability import factor_of
+from sim.analysis.tuning import Tuning, Vibration
 from sim.methods.registry import METHODS
 
 from ..drawing.colors import Palette
@@ -138,7 +139,7 @@ def joint_table(session: Session) -> str:
     return f'<table class="softrod-table">{"".join(rows)}</table>'
 
 
-def _table(rows: dict[str, str]) -> str:
+def table(rows: dict[str, str]) -> str:
     cells = "".join(f"<tr><td>{name}</td><td>{value}</td></tr>" for name, value in rows.items())
     return f'<table class="softrod-table">{cells}</table>'
 
@@ -156,7 +157,7 @@ def rates_table(session: Session) -> str:
         rows["rejected per second"] = f"{rates.rejected_per_second:.0f}"
     if session.fallbacks:
         rows["fallback steps"] = f"{session.fallbacks}"
-    return _table(rows)
+    return table(rows)
 
 
 def predictability_table(session: Session) -> str:
@@ -165,12 +166,12 @@ def predictability_table(session: Session) -> str:
     if foresight is None:
         return ""
     if foresight.waits:
-        return _table({"predictability": "comes when it is compiled"})
+        return table({"predictability": "comes when it is compiled"})
     if foresight.shadow.held:
-        return _table({"predictability": "no mass is free"})
+        return table({"predictability": "no mass is free"})
     growth = foresight.growth
     if growth is None:
-        return _table({"errors grow": "being measured, for a second"})
+        return table({"errors grow": "being measured, for a second"})
     rows = {
         "errors grow, last second": f"× {factor_of(growth):.2g}",
         "rate": f"{growth:+.2g} / s",
@@ -179,7 +180,58 @@ def predictability_table(session: Session) -> str:
     }
     kind = "softrod-lag" if foresight.many else "softrod-about"
     words = html.escape(foresight.verdict)
-    return f'{_table(rows)}<div class="softrod-text {kind}">{words[:1].upper()}{words[1:]}.</div>'
+    return f'{table(rows)}<div class="softrod-text {kind}">{words[:1].upper()}{words[1:]}.</div>'
+
+
+def tuning_table(scene: sim.Scene, told: Tuning, spring: int | None) -> str:
+    """What the numbers of a scene mean for its motion.
+
+    Args:
+        scene: the scene.
+        told: what was found of it.
+        spring: a spring to tell of by itself; None for the fastest one.
+    """
+    rows: dict[str, str] = {}
+    slowest, elastic = told.slowest, told.elastic
+    if slowest is not None:
+        rows["slowest vibration"] = _vibration(slowest)
+    # Of a body that swings under gravity, that is not what its springs do.
+    if elastic is not None and slowest is not None and elastic.frequency > 1.001 * slowest.frequency:
+        rows["slowest elastic one"] = _vibration(elastic)
+    if told.fastest is not None:
+        rows["fastest vibration"] = _vibration(told.fastest)
+    if told.sag is not None:
+        rows["sag under gravity"] = f"{told.sag:.3g} {html.escape(scene.view.unit)}, mass {told.sag_mass}"
+    for method, step in told.stable_steps.items():
+        limit = f"stable to {1e3 * step:.3g} ms" if math.isfinite(step) else "stable at any step"
+        rows[METHODS[method].label] = limit
+    alone = told.springs
+    if len(alone.frequency):
+        name = f"spring {spring} alone"
+        if spring is None:
+            spring, name = int(np.argmax(alone.frequency)), "fastest spring alone"
+        rows[name] = _rate(float(alone.frequency[spring]), float(alone.damping_ratio[spring]))
+    notes = "".join(
+        f'<div class="softrod-text softrod-about">{html.escape(note[:1].upper() + note[1:])}.</div>'
+        for note in told.notes
+    )
+    return table(rows) + notes
+
+
+def _vibration(vibration: Vibration) -> str:
+    return _rate(vibration.frequency, vibration.damping_ratio)
+
+
+def _rate(frequency: float, ratio: float) -> str:
+    """A frequency, its period, and a damping ratio."""
+    if not frequency > 0.0:
+        return "none"
+    damped = "undamped" if ratio < 1e-4 else f"damping ratio {ratio:.2g}"
+    return f"{frequency:.3g} Hz, {_duration(1.0 / frequency)}, {damped}"
+
+
+def _duration(seconds: float) -> str:
+    return f"{seconds:.3g} s" if seconds >= 0.1 else f"{1e3 * seconds:.3g} ms"
 
 
 def ghost_table(session: Session) -> str:
@@ -188,7 +240,7 @@ def ghost_table(session: Session) -> str:
     if ghost is None:
         return ""
     if ghost.waits:
-        return _table({"ghost": f"{html.escape(ghost.label)}: comes when it is compiled"})
+        return table({"ghost": f"{html.escape(ghost.label)}: comes when it is compiled"})
     unit = html.escape(session.scene.view.unit)
     rows = {
         "ghost": html.escape(ghost.label),
@@ -200,7 +252,7 @@ def ghost_table(session: Session) -> str:
         rows["any error grows"] = f"× {factor_of(session.foresight.growth):.2g} in a second"
     if ghost.simulation.divergence is not None:
         rows["ghost stopped"] = "it ran away"
-    return _table(rows)
+    return table(rows)
 
 
 _ENERGY_NAMES = {
@@ -241,7 +293,7 @@ def energy_table(session: Session) -> str:
     if not session.books:
         return ""
     if not session.simulation.keep_books(True):
-        return _table({"energy": "is followed when it is compiled"})
+        return table({"energy": "is followed when it is compiled"})
     book = session.simulation.energy()
     rows = {"unit": f"kg {html.escape(session.scene.view.unit)}²/s²"}
     largest = max(abs(getattr(book, key)) for key in _ENERGY_NAMES)
@@ -251,7 +303,7 @@ def energy_table(session: Session) -> str:
             value = -value
         if value or key in ("kinetic", "residual"):
             rows[name] = energy(value, largest)
-    return _table(rows)
+    return table(rows)
 
 
 def description(scene: sim.Scene) -> str:

@@ -74,7 +74,8 @@ def style_html(
         buttons = ",".join(f'button[id="{button}"]' for button in outlined)
         rules += f":is({buttons}){{background:transparent;color:var(--softrod-text);"
         rules += "border:1px solid var(--softrod-text)}"
-        rules += f":is({buttons}):hover{{background:var(--softrod-key)}}"
+        # The library's own colour of the text under the pointer is that of a filled button.
+        rules += f":is({buttons}):hover{{background:var(--softrod-key);color:var(--softrod-text)}}"
         rules += f":is({buttons}):disabled{{opacity:0.45}}"
     if beside:
         rules += f'div:has(+div>[id="{beside}"]){{padding-right:46px!important}}'

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import viser
@@ -11,8 +12,10 @@ from sim.settings import CHOICES
 
 from ..session import commands
 from ..session.ghost import FINER, REFERENCE
+from ..session.notices import Notice
 from ..session.session import Session
 from . import readouts
+from .tuning_panel import TuningPanel
 
 NO_GHOST = "nothing"
 REFERENCE_LABEL = "a near-exact solution"
@@ -29,16 +32,22 @@ class SolverPanel:
     Args:
         client: the page.
         session: its simulation.
+        notify: tells the user something.
+
+    Attributes:
+        outlined: buttons that are not the first thing to press.
     """
 
-    def __init__(self, client: viser.ClientHandle, session: Session) -> None:
+    def __init__(
+        self, client: viser.ClientHandle, session: Session, notify: Callable[[Notice], None]
+    ) -> None:
         self._session = session
         gui = client.gui
         methods, laws = CHOICES["method"].options, CHOICES["force_law"].options
         self._method = gui.add_dropdown("Integrator", tuple(methods.values()), order=1)
         self._about = gui.add_html("", order=2)
         self._law = gui.add_dropdown("Force law", tuple(laws.values()), order=3)
-        self.own_values = gui.add_button(
+        self._own_values = gui.add_button(
             "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST - 1
         )
         self._books = gui.add_checkbox(
@@ -52,6 +61,8 @@ class SolverPanel:
             order=LAST + 1.2,
         )
         self._growth = gui.add_html("", order=LAST + 1.4)
+        self._tuning = TuningPanel(client, session, notify, LAST + 1.5)
+        self.outlined = [self._own_values, *self._tuning.outlined]
         self._other = gui.add_dropdown(
             "Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()), order=LAST + 2
         )
@@ -73,7 +84,7 @@ class SolverPanel:
                 if event.client_id is not None:
                     self._compare()
 
-        @self.own_values.on_click
+        @self._own_values.on_click
         async def _(_: object) -> None:
             session.post(commands.OwnValues("solver"))
 
@@ -94,9 +105,10 @@ class SolverPanel:
         moving = CHOICES["method"].applies(scene)
         self._law.visible = jointed
         for handle in (
-            self._method, self._about, self.own_values, self._books, self._foretell, self._other
+            self._method, self._about, self._own_values, self._books, self._foretell, self._other
         ):  # fmt: skip
             handle.visible = moving
+        self._tuning.build(moving)
         self.refresh_controls()
 
     def refresh_controls(self) -> None:
@@ -124,9 +136,15 @@ class SolverPanel:
         if self._about.content != about:
             self._about.content = about
 
+    @property
+    def waits(self) -> bool:
+        """Whether there will be more to show, though nothing moves."""
+        return self._tuning.waits
+
     def refresh_readouts(self) -> None:
-        """Show the energies, the ghost and the rates as they are now."""
+        """Show the energies, the tuning, the ghost and the rates as they are now."""
         session = self._session
+        self._tuning.refresh()
         for element, content in (
             (self._energy, readouts.energy_table(session)),
             (self._growth, readouts.predictability_table(session)),

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from typing import NamedTuple, TypeVar
 
 import msgspec
 import numpy as np
 
 from ..analysis.tuning import MOST_VIBRATIONS, Dampers, Hold, softnesses, vibrations_at_rest
-from ..body.system import build_system, joint_stiffness
-from ..errors import InputError
+from ..body.system import build_system, joint_stiffness, same_topology
+from ..errors import InputError, SettingError
 from ..kernels.core.tables import Floats
 from ..methods.registry import METHODS
 from ..motion.simulation import Simulation
@@ -18,7 +19,7 @@ from ..motion.stability import Cause, limit_at_start
 from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Method, Scene
 from ..scene.validate import number_range, validate
-from .edit import of_parts
+from .edit import Edit, counted, of_parts
 
 _MARGIN = 1.01
 """By how much the limit is to exceed the time step: it is estimated within a per cent."""
@@ -30,6 +31,8 @@ _SECONDS, _MOST_STEPS = 1.0, 2000
 """How long it is run, s and steps."""
 _LOWER = 0.8
 """Factor of the cap after a run that did not end well."""
+_HALVINGS = 12
+"""Number of halvings in the search for the largest damping that a time step bears."""
 _LEAST_HOLD = 1e-6
 """Part of a vibration's stiffness that is of springs or joints, below which they do not hold it."""
 
@@ -114,7 +117,7 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
         scene = msgspec.structs.replace(scene, integrator=integrator)
     validate(scene)
     rule = METHODS[integrator.method].limit
-    if rule is None or integrator.method == "stable_spring":
+    if rule is None or not is_limited(integrator.method):
         return scene
     calm = _is_calm(scene)
     if calm and _survives(scene):
@@ -176,9 +179,9 @@ def damp_vibration(scene: Scene, mode: int | None = None, spring: int | None = N
             springs and joints within its range does it.
     """
     validate(scene)
-    own = _Numbers.of(scene)
     if spring is not None:
-        return _damped_spring(scene, own, spring)
+        return _with_damped(scene, (spring,))
+    own = _Numbers.of(scene)
     if mode is not None and (isinstance(mode, bool) or not isinstance(mode, int) or mode < 0):
         raise InputError(f"damp_vibration: {mode} is not the number of a vibration, from 0")
     resting, found = vibrations_at_rest(scene, MOST_VIBRATIONS if mode is None else mode + 1)
@@ -210,15 +213,74 @@ def _damped(own: _Numbers, dampers: Dampers, omega: float, shape: Floats, hold: 
     return own._replace(damping=_allowed(springs), joint_damping=_allowed(joints))
 
 
-def _damped_spring(scene: Scene, own: _Numbers, spring: int) -> Scene:
-    count = len(own.stiffness)
-    if isinstance(spring, bool) or not isinstance(spring, int) or not 0 <= spring < count:
-        raise InputError(f"damp_vibration: spring {spring} does not exist (0..{count - 1})")
-    softness = float(softnesses(scene)[0][spring])
-    if not softness > 0.0:
-        raise InputError(f"damp_vibration: both masses of spring {spring} are held, so it does not vibrate")
+def damp_springs(scene: Scene, springs: Collection[int]) -> Edit:
+    """An edit after which some springs, each by itself, are critically damped, see `damp_vibration`.
+
+    Raises:
+        InputError: as `damp_vibration`.
+    """
+    return Edit(f"{counted(len(springs), 'spring')} critically damped", _with_damped(scene, springs))
+
+
+def as_far_as_stable(scene: Scene, damped: Scene) -> Scene:
+    """The scene with its dampings as far on the way to those of another one as its own time step bears.
+
+    Args:
+        scene: a valid scene.
+        damped: the same with other dampings.
+
+    Raises:
+        InputError: the time step is too long for the scene as it is.
+    """
+    own, other = _Numbers.of(scene), _Numbers.of(damped)
+
+    def part(of_way: float) -> Scene:
+        return own._replace(
+            damping=own.damping + of_way * (other.damping - own.damping),
+            joint_damping=own.joint_damping + of_way * (other.joint_damping - own.joint_damping),
+        ).put(scene)
+
+    if not is_limited(scene.integrator.method) or _is_calm(damped):
+        return damped
+    if not _is_calm(scene):
+        raise InputError(
+            f"damping: a time step of {scene.integrator.dt:g} s is too long for the body as it is"
+        )
+    low, high = 0.0, 1.0
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if _is_calm(part(middle)) else (low, middle)
+    return part(low)
+
+
+def with_numbers_of(tuned: Scene, origin: Scene, scene: Scene, label: str) -> Edit:
+    """An edit of a scene that gives it the stiffnesses and dampings that another one got.
+
+    Args:
+        tuned: the other one.
+        origin: what it was made of: the scene, at another moment.
+        scene: the scene.
+        label: what was done.
+
+    Raises:
+        SettingError: the scene has other parts, or other stiffnesses and dampings, than then.
+    """
+    before, now = _Numbers.of(origin), _Numbers.of(scene)
+    same = same_topology(origin, scene) and all(map(np.array_equal, before, now))
+    if not same:
+        raise SettingError(f"{label}: the body was changed meanwhile, so that it is not that one any more")
+    return Edit(label, _Numbers.of(tuned).put(scene))
+
+
+def _with_damped(scene: Scene, springs: Collection[int]) -> Scene:
+    own, softness = _Numbers.of(scene), softnesses(scene)[0]
     damping = own.damping.copy()
-    damping[spring] = 2.0 * math.sqrt(float(own.stiffness[spring]) / softness)
+    for spring in springs:
+        if isinstance(spring, bool) or not isinstance(spring, int) or not 0 <= spring < len(softness):
+            raise InputError(f"damp_vibration: spring {spring} does not exist (0..{len(softness) - 1})")
+        if not softness[spring] > 0.0:
+            raise InputError(f"damp_vibration: both masses of spring {spring} are held, so it cannot vibrate")
+        damping[spring] = 2.0 * math.sqrt(float(own.stiffness[spring] / softness[spring]))
     return own._replace(damping=_allowed(damping)).put(scene)
 
 
@@ -229,6 +291,11 @@ def _allowed(damping: Floats) -> Floats:
             f"damp_vibration: it would take a damping of {damping.max():.3g} kg/s, and {most:g} is the most"
         )
     return damping
+
+
+def is_limited(method: Method) -> bool:
+    """Whether springs and joints limit the time step of a method."""
+    return METHODS[method].limit is not None and method != "stable_spring"
 
 
 def _is_calm(scene: Scene) -> bool:

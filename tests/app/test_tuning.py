@@ -1,0 +1,160 @@
+"""Tuning in a page: what is told, when it is found out, and edits that undo takes back."""
+
+from __future__ import annotations
+
+import time
+from functools import partial
+
+import pytest
+from msgspec.structs import replace
+
+import sim
+from app.page import readouts, tuning_panel
+from app.page.tuning_panel import MOST_MASSES, Tuner
+from app.session import commands
+from sim.compiling.compiler import fetch, for_fallback
+from sim.edit.edit import Selection
+from sim.edit.tune import as_far_as_stable, damp_springs, with_numbers_of
+from sim.errors import InputError
+from sim.motion.stability import largest_step
+from tests.app.pages import SessionPage
+
+SCENE = sim.load_scene("tutorial-3.3")
+
+
+def found(tuner: Tuner, scene: sim.Scene) -> Tuner:
+    """The tuner, after it has found out."""
+    fetch(for_fallback(surrounded=False))
+    end = time.monotonic() + 60.0
+    while tuner.busy and time.monotonic() < end:
+        tuner.look(scene)
+        time.sleep(0.01)
+    assert not tuner.busy
+    return tuner
+
+
+def test_a_scene_is_told_of_once_it_has_settled(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[sim.Scene] = []
+    tuning = sim.tuning
+
+    def counted(scene: sim.Scene) -> sim.Tuning:
+        asked.append(scene)
+        return tuning(scene)
+
+    monkeypatch.setattr(sim, "tuning", counted)
+    tuner = Tuner()
+    assert tuner.busy
+    for k in range(5):  # as while a key is held
+        tuner.look(replace(SCENE, rest_length_scale=1.0 + 0.01 * k))
+    assert not asked
+    found(tuner, SCENE)
+    assert asked == [SCENE]
+    assert tuner.told is not None
+    assert tuner.told.stable_steps == tuning(SCENE).stable_steps
+    other = replace(SCENE, gravity=(0.0, 100.0))
+    tuner.look(other)
+    assert tuner.busy
+    assert found(tuner, other).scene is other
+
+
+def test_large_bodies_and_defects_end_the_wait(monkeypatch: pytest.MonkeyPatch) -> None:
+    large = sim.rope(masses=MOST_MASSES + 1)
+    assert f"at most {MOST_MASSES} masses" in found(Tuner(), large).trouble
+
+    def defect(scene: sim.Scene) -> sim.Tuning:
+        raise RuntimeError("a defect")
+
+    monkeypatch.setattr(sim, "tuning", defect)
+    assert "an error" in found(Tuner(), SCENE).trouble
+
+
+def test_nothing_is_compiled_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tuning_panel, "is_ready", lambda names: False)
+    tuner = Tuner()
+    for _ in range(3):
+        tuner.look(SCENE)
+    assert tuner.busy
+    assert tuner.trouble == "comes when it is compiled"
+
+
+def test_the_table_has_what_there_is_with_units() -> None:
+    told = sim.tuning(SCENE)
+    text = readouts.tuning_table(SCENE, told, None)
+    assert "slowest vibration</td><td>0.478 Hz, 2.09 s, undamped" in text
+    assert "slowest elastic one</td><td>2.17 Hz, 0.46 s, damping ratio 0.027" in text
+    assert "sag under gravity</td><td>13.2 px, mass 11" in text
+    assert "Symplectic Euler</td><td>stable to 5.1 ms" in text
+    assert "fastest spring alone</td><td>22.5 Hz, 44.4 ms, damping ratio 0.28" in text
+    assert "spring 0 alone</td><td>15.9 Hz, 62.8 ms, damping ratio 0.2<" in readouts.tuning_table(
+        SCENE, told, 0
+    )
+    free = replace(SCENE, anchors=(), bodies=())
+    text = readouts.tuning_table(free, sim.tuning(free), None)
+    assert "sag" not in text
+    assert "Nothing holds mass 0, so it falls." in text
+    evil = replace(SCENE, view=sim.View(unit="<b>"))
+    assert "<b>" not in readouts.tuning_table(evil, sim.tuning(evil), None)
+
+
+# ------------------------------------------------------------------------- edits
+def test_a_body_is_made_stable_and_undo_takes_it_back() -> None:
+    page = SessionPage(SCENE)
+    session = page.session
+    page.frames(20, commands.SetValue("dt", 0.008))
+    origin = session.simulation.scene
+    page.frames(0, commands.Play(False))
+    posed = replace(origin, pose=session.simulation.pose())
+    made = sim.make_stable(posed)
+    assert made is not posed
+    where, at = session.simulation.positions.copy(), session.simulation.time
+    edit = partial(with_numbers_of, made, posed, label="Made stable")
+    page.frames(1, commands.Play(False), commands.Change(lambda moment, _: edit(scene=moment.scene)))
+    assert (session.simulation.positions == where).all()
+    assert session.simulation.time == at
+    assert session.versions.undoable == "Made stable"
+    stiffness = [s.stiffness for s in made.linear_springs]
+    assert [s.stiffness for s in session.scene.linear_springs] == stiffness
+    assert session.simulation.stability().limit > 0.008
+    page.frames(1, commands.Undo())
+    assert session.scene.linear_springs == origin.linear_springs
+    assert session.scene.angular_springs == origin.angular_springs
+    page.frames(1, commands.Redo())
+    assert [s.stiffness for s in session.scene.linear_springs] == stiffness
+    # What was changed meanwhile is not overwritten.
+    page.frames(1, commands.Undo(), commands.SetValue("linear_stiffness", 777.0))
+    page.frames(1, commands.Change(lambda moment, _: edit(scene=moment.scene)))
+    assert {s.stiffness for s in session.scene.linear_springs} == {777.0}
+    assert "changed meanwhile" in session.notices[-1].text
+
+
+def test_damping_goes_as_far_as_the_time_step_bears() -> None:
+    damped = sim.damp_vibration(SCENE)
+    assert largest_step(damped, "symplectic_euler") < 0.0025
+    made = as_far_as_stable(SCENE, damped)
+    assert 0.0025 <= largest_step(made, "symplectic_euler") <= 1.03 * 0.0025
+    assert [s.stiffness for s in made.linear_springs] == [s.stiffness for s in SCENE.linear_springs]
+    before, after, most = (sim.tuning(scene).elastic for scene in (SCENE, made, damped))
+    assert before is not None and after is not None and most is not None
+    assert before.damping_ratio < after.damping_ratio < most.damping_ratio
+    auto = replace(SCENE, integrator=sim.Integrator())
+    assert as_far_as_stable(auto, sim.damp_vibration(auto)) == sim.damp_vibration(auto)
+    with pytest.raises(InputError, match="too long for the body as it is"):
+        long = replace(SCENE, integrator=replace(SCENE.integrator, dt=0.01))
+        as_far_as_stable(long, sim.damp_vibration(long))
+
+
+def test_selected_springs_are_damped_each_by_itself() -> None:
+    page = SessionPage(SCENE)
+    some = Selection(springs=frozenset({0, 4}))
+    page.frames(
+        1,
+        commands.Select(lambda *_: some),
+        commands.Change(lambda moment, selected: damp_springs(moment.scene, selected.springs)),
+    )
+    damping = [s.damping for s in page.session.scene.linear_springs]
+    # One mass of spring 0 is held.
+    assert (damping[0], damping[4]) == pytest.approx((200.0, 2.0 * 5000.0**0.5))
+    assert damping[1:4] == [40.0] * 3
+    assert page.session.versions.undoable == "2 springs critically damped"
+    page.frames(1, commands.Undo())
+    assert page.session.scene.linear_springs == SCENE.linear_springs
