@@ -42,8 +42,7 @@ def draw_over_time(
 ) -> tuple[viser.GuiUplotHandle, tuple[object, ...]]:
     """Set the data of a plot over time; and its lines and axes, if these are others than before.
 
-    What is ahead of the moment that is shown is pale: a pale line has all values, and the one over it ends
-    there.
+    What is ahead of the moment that is shown is pale: a line ends there, and a pale one has all values.
 
     Args:
         chart: where; None to make it.
@@ -65,11 +64,12 @@ def draw_over_time(
     if values.shape[1] == 1:  # a range of no length has no marks
         values = np.column_stack((values, values))
         values[0, 1] += 0.1
-    until = values[1:]
-    if ahead:
-        until = until.copy()
-        until[:, past:] = np.nan
-    data = *values, *until
+    # The line of all values is empty where the other one has all of them: they would be sent twice.
+    until, whole = values, [np.zeros(0)] * len(series)
+    if ahead or chart is None:  # in a new chart viser wants all lines of one length
+        until, whole = values.copy(), list(values[1:])
+        until[1:, past:] = np.nan
+    data = *until, *whole
     looks = plot.wish, tuple(series), colors.css("text"), tuple(some.tolist()), plot.units
     lines, axes = _lines(plot, series, some), _axes(plot, colors)
     if chart is None:
@@ -90,20 +90,21 @@ def draw_over_another(plot: Plot, drawn: Drawn, series: Sequence[str]) -> str:
 
 
 def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[uplot.Series, ...]:
-    whole: list[uplot.Series] = []
     until: list[uplot.Series] = []
+    whole: list[uplot.Series] = []
     for quantity, color, has_values in zip(plot.quantities, series, some[1:], strict=True):
         line: uplot.Series = {
             "label": f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name,
             "stroke": color,
             "width": 2.0,
             "scale": f"y{plot.units.index(quantity.unit)}",
+            "auto": bool(has_values),
             "points": {"show": False},
         }
-        # The legend and the range are the pale line's, which has all values.
-        whole.append({**line, "alpha": PALE, "auto": bool(has_values)})
-        until.append({**line, "class": "softrod-until", "auto": False})
-    return {"label": "time, s"}, *whole, *until
+        # The legend has either this one or that, see static/page.css.
+        until.append({**line, "class": "softrod-until"})
+        whole.append({**line, "class": "softrod-whole", "alpha": PALE})
+    return {"label": "time, s"}, *until, *whole
 
 
 def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:

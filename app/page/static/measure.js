@@ -17,7 +17,9 @@ const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 export function showMeasures() {
   let asked = "0";
   onTold(() => {
-    const { measures = "0" } = told();
+    const { measures = "0", scrubbed } = told();
+    // Legends of plots then read what is ahead, too.
+    document.documentElement.toggleAttribute("data-softrod-past", scrubbed === "1");
     if (measures === asked) return;
     asked = measures;
     const count = titles().length;
