@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import sim
 from app.session import commands
@@ -331,3 +333,48 @@ def test_a_page_without_the_control_has_no_tools(open_page: OpenPage) -> None:
     desk.page.keyboard.press("Control+z")
     desk.rest(3)
     assert not desk.page.locator(".softrod-edit-bar").is_visible()
+
+
+def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_path: Path) -> None:
+    desk = paused(open_page)
+    page = desk.page
+    path = tmp_path / "bridge.png"
+    Image.new("RGB", (400, 200), (250, 80, 10)).save(path)
+    page.keyboard.press("e")
+    page.locator(".softrod-edit-bar input[type=file]").set_input_files(path)
+    image = page.locator(".softrod-underlay image")
+    desk.until(lambda: image.count() == 1, "the picture is there")
+
+    def box() -> tuple[float, float, float, float]:
+        return tuple(float(image.get_attribute(name) or 0.0) for name in ("x", "y", "width", "height"))  # type: ignore[return-value]
+
+    x, y, wide, high = box()
+    assert wide == pytest.approx(2.0 * high, rel=1e-3)
+    # It moves by the pointer and by keys, and not the mass that is under the pointer.
+    page.get_by_role("button", name="Move it").click()
+    before = desk.simulation.positions
+    drag(desk, desk.place(5), beside(desk, 5, 40.0, 30.0))
+    desk.until(lambda: box()[0] == pytest.approx(x + 40.0, abs=1.0), "it is moved")
+    assert box()[1] == pytest.approx(y + 30.0, abs=1.0)
+    page.keyboard.press("ArrowLeft")
+    desk.until(lambda: box()[0] < x + 39.0, "an arrow moves it back a little")
+    np.testing.assert_array_equal(desk.simulation.positions, before)
+    page.get_by_label("Size").fill("1")
+    desk.until(lambda: box()[2] < 0.5 * wide, "it is smaller")
+    page.get_by_label("Opacity").fill("0.8")
+    desk.until(lambda: image.get_attribute("opacity") == "0.80", "it is stronger")
+    desk.picture("edit-picture.png")
+    # What is drawn over it is the body's, the picture is not.
+    assert "image" not in files.encode_scene(desk.session.snapshot("x", with_pose=True)).decode()
+    where = box()
+    desk.open()
+    desk.until(lambda: image.count() == 1 and box() == pytest.approx(where, abs=0.6), "a reload keeps it")
+    # A file that is no picture is said to be none.
+    text = tmp_path / "notes.txt"
+    text.write_text("no picture")
+    page.keyboard.press("e")
+    page.locator(".softrod-edit-bar input[type=file]").set_input_files(text)
+    page.get_by_text("notes.txt is no picture").wait_for()
+    page.get_by_role("button", name="Picture", exact=True).click()
+    page.get_by_role("button", name="Take it away").click()
+    desk.until(lambda: image.count() == 0, "it is gone")

@@ -63,8 +63,8 @@ function iconButton(name, label, title, press) {
   return button;
 }
 
-/** Puts up the tools. */
-export function addEditStrip() {
+/** Puts up the tools. @param {{button: HTMLElement, row: HTMLElement, said: HTMLElement}} tracing the picture behind the body */
+export function addEditStrip(tracing) {
   const strip = make("div", "softrod-edit");
   strip.setAttribute("role", "toolbar");
   strip.ariaLabel = "Editing";
@@ -94,7 +94,7 @@ export function addEditStrip() {
   const rests = makeButton("Moved rest", () => setTakesNew(!takesNew()), "");
   rests.title = "Springs and joints of what is moved take their new lengths and angles as rest, or keep the old ones";
   const done = makeButton("Done", () => setEditing(false), "softrod-edit-done");
-  bar.append(count, ...onSelected, paste, ...ALWAYS.map(actionButton), rests, done);
+  bar.append(count, ...onSelected, paste, ...ALWAYS.map(actionButton), rests, tracing.button, tracing.said, done, tracing.row);
   const live = make("div", "softrod-tell");
   live.setAttribute("role", "status");
   document.body.append(strip, bar, live);

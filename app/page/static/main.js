@@ -35,6 +35,7 @@ import { keepStyles } from "./styles.js";
 import { addUnderlay } from "./underlay.js";
 import { hearTools } from "./tools.js";
 import { addTraces } from "./trace.js";
+import { addTracing } from "./tracing.js";
 import { addTransport } from "./transport.js";
 import { isKnown, whenViser } from "./viser.js";
 
@@ -63,6 +64,7 @@ whenViser((viser) => {
   drawBody(viser, [hear, hearLesson, showHud, hearTools, keepStyles]);
   keepFlat();
   mindDialogs();
+  const tracing = addTracing();
   listenToEditKeys();
   listenToKeys();
   addGallery();
@@ -84,7 +86,7 @@ whenViser((viser) => {
   addHeading();
   addLesson();
   addEditMarks();
-  addEditStrip();
+  addEditStrip(tracing);
   addBodyKeys();
   nameControls();
   showMeasures();

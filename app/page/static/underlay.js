@@ -50,6 +50,11 @@ function windMark(path) {
   };
 }
 
+/** @type {((seen: import("./overlay.js").Sight, svg: SVGSVGElement) => void)[]} */
+const others = [];
+/** Has something else drawn whenever this is, at the same place. @param {(typeof others)[0]} draw */
+export const onUnderlay = (draw) => others.push(draw);
+
 /** Begins to draw. */
 export function addUnderlay() {
   const svg = document.createElementNS(SVG, "svg");
@@ -86,6 +91,7 @@ export function addUnderlay() {
     const view = [viewOf(seen), told().width, told().height].join(" ");
     if (view !== stood) show(standing(seen, Math.max(Number(told().width), Number(told().height)) / seen.plan.scale));
     stood = view;
+    for (const other of others) other(seen, svg);
     show(moving(seen, shown().damage.broken));
     set(paths.skin, "stroke-width", (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2));
     if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
