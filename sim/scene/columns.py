@@ -2,11 +2,13 @@
 
 To make an array of ten thousand parts takes a good part of a millisecond for each number, and the tables, the
 drawing and the sliders of a body ask for the same ones. An edit of a spring leaves masses and joints as they
-were. So the arrays of the parts that were asked for last are kept.
+were, and all other springs. So the arrays of the parts that were asked for last are kept, and those of other
+parts are made of them as far as the parts are the same.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from operator import attrgetter
 from typing import Any
 
@@ -16,35 +18,71 @@ from numpy.typing import NDArray
 MOST = 12
 """Tuples of parts whose arrays are kept: those of some versions of a body, or of some bodies."""
 
-_kept: dict[int, tuple[tuple[Any, ...], dict[tuple[str, type], NDArray[Any]]]] = {}
+Parts = tuple[Any, ...]
+_Arrays = dict[tuple[str, type], NDArray[Any]]
+
+_kept: dict[int, tuple[Parts, _Arrays]] = {}
 """Each of these tuples by its id, which no other can get as long as it is kept; the latest comes last."""
 
 
-def column(parts: tuple[Any, ...], field: str) -> NDArray[np.float64]:
+def column(parts: Parts, field: str) -> NDArray[np.float64]:
     """(k,) the number that each part has in a field, read-only; NaN where it has none."""
     return _column(parts, field, float)
 
 
-def ends(parts: tuple[Any, ...]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def ends(parts: Parts) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """(k,) the `a` and the `b` of springs or of joints, read-only."""
     return _column(parts, "a", np.int64), _column(parts, "b", np.int64)
 
 
-def has_any(parts: tuple[Any, ...], field: str) -> bool:
+def has_any(parts: Parts, field: str) -> bool:
     """Whether any part has a number in a field that may be without one."""
     return not np.isnan(column(parts, field)).all()
 
 
-def _column(parts: tuple[Any, ...], field: str, dtype: type) -> NDArray[Any]:
+def _column(parts: Parts, field: str, dtype: type) -> NDArray[Any]:
     parts = tuple(parts)  # itself, unless it is a list, which may change
     found = _kept.pop(id(parts), None)  # threads that do the same make an array twice at worst
     if found is None:
-        found = parts, {}
+        found = parts, _inherited(parts)
         for oldest in list(_kept)[: max(0, len(_kept) - MOST + 1)]:
             _kept.pop(oldest, None)
     _kept[id(parts)] = found
     array = found[1].get((field, dtype))
     if array is None:
-        array = found[1][field, dtype] = np.array(list(map(attrgetter(field), parts)), dtype)
-        array.setflags(write=False)
+        array = found[1][field, dtype] = _read_only(_made(parts, field, dtype))
+    return array
+
+
+def _inherited(parts: Parts) -> _Arrays:
+    """The arrays that follow from those of other parts, of which most are the same."""
+    for other, arrays in reversed(list(_kept.values())):
+        before = _same(parts, other)
+        after = min(_same(reversed(parts), reversed(other)), min(len(parts), len(other)) - before)
+        if 2 * (before + after) > len(parts):
+            middle, rest = parts[before : len(parts) - after], len(other) - after
+            return {
+                (field, dtype): _read_only(
+                    np.concatenate((array[:before], _made(middle, field, dtype), array[rest:]))
+                )
+                for (field, dtype), array in list(arrays.items())
+            }
+    return {}
+
+
+def _same(some: Iterable[Any], others: Iterable[Any]) -> int:
+    """How many parts are the same at the beginning."""
+    count = -1
+    for count, (one, other) in enumerate(zip(some, others, strict=False)):
+        if one is not other:
+            return count
+    return count + 1
+
+
+def _made(parts: Sequence[Any], field: str, dtype: type) -> NDArray[Any]:
+    return np.array(list(map(attrgetter(field), parts)), dtype)
+
+
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
+    array.setflags(write=False)
     return array

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import sim
 from sim.scene import columns
@@ -46,3 +48,45 @@ def test_a_list_that_changes_is_looked_at_again() -> None:
     assert column(some, "stiffness").tolist() == [0.0, 1.0, 2.0]  # type: ignore[arg-type]
     some[1] = spring(8, 9, 8.0)
     assert column(some, "stiffness").tolist() == [0.0, 8.0, 2.0]  # type: ignore[arg-type]
+
+
+def fields_of(parts: tuple[sim.LinearSpring, ...]) -> list[list[float]]:
+    return [column(parts, "stiffness").tolist(), *(end.tolist() for end in ends(parts))]
+
+
+@given(st.data())
+def test_arrays_of_other_parts_are_made_of_those_that_are_the_same(data: st.DataObject) -> None:
+    """Of some springs, any stretch is replaced by any other springs, again and again."""
+    columns._kept.clear()
+    parts = springs_of(data.draw(st.integers(0, 12)))
+    for step in range(4):
+        expected = [
+            [each.stiffness for each in parts],
+            [each.a for each in parts],
+            [each.b for each in parts],
+        ]
+        assert fields_of(parts) == expected
+        start = data.draw(st.integers(0, len(parts)))
+        end = data.draw(st.integers(start, len(parts)))
+        new = springs_of(data.draw(st.integers(0, 3)), first=100 * (step + 1))
+        parts = (*parts[:start], *new, *parts[end:])
+
+
+def test_only_what_is_new_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[int] = []
+
+    def counting(parts: tuple[sim.LinearSpring, ...], field: str, dtype: type) -> np.ndarray:
+        read.append(len(parts))
+        return made(parts, field, dtype)
+
+    made = columns._made
+    columns._kept.clear()
+    monkeypatch.setattr(columns, "_made", counting)
+    parts = springs_of(50)
+    fields_of(parts)
+    parts = (*parts[:20], spring(3, 4, 5.0), *parts[21:])
+    fields_of(parts)
+    parts = parts[1:]
+    fields_of(parts)
+    fields_of((*parts, spring(0, 9, 1.0)))
+    assert read == [50] * 3 + [1] * 3 + [0] * 3 + [1] * 3
