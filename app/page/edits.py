@@ -12,8 +12,8 @@ import numpy as np
 
 from sim import Moment, Scene
 from sim.edit import build, copying, shape
-from sim.edit.edit import Edit, Selection
-from sim.edit.values import number, set_number
+from sim.edit.edit import Edit, Selection, carried
+from sim.edit.values import number, set_number, take_as_rest
 from sim.errors import SceneError, SettingError
 from sim.scene.numbers import Vector
 
@@ -210,33 +210,33 @@ def _done(what: str, moment: Moment, selection: Selection) -> Edit:
         case "mirror":
             return shape.mirror(scene, some, positions)
         case "corners":
-            edit = shape.add_corners(scene, some, positions)
+            edit = shape.add_corners(scene, some, positions, moment.rest_angle_shift)
             if edit.joints is None:
                 raise SceneError("every corner there has an angular spring, or has none to get")
             return edit
         case "triangulate":
-            edit = shape.triangulate(scene, some, positions)
+            edit = shape.triangulate(scene, some, positions, moment.rest_length_scale)
             if edit.springs is None:
                 raise SceneError("there is nothing left to brace")
             return edit
         case "rest":
-            return shape.rest_as_is(scene, some, positions, moment.rest_angle_shift)
+            return take_as_rest(moment, selection if any(selection) else Selection(masses=some))
         case _:
             raise SceneError("nothing is selected")
 
 
 def _lined(moment: Moment, a: int | None, b: int | None, start: Vector, end: Vector) -> Edit:
-    scene, positions = moment.scene, build.positions_of(moment)
+    scene, positions, scale = moment.scene, build.positions_of(moment), moment.rest_length_scale
     n = len(scene.masses)
     if a is None and b is not None:
-        return replace(build.extend(scene, b, start, positions), select=_one(b))
+        return replace(build.extend(scene, b, start, positions, scale), select=_one(b))
     if a is None:
         first = build.add_mass(scene, start)
-        second = build.extend(first.scene, n, end, [*positions, start])
+        second = build.extend(first.scene, n, end, [*positions, start], scale)
         return replace(build.joined("2 masses and a spring added", first, second), select=_one(n + 1))
     if b is None:
-        return replace(build.extend(scene, a, end, positions), select=_one(n))
-    edit = build.add_springs(scene, [(a, b)], positions)
+        return replace(build.extend(scene, a, end, positions, scale), select=_one(n))
+    edit = build.add_springs(scene, [(a, b)], positions, scale)
     return replace(edit if edit.springs else Edit("", scene), select=_one(b))
 
 
@@ -269,13 +269,9 @@ def _moved(moment: Moment, masses: frozenset[int], by: Vector, rest: bool) -> Ed
     if not masses:
         raise SettingError("nothing is selected that could be moved")
     edit = shape.move(moment.scene, masses, by)
-    if not rest:
+    if not (rest and any(s.a in masses or s.b in masses for s in moment.scene.linear_springs)):
         return edit
-    at = [
-        (x + by[0], y + by[1]) if i in masses else (x, y)
-        for i, (x, y) in enumerate(build.positions_of(moment))
-    ]
-    resting = shape.rest_as_is(edit.scene, masses, at, moment.rest_angle_shift)
+    resting = take_as_rest(carried(edit, moment), Selection(masses=masses))
     return replace(edit, scene=resting.scene)
 
 

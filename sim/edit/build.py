@@ -47,19 +47,25 @@ def add_mass(scene: Scene, at: Vector, held: bool = False) -> Edit:
     return Edit("mass added", new, masses=added(n, 1))
 
 
-def add_springs(scene: Scene, pairs: Sequence[tuple[int, int]], positions: Sequence[Vector]) -> Edit:
+def add_springs(
+    scene: Scene,
+    pairs: Sequence[tuple[int, int]],
+    positions: Sequence[Vector],
+    scale: float | None = None,
+) -> Edit:
     """Springs between masses, which rest as they are; pairs that a spring joins already are left out.
 
     Args:
         scene: what they are added to.
         pairs: the masses that each joins.
-        positions: of all masses, px, from which the rest lengths follow; they are divided by the scene's
-            rest length scale.
+        positions: of all masses, px, from which the rest lengths follow.
+        scale: the present factor of all rest lengths, by which they are divided; None for the scene's.
 
     Raises:
         SceneError: a mass does not exist, the two are in the same place, or there are too many springs.
     """
     scene = of_parts(scene)
+    scale = scene.rest_length_scale if scale is None else scale
     taken = {(spring.a, spring.b) for spring in scene.linear_springs}
     typical, springs = typical_spring(scene), []
     for a, b in pairs:
@@ -67,7 +73,7 @@ def add_springs(scene: Scene, pairs: Sequence[tuple[int, int]], positions: Seque
         if a == b or (a, b) in taken or (b, a) in taken:
             continue
         taken.add((a, b))
-        length = math.dist(positions[a], positions[b]) / scene.rest_length_scale
+        length = math.dist(positions[a], positions[b]) / scale
         apart = math.dist(scene.masses[a].position, scene.masses[b].position)
         if scene.pose is not None:
             apart = min(apart, math.dist(scene.pose.positions[a], scene.pose.positions[b]))
@@ -121,7 +127,9 @@ def add_joints(
     return Edit(label, with_added(scene, joints=joints), joints=added(count, len(joints)))
 
 
-def extend(scene: Scene, mass: int, to: Vector, positions: Sequence[Vector]) -> Edit:
+def extend(
+    scene: Scene, mass: int, to: Vector, positions: Sequence[Vector], scale: float | None = None
+) -> Edit:
     """A new mass and a spring from a mass to it.
 
     Args:
@@ -129,6 +137,7 @@ def extend(scene: Scene, mass: int, to: Vector, positions: Sequence[Vector]) -> 
         mass: where the spring begins.
         to: where the new mass is, px.
         positions: of the scene's masses, px.
+        scale: see `add_springs`.
 
     Raises:
         SceneError: as `add_mass` and `add_springs`.
@@ -141,7 +150,7 @@ def extend(scene: Scene, mass: int, to: Vector, positions: Sequence[Vector]) -> 
     start = scene.masses[mass].position if scene.pose is None else scene.pose.positions[mass]
     begins = (start[0] + (x - here[0]), start[1] + (y - here[1]))
     first = add_mass(scene, begins)
-    second = add_springs(first.scene, [(mass, n)], [*positions, (x, y)])
+    second = add_springs(first.scene, [(mass, n)], [*positions, (x, y)], scale)
     edit = joined("mass and spring added", first, second)
     shift = np.zeros((2, n + 1))
     shift[:, n] = x - begins[0], y - begins[1]

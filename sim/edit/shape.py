@@ -14,7 +14,7 @@ from ..scene.numbers import Vector
 from ..scene.recipes.assembly import wrapped
 from ..scene.types import Scene
 from ..scene.validate import SHORTEST
-from .build import add_joints, add_springs, angle_between, in_turn, place, refuse_missing, remove
+from .build import add_joints, add_springs, angle_between, place, refuse_missing, remove
 from .edit import Edit, Selection, changed, counted, of_parts
 
 
@@ -85,39 +85,6 @@ def _refuse_coincidence(scene: Scene, moved: set[int]) -> None:
                     )
 
 
-def rest_as_is(
-    scene: Scene, masses: Collection[int], positions: Sequence[Vector], shift: float = 0.0
-) -> Edit:
-    """Springs and joints that have any of some masses rest as they are now.
-
-    Args:
-        scene: whose rest lengths and rest angles change.
-        masses: of whose springs.
-        positions: of all masses now, px.
-        shift: degrees that keys have added to all rest angles since the scene was put in place.
-    """
-    scene, chosen = of_parts(scene), set(masses)
-    springs = [
-        (s, msgspec.structs.replace(spring, rest_length=length))
-        for s, spring in enumerate(scene.linear_springs)
-        if (spring.a in chosen or spring.b in chosen)
-        and (length := math.dist(positions[spring.a], positions[spring.b]) / scene.rest_length_scale) <= 1e6
-    ]
-    touched = {s for s, _ in springs}
-    joints = [
-        (j, msgspec.structs.replace(joint, rest_angle=in_turn(angle - shift)))
-        for j, joint in enumerate(scene.angular_springs)
-        if joint.a in touched or joint.b in touched
-        for angle in (angle_between(scene, joint.a, joint.b, positions),)
-    ]
-    new = msgspec.structs.replace(
-        scene,
-        linear_springs=changed(scene.linear_springs, springs),
-        angular_springs=changed(scene.angular_springs, joints),
-    )
-    return Edit("rest as it is", new)
-
-
 def cut(scene: Scene, stroke: Sequence[Vector], positions: Sequence[Vector]) -> Edit:
     """The scene without the springs that a stroke crosses.
 
@@ -150,9 +117,17 @@ def _side(p: np.ndarray, q: np.ndarray, r: np.ndarray) -> np.ndarray:
     return (q[:, 0] - p[:, 0]) * (r[:, 1] - p[:, 1]) - (q[:, 1] - p[:, 1]) * (r[:, 0] - p[:, 0])
 
 
-def add_corners(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> Edit:
+def add_corners(
+    scene: Scene, masses: Collection[int], positions: Sequence[Vector], shift: float = 0.0
+) -> Edit:
     """Angular springs at every corner of some masses, at rest as they are: between springs that are next to
     each other around a mass.
+
+    Args:
+        scene: what they are added to.
+        masses: whose corners.
+        positions: of all masses, px.
+        shift: degrees that keys have added to all rest angles.
     """
     scene = of_parts(scene)
     around: dict[int, list[tuple[float, int]]] = {i: [] for i in masses}
@@ -168,15 +143,23 @@ def add_corners(scene: Scene, masses: Collection[int], positions: Sequence[Vecto
         pairs += itertools.pairwise(order)
         if len(order) > 2:
             pairs.append((order[-1], order[0]))
-    angles = [angle_between(scene, a, b, positions) for a, b in pairs]
+    angles = [angle_between(scene, a, b, positions) - shift for a, b in pairs]
     return add_joints(scene, pairs, angles)
 
 
-def triangulate(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> Edit:
+def triangulate(
+    scene: Scene, masses: Collection[int], positions: Sequence[Vector], scale: float | None = None
+) -> Edit:
     """Springs between some masses until their inside is all triangles (Delaunay's), at rest as they are.
 
     Where springs among the masses make a closed outline, only its inside is braced. No new spring crosses one
     that is there.
+
+    Args:
+        scene: what they are added to.
+        masses: which.
+        positions: of all masses, px.
+        scale: see `add_springs`.
 
     Raises:
         SceneError: the masses are on one line, or fewer than three.
@@ -207,7 +190,7 @@ def triangulate(scene: Scene, masses: Collection[int], positions: Sequence[Vecto
         if crossing(every[old[:, 0]], every[old[:, 1]], every[[a]], every[[b]]).any():
             continue
         pairs.append((a, b))
-    edit = add_springs(scene, pairs, positions)
+    edit = add_springs(scene, pairs, positions, scale)
     return Edit(f"triangulated: {edit.label}", edit.scene, springs=edit.springs)
 
 

@@ -143,7 +143,7 @@ def scale_number(
 
 
 def take_as_rest(moment: Moment, parts: Selection) -> Edit:
-    """The selected springs and joints rest as they are at a moment; where only masses are, those at them.
+    """The selected springs and joints rest as they are at a moment; of masses alone, all that they move.
 
     Raises:
         SettingError: there is nothing that could rest, or a spring is too long.
@@ -154,7 +154,7 @@ def take_as_rest(moment: Moment, parts: Selection) -> Edit:
         every, masses = scene.linear_springs, parts.masses
         springs = frozenset(s for s, each in enumerate(every) if each.a in masses or each.b in masses)
         pairs = enumerate(scene.angular_springs)
-        joints = frozenset(j for j, each in pairs if each.a in springs and each.b in springs)
+        joints = frozenset(j for j, each in pairs if each.a in springs or each.b in springs)
     if not (springs or joints):
         raise SettingError("no spring and no joint is selected that could rest as it is")
     length, angle = number("linear_springs", "rest_length"), number("angular_springs", "rest_angle")

@@ -343,3 +343,24 @@ def test_what_is_told_is_told_once(page: Page) -> None:
     page.frames(3, commands.Play(True))
     page.edits.tell()
     assert len(page.letters.sent) == count
+
+
+def test_what_is_added_after_the_arrow_keys_is_at_rest(page: Page) -> None:
+    """Up and Left have changed all rest lengths and rest angles meanwhile."""
+    page.frames(1, commands.Play(True))
+    for _ in range(20):
+        page.frames(1, commands.HoldKeys(frozenset({"up", "left"})))
+    page.frames(1, commands.HoldKeys(frozenset()), commands.Play(False))
+    simulation = page.session.simulation
+    assert simulation.rest_length_scale > 1.2
+    page.do(Do("rest"), Line(a=0, b=2), Line(a=2, end=page.of_mass(2, 40.0, 10.0)), Select(), Do("corners"))
+    page.do(Line(a=1, end=page.of_mass(1, 30.0, -30.0)), Select(), Do("triangulate"))
+    page.do(Move(0.1, 0.1, under=3, rest=True))
+    loads = page.session.simulation.loads
+    assert len(page.session.scene.linear_springs) > 7
+    assert np.abs(loads.torques).max() < 1e-6
+    moment = page.session.simulation.capture()
+    at = moment.positions
+    for spring in moment.scene.linear_springs:
+        present = math.dist(at[spring.a], at[spring.b])
+        assert spring.rest_length * moment.rest_length_scale == pytest.approx(present)

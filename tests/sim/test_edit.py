@@ -17,7 +17,7 @@ import sim
 from sim.edit.build import add_joints, add_mass, add_springs, extend, pin, positions_of, remove
 from sim.edit.copying import copy, decode, encode, paste
 from sim.edit.edit import Edit, Selection, carried, inverse, of_parts
-from sim.edit.shape import add_corners, cut, mirror, move, rest_as_is, triangulate
+from sim.edit.shape import add_corners, cut, mirror, move, triangulate
 from sim.edit.values import NUMBERS, number, scale_number, set_number, take_as_rest, values_of
 from sim.errors import SceneError, SettingError
 from sim.scene.types import Damage
@@ -73,7 +73,6 @@ def some_edit(draw: Callable[[st.SearchStrategy[Any]], Any], scene: sim.Scene, a
         lambda: cut(scene, draw(st.lists(point, min_size=2, max_size=4)), at),
         lambda: add_corners(scene, draw(masses), at),
         lambda: triangulate(scene, draw(masses), at),
-        lambda: rest_as_is(scene, draw(masses), at),
         lambda: paste(scene, copy(scene, draw(masses), at), draw(point)),
         numbers,
     )
@@ -166,6 +165,13 @@ def test_a_new_spring_is_at_rest_under_any_scale_of_rest_lengths() -> None:
     scene = msgspec.structs.replace(square(), rest_length_scale=2.0)
     edit = add_springs(scene, [(0, 2)], starts(scene))
     assert edit.scene.linear_springs[4].rest_length * 2.0 == pytest.approx(math.hypot(100.0, 100.0))
+    for edit in (
+        add_springs(scene, [(0, 2)], starts(scene), scale=5.0),
+        triangulate(scene, range(4), starts(scene), scale=5.0),
+    ):
+        assert edit.scene.linear_springs[4].rest_length * 5.0 == pytest.approx(math.hypot(100.0, 100.0))
+    edit = extend(scene, 0, (0.0, 60.0), starts(scene), scale=3.0)
+    assert edit.scene.linear_springs[4].rest_length == pytest.approx(20.0)
 
 
 def test_what_a_mass_held_goes_with_it() -> None:
@@ -241,7 +247,7 @@ def test_moved_masses_keep_their_rest_lengths_or_take_the_new_ones() -> None:
     scene = square(joints=True)
     moved = move(scene, [2], (40.0, 30.0)).scene
     assert moved.linear_springs == scene.linear_springs
-    resting = rest_as_is(moved, [2], starts(moved)).scene
+    resting = take_as_rest(sim.Simulation(moved).capture(), Selection(masses=frozenset({2}))).scene
     simulation = sim.Simulation(resting)
     simulation.advance(0.5)
     np.testing.assert_allclose(simulation.positions, starts(moved), atol=1e-4)
@@ -342,12 +348,11 @@ def test_parts_rest_as_they_are_under_all_that_moves_their_rest() -> None:
     # The corner is as square as it was.
     assert first == pytest.approx(scene.angular_springs[0].rest_angle - 20.0)
     assert others == scene.angular_springs[1:]
-    # Of masses alone: the springs at them, and the joints between these.
+    # Of masses alone: the springs at them, and all joints of these.
     of_mass = take_as_rest(moment, Selection(masses=frozenset({1}))).scene
     changed = [new != old for new, old in zip(of_mass.linear_springs, scene.linear_springs, strict=True)]
     assert changed == [True, True, False, False]
-    assert (
-        sum(new != old for new, old in zip(of_mass.angular_springs, scene.angular_springs, strict=True)) == 1
-    )
+    turned = [new != old for new, old in zip(of_mass.angular_springs, scene.angular_springs, strict=True)]
+    assert sum(turned) == 3
     with pytest.raises(SettingError, match="no spring and no joint is selected"):
         take_as_rest(moment, Selection())

@@ -110,14 +110,22 @@ function selectedIn({ plan }) {
   };
 }
 
+/** What marks the selection, and of which picture: it stays while only the pointer moves. */
+const marked = { of: "", selected: editing.selected, frame: /** @type {import("./plan.js").Frame | null} */ (null), marks: {} };
+
 /** @param {Sight} seen @returns {Partial<Record<Kind, string>>} */
 function selection(seen) {
+  const { selected } = editing;
+  const of = [seen.on.x, seen.on.y, seen.on.step].join(" ");
+  if (marked.of === of && marked.selected === selected && marked.frame === seen.frame) return marked.marks;
   const { masses, springs, joints } = selectedIn(seen);
-  return {
+  const marks = {
     masses: masses.map((mass) => ring(seen, mass)).join(""),
     springs: springs.map((spring) => bar(seen, spring)).join(""),
     joints: joints.map((joint) => wedge(seen, joint)).join(""),
   };
+  Object.assign(marked, { of, selected, frame: seen.frame, marks });
+  return marks;
 }
 
 /** @param {Sight} seen @returns {Partial<Record<Kind, string>>} */
