@@ -151,7 +151,7 @@ class PositionTable:
         names = ENERGY_FIELDS if self.energies is not None else ()
         axes = [f"{axis}{i}" for i in range(self.masses) for axis in "xy"]
         writer.writerow(["step", "time", *names, *axes])
-        flat = positions.reshape(len(self.steps), -1)
+        flat = positions.reshape(len(self.steps), 2 * self.masses)
         for i, (step, time, row) in enumerate(zip(self.steps, self.times, flat, strict=True)):
             energies = [getattr(self.energies[i], name) for name in names] if self.energies else []
             writer.writerow([step, *(f"{value:.17g}" for value in (time, *energies, *row))])

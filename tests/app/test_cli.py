@@ -166,12 +166,23 @@ def test_bad_inputs_are_refused(
         (("--out", "x.csv", "--steps", "-1"), "--steps"),
         (("--out", "x.csv", "--duration", "nan"), "--duration"),
         (("--out", "x.csv", "--steps", "1", "--every", "0"), "--every"),
+        (("--out", "x.csv", "--steps", "3", "--every", "4"), "no row would be written"),
     ],
 )
 def test_bad_arguments_are_refused(
     words: tuple[str, ...], fragment: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     refused(softrod_here(capsys, "run", "ring", *words), fragment)
+
+
+def test_a_run_that_ends_before_its_first_row_has_a_table_without_rows(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "o.csv"
+    words = ("--set", "dt=0.5", "--set", "method=symplectic_euler", "--steps", "5000", "--every", "5000")
+    refused(softrod_here(capsys, "run", "ring", *words, "--out", str(out)), "the 0 rows before it")
+    assert out.read_text().startswith("step,time,x0,y0")
+    assert len(out.read_text().splitlines()) == 1
 
 
 def test_an_unknown_scene_names_those_there_are() -> None:
