@@ -112,10 +112,6 @@ class Run:
         steps = self._steps(scene.integrator.dt)
         if isinstance(steps, str):
             return fail(steps)
-        if self.every > steps:
-            return fail(
-                f"--every: {self.every} is more than the run's {steps} steps, so no row would be written"
-            )
         recording, problem = headless.run(
             scene, steps, entries, self.every, Console(stderr=True), self.energy, self.record
         )

@@ -220,9 +220,11 @@ def run(
         names: quantities that the rows have instead of places.
 
     Raises:
-        InputError: there is no such quantity, or an input asks for what cannot be done; the sentence names
-            its step.
+        InputError: there would be no row, or there is no such quantity, or an input asks for what cannot be
+            done; the sentence names its step.
     """
+    if every > steps:
+        raise InputError(f"--every: {every} is more than the run's {steps} steps, so no row would be written")
     recording = new_table(scene, energy, names)
     simulation = sim.Simulation(scene)
     simulation.keep_books(energy or _are_energies(names))
