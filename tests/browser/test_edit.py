@@ -368,11 +368,11 @@ def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_pa
     assert "image" not in files.encode_scene(desk.session.snapshot("x", with_pose=True)).decode()
     where = box()
     desk.open()
+    page.keyboard.press("e")
     desk.until(lambda: image.count() == 1 and box() == pytest.approx(where, abs=0.6), "a reload keeps it")
     # A file that is no picture is said to be none.
     text = tmp_path / "notes.txt"
     text.write_text("no picture")
-    page.keyboard.press("e")
     page.locator(".softrod-edit-bar input[type=file]").set_input_files(text)
     page.get_by_text("notes.txt is no picture").wait_for()
     page.get_by_role("button", name="Picture", exact=True).click()

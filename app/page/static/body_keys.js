@@ -3,7 +3,7 @@
  * The body by keys alone, for those who have no pointer: a stop of the Tab key over the canvas. There the arrows
  * choose a mass, Space takes hold of it and lets go, and the arrows then move it. A live region says what happened.
  */
-import { shown } from "./canvas.js";
+import { onPicture, shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
 import { choose, chosenMass } from "./overlay.js";
 import { pointText } from "./screen.js";
@@ -53,13 +53,22 @@ export function addBodyKeys() {
     say(`${name()} let go`);
   };
 
+  /** The mass that was chosen when the focus went, for when a dialog gives it back; -1 at first. */
+  let last = -1;
   stop.addEventListener("focus", () => {
-    choose(Math.max(shown().pictured?.driven ?? 0, 0));
+    choose(last < 0 ? Math.max(shown().pictured?.driven ?? 0, 0) : last);
     say(`${name()}. Arrows choose, Space takes hold`);
   });
   stop.addEventListener("blur", () => {
     letGo();
+    last = chosenMass();
     choose(-1);
+  });
+  onPicture((_, { radius }) => {
+    last = Math.min(last, radius.length - 1);
+    if (chosenMass() < radius.length) return;
+    choose(radius.length - 1);
+    say(name());
   });
   stop.addEventListener("keydown", (event) => {
     const { pictured: plan } = shown();
@@ -91,7 +100,10 @@ export function addBodyKeys() {
   onTold(() => {
     const now = told();
     stop.ariaLabel = `Body of ${shown().plan?.radius.length ?? 0} masses`;
-    if (before.scene !== undefined && now.scene !== before.scene) letGo();
+    if (before.scene !== undefined && now.scene !== before.scene) {
+      letGo();
+      last = -1;
+    }
     const news = [];
     if (now.offer === "1" && before.offer !== "1") news.push("The simulation ran away and is stopped");
     else if (before.playing !== undefined && now.playing !== before.playing) news.push(now.playing === "1" ? "Running" : "Paused");

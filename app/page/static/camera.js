@@ -3,6 +3,7 @@
 import { shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { toWorld } from "./draw.js";
+import { editing } from "./editing.js";
 import { placeLesson } from "./lesson.js";
 import { placeTransport } from "./transport.js";
 import { viser } from "./viser.js";
@@ -82,6 +83,17 @@ function covered(canvas, box) {
 }
 
 /**
+ * Height that the tools take at the top and at the bottom, where they stand in a row over all of the canvas.
+ *
+ * @param {DOMRect} box of the canvas
+ */
+function besideTools(box) {
+  const [strip, bar] = document.querySelectorAll(".softrod-edit.softrod-edit-row, .softrod-edit-bar.softrod-edit-row");
+  if (!editing.on || !strip || !bar) return { above: 0, below: 0 };
+  return { above: Math.max(0, strip.getBoundingClientRect().bottom - box.top), below: bar.getBoundingClientRect().height };
+}
+
+/**
  * Makes room for the surfaces of walls that would be just beyond the edge.
  *
  * @param {{left: number, right: number, low: number, high: number}} seen is changed
@@ -140,13 +152,14 @@ export function fit(withBody = false) {
   const sheet = covered(canvas, box);
   const dock = sheet + placeTransport(box, sheet);
   const card = placeLesson(box, dock);
-  const hidden = dock + card.bottom;
-  const [wide, free] = [box.width - card.left, box.height - hidden];
+  const { above, below } = besideTools(box);
+  const hidden = dock + card.bottom + below;
+  const [wide, free] = [box.width - card.left, box.height - hidden - above];
   if (!(wide > 0 && free > 0)) return false;
   const { left, right, low, high } = bounds(width, height, withBody);
   const perPixel = MARGIN * Math.max((right - left) / wide, (high - low) / free);
   const distance = (perPixel * box.height) / (2 * Math.tan((camera.fov * Math.PI) / 360));
-  const [x, y] = [(left + right) / 2 - (perPixel * card.left) / 2, (low + high) / 2 - (perPixel * hidden) / 2];
+  const [x, y] = [(left + right) / 2 - (perPixel * card.left) / 2, (low + high) / 2 - (perPixel * (hidden - above)) / 2];
   controls.minAzimuthAngle = -Infinity;
   controls.maxAzimuthAngle = Infinity;
   // From the nodes' coordinates to those of the camera.
@@ -185,8 +198,9 @@ export function keepFlat() {
     const box = canvas.getBoundingClientRect();
     const sheet = covered(canvas, box);
     const card = placeLesson(box, sheet + placeTransport(box, sheet));
-    const cover = [sheet, card.left, card.bottom].join(" ");
-    // A view that its user has chosen stays when the panel's sheet or the lesson's card grows or shrinks.
+    const { above, below } = besideTools(box);
+    const cover = [sheet, card.left, card.bottom, above, below].join(" ");
+    // A view that its user has chosen stays when the panel's sheet, the lesson's card or the tools grow or shrink.
     const grown = cover !== covers && untouched();
     // The same scene again means that somebody asked for it: the number before the point is the scene's.
     const asked = told().scene !== scene && told().scene?.split(".")[0] === scene?.split(".")[0];

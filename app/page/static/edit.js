@@ -4,7 +4,7 @@
  * so that nothing lags; the server makes the edit.
  */
 import { gridStep } from "./around.js";
-import { shown } from "./canvas.js";
+import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { change, countSelected, editing, giveUp } from "./editing.js";
 import { ask, onMail } from "./mail.js";
@@ -37,11 +37,13 @@ const MOST_POINTS = 48;
 
 /** The press that is under way: its pointer, where it began and what was there. */
 let press = {
-  id: -1, kind: "mouse", start: { x: 0, y: 0 }, moved: false, shift: false, toggled: false,
+  id: -1, kind: "mouse", start: { x: 0, y: 0 }, moved: false, shift: false, toggled: false, tool: editing.tool,
   /** The event, to give it back to viser. @type {PointerEvent | null} */
   event: null,
 };
 let longer = 0;
+/** Where the second button was pressed. */
+let second = { x: 0, y: 0 };
 /** The last click on a joint. */
 let last = { joint: -1, at: 0 };
 /** Whether a press is given back to viser. */
@@ -141,20 +143,22 @@ function down(event) {
     giveBack(canvas);
     return;
   }
-  const selects = editing.tool === "select" || event.shiftKey;
-  if (event.button !== 0 || !event.isPrimary || (editing.tool === "hand" && !selects)) return;
+  if (event.button === 2) second = placeOf(event);
+  const { tool } = editing;
+  const selects = tool === "select" || event.shiftKey;
+  if (event.button !== 0 || !event.isPrimary || (tool === "hand" && !selects)) return;
   swallow(event);
   const focused = document.activeElement;
   if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
   canvas.setPointerCapture(event.pointerId);
   const start = placeOf(event);
-  press = { id: event.pointerId, kind: event.pointerType, start, moved: false, shift: event.shiftKey, toggled: false, event };
+  press = { id: event.pointerId, kind: event.pointerType, start, moved: false, shift: event.shiftKey, toggled: false, tool, event };
   if (event.pointerType === "touch") longer = setTimeout(rest, LONG);
   const knob = turnable();
   if (knob >= 0 && isOnKnob(knob, start)) change({ drag: { kind: "turn", joint: knob, angle: restDirection(knob) }, hover: start });
   else if (selects) takeParts(start);
-  else if (editing.tool === "build") beginLine(start, event.altKey);
-  else if (editing.tool === "cut") change({ drag: { kind: "stroke", points: [start] }, hover: start });
+  else if (tool === "build") beginLine(start, event.altKey);
+  else if (tool === "cut") change({ drag: { kind: "stroke", points: [start] }, hover: start });
   else change({ hover: start });
 }
 
@@ -183,7 +187,13 @@ function rest() {
 function drop() {
   clearTimeout(longer);
   press.id = -1;
-  change({ drag: null });
+  // A finger that is gone points at nothing.
+  change({ drag: null, hover: press.kind === "touch" ? null : editing.hover });
+}
+
+/** The press ends without its release, as when another window comes to the front. */
+function lose() {
+  if (press.id >= 0) drop();
 }
 
 /** @param {PointerEvent} event */
@@ -196,6 +206,10 @@ function move(event) {
     return;
   }
   if (event.pointerId !== press.id) return;
+  if (event.buttons === 0) {
+    lose();
+    return;
+  }
   event.stopImmediatePropagation();
   if (!press.moved && Math.hypot(at.x - press.start.x, at.y - press.start.y) <= CLICK) return;
   clearTimeout(longer);
@@ -251,7 +265,11 @@ function up(event) {
     case "move": {
       const step = sight()?.on.step ?? 1;
       if (drag.moved && (drag.dx || drag.dy)) moveSelected(drag.dx / step, -drag.dy / step);
-      else if (press.shift && !press.toggled) ask({ do: "select", ...partAt(press.start, press.kind), toggle: true });
+      else if (!press.toggled && !drag.moved) {
+        // One of several: it goes with Shift, and stays alone without.
+        const parts = partAt(press.start, press.kind);
+        if (press.shift || countSelected() > 1) ask({ do: "select", ...parts, toggle: press.shift });
+      }
       return;
     }
     case "stroke": {
@@ -264,7 +282,7 @@ function up(event) {
       return;
     }
     default:
-      if (editing.tool === "joint" && !moved) clickCorner(at, event.timeStamp);
+      if (editing.on && press.tool === "joint" && editing.tool === "joint" && !moved) clickCorner(at, event.timeStamp);
   }
 }
 
@@ -451,8 +469,18 @@ export function listenToEdits() {
   window.addEventListener("pointerdown", down, true);
   window.addEventListener("pointermove", move, true);
   for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) window.addEventListener(kind, up, true);
+  window.addEventListener("lostpointercapture", ({ pointerId }) => pointerId === press.id && lose(), true);
+  window.addEventListener("blur", lose);
+  document.addEventListener("pointerout", ({ relatedTarget }) => editing.hover && press.id < 0 && !relatedTarget && hover(null));
   window.addEventListener("contextmenu", (event) => {
     if (!editing.on || event.target !== viser()?.canvas) return;
+    if (press.id >= 0) {
+      swallow(event);
+      return;
+    }
+    // Some systems say so at the release, when the second button has moved the view.
+    const dragged = event.pointerType === "mouse" && Math.hypot(event.clientX - second.x, event.clientY - second.y) > CLICK;
+    if (dragged) return;
     const parts = partAt({ x: event.clientX, y: event.clientY }, "mouse");
     if (isNothing(parts)) return;
     swallow(event);
@@ -466,7 +494,16 @@ export function listenToEdits() {
       chaining: false,
     });
   });
-  onMail("versions", ({ undo, redo }) => change({ undo, redo }));
+  onMail("versions", ({ undo, redo }) => {
+    if (redo && redo !== editing.redo) giveUp(); // undone elsewhere: as in `stepBack`
+    change({ undo, redo });
+  });
+  // Where some are gone, the numbers of the others are different ones.
+  let [masses, springs] = [0, 0];
+  onPicture((_, { radius, springs: ends }) => {
+    if (radius.length < masses || ends.length < springs) giveUp();
+    [masses, springs] = [radius.length, ends.length];
+  });
   let { scene } = told();
   onTold(() => {
     if (told().scene !== scene) giveUp();

@@ -29,6 +29,15 @@ function swallow(event) {
 /** Whether keys go to the page, even with Ctrl: nobody types, no dialog is open. @param {KeyboardEvent} event */
 const isFreeWithCtrl = ({ target }) => isFree(/** @type {any} */ ({ target }));
 
+/** The letter of a key: as it is written on it, since Z and Y change places from keyboard to keyboard. @param {KeyboardEvent} event */
+const letterOf = ({ key, code }) => (/^[a-z]$/i.test(key) ? key.toLowerCase() : code.replace("Key", "").toLowerCase());
+
+/** Whether some text of the page is marked: that is what is copied then. */
+const isTextMarked = () => !(getSelection()?.isCollapsed ?? true);
+
+/** Whether a key takes an instrument away. @param {KeyboardEvent} event */
+const isForInstrument = ({ target }) => target instanceof Element && target.matches(".softrod-grip");
+
 /** The mass that the keys have chosen, if they are on the body. @param {KeyboardEvent} event */
 const massOf = ({ target }) => (target instanceof Element && target.matches(".softrod-body") ? chosenMass() : -1);
 
@@ -40,14 +49,15 @@ function aim(mass) {
 
 /** @param {KeyboardEvent} event @returns {boolean} whether that was one */
 function withCtrl(event) {
-  const { code, shiftKey } = event;
+  const { shiftKey, repeat } = event;
+  const letter = letterOf(event);
   if (!isFreeWithCtrl(event)) return false;
-  if (code === "KeyZ") stepBack(shiftKey ? "redo" : "undo");
-  else if (code === "KeyY") stepBack("redo");
-  else if (!editing.on) return false;
-  else if (code === "KeyD") ask({ do: "do", what: "duplicate" });
-  else if (code === "KeyA") ask({ do: "do", what: "all" });
-  else if (code === "KeyC" && countSelected()) toClipboard();
+  if (letter === "z") stepBack(shiftKey ? "redo" : "undo");
+  else if (letter === "y" && !shiftKey) stepBack("redo");
+  else if (!editing.on || shiftKey) return false;
+  else if (letter === "d") repeat || ask({ do: "do", what: "duplicate" });
+  else if (letter === "a") repeat || ask({ do: "do", what: "all" });
+  else if (letter === "c" && countSelected() && !isTextMarked()) repeat || toClipboard();
   else return false;
   return true;
 }
@@ -113,8 +123,10 @@ function press(event) {
     if (!event.repeat) setEditing(!editing.on);
   } else if (!editing.on) return;
   else if (TOOLS[code]) setTool(TOOLS[code]);
-  else if (key === "Delete" || key === "Backspace") ask({ do: "do", what: "remove", ...aim(mass) });
-  else if (code === "KeyP") ask({ do: "do", what: "pin", ...aim(mass) });
+  else if (key === "Delete" || key === "Backspace") {
+    if (isForInstrument(event)) return;
+    if (!event.repeat) ask({ do: "do", what: "remove", ...aim(mass) });
+  } else if (code === "KeyP") event.repeat || ask({ do: "do", what: "pin", ...aim(mass) });
   else if (key === "Escape") {
     if (!leave()) return;
   } else if (mass >= 0 && key === "Enter") {

@@ -101,11 +101,11 @@ export function addEditStrip(tracing) {
 
   /** @param {Element} element @param {boolean} on */
   const showIf = (element, on) => element.toggleAttribute("hidden", !on);
-  let before = { undo: "", count: 0 };
+  let before = { undo: "", selected: editing.selected };
   const show = () => {
     const able = isEditable();
+    const focused = document.activeElement;
     const { on, tool, selected, undo: undoable, redo: redoable } = editing;
-    document.documentElement.toggleAttribute("data-softrod-edit", able && on && tool !== "hand");
     document.documentElement.dataset.softrodTool = able && on ? tool : "";
     strip.hidden = !able;
     bar.hidden = !(able && on);
@@ -119,12 +119,14 @@ export function addEditStrip(tracing) {
     undo.title = undoable ? `Undo: ${undoable} (Ctrl Z)` : "Nothing to undo";
     redo.title = redoable ? `Redo: ${redoable} (Ctrl Y)` : "Nothing to redo";
     const some = countSelected();
-    count.textContent = some ? inWords(selected) : "";
     for (const button of onSelected) showIf(button, some > 0);
     rests.ariaPressed = String(takesNew());
-    if (on && some !== before.count) live.textContent = some ? `${inWords(selected)} selected` : "Nothing selected";
+    if (on && selected !== before.selected) live.textContent = some ? `${named(selected)} selected` : "Nothing selected";
     else if (undoable !== before.undo && undoable) live.textContent = undoable;
-    before = { undo: undoable, count: some };
+    before = { undo: undoable, selected };
+    // What had the focus is gone, or cannot be pressed any more.
+    const isIn = focused instanceof HTMLButtonElement && (strip.contains(focused) || bar.contains(focused));
+    if (isIn && (focused.disabled || !focused.checkVisibility())) lid.focus();
     place();
   };
   const place = () => {
@@ -139,6 +141,9 @@ export function addEditStrip(tracing) {
     const low = bottom - top < COLUMN;
     strip.classList.toggle("softrod-edit-row", low);
     bar.classList.toggle("softrod-edit-row", low);
+    const words = inWords(editing.selected);
+    const counted = low && words.includes(",") ? `${countSelected()} parts` : words;
+    if (count.textContent !== counted) count.textContent = counted;
     strip.style.left = `${left}px`;
     strip.style.top = `${top}px`;
     // Over the bar of time, beside the box of instruments.
@@ -146,7 +151,16 @@ export function addEditStrip(tracing) {
     bar.style.maxWidth = `${canvas.right - left - BOX - 14}px`;
     bar.style.bottom = `${window.innerHeight - bottom + 8}px`;
   };
-  onEditing(show);
+  let shown = "";
+  let { selected } = editing;
+  onEditing(() => {
+    // Not at every move of the pointer.
+    const { on, tool, undo, redo } = editing;
+    const now = [on, tool, undo, redo, takesNew()].join("|");
+    if (now === shown && editing.selected === selected) return;
+    [shown, selected] = [now, editing.selected];
+    show();
+  });
   onTold(() => {
     if (editing.on && !isEditable()) change({ on: false });
     show();
@@ -160,5 +174,12 @@ export function addEditStrip(tracing) {
 const number = (count, one, several) => (count ? [`${count} ${count === 1 ? one : several}`] : []);
 
 /** What is selected, in words. @param {import("./pick.js").Parts} parts */
-export const inWords = ({ masses, springs, joints }) =>
+const inWords = ({ masses, springs, joints }) =>
   [...number(masses.length, "mass", "masses"), ...number(springs.length, "spring", "springs"), ...number(joints.length, "joint", "joints")].join(", ");
+
+/** As in words; one alone by its number. @param {import("./pick.js").Parts} parts */
+function named(parts) {
+  const { masses: [mass], springs: [spring], joints: [joint] } = parts;
+  if (countSelected() !== 1) return inWords(parts);
+  return mass !== undefined ? `mass ${mass}` : spring !== undefined ? `spring ${spring}` : `joint ${joint}`;
+}

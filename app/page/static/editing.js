@@ -59,12 +59,12 @@ export const countSelected = () =>
 
 /** Nothing is under way. */
 const NOTHING = { drag: null, chain: -1, chaining: false, corner: -1, arm: -1 };
-/** Gives up what is under way. @returns {boolean} whether there was something */
+/** Gives up what is under way. @returns {boolean} whether there was something, beside corners that show */
 export function giveUp() {
-  const { drag, chain, chaining, arm } = editing;
-  if (!drag && chain < 0 && !chaining && arm < 0) return false;
-  change(NOTHING);
-  return true;
+  const { drag, chain, chaining, corner, arm } = editing;
+  const some = drag !== null || chain >= 0 || chaining || arm >= 0;
+  if (some || corner >= 0) change(NOTHING);
+  return some;
 }
 
 /** Another tool, which begins with nothing under way. @param {Tool} tool */

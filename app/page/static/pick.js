@@ -14,7 +14,7 @@ const WEDGE = 2.6;
 const LEAST_WEDGE = 24;
 
 /** The direction from one mass to another on the screen, degrees anticlockwise from the right. @param {ArrayLike<number>} places @param {number} from @param {number} to */
-export const directionOf = (places, from, to) =>
+const directionOf = (places, from, to) =>
   (Math.atan2(places[2 * from + 1] - places[2 * to + 1], places[2 * to] - places[2 * from]) * 180) / Math.PI;
 
 /** How far anticlockwise it is from one direction to another, degrees in [0, 360). @param {number} from @param {number} to */
@@ -68,7 +68,7 @@ export function armsOf({ springs, joints }, places, joint) {
 }
 
 /** Whether a direction lies in the smaller of the two angles between two others. @param {number} direction @param {number} one @param {number} two */
-export function isBetween(direction, one, two) {
+function isBetween(direction, one, two) {
   const turn = wrapped(two - one);
   const part = wrapped(direction - one);
   return turn >= 0 ? part >= 0 && part <= turn : part <= 0 && part >= turn;

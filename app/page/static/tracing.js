@@ -8,6 +8,7 @@
  */
 import { make, makeButton } from "./dialog.js";
 import { editing, onEditing } from "./editing.js";
+import { isFree } from "./keys.js";
 import { SVG } from "./overlay.js";
 import { screen } from "./screen.js";
 import { kept, store } from "./storage.js";
@@ -23,6 +24,8 @@ const MOST = 2_500_000;
 const [FIRST, NARROWEST, WIDEST] = [5, 0.5, 30];
 /** @type {Record<string, [number, number]>} */
 const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
+/** What does something else with the arrows. */
+const OWN_ARROWS = '.softrod-body, .softrod-grip, input, [role="tab"], [role="slider"]:focus-visible';
 /** By how much an arrow moves it, in the world, and with Shift. */
 const [STEP, FINE] = [0.1, 0.01];
 
@@ -116,6 +119,7 @@ export function addTracing() {
     else file.click();
     if (row.hidden) moving = false;
     show();
+    row.scrollIntoView({ block: "nearest", inline: "start" });
   }, "");
   button.title = "A picture behind the body, to draw over; it stays in this browser";
 
@@ -128,7 +132,9 @@ export function addTracing() {
     viser()?.requestRender();
   };
   const show = () => {
+    const focused = row.contains(document.activeElement);
     if (!picture || !editing.on) row.hidden = true;
+    if (row.hidden && focused) button.focus();
     if (row.hidden) moving = false;
     button.ariaPressed = String(!row.hidden);
     move.ariaPressed = String(moving);
@@ -151,6 +157,7 @@ export function addTracing() {
     keep();
     row.hidden = false;
     show();
+    row.scrollIntoView({ block: "nearest", inline: "start" }); // on a phone, the bar is longer than it shows
   });
 
   const image = document.createElementNS(SVG, "image");
@@ -170,7 +177,12 @@ export function addTracing() {
     }
   });
   listen(() => picture, put);
-  onEditing(show);
+  let { on } = editing;
+  onEditing(() => {
+    if (editing.on === on) return;
+    ({ on } = editing);
+    show();
+  });
   return { button, row, said };
 }
 
@@ -203,19 +215,20 @@ function listen(present, put) {
     const step = screen()?.step ?? 1;
     put({ x: hold.from.x + (event.clientX - hold.x) / step, y: hold.from.y - (event.clientY - hold.y) / step });
   }, true);
-  for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) {
+  for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
     window.addEventListener(kind, (event) => {
       if (!hold || event.pointerId !== hold.id) return;
       event.stopImmediatePropagation();
       hold = null;
     }, true);
   }
+  window.addEventListener("blur", () => (hold = null));
   window.addEventListener("keydown", (event) => {
     const now = present();
     const way = MOVES[event.key];
     const { target } = event;
-    if (!moving || !now || !way || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (target instanceof HTMLInputElement || (target instanceof Element && target.matches(".softrod-body, .softrod-grip"))) return;
+    if (!moving || !now || !way || !isFree(event)) return;
+    if (target instanceof Element && target.matches(OWN_ARROWS)) return;
     event.preventDefault();
     event.stopImmediatePropagation();
     const step = event.shiftKey ? FINE : STEP;
