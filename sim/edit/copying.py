@@ -88,6 +88,8 @@ def paste(scene: Scene, fragment: Fragment, at: Vector) -> Edit:
         raise SceneError(f"a scene has {MAX_MASSES} masses at most")
     if s + len(fragment.springs) > MAX_SPRINGS:
         raise SceneError(f"a scene has {MAX_SPRINGS} springs at most")
+    if len(scene.angular_springs) + len(fragment.joints) > MAX_SPRINGS:
+        raise SceneError(f"a scene has {MAX_SPRINGS} angular springs at most")
     replace = msgspec.structs.replace
     new = with_added(
         scene,

@@ -1,5 +1,5 @@
-"""What goes wrong while one edits by hand: a lost press, a body that changes under the pointer, keys meant for
-something else, and a focus that has nowhere to go."""
+"""What goes wrong while one edits by hand: a lost press, a body that changes under the pointer, keys meant
+for something else, and a focus that has nowhere to go."""
 
 from __future__ import annotations
 
@@ -49,8 +49,11 @@ def test_a_press_that_is_lost_leaves_nothing_behind(open_page: OpenPage) -> None
         else:
             # What a browser tells of a button that was let go in another window.
             page.evaluate(
-                """([x, y]) => window.__viserMutable.canvas.dispatchEvent(new PointerEvent("pointermove", {
-                  pointerId: 1, pointerType: "mouse", isPrimary: true, clientX: x, clientY: y, bubbles: true }))""",
+                """([clientX, clientY]) => {
+                  const more = { pointerId: 1, pointerType: "mouse", isPrimary: true, bubbles: true };
+                  const event = new PointerEvent("pointermove", { clientX, clientY, ...more });
+                  window.__viserMutable.canvas.dispatchEvent(event);
+                }""",
                 list(beside(desk, 11, 70.0, 20.0)),
             )
         desk.until(lambda: not mark(desk, "rubber"), f"the line is gone: {lost}")

@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
+from sim.edit import copying
 from sim.edit.build import add_joints, add_mass, add_springs, extend, pin, positions_of, remove
 from sim.edit.copying import copy, decode, encode, paste
 from sim.edit.edit import Edit, Selection, carried, inverse, of_parts
@@ -271,6 +272,20 @@ def test_a_copy_goes_through_text_and_nothing_forged_does() -> None:
         if forged != text:
             with pytest.raises(SceneError, match="cannot be pasted"):
                 decode(forged)
+
+
+def test_a_copy_that_is_too_much_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = triangulate(square(), range(4), starts(square())).scene
+    scene = add_corners(scene, range(4), starts(scene)).scene
+    springs, joints = len(scene.linear_springs), len(scene.angular_springs)
+    assert joints > springs
+    fragment = copy(scene, range(4), starts(scene))
+    for most, what in ((2 * springs - 1, "9 springs"), (2 * joints - 1, f"{2 * joints - 1} angular springs")):
+        monkeypatch.setattr(copying, "MAX_SPRINGS", most)
+        with pytest.raises(SceneError, match=what):
+            paste(scene, fragment, (500.0, 500.0))
+    monkeypatch.setattr(copying, "MAX_SPRINGS", 2 * joints)
+    validate(paste(scene, fragment, (500.0, 500.0)).scene)
 
 
 def test_numbers_of_single_parts() -> None:

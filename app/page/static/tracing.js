@@ -24,6 +24,8 @@ const MOST = 2_500_000;
 const [FIRST, NARROWEST, WIDEST] = [5, 0.5, 30];
 /** @type {Record<string, [number, number]>} */
 const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
+/** Milliseconds without a change after which it is stored. */
+const STORE_AFTER = 300;
 /** What does something else with the arrows. */
 const OWN_ARROWS = '.softrod-body, .softrod-grip, input, [role="tab"], [role="slider"]:focus-visible';
 /** By how much an arrow moves it, in the world, and with Shift. */
@@ -31,6 +33,8 @@ const [STEP, FINE] = [0.1, 0.01];
 
 /** @type {Picture | null} */
 let picture = null;
+/** The timer by which it is stored. */
+let storing = 0;
 /** Whether the pointer and the arrows move it. */
 let moving = false;
 
@@ -123,7 +127,17 @@ export function addTracing() {
   }, "");
   button.title = "A picture behind the body, to draw over; it stays in this browser";
 
-  const keep = () => store(STORED, picture ? JSON.stringify(picture) : "");
+  const storeNow = () => {
+    clearTimeout(storing);
+    storing = 0;
+    store(STORED, picture ? JSON.stringify(picture) : "");
+  };
+  // Not at every move of the pointer: it may be some megabytes.
+  const keep = () => {
+    clearTimeout(storing);
+    storing = setTimeout(storeNow, STORE_AFTER);
+  };
+  window.addEventListener("pagehide", () => storing && storeNow());
   /** @param {Partial<Picture>} changes */
   const put = (changes) => {
     if (!picture) return;
