@@ -6,9 +6,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PIL import Image
 
 import sim
 from app.session import commands
+from sim.edit.edit import Selection
 from sim.scene import files
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
@@ -38,15 +40,20 @@ def poor(desk: Desk, where: str) -> list[tuple[str, dict[str, Any]]]:
     return [(where, one) for one in found if one["ratio"] < one["needed"]]
 
 
-@pytest.mark.parametrize("look", ["light", "dark", "projector"])
-def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
-    desk = open_page(size=(1280, 760))
+def put_on(desk: Desk, look: str) -> None:
+    """Have the page look like that."""
     if look == "projector":
         desk.page.keyboard.press("p")
     if look == "dark":
         desk.show("View")
         desk.control("Dark").click()
         desk.until(lambda: desk.tab._dark, "it is dark")
+
+
+@pytest.mark.parametrize("look", ["light", "dark", "projector"])
+def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
+    desk = open_page(size=(1280, 760))
+    put_on(desk, look)
     desk.page.keyboard.press("g")
     desk.page.locator(".u-legend").wait_for()
     pale: list[tuple[str, dict[str, Any]]] = []
@@ -74,6 +81,39 @@ def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
     desk.button("Help").click()
     desk.page.get_by_role("dialog").wait_for()
     pale += poor(desk, "help")
+    assert not pale, pale
+
+
+@pytest.mark.parametrize("look", ["light", "dark", "projector"])
+def test_every_text_of_the_tools_stands_out(open_page: OpenPage, look: str, tmp_path: Path) -> None:
+    """The strip, with a tool in hand and something to undo; the bar, with a picture's controls; the folder
+    of what is selected; the rest angle beside its knob; the question that is asked once; the tuning."""
+    desk = open_page(size=(1280, 760))
+    put_on(desk, look)
+    page = desk.page
+    desk.tell(commands.Play(False), commands.SetValue("gravity", 500.0))
+    page.keyboard.press("e")
+    page.keyboard.press("k")
+    desk.tell(commands.Select(lambda *_: Selection(joints=frozenset({4}))))
+    page.get_by_text("rests at").wait_for()
+    pale = poor(desk, "a joint")
+    page.keyboard.press("s")
+    page.keyboard.press("Control+a")
+    desk.button("Rest as it is now").wait_for()
+    Image.new("RGB", (40, 20)).save(tmp_path / "bridge.png")
+    page.locator(".softrod-edit-bar input[type=file]").set_input_files(tmp_path / "bridge.png")
+    page.locator(".softrod-edit-bar").get_by_role("button", name="Move it").click()
+    shown = {one["text"] for one in judged(desk)}
+    assert shown >= {"Undo", "Cut", "Triangulate", "Opacity", "Take it away", "Let go", "Radius"}
+    pale += poor(desk, "all is selected")
+    desk.show("Solver")
+    desk.control("Tuning").click()
+    desk.button("Critically damp").wait_for()
+    desk.until(lambda: "Hz" in page.locator("body").inner_text(), "its numbers are there")
+    pale += poor(desk, "the tuning")
+    page.keyboard.press("Alt+ArrowRight")
+    page.get_by_role("dialog", name="Moved masses").wait_for()
+    pale += poor(desk, "a question")
     assert not pale, pale
 
 
