@@ -246,6 +246,15 @@ def test_a_phone_has_room_for_the_body_beside_the_tools(open_page: OpenPage, tmp
     seen = lambda: all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))  # noqa: E731
     desk.until(seen, "nothing lies over the masses")
     desk.page.keyboard.press("Control+a")
+    # Nor over the scale bar, whether or not the page says that it is paused.
+    scale, strip = desk.page.locator(".softrod-scale"), desk.page.locator(".softrod-edit")
+    low = "e => e.getBoundingClientRect().bottom"
+    for on in (True, False):
+        desk.tell(commands.Play(on))
+        desk.until(
+            lambda: strip.evaluate("e => e.getBoundingClientRect().top") > scale.evaluate(low),
+            "the strip is below the scale bar",
+        )
     count = desk.page.locator(".softrod-edit-count")
     desk.until(lambda: count.inner_text() == "24 parts", "the bar has a short word for all of it")
     assert seen()

@@ -39,6 +39,22 @@ def test_an_arrow_leads_back_to_a_body_that_is_out_of_view(open_page: OpenPage) 
     assert all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
 
 
+def test_nothing_lies_over_that_arrow(open_page: OpenPage) -> None:
+    desk = open_page(size=(1100, 760))
+    desk.tell(commands.Play(False))
+    for key, end in (("", (60.0, 560.0)), ("e", (60.0, 560.0)), ("", (60.0, 300.0))):
+        if key:
+            desk.page.keyboard.press(key)
+            desk.page.keyboard.press("h")
+        desk.page.keyboard.press("0")
+        for _ in range(3):
+            desk.drag((600.0, 250.0), end)
+        arrow = desk.page.locator(".softrod-edge")
+        desk.until(lambda arrow=arrow: arrow.is_visible(), "the arrow is there")
+        arrow.click()  # it fails if something else is over it
+        desk.until(lambda arrow=arrow: not arrow.is_visible(), "the arrow is gone")
+
+
 def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False))

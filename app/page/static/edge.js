@@ -37,6 +37,26 @@ export function edgeArrow(places, view) {
 /** @param {number} value @param {number} low @param {number} high */
 const between = (value, low, high) => Math.max(low, Math.min(high, value));
 
+/** What else stands over the canvas, and where beside it there is room. */
+const BESIDE = /** @type {const} */ ([
+  [".softrod-edit-bar", "above"],
+  [".softrod-edit.softrod-edit-row", "below"],
+  [".softrod-box", "right"],
+  [".softrod-edit:not(.softrod-edit-row)", "right"],
+]);
+
+/** A place for the arrow where nothing covers it. @param {{x: number, y: number}} place */
+function uncovered({ x, y }) {
+  for (const [name, side] of BESIDE) {
+    const { left, right, top, bottom } = document.querySelector(name)?.getBoundingClientRect() ?? new DOMRect();
+    if (x + INSET < left || x - INSET > right || y + INSET < top || y - INSET > bottom) continue;
+    if (side === "above") y = top - INSET;
+    else if (side === "below") y = bottom + INSET;
+    else x = right + INSET;
+  }
+  return { x, y };
+}
+
 /** Puts up the arrow, hidden; what is returned places it. */
 export function addEdgeArrow() {
   const button = document.createElement("button");
@@ -56,8 +76,9 @@ export function addEdgeArrow() {
     const arrow = edgeArrow(places, view);
     button.hidden = arrow === null;
     if (!arrow) return;
-    button.style.left = `${arrow.x}px`;
-    button.style.top = `${arrow.y}px`;
+    const { x, y } = uncovered(arrow);
+    button.style.left = `${x}px`;
+    button.style.top = `${y}px`;
     button.style.setProperty("--softrod-turn", `${arrow.turn}deg`);
   };
 }

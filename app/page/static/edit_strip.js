@@ -145,7 +145,9 @@ export function addEditStrip(tracing) {
     const counted = low && words.includes(",") ? `${countSelected()} parts` : words;
     if (count.textContent !== counted) count.textContent = counted;
     strip.style.left = `${left}px`;
-    strip.style.top = `${top}px`;
+    // The row is as wide as a phone, and the scale bar is there, too.
+    const scale = low ? (document.querySelector(".softrod-scale")?.getBoundingClientRect().bottom ?? 0) : 0;
+    strip.style.top = `${Math.max(top, scale + 10)}px`;
     // Over the bar of time, beside the box of instruments.
     bar.style.left = `${left + BOX}px`;
     bar.style.maxWidth = `${canvas.right - left - BOX - 14}px`;
