@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+import sim
 from app.session import commands
 from sim.edit.edit import Edit, Selection
 from tests.browser.conftest import OpenPage
@@ -263,3 +264,55 @@ def test_a_phone_has_room_for_the_body_beside_the_tools(open_page: OpenPage, tmp
     desk.page.locator(".softrod-edit-bar input[type=file]").set_input_files(tmp_path / "bridge.png")
     size = desk.page.get_by_text("Size", exact=True)
     desk.until(lambda: 0.0 < (size.bounding_box() or {}).get("x", 0.0) < 150.0, "its controls are there")
+
+
+def test_a_question_about_a_body_that_is_gone_goes_too(open_page: OpenPage) -> None:
+    desk = paused(open_page)
+    tool(desk, "Select")
+    pick(desk, masses={2})
+    desk.page.keyboard.press("Alt+ArrowRight")
+    dialog = desk.page.get_by_role("dialog", name="Moved masses")
+    dialog.wait_for()
+    desk.tell(commands.Open(sim.load_scene("ring")))
+    desk.until(lambda: dialog.count() == 0, "the question is gone")
+    desk.until(lambda: len(desk.masses()) == len(desk.session.scene.masses), "the page shows the ring")
+    assert not desk.session.versions.redoable
+    assert not desk.notices()
+
+
+def test_moving_a_picture_takes_no_keys_of_others(open_page: OpenPage, tmp_path: Path) -> None:
+    desk = paused(open_page)
+    page = desk.page
+    Image.new("RGB", (40, 20)).save(tmp_path / "bridge.png")
+    page.keyboard.press("e")
+    page.locator(".softrod-edit-bar input[type=file]").set_input_files(tmp_path / "bridge.png")
+    button = page.get_by_role("button", name="Move it")
+    button.click()
+    image = page.locator(".softrod-underlay image")
+    x = image.get_attribute("x")
+    desk.gallery()
+    page.keyboard.press("ArrowDown")
+    page.keyboard.press("ArrowRight")
+    desk.rest(3)
+    assert image.get_attribute("x") == x
+    page.keyboard.press("Escape")
+    desk.until(lambda: page.get_by_role("dialog").count() == 0, "the gallery is closed")
+    assert button.get_attribute("aria-pressed") == "true"
+    # It is stored when it rests, and not at every move.
+    page.evaluate(
+        """() => {
+          const real = Storage.prototype.setItem;
+          window.stored = 0;
+          Storage.prototype.setItem = function (name, text) {
+            if (name === "softrod-picture") window.stored += 1;
+            real.call(this, name, text);
+          };
+        }"""
+    )
+    drag(desk, desk.place(5), beside(desk, 5, 40.0, 30.0))
+    desk.until(lambda: page.evaluate("window.stored") > 0, "it is stored")
+    assert page.evaluate("window.stored") < 4
+    playing = desk.session.playing
+    page.keyboard.press("Escape")
+    desk.until(lambda: button.get_attribute("aria-pressed") == "false", "Esc ends it")
+    assert desk.session.playing == playing

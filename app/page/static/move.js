@@ -1,5 +1,6 @@
 // @ts-check
 /** Moving what is selected: whether its springs rest as they are then is asked once, and the tab remembers. */
+import { onTold, told } from "./channel.js";
 import { make, makeButton, makeDialog } from "./dialog.js";
 import { change } from "./editing.js";
 import { ask } from "./mail.js";
@@ -40,6 +41,11 @@ function offer() {
   if (!question) {
     const { dialog, body } = makeDialog("Moved masses", "softrod-moved");
     question = { dialog };
+    let { scene } = told();
+    onTold(() => {
+      if (told().scene !== scene) dialog.close(); // it is about another body
+      ({ scene } = told());
+    });
     const line = make("div", "softrod-dialog-line");
     /** @param {boolean} rest */
     const answer = (rest) => () => {

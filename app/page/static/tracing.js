@@ -108,7 +108,7 @@ export function addTracing() {
     moving = !moving;
     show();
   }, "");
-  move.title = "Drag it, or use the arrow keys";
+  move.title = "Drag it, or use the arrow keys, until Esc";
   const another = makeButton("Another", () => file.click(), "");
   const remove = makeButton("Take it away", () => {
     picture = null;
@@ -190,7 +190,10 @@ export function addTracing() {
       image.setAttribute(name, value.toFixed(2));
     }
   });
-  listen(() => picture, put);
+  listen(() => picture, put, () => {
+    moving = false;
+    show();
+  });
   let { on } = editing;
   onEditing(() => {
     if (editing.on === on) return;
@@ -210,8 +213,12 @@ function slider(text, low, high, moved) {
   return { label, input };
 }
 
-/** Moves it with the pointer and with arrows. @param {() => Picture | null} present @param {(changes: Partial<Picture>) => void} put */
-function listen(present, put) {
+/**
+ * Moves it with the pointer and with arrows, until Esc.
+ *
+ * @param {() => Picture | null} present @param {(changes: Partial<Picture>) => void} put @param {() => void} stop
+ */
+function listen(present, put, stop) {
   /** @type {{id: number, x: number, y: number, from: {x: number, y: number}} | null} */
   let hold = null;
   window.addEventListener("pointerdown", (event) => {
@@ -241,7 +248,14 @@ function listen(present, put) {
     const now = present();
     const way = MOVES[event.key];
     const { target } = event;
-    if (!moving || !now || !way || !isFree(event)) return;
+    if (!moving || !now || !isFree(event)) return;
+    if (event.key === "Escape") {
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      stop();
+      return;
+    }
+    if (!way) return;
     if (target instanceof Element && target.matches(OWN_ARROWS)) return;
     event.preventDefault();
     event.stopImmediatePropagation();
