@@ -316,3 +316,17 @@ def test_moving_a_picture_takes_no_keys_of_others(open_page: OpenPage, tmp_path:
     page.keyboard.press("Escape")
     desk.until(lambda: button.get_attribute("aria-pressed") == "false", "Esc ends it")
     assert desk.session.playing == playing
+
+
+def test_the_tools_stay_where_they_are_when_the_clock_runs(open_page: OpenPage) -> None:
+    desk = open_page(size=(1100, 760))
+    desk.tell(commands.Play(False))
+    tool(desk, "Build")
+    desk.until(lambda: "paused" in desk.hud(), "the page says that it is paused")
+    cut = desk.page.locator(".softrod-edit").get_by_role("button", name="Cut")
+    desk.rest(3)
+    before = cut.bounding_box()
+    desk.tell(commands.Play(True))
+    desk.until(lambda: "paused" not in desk.hud(), "it runs")
+    desk.rest(10)
+    assert cut.bounding_box() == before

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Attempts } from "../../app/page/static/connection.js";
 import { edgeArrow } from "../../app/page/static/edge.js";
-import { jointAngles, roundUp } from "../../app/page/static/overlay.js";
+import { degrees, jointAngles, roundUp } from "../../app/page/static/overlay.js";
 import { nearest, onScreen, worldAt } from "../../app/page/static/screen.js";
 
 const plan = (flip) => ({
@@ -64,4 +64,8 @@ test("an arrow at the edge points to a body that is out of view, and there is no
   assert.ok(right && right.x < 800 && right.x > 700 && right.y === 300 && right.turn === 0, JSON.stringify(right));
   const corner = edgeArrow([-100, 700], view);
   assert.ok(corner && corner.x > 0 && corner.y < 600 && Math.abs(corner.turn - 135) < 1e-9, JSON.stringify(corner));
+});
+
+test("an angle of zero has no sign", () => {
+  assert.deepEqual([-0.04, -0, 0.04, -0.06, 12, -179.96].map(degrees), ["0.0°", "0.0°", "0.0°", "-0.1°", "12.0°", "-180.0°"]);
 });

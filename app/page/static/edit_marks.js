@@ -4,7 +4,7 @@ import { shown } from "./canvas.js";
 import { CORNER, partAt, restAt, restDirection, snapped, turnable } from "./edit.js";
 import { editing, onEditing } from "./editing.js";
 import { wrapped } from "./draw.js";
-import { onSight, putUp, sight, SVG } from "./overlay.js";
+import { degrees, onSight, putUp, sight, SVG } from "./overlay.js";
 import { armsOf, cornersOf, crossed, turnTo } from "./pick.js";
 import { massAt } from "./pointer.js";
 
@@ -234,5 +234,5 @@ function knobText(seen) {
   const { drag } = editing;
   const direction = drag?.kind === "turn" ? drag.angle : restDirection(joint);
   const at = off(placeOf(seen, seen.plan.joints[4 * joint + 2]), direction, CORNER + 34);
-  return { at, text: `rests at ${restAt(joint, direction).toFixed(1)}°` };
+  return { at, text: `rests at ${degrees(restAt(joint, direction))}` };
 }

@@ -1,6 +1,5 @@
 // @ts-check
 /** The tools at the left of the canvas, undo and redo, and what can be done to what is selected. */
-import { onPicture } from "./canvas.js";
 import { onTold } from "./channel.js";
 import { toClipboard, pasteHere } from "./clipboard.js";
 import { make, makeButton } from "./dialog.js";
@@ -9,6 +8,7 @@ import { change, countSelected, editing, isEditable, onEditing, setEditing, setT
 import { lessonRoom } from "./lesson.js";
 import { ask } from "./mail.js";
 import { setTakesNew, takesNew } from "./move.js";
+import { onSight } from "./overlay.js";
 import { viser } from "./viser.js";
 
 /** Outlines of 24 by 24, as strokes. @type {Record<string, string>} */
@@ -48,6 +48,8 @@ const ALWAYS = [
 
 /** Pixels that the box of instruments takes. */
 const BOX = 50;
+/** Pixels by which the words above the tools may grow shorter, as when the clock runs, and the tools stay in place. */
+const STAYS = 60;
 /** Pixels of height that a column of tools needs, with the bar below. */
 const COLUMN = 480;
 
@@ -101,6 +103,8 @@ export function addEditStrip(tracing) {
 
   /** @param {Element} element @param {boolean} on */
   const showIf = (element, on) => element.toggleAttribute("hidden", !on);
+  /** Where the tools begin. */
+  let above = 0;
   let before = { undo: "", selected: editing.selected };
   const show = () => {
     const able = isEditable();
@@ -135,7 +139,9 @@ export function addEditStrip(tracing) {
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
     const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
     const left = canvas.left + 14 + lessonRoom().left;
-    const top = Math.max(canvas.top, hud?.bottom ?? 0) + 10;
+    const free = Math.max(canvas.top, hud?.bottom ?? 0) + 10;
+    const top = free < above && above < free + STAYS ? above : free;
+    above = top;
     const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity) - lessonRoom().bottom;
     // On a phone they stand in a row, without words.
     const low = bottom - top < COLUMN;
@@ -167,7 +173,7 @@ export function addEditStrip(tracing) {
     if (editing.on && !isEditable()) change({ on: false });
     show();
   });
-  onPicture(place);
+  onSight(place); // after the scale bar
   window.addEventListener("resize", place);
   show();
 }

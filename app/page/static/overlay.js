@@ -155,6 +155,9 @@ export function addOverlay() {
 
 /** @typedef {<K extends keyof SVGElementTagNameMap>(kind: K, name: string) => SVGElementTagNameMap[K]} Add */
 
+/** An angle as it is shown; zero has no sign. @param {number} angle degrees */
+export const degrees = (angle) => `${(Number(angle.toFixed(1)) + 0).toFixed(1)}°`;
+
 /** The arc and the degrees of the joint that is read out. @param {Add} add */
 function jointMark(add) {
   const arc = add("path", "softrod-arc");
@@ -179,7 +182,7 @@ function jointMark(add) {
     // On the outside of the bend, where the body is not.
     set(angle, at(from + turn / 2 - (turn < 0 ? -90 : 90), radius + LABEL));
     // As the panel has it: positive is anticlockwise where y grows upwards.
-    angle.textContent = `${(turn * plan.flip).toFixed(1)}°`;
+    angle.textContent = degrees(turn * plan.flip);
   };
 }
 
