@@ -105,7 +105,7 @@ export function addEditStrip(tracing) {
   const showIf = (element, on) => element.toggleAttribute("hidden", !on);
   /** Where the tools begin. */
   let above = 0;
-  let before = { undo: "", selected: editing.selected };
+  let before = { undo: "", redo: "", selected: editing.selected };
   const show = () => {
     const able = isEditable();
     const focused = document.activeElement;
@@ -126,8 +126,11 @@ export function addEditStrip(tracing) {
     for (const button of onSelected) showIf(button, some > 0);
     rests.ariaPressed = String(takesNew());
     if (on && selected !== before.selected) live.textContent = some ? `${named(selected)} selected` : "Nothing selected";
-    else if (undoable !== before.undo && undoable) live.textContent = undoable;
-    before = { undo: undoable, selected };
+    else if (undoable !== before.undo || redoable !== before.redo) {
+      const isUndone = redoable !== "" && redoable === before.undo;
+      live.textContent = isUndone ? `Undone: ${redoable}` : undoable;
+    }
+    before = { undo: undoable, redo: redoable, selected };
     // What had the focus is gone, or cannot be pressed any more.
     const isIn = focused instanceof HTMLButtonElement && (strip.contains(focused) || bar.contains(focused));
     if (isIn && (focused.disabled || !focused.checkVisibility())) lid.focus();
