@@ -297,7 +297,7 @@ def test_a_question_about_a_body_that_is_gone_goes_too(open_page: OpenPage) -> N
 
 
 def test_moving_a_picture_takes_no_keys_of_others(open_page: OpenPage, tmp_path: Path) -> None:
-    desk = paused(open_page)
+    desk = paused(open_page, size=(1100, 760))
     page = desk.page
     Image.new("RGB", (40, 20)).save(tmp_path / "bridge.png")
     page.keyboard.press("e")
