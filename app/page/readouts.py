@@ -362,7 +362,7 @@ KEYS_HELP = (
     ("T or L", "start or stop the stopwatch, a lap, once it is on the canvas"),
     ("I", "a picture of the page, as a file"),
     ("E", "the tools that build and change the body: Build, Joint, Select, Cut"),
-    ("Ctrl Z, Ctrl Y", "undo, redo"),
+    ("Ctrl Z or Ctrl Y", "undo, redo"),
     ("Tab", "to the body, and on: arrows choose a mass, Space takes it, arrows move it"),
     ("↑ ↓", "held: every spring longer, shorter"),
     ("→ ←", "held: every rest angle up, down"),

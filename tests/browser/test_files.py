@@ -26,7 +26,7 @@ def save(desk: Desk, name: str) -> None:
 
 def upload(desk: Desk, path: Path) -> None:
     """Choose a file to open."""
-    desk.page.locator("input[type=file]").set_input_files(path)
+    desk.page.locator("input[type=file][name=file]").set_input_files(path)
 
 
 def test_a_scene_is_saved_and_opened(open_page: OpenPage, data_folder: Path) -> None:

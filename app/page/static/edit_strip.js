@@ -148,12 +148,17 @@ export function addEditStrip(tracing) {
     const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity) - lessonRoom().bottom;
     // On a phone they stand in a row, without words.
     const low = bottom - top < COLUMN;
-    strip.classList.toggle("softrod-edit-row", low);
+    strip.classList.toggle("softrod-edit-row", low || !editing.on);
     bar.classList.toggle("softrod-edit-row", low);
     const words = inWords(editing.selected);
     const counted = low && words.includes(",") ? `${countSelected()} parts` : words;
     if (count.textContent !== counted) count.textContent = counted;
-    strip.style.left = `${left}px`;
+    if (!editing.on) {
+      // Out of the body's way, beside the box of instruments.
+      Object.assign(strip.style, { left: `${left + BOX}px`, top: "auto", bottom: `${window.innerHeight - bottom + 8}px` });
+      return;
+    }
+    Object.assign(strip.style, { left: `${left}px`, bottom: "auto" });
     // The row is as wide as a phone, and the scale bar is there, too.
     const scale = low ? (document.querySelector(".softrod-scale")?.getBoundingClientRect().bottom ?? 0) : 0;
     strip.style.top = `${Math.max(top, scale + 10)}px`;
