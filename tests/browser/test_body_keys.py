@@ -145,6 +145,7 @@ def test_space_presses_what_the_tab_key_has_reached(open_page: OpenPage) -> None
     desk.page.keyboard.press("Space")
     desk.until(lambda: desk.session.follow, "the switch is turned")
     assert desk.session.playing
+    desk.pause(0.3)  # until the server has shown what it made of it
     desk.page.keyboard.press("Space")
     desk.until(lambda: not desk.session.follow, "and back")
     reach("[data-softrod-key=R]")

@@ -160,8 +160,9 @@ export function addEditStrip(tracing) {
     }
     Object.assign(strip.style, { left: `${left}px`, bottom: "auto" });
     // The row is as wide as a phone, and the scale bar is there, too.
-    const scale = low ? (document.querySelector(".softrod-scale")?.getBoundingClientRect().bottom ?? 0) : 0;
-    strip.style.top = `${Math.max(top, scale + 10)}px`;
+    const scale = document.querySelector(".softrod-scale")?.getBoundingClientRect();
+    const under = low && scale && scale.left < left + strip.offsetWidth ? scale.bottom : 0;
+    strip.style.top = `${Math.max(top, under + 10)}px`;
     // Over the bar of time, beside the box of instruments.
     bar.style.left = `${left + BOX}px`;
     bar.style.maxWidth = `${canvas.right - left - BOX - 14}px`;
