@@ -52,7 +52,7 @@ class Answers:
         self.edits = Edits(session, letters, notify)
         self._resume = resume
         self._parts = {"resume": keeping.Parts(), "link": keeping.Parts(), "paste": keeping.Parts()}
-        self._line = Line()
+        self._line = InOrder()
 
     def take(self, message: object, controls: Controls) -> bool:
         """Whether a message of the script is one of these; if so, what it asks for is done.
@@ -99,7 +99,7 @@ class Answers:
                 self.gallery.change(ask)
 
 
-class Line:
+class InOrder:
     """Work of one page, done in order by the threads of all pages, so that none keeps them to itself."""
 
     def __init__(self) -> None:

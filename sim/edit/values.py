@@ -14,10 +14,9 @@ from ..errors import SettingError
 from ..motion.moment import Moment
 from ..scene.columns import column
 from ..scene.parts import AngularSpring, LinearSpring, Mass
-from ..scene.recipes.assembly import wrapped
 from ..scene.types import Damage, Scene
 from ..scene.validate import number_range
-from .build import angle_between, positions_of
+from .build import angle_between, in_turn, positions_of
 from .edit import Edit, Selection, changed, counted, of_parts
 
 Kind = Literal["masses", "linear_springs", "angular_springs"]
@@ -176,7 +175,7 @@ def take_as_rest(moment: Moment, parts: Selection) -> Edit:
 
 def _turned(angle: float, by: float) -> float:
     """A rest angle, degrees, turned and wrapped into (-180, 180]; exactly itself where it is not turned."""
-    return wrapped(math.remainder(angle + by, 360.0)) if by else angle
+    return in_turn(angle + by) if by else angle
 
 
 def _refuse_missing(scene: Scene, of: Number, parts: Collection[int]) -> None:

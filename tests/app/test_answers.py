@@ -9,7 +9,7 @@ import pytest
 
 import sim
 from app.page import answers
-from app.page.answers import MOST_WAITING, Line
+from app.page.answers import MOST_WAITING, InOrder
 from app.page.asks import Scenes
 from sim.scene import files
 from tests.app.test_gallery import Page
@@ -24,7 +24,7 @@ def wait(event: threading.Event) -> None:
 
 
 def test_requests_of_a_page_are_done_one_after_the_other() -> None:
-    line, done, go, end = Line(), list[int](), threading.Event(), threading.Event()
+    line, done, go, end = InOrder(), list[int](), threading.Event(), threading.Event()
     line.submit(wait, go)
     for number in range(MOST_WAITING - 1):
         line.submit(done.append, number)
@@ -40,7 +40,7 @@ def fail() -> None:
 
 
 def test_a_request_that_fails_does_not_stop_those_after_it(caplog: pytest.LogCaptureFixture) -> None:
-    line, end = Line(), threading.Event()
+    line, end = InOrder(), threading.Event()
     line.submit(fail)
     line.submit(end.set)
     assert end.wait(LIMIT)
@@ -48,7 +48,13 @@ def test_a_request_that_fails_does_not_stop_those_after_it(caplog: pytest.LogCap
 
 
 def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_others() -> None:
-    line, others, busy, go, end = Line(), Line(), threading.Event(), threading.Event(), threading.Event()
+    line, others, busy, go, end = (
+        InOrder(),
+        InOrder(),
+        threading.Event(),
+        threading.Event(),
+        threading.Event(),
+    )
     done: list[int] = []
     line.submit(busy.set)
     line.submit(wait, go)

@@ -7,6 +7,7 @@ import { gridStep } from "./around.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { change, countSelected, editing, giveUp } from "./editing.js";
+import { directionAt, restAt, restDirection } from "./joint_rest.js";
 import { ask, onMail } from "./mail.js";
 import { moveSelected } from "./move.js";
 import { sight } from "./overlay.js";
@@ -235,8 +236,8 @@ function led(at, { altKey, shiftKey }) {
       return { ...drag, points: pick.thinned([...drag.points, at], 4 * MOST_POINTS) };
     case "turn": {
       const tip = shown().pictured?.joints[4 * drag.joint + 2] ?? 0;
-      const angle = restFrom(drag.joint, directionTo(tip, at));
-      return { ...drag, angle: directionOfRest(drag.joint, shiftKey ? pick.rounded(angle, 15) : angle) };
+      const angle = restAt(drag.joint, directionTo(tip, at));
+      return { ...drag, angle: directionAt(drag.joint, shiftKey ? pick.rounded(angle, 15) : angle) };
     }
     default:
       return null;
@@ -277,7 +278,7 @@ function up(event) {
       return;
     }
     case "turn": {
-      if (moved) ask({ do: "turn", joint: drag.joint, angle: restFrom(drag.joint, drag.angle) });
+      if (moved) ask({ do: "turn", joint: drag.joint, angle: restAt(drag.joint, drag.angle) });
       else if (isTwice(drag.joint, event.timeStamp)) ask({ do: "turn", joint: drag.joint });
       return;
     }
@@ -362,43 +363,6 @@ export function line(a, start, b, end) {
 }
 
 // ------------------------------------------------------------------------- joints
-/** From what a joint's rest angle is counted, degrees anticlockwise on the screen, and which way it turns. @param {number} joint */
-function zeroOf(joint) {
-  const { pictured: plan, frame } = shown();
-  if (!plan || !frame) return { zero: 0, flip: 1 };
-  const { springs, joints, flip } = plan;
-  const [spring, sense] = [joints[4 * joint], joints[4 * joint + 3]];
-  const [a, b] = [2 * springs[2 * spring], 2 * springs[2 * spring + 1]];
-  const { positions } = frame;
-  const [dx, dy] = [positions[b] - positions[a], (positions[b + 1] - positions[a + 1]) * flip];
-  return { zero: (Math.atan2(dy * sense, dx * sense) * 180) / Math.PI, flip };
-}
-
-/** The rest angle, degrees, that has the second spring in a direction. @param {number} joint @param {number} direction */
-function restFrom(joint, direction) {
-  const { zero, flip } = zeroOf(joint);
-  const angle = (((direction - zero) % 360) + 540) % 360 - 180;
-  return Number((angle * flip).toFixed(4));
-}
-
-/** The direction, degrees, in which the second spring rests at a rest angle. @param {number} joint @param {number} angle */
-function directionOfRest(joint, angle) {
-  const { zero, flip } = zeroOf(joint);
-  return zero + angle * flip;
-}
-
-/** The rest angle that a joint has now, degrees. @param {number} joint */
-export function restAngle(joint) {
-  const { pictured: plan, frame, damage } = shown();
-  return (plan?.restAngle[joint] ?? 0) + (frame?.angleShift ?? 0) + (damage.setAngle[joint] ?? 0);
-}
-
-/** In which direction a joint's second spring rests, degrees. @param {number} joint */
-export const restDirection = (joint) => directionOfRest(joint, restAngle(joint));
-
-/** What a direction means as a rest angle of a joint, degrees. @param {number} joint @param {number} direction */
-export const restAt = restFrom;
-
 /** @param {number} joint @param {Place} at */
 function isOnKnob(joint, at) {
   const { pictured: plan } = shown();

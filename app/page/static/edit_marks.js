@@ -1,9 +1,10 @@
 // @ts-check
 /** What is drawn of an edit: what is selected, and what the pointer is doing. */
 import { shown } from "./canvas.js";
-import { CORNER, partAt, restAt, restDirection, snapped, turnable } from "./edit.js";
+import { CORNER, partAt, snapped, turnable } from "./edit.js";
 import { editing, onEditing } from "./editing.js";
 import { wrapped } from "./draw.js";
+import { restAt, restDirection } from "./joint_rest.js";
 import { degrees, onSight, putUp, sight, SVG } from "./overlay.js";
 import { armsOf, cornersOf, crossed, turnTo } from "./pick.js";
 import { massAt } from "./pointer.js";

@@ -149,6 +149,7 @@ export function addEditStrip(tracing) {
     // On a phone they stand in a row, without words.
     const low = bottom - top < COLUMN;
     strip.classList.toggle("softrod-edit-row", low || !editing.on);
+    strip.classList.toggle("softrod-edit-closed", !editing.on);
     bar.classList.toggle("softrod-edit-row", low);
     const words = inWords(editing.selected);
     const counted = low && words.includes(",") ? `${countSelected()} parts` : words;
