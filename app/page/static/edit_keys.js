@@ -5,7 +5,8 @@
  */
 import { shown } from "./canvas.js";
 import { pasteHere, toClipboard } from "./clipboard.js";
-import { line, step, stepBack } from "./edit.js";
+import { line, stepBack } from "./edit.js";
+import { step } from "./edit_places.js";
 import { change, countSelected, editing, giveUp, isEditable, setEditing, setTool } from "./editing.js";
 import { isFree } from "./keys.js";
 import { ask } from "./mail.js";

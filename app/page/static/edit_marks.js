@@ -1,7 +1,7 @@
 // @ts-check
 /** What is drawn of an edit: what is selected, and what the pointer is doing. */
 import { shown } from "./canvas.js";
-import { CORNER, partAt, snapped, turnable } from "./edit.js";
+import { CORNER, partAt, snapped, turnable } from "./edit_places.js";
 import { editing, onEditing } from "./editing.js";
 import { wrapped } from "./draw.js";
 import { restAt, restDirection } from "./joint_rest.js";
