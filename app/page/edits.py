@@ -12,7 +12,7 @@ import numpy as np
 
 from sim import Moment, Scene
 from sim.edit import build, copying, shape
-from sim.edit.edit import Edit, Selection, carried
+from sim.edit.edit import Edit, Selection, carried, refuse_missing
 from sim.edit.values import number, set_number, take_as_rest
 from sim.errors import SceneError, SettingError
 from sim.scene.numbers import Vector
@@ -187,7 +187,7 @@ def _aimed(scene: Scene, selection: Selection, mass: int | None, under: int | No
         mass = None if any(selection) else under
     if mass is None:
         return selection
-    build.refuse_missing([mass], len(scene.masses))
+    refuse_missing([mass], len(scene.masses))
     return _one(mass)
 
 
@@ -242,8 +242,7 @@ def _lined(moment: Moment, a: int | None, b: int | None, start: Vector, end: Vec
 
 def _held(moment: Moment, a: int, b: int) -> Edit:
     scene, positions = moment.scene, build.positions_of(moment)
-    if not max(a, b) < len(scene.linear_springs):
-        raise SceneError(f"spring {max(a, b)} does not exist (0..{len(scene.linear_springs) - 1})")
+    refuse_missing((a, b), len(scene.linear_springs), "spring")
     angle = build.angle_between(scene, a, b, positions) - moment.rest_angle_shift
     edit = build.add_joints(scene, [(a, b)], [angle])
     if edit.joints is None:
@@ -253,8 +252,7 @@ def _held(moment: Moment, a: int, b: int) -> Edit:
 
 def _turned(moment: Moment, joint: int, angle: float | None) -> Edit:
     scene = moment.scene
-    if not joint < len(scene.angular_springs):
-        raise SceneError(f"joint {joint} does not exist (0..{len(scene.angular_springs) - 1})")
+    refuse_missing([joint], len(scene.angular_springs), "joint")
     if angle is None:
         two = scene.angular_springs[joint]
         angle = build.angle_between(scene, two.a, two.b, build.positions_of(moment))

@@ -17,7 +17,7 @@ from ..scene.parts import Anchor, AngularSpring, LinearSpring, Mass
 from ..scene.recipes.assembly import wrapped
 from ..scene.types import Scene
 from ..scene.validate import SHORTEST
-from .edit import Edit, Map, Selection, added, counted, of_parts, with_added, without
+from .edit import Edit, Map, Selection, added, counted, of_parts, refuse_missing, with_added, without
 
 NEW_MASS = Mass(position=(0.0, 0.0))
 NEW_SPRING = LinearSpring(a=0, b=1, stiffness=10_000.0, damping=20.0, rest_length=1.0)
@@ -111,9 +111,7 @@ def add_joints(
     if stiffness is not None:
         typical = msgspec.structs.replace(typical, stiffness=stiffness)
     for (a, b), angle in zip(pairs, angles, strict=True):
-        for s in (a, b):
-            if not 0 <= s < len(springs):
-                raise SceneError(f"spring {s} does not exist (0..{len(springs) - 1})")
+        refuse_missing((a, b), len(springs), "spring")
         if a == b or not {springs[a].a, springs[a].b} & {springs[b].a, springs[b].b}:
             raise SceneError(f"springs {a} and {b} share no mass, so no angular spring can hold them")
         if (a, b) in taken or (b, a) in taken:
@@ -211,17 +209,6 @@ def pin(scene: Scene, masses: Collection[int], on: bool) -> Edit:
 
 
 # ------------------------------------------------------------------------- numbers
-def refuse_missing(masses: Collection[int], n: int) -> None:
-    """Refuse masses that a scene of n does not have.
-
-    Raises:
-        SceneError: one of them does not exist.
-    """
-    for mass in masses:
-        if not 0 <= mass < n:
-            raise SceneError(f"mass {mass} does not exist (0..{n - 1})")
-
-
 def place(at: Vector) -> Vector:
     """A place as a scene can have it.
 

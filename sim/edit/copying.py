@@ -12,8 +12,8 @@ from ..scene.parts import Anchor, AngularSpring, LinearSpring, Mass
 from ..scene.sentences import in_words
 from ..scene.types import Scene
 from ..scene.validate import validate
-from .build import place, refuse_missing
-from .edit import Edit, added, counted, of_parts, with_added
+from .build import place
+from .edit import Edit, added, counted, of_parts, refuse_missing, with_added
 
 MAX_FRAGMENT_BYTES = 2_000_000
 """Size of the largest text that is pasted."""

@@ -306,6 +306,23 @@ def changed(parts: Sequence[T], new: Iterable[tuple[int, T]]) -> tuple[T, ...]:
     return tuple(every)
 
 
+def refuse_missing(parts: Iterable[int], count: int, what: str = "mass") -> None:
+    """Refuse parts that a scene does not have.
+
+    Args:
+        parts: indices.
+        count: how many there are.
+        what: they are called.
+
+    Raises:
+        SceneError: one of them does not exist.
+    """
+    for i in parts:
+        if not 0 <= i < count:
+            there = f"0..{count - 1}" if count else "there are none"
+            raise SceneError(f"{what} {i} does not exist ({there})")
+
+
 def counted(count: int, what: str) -> str:
     """A number of things in words, as in "2 springs"."""
     several = {"mass": "masses"}.get(what, f"{what}s")

@@ -14,8 +14,8 @@ from ..scene.numbers import Vector
 from ..scene.recipes.assembly import wrapped
 from ..scene.types import Scene
 from ..scene.validate import SHORTEST
-from .build import add_joints, add_springs, angle_between, place, refuse_missing, remove
-from .edit import Edit, Selection, changed, counted, of_parts
+from .build import add_joints, add_springs, angle_between, place, remove
+from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
 
 
 def move(scene: Scene, masses: Collection[int], by: Vector) -> Edit:

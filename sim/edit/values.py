@@ -17,7 +17,7 @@ from ..scene.parts import AngularSpring, LinearSpring, Mass
 from ..scene.types import Damage, Scene
 from ..scene.validate import number_range
 from .build import angle_between, in_turn, positions_of
-from .edit import Edit, Selection, changed, counted, of_parts
+from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
 
 Kind = Literal["masses", "linear_springs", "angular_springs"]
 """The field of a scene that has the parts."""
@@ -105,8 +105,8 @@ def set_number(
             a rest angle is with them.
 
     Raises:
-        SettingError: the value is out of range, a part does not exist, or the number does not go with the
-            others of a part.
+        SettingError: the value is out of range, or the number does not go with the others of a part.
+        SceneError: a part does not exist.
     """
     _refuse_value(of, value)
     if of.field == "rest_angle" and value is not None:
@@ -126,10 +126,10 @@ def scale_number(
         largest: the new value of the largest.
 
     Raises:
-        SettingError: as `set_number`.
+        SettingError, SceneError: as `set_number`.
     """
     _refuse_value(of, largest)
-    _refuse_missing(scene, of, parts)
+    refuse_missing(parts, len(getattr(scene, of.kind)), _WORDS[of.kind])
     every, shift = getattr(scene, of.kind), shift if of.field == "rest_angle" else 0.0
     has = {i: value for i in parts if (value := getattr(every[i], of.field)) is not None}
     values = {i: _turned(value, shift) for i, value in has.items()}
@@ -178,13 +178,6 @@ def _turned(angle: float, by: float) -> float:
     return in_turn(angle + by) if by else angle
 
 
-def _refuse_missing(scene: Scene, of: Number, parts: Collection[int]) -> None:
-    count = len(getattr(scene, of.kind))
-    for i in parts:
-        if not 0 <= i < count:
-            raise SettingError(f"{_WORDS[of.kind]} {i} does not exist (0..{count - 1})")
-
-
 def _refuse_value(of: Number, value: float | None) -> None:
     if value is None:
         if not of.optional:
@@ -197,7 +190,7 @@ def _refuse_value(of: Number, value: float | None) -> None:
 
 def _with_values(scene: Scene, of: Number, values: dict[int, float | None], label: str) -> Edit:
     scene = of_parts(scene)
-    _refuse_missing(scene, of, values)
+    refuse_missing(values, len(getattr(scene, of.kind)), _WORDS[of.kind])
     every = getattr(scene, of.kind)
     new = [(i, msgspec.structs.replace(every[i], **{of.field: value})) for i, value in values.items()]
     for _, part in new:

@@ -145,7 +145,9 @@ def test_a_rest_angle_is_turned_and_the_present_one_is_taken(page: Page) -> None
     page.do(Turn(0, 300.0))
     assert page.session.scene.angular_springs[0].rest_angle == pytest.approx(-60.0)
     page.do(Turn(5, 3.0))
-    assert "joint 5 does not exist" in page.session.notices.pop().text
+    assert "joint 5 does not exist (0..0)" in page.session.notices.pop().text
+    page.do(Do("undo"), Do("undo"), Do("undo"), Do("undo"), Turn(0))
+    assert "joint 0 does not exist (there are none)" in page.session.notices.pop().text
 
 
 def test_a_stroke_cuts_all_that_it_crosses_and_nothing_else(page: Page) -> None:

@@ -330,7 +330,7 @@ def test_numbers_in_proportion_stay_in_their_range() -> None:
     light = set_number(scene, mass, [1], 1e-5).scene
     with pytest.raises(SettingError, match=r"^Mass: 5e-07 is not in the range 1e-06\.\.1e\+06 kg$"):
         scale_number(light, mass, [0, 1], 0.05)
-    with pytest.raises(SettingError, match=r"^mass 4 does not exist \(0\.\.3\)$"):
+    with pytest.raises(SceneError, match=r"^mass 4 does not exist \(0\.\.3\)$"):
         scale_number(light, mass, [0, 4], 2.0)
 
 
