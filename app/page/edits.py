@@ -12,7 +12,7 @@ import numpy as np
 
 from sim import Moment, Scene
 from sim.edit import build, copying, shape
-from sim.edit.edit import Edit, Selection, carried, refuse_missing
+from sim.edit.edit import Edit, Selection, carried, counted, refuse_missing
 from sim.edit.values import number, set_number, take_as_rest
 from sim.errors import SceneError, SettingError
 from sim.scene.numbers import Vector
@@ -206,7 +206,9 @@ def _done(what: str, moment: Moment, selection: Selection) -> Edit:
             at = (_middle([positions[i][k] for i in masses]) for k in (0, 1))
             zero, aside = _point(scene, 0.0, 0.0), _point(scene, ASIDE, -ASIDE)
             x, y = (a + one - none for a, one, none in zip(at, aside, zero, strict=True))
-            return replace(_pasted(moment, fragment, (x, y)), label=f"{len(masses)} masses duplicated")
+            return replace(
+                _pasted(moment, fragment, (x, y)), label=f"{counted(len(masses), 'mass')} duplicated"
+            )
         case "mirror":
             return shape.mirror(scene, some, positions)
         case "corners":

@@ -221,6 +221,10 @@ def test_actions_need_no_place(page: Page) -> None:
     assert len(scene.masses) == 6
     assert len(scene.linear_springs) == 5
     assert page.session.selection.masses == {4, 5}
+    assert page.session.versions.undoable == "2 masses duplicated"
+    page.do(Do("undo"), Do("duplicate", mass=1))
+    assert page.session.versions.undoable == "1 mass duplicated"
+    page.do(Do("undo"), Do("redo"), Do("undo"), Select(masses=(1, 2)), Do("duplicate"))
     scene = page.do(Do("remove"))
     assert len(scene.masses) == 4
     scene = page.do(Do("corners"))  # nothing is selected: everywhere

@@ -77,7 +77,7 @@ def test_held_arrows_change_rest_angle_and_length_until_released(open_page: Open
     assert_stays(desk)
 
     # viser moves the camera with these; here it stays where it is, as it does with the arrows.
-    for key in ("KeyW", "KeyA", "KeyS", "KeyD", "KeyQ"):
+    for key in ("KeyW", "KeyA", "KeyS", "KeyD", "KeyQ", "KeyE"):
         desk.page.keyboard.down(key)
         desk.pause(0.1)
         desk.page.keyboard.up(key)
