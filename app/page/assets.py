@@ -23,6 +23,7 @@ _STYLES = (
     "dialogs.css",
     "gallery.css",
     "lesson.css",
+    "menu.css",
     "looks.css",
 )
 """Later ones win."""

@@ -23,21 +23,21 @@ PARTS = {
     "follow": "the switch that has the ringed mass follow the pointer",
     "angle": "the table of the joint's angle",
     "keys": "the arrow pad",
-    "help": "the Help button",
-    "body": "the Body tab",
+    "help": "Help, in the View menu",
+    "body": "the sliders of all other numbers of the body",
     "solver": "the Solver tab",
     "measure": "the Measure tab",
     "tools": "the instruments",
     "edit": "the tools that build and change the body, undo and redo",
-    "files": "the Files tab",
-    "view": "the View tab",
+    "files": "the Share tab",
+    "view": "the other entries of the View menu",
 }
 """Names of controls, and what they stand for; besides them, the key of any setting stands for its slider."""
 
-IN_PLAY_TAB = ("chooser", "about", "follow", "angle", "keys", "help")
+IN_PLAY_TAB = ("chooser", "about", "follow", "angle", "keys", "body")
 """Those that stand in the Play tab, as the sliders of single settings do."""
 
-TABS = ("body", "solver", "measure", "tools", "files", "view")
+TABS = ("solver", "measure", "tools", "files")
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""The part of the Files tab from which a user takes something home: a picture, a film, a replay, a model, and
+"""The part of the Share tab from which a user takes something home: a picture, a film, a replay, a model, and
 the body as data and programs.
 
 Handlers only hand work to the workshop. The picture is made by the page itself, which has all that is drawn.

@@ -1,4 +1,4 @@
-"""The Files tab: saving, downloading and uploading scenes, and logs; the gallery has those that are saved.
+"""The Share tab: saving, downloading and uploading scenes, and logs; the gallery has those that are saved.
 
 Handlers run in viser's thread pool, since they touch the disk; the running simulation is never touched
 unless a scene was read and found valid.
@@ -26,7 +26,7 @@ ABOUT_LOGS = (
 
 
 class FilesPanel:
-    """The controls of one page's Files tab.
+    """The controls of one page's Share tab.
 
     Args:
         client: the page.

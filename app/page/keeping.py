@@ -14,18 +14,35 @@ MOST_BYTES = 8_000_000
 """Of what a page gives back, unpacked: a scene of the largest size, and what belongs to it."""
 
 
+class Looks(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The switches of the View menu that are the server's.
+
+    Attributes:
+        dark: light on dark.
+        gizmos: arrows that drag held masses along one axis.
+        meter: always the stability meter, not only where it matters.
+    """
+
+    dark: bool = False
+    gizmos: bool = False
+    meter: bool = False
+
+
+PLAIN = Looks()
+"""How a new page looks."""
+
+
 class Kept(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A keepsake of the session, how the page looked, and which plots were open."""
 
     session: msgspec.Raw
-    dark: bool = False
-    gizmos: bool = False
+    looks: Looks = PLAIN
     plots: tuple[Wish, ...] = ()
 
 
-def encode(session: bytes, dark: bool, gizmos: bool, plots: tuple[Wish, ...] = ()) -> bytes:
+def encode(session: bytes, looks: Looks, plots: tuple[Wish, ...] = ()) -> bytes:
     """What the browser is to keep, JSON."""
-    return msgspec.json.encode(Kept(session=msgspec.Raw(session), dark=dark, gizmos=gizmos, plots=plots))
+    return msgspec.json.encode(Kept(session=msgspec.Raw(session), looks=looks, plots=plots))
 
 
 def decode(letters: str) -> Kept | None:

@@ -14,16 +14,18 @@ import viser
 
 from sim.methods.registry import METHODS
 from sim.scene.types import Scene
-from sim.settings import TEMPLATES, Setting, settings_of
+from sim.settings import CHOICES, TEMPLATES, Setting, settings_of
 
 from ..drawing.colors import palette
 from ..session import commands
 from ..session.commands import Command
 from ..session.session import Notice, Session
-from . import readouts, script
+from . import keeping, readouts, script
+from .choice_box import ChoiceBox
 from .controls import Controls
-from .lesson_card import lesson_html
+from .lesson_panel import LessonPanel
 from .play_panel import PlayPanel
+from .plot_list import PlotList
 from .selection_panel import SelectionPanel
 from .slider_box import SliderBox
 from .solver_panel import SolverPanel
@@ -33,7 +35,7 @@ FOREMOST = (
     "wind_speed", "gas_pressure", "pressure", "liquid_stiffness", "bulk_modulus", "load", "strength",
     "yield_force", "rest_angle", "template", "bend", "angular_stiffness", "linear_stiffness", "gravity",
 )  # fmt: skip
-"""Settings that make most of a scene, in order; the Play tab has the first two that there is a use for."""
+"""Settings that make most of a scene, in order; the first two that there is a use for stand at the top."""
 
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""
@@ -74,11 +76,13 @@ class Panel:
     Args:
         client: the page.
         session: its simulation.
-        act: what the tab does beyond the session's commands: "gallery", "notice", "theme", "gizmos", "fit",
-            "follow", "energy", "foretell", "plot", "anew", "share", "help".
+        act: what the tab does beyond the session's commands: "gallery", "notice", "fit", "follow", "energy",
+            "foretell", "plot", "anew", "share", "help".
         controls: which there are; what there is not is not made.
 
     Attributes:
+        lesson: the Lesson tab, if the scene has a lesson.
+        plots: all lists of plots that the page has.
         outlined: buttons that are not the first thing to press in their tab.
         pictures: how many pictures of the page were asked for.
     """
@@ -96,8 +100,9 @@ class Panel:
         self._act = act
         self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
-        self._applicable: list[Setting] | None = None
+        self._shown: tuple[list[Setting], tuple[str, ...]] | None = None
         self._templates: list[viser.GuiDropdownHandle[str]] = []
+        self._choices: list[ChoiceBox] = []
         self.outlined: list[Any] = []
         self.pictures = 0
         self._shown_revision = -1
@@ -107,7 +112,8 @@ class Panel:
         gui.set_panel_label("softrod")
         gui.main_panel.dock_right()
         gui.main_panel.set_width(PANEL_WIDTH)
-        if not controls.in_panel:
+        has_lesson = session.scene.lesson is not None
+        if not (controls.in_panel or has_lesson):
             gui.main_panel.minimize()
         self._selection: SelectionPanel | None = None
         if "edit" in controls:
@@ -116,14 +122,20 @@ class Panel:
         self._hud = gui.add_html("")
         self._state = gui.add_html("")
         self._style = gui.add_html("")
-        self._lesson: viser.GuiHtmlHandle | None = None
-        self._play_tab = self._body_tab = self._solver_tab = None
-        self._play = self._own_values = self._solver = None
+        self.lesson: LessonPanel | None = None
+        self.plots: list[PlotList] = []
+        self._play_tab = self._solver_tab = None
+        self._play = self._solver = None
+        self._own_values: viser.GuiButtonHandle | None = None
         self.measure_tab: viser.GuiTabHandle | None = None
         self.files_tab: viser.GuiTabHandle | None = None
-        self._looks: tuple[Any, ...] = ()
-        if controls.in_panel:
-            self._build_tabs(gui.add_tab_group())
+        if controls.in_panel or has_lesson:
+            tabs = gui.add_tab_group()
+            if has_lesson:
+                self.lesson = LessonPanel(
+                    client, tabs.add_tab("Lesson"), session, lambda notice: act("notice", notice), self.plots
+                )
+            self._build_tabs(tabs)
         self._add_palette_commands()
 
     def _build_tabs(self, tabs: viser.GuiTabGroupHandle) -> None:
@@ -134,18 +146,8 @@ class Panel:
             with self._play_tab:
                 self._play = PlayPanel(self._client, self._session, self._act, controls)
             self.outlined += self._play.outlined
-        if "body" in controls:
-            self._body_tab = tabs.add_tab("Body")
-            with self._body_tab:
-                self._own_values = self._client.gui.add_button(
-                    "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST
-                )
-            self.outlined.append(self._own_values)
-
-            @self._own_values.on_click
-            async def _(_: object) -> None:
-                self._session.post(commands.OwnValues("body"))
-
+        if "measure" in controls or "tools" in controls:
+            self.measure_tab = tabs.add_tab("Measure")
         if "solver" in controls:
             self._solver_tab = tabs.add_tab("Solver")
             with self._solver_tab:
@@ -153,46 +155,10 @@ class Panel:
                     self._client, self._session, lambda notice: self._act("notice", notice)
                 )
             self.outlined += self._solver.outlined
-        if "measure" in controls or "tools" in controls:
-            self.measure_tab = tabs.add_tab("Measure")
         if "files" in controls:
-            self.files_tab = tabs.add_tab("Files")
-        if "view" in controls:
-            self._build_view(tabs)
+            self.files_tab = tabs.add_tab("Share")
 
     # --------------------------------------------------------------------- what stays
-    def _build_view(self, tabs: viser.GuiTabGroupHandle) -> None:
-        gui = self._client.gui
-        with tabs.add_tab("View"):
-            dark = gui.add_checkbox("Dark", initial_value=False)
-            gizmos = gui.add_checkbox(
-                "Gizmos", initial_value=False, hint="arrows that drag held masses along one axis"
-            )
-            fit = gui.add_button("Show all", icon=viser.Icon.MAXIMIZE, color="gray", hint="key 0")
-        self.outlined.append(fit)
-
-        @dark.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                self._act("theme", bool(dark.value))
-
-        @gizmos.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                self._act("gizmos", bool(gizmos.value))
-
-        @fit.on_click
-        async def _(_: object) -> None:
-            self._act("fit", None)
-
-        self._looks = dark, gizmos
-
-    def show_looks(self, dark: bool, gizmos: bool) -> None:
-        """Show in the View tab's switches how the page looks."""
-        for switch, on in zip(self._looks, (dark, gizmos), strict=False):  # there may be none
-            if switch.value != on:
-                switch.value = on
-
     def _add_palette_commands(self) -> None:
         """The keys again, for the command palette; the page's script acts on the keys themselves."""
         gui = self._client.gui
@@ -240,17 +206,17 @@ class Panel:
 
         Those that stay are kept: their user may be in the middle of moving one.
         """
-        scene, gui = self._session.scene, self._client.gui
+        scene = self._session.scene
         if self._play is not None:
             self._play.build(scene)
-        self._show_lesson(scene)
         self._shown_revision = -1
         if self._solver is not None:
             self._solver.build()
         applicable = [setting for setting in settings_of(scene) if _has_dial(setting, scene)]
-        if self._applicable == applicable:
+        of_lesson = self.lesson.controls if self.lesson is not None else ()
+        if self._shown == (applicable, of_lesson):
             return
-        self._applicable = applicable
+        self._shown = applicable, of_lesson
         for slider_box in self._sliders:
             slider_box.retire()
         for element in self._body:
@@ -258,17 +224,45 @@ class Panel:
         self._body.clear()
         self._sliders.clear()
         self._templates.clear()
-        dials = [setting for setting in applicable if setting.key in SOLVER_DIALS]
-        others = [setting for setting in applicable if setting.key not in SOLVER_DIALS]
-        self._add_controls(self._play_tab, self._foremost(applicable))
-        self._add_controls(self._body_tab, others)
-        self._add_controls(self._solver_tab, dials)
-        if self._body_tab is not None and self._own_values is not None:
-            self._own_values.visible = bool(applicable)
-            if not applicable:
-                with self._body_tab:
-                    nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
-                    self._body.append(gui.add_html(nothing))
+        self._choices.clear()
+        if self.lesson is not None:
+            known = {setting.key: setting for setting in applicable}
+            self._add_controls(self.lesson.tab, [known[key] for key in of_lesson if key in known])
+            with self.lesson.tab:
+                for order, key in enumerate((key for key in of_lesson if key in CHOICES), start=30):
+                    choice = ChoiceBox(self._client, self._session, key, order)
+                    self._choices.append(choice)
+                    self._body.append(choice.handle)
+        foremost = self._foremost(applicable)
+        self._add_controls(self._play_tab, foremost)
+        if "body" in self._controls and self._play_tab is not None:
+            others = [s for s in applicable if s not in foremost and s.key not in SOLVER_DIALS]
+            self._add_numbers(self._play_tab, others, moves=bool(applicable))
+        self._add_controls(self._solver_tab, [s for s in applicable if s.key in SOLVER_DIALS])
+
+    def _add_numbers(self, tab: viser.GuiTabHandle, others: list[Setting], moves: bool) -> None:
+        """The other sliders of the body, in a folder of the Play tab; `moves`: whether it has any slider."""
+        gui = self._client.gui
+        with tab:
+            if not moves:
+                nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
+                self._body.append(gui.add_html(nothing, order=LAST + 3))
+                return
+            folder = gui.add_folder("All numbers", order=LAST + 3)
+        with folder:
+            for order, setting in enumerate(others, start=10):
+                self._add_control(setting, order)
+            own_values = gui.add_button(
+                "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST
+            )
+        # What is in the folder goes first.
+        self._body += [own_values, folder]
+        self.outlined = [*(button for button in self.outlined if button is not self._own_values), own_values]
+        self._own_values = own_values
+
+        @own_values.on_click
+        async def _(_: object) -> None:
+            self._session.post(commands.OwnValues("body"))
 
     def _foremost(self, applicable: list[Setting]) -> list[Setting]:
         """The settings of the Play tab: those that are named, or those that make most of the scene."""
@@ -284,15 +278,6 @@ class Panel:
             with tab:
                 for order, setting in enumerate(settings, start=10):
                     self._add_control(setting, order)
-
-    def _show_lesson(self, scene: Scene) -> None:
-        """Hand the scene's lesson to the page's script, or take away that of the scene before."""
-        content = lesson_html(scene.lesson) if scene.lesson else ""
-        if self._lesson is not None and self._lesson.content != content:
-            self._lesson.remove()
-            self._lesson = None
-        if content and self._lesson is None:
-            self._lesson = self._client.gui.add_html(content)
 
     def _add_control(self, setting: Setting, order: float) -> None:
         if setting.key == "template":
@@ -358,16 +343,18 @@ class Panel:
             self._play.refresh_controls()
         for slider_box in self._sliders:
             slider_box.show(slider_box.setting.read(scene))
+        for choice in self._choices:
+            choice.show(scene)
         template = f"{scene.template}°"
-        for choice in self._templates:
-            if scene.template is not None and choice.value != template:
-                choice.value = template
+        for templates in self._templates:
+            if scene.template is not None and templates.value != template:
+                templates.value = template
 
-    def refresh_readouts(self, dark: bool, at_rest: bool) -> None:
-        """Show the clock, the meter, the angle and the rates as they are now."""
+    def refresh_readouts(self, dark: bool, at_rest: bool, meter: bool) -> None:
+        """Show the clock, the angle and the rates as they are now; with `meter`, always that of stability."""
         session = self._session
         colors = palette(session.scene.view.colors, dark)
-        content = readouts.hud(session, colors, at_rest)
+        content = readouts.hud(session, colors, at_rest, meter)
         if self._hud.content != content:
             self._hud.content = content
         if self._play is not None:
@@ -376,14 +363,19 @@ class Panel:
             self._solver.refresh_readouts()
 
     def set_state(
-        self, scene: str, playing: bool, at_rest: bool = False, broken: int = 0, measures: int = 0
+        self,
+        scene: str,
+        playing: bool,
+        at_rest: bool = False,
+        broken: int = 0,
+        measures: int = 0,
+        looks: keeping.Looks = keeping.PLAIN,
     ) -> None:
         """Tell the page's script what it has to know, see `script.told`."""
         channel, session = _id(self.channel), self._session
-        editable = "edit" in self._controls
-        told = script.told(
-            channel, scene, session, playing, at_rest, broken, measures, self.pictures, editable
-        )
+        told = script.told(channel, scene, session, playing, at_rest, broken, measures, self.pictures)
+        told.update({name: 1 for name in ("edit", "view", "help") if name in self._controls})
+        told.update({name: 1 for name in ("gizmos", "meter") if getattr(looks, name)})
         if told != self._told:
             self._told = told
             self._state.content = script.told_html(told)

@@ -62,9 +62,6 @@ class PlayPanel:
             self._readout = gui.add_html("", order=LAST + 1)
         if "keys" in controls:
             self._pad = gui.add_html(readouts.PAD, visible=False, order=LAST + 2)
-        if "help" in controls:
-            help_button = gui.add_button("Help", icon=viser.Icon.HELP, color="gray", order=LAST + 3)
-            self._listen_to(help_button, "help")
 
     def _listen_to(self, button: viser.GuiButtonHandle, what: str) -> None:
         self.outlined.append(button)

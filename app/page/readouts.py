@@ -43,11 +43,15 @@ def grouped(value: float) -> str:
     )
 
 
-def hud(session: Session, colors: Palette, at_rest: bool) -> str:
+NEAR_THE_LIMIT = 0.8
+"""Part of the stability limit from which on the meter is shown in any scene."""
+
+
+def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -> str:
     """The head-up display over the canvas.
 
-    It says whether the body moves and the clock keeps up, and has the stability meter and the key of the
-    colours.
+    It says whether the body moves and the clock keeps up, and has the key of the colours; and the stability
+    meter where the time step is near the limit, where the scene asks for it, or with `meter`.
     """
     state = _state(session, at_rest)
     lines = [f"<b>{state}</b>"] if state else []
@@ -55,8 +59,7 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
     rates = session.pacer.rates(session.now())
     if rates.losing > 0.05:
         lines.append(
-            f'<span class="softrod-lag">{rates.real_time_factor:.2g} × real time: the clock is '
-            f"{rates.behind:.1f} s behind</span>"
+            f'<span class="softrod-quiet">slowed down: {rates.real_time_factor:.2g} × real time</span>'
         )
     behind = max(session.simulation.behind.values(), default=0.0)
     if behind > _BEHIND:
@@ -66,8 +69,10 @@ def hud(session: Session, colors: Palette, at_rest: bool) -> str:
         )
     if session.preparing:
         lines.append(f'<span class="softrod-quiet">{html.escape(session.preparing)}</span>')
-    if math.isfinite(session.stability.limit):  # methods that bear any step have none
-        lines.append(_meter(session.simulation.dt, session.stability.limit, state == "at rest"))
+    dt, limit = session.simulation.dt, session.stability.limit  # methods that bear any step have none
+    wanted = meter or "stability" in session.scene.view.readouts or dt > NEAR_THE_LIMIT * limit
+    if wanted and math.isfinite(limit):
+        lines.append(_meter(dt, limit, state == "at rest"))
     if len(session.simulation.anchors) < len(session.simulation.scene.masses):
         gradient = ",".join(colors.css(name) for name in ("pushed", "rest", "pulled"))
         lines.append(
@@ -113,7 +118,7 @@ def _meter(dt: float, limit: float, at_rest: bool) -> str:
     width = min(100.0, 100.0 * ratio)
     words = f"time step {1e3 * dt:.3g} ms, {100.0 * ratio:.0f} % of the limit"
     if ratio >= 1.0:
-        words += ": unstable, runs away when touched" if at_rest else ": unstable"
+        words += ": unstable, explodes when touched" if at_rest else ": unstable"
     return f'<span class="softrod-meter"><i style="width:{width:.0f}%;background:{color}"></i></span>{words}'
 
 
@@ -132,9 +137,12 @@ def joint_table(session: Session) -> str:
         "degrees": f"{angle:+.2f}°",
         "rest_angle": f"{float(simulation.rest_angles[session.joint]):+.2f}°",
     }
-    rows = [f"<tr><td>joint</td><td>{session.joint} of 0..{len(angles) - 1}</td></tr>"]
+    # As it is called in plots: numbers count from 0 everywhere.
+    rows = [f"<tr><td>joint{session.joint}</td><td>of {len(angles)}</td></tr>"]
     rows += [
-        f"<tr><td>{_NAMES[key]}</td><td>{values[key]}</td></tr>" for key in simulation.scene.view.readouts
+        f"<tr><td>{_NAMES[key]}</td><td>{values[key]}</td></tr>"
+        for key in simulation.scene.view.readouts
+        if key in values
     ]
     return f'<table class="softrod-table">{"".join(rows)}</table>'
 

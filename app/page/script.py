@@ -9,6 +9,7 @@ import html
 import math
 import re
 from dataclasses import dataclass
+from typing import Literal
 
 from ..drawing.colors import Palette
 from ..drawing.sketch import WORLD_SIZE, Mapping
@@ -21,7 +22,7 @@ _NUMBER = r"-?\d{1,7}(?:\.\d{1,6})?"
 _MESSAGE = re.compile(
     rf"\d{{1,15}}\|(?:keys\|([UDLR]{{0,4}})|at\|({_NUMBER}),({_NUMBER})|do\|([a-z]{{1,10}})"
     rf"|go\|({_NUMBER})|speed\|({_NUMBER})"
-    rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}})|lesson\|(\d{{1,2}})(\|run)?)"
+    rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}})|lesson\|(\d{{1,2}})\|(run|wait|on))"
 )
 _PART = re.compile(r"\d{1,15}\|(resume|link|paste)\|(\d{1,2})/(\d{1,2})\|([\x21-\x7e]{0,48000})")
 
@@ -96,7 +97,6 @@ def told(
     broken: int = 0,
     measures: int = 0,
     pictures: int = 0,
-    editable: bool = True,
 ) -> dict[str, object]:
     """What the script has to know.
 
@@ -109,7 +109,6 @@ def told(
         broken: how many springs are broken.
         measures: how often the Measure tab was to be shown.
         pictures: how many pictures of the page were asked for.
-        editable: whether the page has the tools that change the body.
     """
     frame, history = session.scene.view.frame, session.history
     size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
@@ -135,7 +134,6 @@ def told(
         **({"broken": broken} if broken else {}),
         **({"measures": measures} if measures else {}),
         **({"picture": pictures} if pictures else {}),
-        **({"edit": 1} if editable else {}),
         **({"lesson": int(session.lesson_begun)} if session.scene.lesson else {}),
     }
 
@@ -165,28 +163,57 @@ class PlotAngle:
 
 @dataclass(frozen=True)
 class Look:
-    """Whether anybody sees the plots."""
+    """In which tab somebody sees plots; empty for none."""
 
+    tab: Literal["measure", "lesson", ""]
+
+
+@dataclass(frozen=True)
+class View:
+    """A switch of the View menu: "dark", "gizmos", "meter"."""
+
+    what: str
     on: bool
 
 
 @dataclass(frozen=True)
+class ShowHelp:
+    """The help is to be shown."""
+
+
+@dataclass(frozen=True)
 class Begin:
-    """A step of the scene's lesson begins; one with a question waits for an answer, unless it is to run."""
+    """The page goes to a step of the scene's lesson.
+
+    Attributes:
+        step: which.
+        how: "run" or "wait": it begins; the body waits if there is a question. "on": the page goes on in the
+            middle of it, as after a reload.
+    """
 
     step: int
-    run: bool = False
+    how: Literal["run", "wait", "on"] = "wait"
 
 
-_ASKED: dict[str, Switch | PlotAngle | Look] = {
+Word = Switch | PlotAngle | Look | View | ShowHelp
+
+_ASKED: dict[str, Word] = {
     "follow": Switch(),
     "plot": PlotAngle(),
-    "look": Look(True),
-    "away": Look(False),
+    "look": Look("measure"),
+    "lesson": Look("lesson"),
+    "away": Look(""),
+    "help": ShowHelp(),
+    "dark": View("dark", True),
+    "light": View("dark", False),
+    "gizmos": View("gizmos", True),
+    "nogizmos": View("gizmos", False),
+    "meter": View("meter", True),
+    "nometer": View("meter", False),
 }
 
 
-def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAngle | Look | Begin | None:
+def parse(message: object, mapping: Mapping) -> Command | Word | Pick | Begin | None:
     """What a message of the script asks for, or None for nonsense.
 
     Args:
@@ -196,7 +223,7 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAn
     match = _MESSAGE.fullmatch(message) if isinstance(message, str) else None
     if match is None:
         return None
-    keys, x, y, word, time, speed, mass, grab_x, grab_y, drop, picked, step, run = match.groups()
+    keys, x, y, word, time, speed, mass, grab_x, grab_y, drop, picked, step, how = match.groups()
     if keys is not None:
         return commands.HoldKeys(frozenset(_KEYS[key] for key in keys))
     if word is not None:
@@ -210,7 +237,7 @@ def parse(message: object, mapping: Mapping) -> Command | Pick | Switch | PlotAn
     if picked is not None:
         return Pick(int(picked))
     if step is not None:
-        return Begin(int(step), run is not None)
+        return Begin(int(step), how)  # type: ignore[arg-type]
     if mass is not None:
         point = mapping.to_scene(float(grab_x), float(grab_y))
         return commands.DragStart(int(mass), *point) if all(map(math.isfinite, point)) else None

@@ -15,6 +15,7 @@ from ..session.ghost import FINER, REFERENCE
 from ..session.notices import Notice
 from ..session.session import Session
 from . import readouts
+from .choice_box import ChoiceBox
 from .tuning_panel import TuningPanel
 
 NO_GHOST = "nothing"
@@ -44,9 +45,9 @@ class SolverPanel:
         self._session = session
         gui = client.gui
         methods, laws = CHOICES["method"].options, CHOICES["force_law"].options
-        self._method = gui.add_dropdown("Integrator", tuple(methods.values()), order=1)
+        self._method = ChoiceBox(client, session, "method", 1)
         self._about = gui.add_html("", order=2)
-        self._law = gui.add_dropdown("Force law", tuple(laws.values()), order=3)
+        self._law = ChoiceBox(client, session, "force_law", 3)
         self._own_values = gui.add_button(
             "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST - 1
         )
@@ -75,8 +76,6 @@ class SolverPanel:
         )
         self._ghost = gui.add_html("", order=LAST + 5)
         self.rates = gui.add_html("", order=LAST + 6)
-        for handle, key in ((self._method, "method"), (self._law, "force_law")):
-            self._listen(handle, key)
         for handle in (self._other, self._other_law, self._finer):
 
             @handle.on_update
@@ -103,9 +102,9 @@ class SolverPanel:
         scene = self._session.scene
         jointed = CHOICES["force_law"].applies(scene)
         moving = CHOICES["method"].applies(scene)
-        self._law.visible = jointed
+        self._law.handle.visible = jointed
         for handle in (
-            self._method, self._about, self._own_values, self._books, self._foretell, self._other
+            self._method.handle, self._about, self._own_values, self._books, self._foretell, self._other
         ):  # fmt: skip
             handle.visible = moving
         self._tuning.build(moving)
@@ -119,8 +118,8 @@ class SolverPanel:
         other = NO_GHOST
         if ghost is not None:
             other = REFERENCE_LABEL if ghost.method == REFERENCE else METHODS[ghost.method].label
-        _show(self._method, method.label)
-        _show(self._law, laws[scene.force_law])
+        self._method.show(scene)
+        self._law.show(scene)
         _show(self._other, other)
         # The ghost's own controls come with it, and its step is of no meaning to a reference.
         self._other_law.visible = ghost is not None and CHOICES["force_law"].applies(scene)
@@ -153,14 +152,6 @@ class SolverPanel:
         ):
             if element.content != content:
                 element.content = content
-
-    def _listen(self, handle: viser.GuiDropdownHandle[str], key: str) -> None:
-        @handle.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                name = _key_of(CHOICES[key].options, handle.value)
-                if name:
-                    self._session.post(commands.SetChoice(key, name))
 
     def _compare(self) -> None:
         """The user chose what to compare with."""

@@ -10,8 +10,10 @@ import time
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
+from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
+import msgspec
 import numpy as np
 import viser
 
@@ -32,7 +34,6 @@ from .answers import Answers
 from .controls import Controls
 from .export_panel import ExportPanel
 from .files_panel import FilesPanel
-from .lesson_card import begin_step
 from .measure_panel import MeasurePanel
 from .panel import Panel, set_theme
 from .tools_panel import ToolsPanel
@@ -59,6 +60,15 @@ class Submit(Protocol):
     def __call__(self, work: Any, /, *arguments: Any, **options: Any) -> Future[Any]: ...
 
 
+@dataclass(frozen=True)
+class BeforeLesson:
+    """What a user had switched on before a lesson, which comes back after it."""
+
+    plots: tuple[Wish, ...]
+    arrows: frozenset[str]
+    ghost: commands.Compare
+
+
 class Tab:
     """One page.
 
@@ -76,8 +86,8 @@ class Tab:
         self._compiler = compiler
         self._requests: deque[tuple[str, Any]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
-        self._dark = False
-        self._gizmos = False
+        self._looks = keeping.Looks()
+        self._before_lesson: BeforeLesson | None = None
         self._generation = -1
         self._fits = 0
         self._planned = -1
@@ -106,7 +116,7 @@ class Tab:
         self._session: Session | None = None
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
-        self._view.build(scene, self._dark)
+        self._view.build(scene, self._looks.dark)
         self._view.draw(Picture.at_start(scene), time.monotonic())
 
     @property
@@ -182,6 +192,8 @@ class Tab:
             self._rebuild(session)
         if session.revision != self._planned:
             self._plan(session)
+        if self._panel.lesson is not None:
+            self._panel.lesson.plots.tick()
         if self._measure is not None:
             self._measure.tick()
         self._show(session)
@@ -219,11 +231,13 @@ class Tab:
     def _make_panel(self, session: Session) -> None:
         """The panel, with the controls that there are."""
         self._panel = Panel(self.client, session, self.request, self._controls)
+        self._has_lesson = session.scene.lesson is not None
         self._measure = self._tools = None
         if self._panel.measure_tab is not None:
             if "measure" in self._controls:
-                self._measure = MeasurePanel(self.client, self._panel.measure_tab, session, self.notify)
-                self._measure.remember(self._plots_kept)
+                tab, lists = self._panel.measure_tab, self._panel.plots
+                self._measure = MeasurePanel(self.client, tab, session, self.notify, lists)
+                self._measure.plots.remember(self._plots_kept)
             if "tools" in self._controls:
                 with self._panel.measure_tab:
                     self._tools = ToolsPanel(self.client, session, self.request)
@@ -232,7 +246,7 @@ class Tab:
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
                 files = FilesPanel(self.client, session, self.notify, self._answers.sharing.offer)
-                take_home = ExportPanel(self.client, session, lambda: self._dark, self.request)
+                take_home = ExportPanel(self.client, session, lambda: self._looks.dark, self.request)
             self._panel.outlined += [*files.outlined, *take_home.outlined]
 
         @self._panel.channel.on_update
@@ -252,9 +266,15 @@ class Tab:
                 case script.PlotAngle():
                     if self._measure is not None:
                         self._measure.plot_angle()
-                case script.Look(on):
+                case script.Look(tab):
                     if self._measure is not None:
-                        self._measure.looked_at = on
+                        self._measure.plots.looked_at = tab == "measure"
+                    if self._panel.lesson is not None:
+                        self._panel.lesson.plots.looked_at = tab == "lesson"
+                case script.View(what, on):
+                    self.request(what, on)
+                case script.ShowHelp():
+                    self.request("help", None)
                 case script.Begin() as begin:
                     self.request("lesson", begin)
                 case command:
@@ -283,28 +303,57 @@ class Tab:
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
         self._plan(session)
-        self._view.show_gizmos(self._gizmos)
-        wanted = self._wanted_controls(session.scene)
-        if wanted != self._controls:
-            if wanted.in_panel and not self._controls.in_panel:
+        self._view.show_gizmos(self._looks.gizmos)
+        wanted, has_lesson = self._wanted_controls(session.scene), session.scene.lesson is not None
+        if has_lesson and self._before_lesson is None:
+            self._before_lesson = self._switched_on(session)
+        if (wanted, has_lesson) != (self._controls, self._has_lesson):
+            if (wanted.in_panel or has_lesson) and not (self._controls.in_panel or self._has_lesson):
                 self.client.gui.main_panel.expand()
             self._controls, pictures = wanted, self._panel.pictures
             if self._measure is not None:
-                self._plots_kept = self._measure.wishes
+                self._plots_kept = self._measure.plots.wishes
             if self._tools is not None:
                 self._arrows_kept = self._tools.leave()
             self.client.gui.reset()
             self._make_panel(session)
             self._panel.pictures = pictures
-            self._panel.show_looks(self._dark, self._gizmos)
+        dark = self._looks.dark
+        if self._panel.lesson is not None:
+            self._panel.lesson.build(dark)
         self._panel.build()
         if self._tools is not None:
             self._tools.build()
-        self._panel.set_style(self._dark)
+        self._show_lessons_things(session)
+        self._panel.set_style(dark)
         if self._measure is not None:
-            self._measure.build(self._dark)
+            self._measure.build(dark)
         self._moved_at = session.now()
         self._generation = session.generation
+
+    def _show_lessons_things(self, session: Session) -> None:
+        """The arrows that the present step of a lesson wants; after it, what its user had before."""
+        lesson, tools = self._panel.lesson, self._tools
+        if lesson is not None:
+            wanted = lesson.step.arrows if lesson.step else None
+            if tools is not None and wanted is not None:
+                tools.show_arrows(frozenset(wanted))
+        elif self._before_lesson is not None:
+            before, self._before_lesson = self._before_lesson, None
+            if tools is not None:
+                tools.show_arrows(before.arrows)
+            if self._measure is not None:
+                self._measure.plots.remember(before.plots)
+            session.post(before.ghost)
+
+    def _switched_on(self, session: Session) -> BeforeLesson:
+        """What the user has switched on; a ghost in the middle of a lesson is the lesson's."""
+        plots = self._measure.plots.wishes if self._measure is not None else ()
+        arrows = self._tools.kinds if self._tools is not None else frozenset()
+        ghost, compare = session.ghost, commands.Compare("", "")
+        if ghost is not None and not session.lesson_begun:
+            compare = commands.Compare(ghost.method, ghost.law, ghost.finer)
+        return BeforeLesson(plots, arrows, compare)
 
     def _plan(self, session: Session) -> None:
         """Tell the page of the body, as far as it is another one."""
@@ -315,7 +364,7 @@ class Tab:
         damage = simulation.damage
         if damage is not None and damage.set_angles:
             rest_angles = rest_angles - np.array(damage.set_angles)  # of which the page is told apart
-        self._view.build(session.scene, self._dark, rest_angles)
+        self._view.build(session.scene, self._looks.dark, rest_angles)
 
     def _show(self, session: Session) -> None:
         """Send the picture, the texts and the controls, as far as they changed."""
@@ -332,14 +381,15 @@ class Tab:
         at_rest = now - self._moved_at > RESTING_AFTER
         self._broken = len(broken_of(picture.damage))
         called = self._measure.called if self._measure is not None else 0
-        self._panel.set_state(self._shown_as, session.playing, at_rest and running, self._broken, called)
+        resting = at_rest and running
+        self._panel.set_state(self._shown_as, session.playing, resting, self._broken, called, self._looks)
         still = at_rest and self._was_at_rest and not self._panel.unsettled
         if changed or (now >= self._readouts_due and not still):
             self._readouts_due = now + READOUTS_EVERY
             self._was_at_rest = at_rest and not session.is_looking
             with self.client.atomic():
                 self._panel.refresh_controls()
-                self._panel.refresh_readouts(self._dark, at_rest)
+                self._panel.refresh_readouts(self._looks.dark, at_rest, self._looks.meter)
 
     @property
     def _shown_as(self) -> str:
@@ -349,24 +399,24 @@ class Tab:
 
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
-        now, plots = session.now(), self._measure.wishes if self._measure is not None else ()
-        state = (session.revision, session.simulation.time, self._dark, self._gizmos, plots)
+        now, plots = session.now(), self._measure.plots.wishes if self._measure is not None else ()
+        state = (session.simulation.time, session.revision, self._looks, plots)
         # At rest only the clock goes on: that is not worth a message.
-        resting = self._was_at_rest and (state[0], plots) == (*self._kept[:1], *self._kept[4:])
+        resting = self._was_at_rest and state[1:] == self._kept[1:]
         if now < self._keep_due or state == self._kept or resting or session.replay is not None:
             return
         began = time.perf_counter()
-        self._view.keep(keeping.encode(session.keepsake(), self._dark, self._gizmos, plots))
+        self._view.keep(keeping.encode(session.keepsake(), self._looks, plots))
         self._kept = state
         self._keep_due = now + max(KEEP_EVERY, (time.perf_counter() - began) / KEEP_SHARE)
 
     def _resume(self, session: Session, kept: keeping.Kept) -> None:
         self._plots_kept = kept.plots
         if self._measure is not None:
-            self._measure.remember(kept.plots)
-        self.request("gizmos", kept.gizmos)
-        if kept.dark:
-            self.request("theme", True)
+            self._measure.plots.remember(kept.plots)
+        for what in ("gizmos", "meter", "dark"):
+            if getattr(kept.looks, what):
+                self.request(what, True)
         session.post(commands.Resume(bytes(kept.session)))
 
     def _look_at_shelf(self, now: float) -> None:
@@ -381,15 +431,14 @@ class Tab:
     def _serve_requests(self, session: Session) -> None:
         while self._requests:
             what, argument = self._requests.popleft()
-            if what == "theme":
-                self._dark = argument
-                set_theme(self.client.gui, dark=argument)
-                self._panel.show_looks(self._dark, self._gizmos)
-                self._generation = -1
-            elif what == "gizmos":
-                self._gizmos = argument
-                self._view.show_gizmos(argument)
-                self._panel.show_looks(self._dark, self._gizmos)
+            if what in ("dark", "gizmos", "meter"):
+                self._looks = msgspec.structs.replace(self._looks, **{what: argument})
+                session.revision += 1
+                if what == "dark":
+                    set_theme(self.client.gui, dark=argument)
+                    self._generation = -1
+                elif what == "gizmos":
+                    self._view.show_gizmos(argument)
             elif what == "resume":
                 self._resume(session, argument)
             elif what == "fit":
@@ -409,10 +458,8 @@ class Tab:
                 if self._tools is not None:
                     self._tools.serve(*argument)
             elif what == "lesson":
-                try:
-                    begin_step(session, argument, self._measure, self._tools)
-                except sim.SettingError as error:
-                    self.notify(Notice("error", "This step cannot begin", str(error)))
+                if self._panel.lesson is not None:
+                    self._panel.lesson.begin(argument)
             elif what == "joint" and argument < len(session.scene.masses):
                 if self._tools is not None:
                     self._tools.choose(argument)

@@ -87,6 +87,11 @@ class ToolsPanel:
                 act("tools", (what, control.value))
 
     # --------------------------------------------------------------------- the ticker's
+    @property
+    def kinds(self) -> frozenset[str]:
+        """The kinds of arrows that are on."""
+        return self._kinds
+
     def build(self) -> None:
         """For another body: no mass of the one before is traced."""
         self._chosen, self._traced = None, ()

@@ -42,9 +42,13 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         watch: what to look at meanwhile; may be empty.
         settings: what the step begins with, as `--set` has it: ``("gravity=0", "method=rk4")``. What other
             steps set stays as it was, so a step names everything that the lesson changes.
-        plots: of quantities, which the Measure tab is to show: ``("joint0.angle", "mass1.x, mass3.x",
-            "joint0.rate over joint0.angle")``, at most 4. None leaves those that are open.
+        controls: keys of settings and choices, as in `settings`, whose sliders and lists stand below the
+            text; at most 6.
+        plots: of quantities, below those: ``("joint0.angle", "mass1.x, mass3.x", "joint0.rate over
+            joint0.angle")``, at most 4.
         arrows: which are to be on; None leaves them as they are.
+        ghost: a second body to compare with: the name of a method, or "reference" for a near-exact solution;
+            None for none.
     """
 
     title: Line
@@ -52,8 +56,10 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     do: Sentence
     watch: Annotated[str, Meta(max_length=600)] = ""
     settings: tuple[Assignment, ...] = ()
+    controls: Annotated[tuple[Line, ...], Meta(max_length=6)] = ()
     plots: Annotated[tuple[Line, ...], Meta(max_length=4)] | None = None
     arrows: tuple[Literal["forces", "velocities", "torques"], ...] | None = None
+    ghost: Line | None = None
 
 
 class Lesson(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -66,4 +72,5 @@ def texts_of(step: Step) -> tuple[str, ...]:
     """Everything that can be read in a step."""
     question = step.question
     asked = (question.text, *question.choices, question.because) if question else ()
-    return (step.title, step.do, step.watch, *asked, *step.settings, *(step.plots or ()))
+    named = (*step.settings, *step.controls, *(step.plots or ()), step.ghost or "")
+    return (step.title, step.do, step.watch, *asked, *named)

@@ -97,8 +97,8 @@ class ArrowKeys(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
     interval: Annotated[float, bounded(1e-6, 10.0, "s", "Simulated time per factor or step")] = 0.0025
 
 
-Readout = Literal["sine", "cosine", "radians", "degrees", "rest_angle"]
-"""What the page can show of a joint's angle."""
+Readout = Literal["sine", "cosine", "radians", "degrees", "rest_angle", "stability"]
+"""What the page can show of a joint's angle, and the time step over the stability limit."""
 
 
 Control = Annotated[str, Meta(min_length=1, max_length=80)]
@@ -113,7 +113,7 @@ class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         unit: label of the unit of length.
         frame: the region shown initially, (x min, y min, x max, y max) in px.
         colors: the colour scheme: softrod's own, or the tutorial's green springs and red masses.
-        readouts: what is shown of a joint's angle.
+        readouts: what is shown of a joint's angle; with "stability", always the stability meter, too.
         controls: names of the controls that the page has, in order; None for all.
     """
 

@@ -69,8 +69,8 @@ def test_what_a_list_says() -> None:
     assert ALL.foremost(applicable) is None
     assert all(part in ALL for part in PARTS)
     assert not Controls(("play",)).in_panel
-    assert not Controls(("view",)).in_play_tab
-    assert Controls(("view",)).in_panel
+    assert Controls(("body",)).in_play_tab
+    assert not Controls(("view", "help")).in_panel
 
 
 @pytest.mark.parametrize("names", [[1], "play", [""], ["x" * 81], ["play"] * 101])

@@ -5,19 +5,22 @@ from __future__ import annotations
 import html
 import json
 import re
+from collections.abc import Iterator
 from pathlib import Path
-from unittest.mock import MagicMock
+from typing import Any
 
 import msgspec
 import pytest
+import viser
 
 import sim
 from app.cli import Check
 from app.drawing.sketch import Mapping
 from app.page import script
-from app.page.lesson_card import begin_step, lesson_html
+from app.page.lesson_panel import LessonPanel, lesson_html
 from app.session import commands
 from app.session.log import decode_log
+from app.session.notices import Notice
 from app.session.plots import Wish
 from sim.lesson_settings import scene_of_step
 from sim.scene.files import decode_scene, encode_scene
@@ -34,7 +37,7 @@ def with_lesson(*steps: Step) -> sim.Scene:
 def test_the_page_gets_a_lesson_as_text() -> None:
     evil = '"><script>x</script>&'
     content = lesson_html(Lesson(steps=(Step(title=evil, do=evil, question=QUESTION),)))
-    found = re.fullmatch(r'<div id="softrod-lesson" hidden data-steps="([^"<>]*)"></div>', content)
+    found = re.fullmatch(r'<div id="softrod-lesson" data-steps="([^"<>]*)"></div>', content)
     assert found is not None
     (step,) = json.loads(html.unescape(found[1]))
     assert (step["title"], step["do"], step["watch"]) == (evil, evil, "")
@@ -44,13 +47,14 @@ def test_the_page_gets_a_lesson_as_text() -> None:
 
 def test_a_message_begins_a_step_and_nonsense_does_not() -> None:
     mapping = Mapping.of(sim.load_scene("ring"))
-    assert script.parse("3|lesson|12", mapping) == script.Begin(12)
-    assert script.parse("3|lesson|2|run", mapping) == script.Begin(2, run=True)
+    for how in ("run", "wait", "on"):
+        assert script.parse(f"3|lesson|12|{how}", mapping) == script.Begin(12, how)
     for nonsense in (
         "3|lesson|",
         "3|lesson|-1",
         "3|lesson|123",
         "3|lesson|1|2",
+        "3|lesson|1",
         "3|lesson|x",
         "3|lesson|1|run|",
     ):
@@ -106,41 +110,85 @@ def test_a_plot_that_cannot_be_is_said(tmp_path: Path, capsys: pytest.CaptureFix
         decode_scene(path.read_bytes().replace(b'"forces"', b'"force"'), "x")
 
 
-def test_a_step_has_its_plots_and_arrows_and_one_that_names_none_leaves_them() -> None:
+@pytest.fixture
+def server() -> Iterator[viser.ViserServer]:
+    server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
+    yield server
+    server.stop()
+
+
+def lesson_panel(server: viser.ViserServer, page: SessionPage, told: list[Notice]) -> LessonPanel:
+    client: Any = server  # has the same `gui`
+    tab = server.gui.add_tab_group().add_tab("Lesson")
+    return LessonPanel(client, tab, page.session, told.append, [])
+
+
+def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server: viser.ViserServer) -> None:
     steps = (
         Step(
             title="A",
             do="B",
             question=QUESTION,
+            controls=("gravity",),
             plots=("joint0.rate over joint0.angle",),
-            arrows=("torques",),
+            ghost="rk4",
         ),
-        Step(title="A", do="B"),
-        Step(title="A", do="B", plots=(), arrows=()),
+        Step(title="A", do="B", controls=("angular_stiffness",)),
     )
-    page = SessionPage(with_lesson(*steps))
-    measure, tools = MagicMock(), MagicMock()
-    begin_step(page.session, script.Begin(0), measure, tools)
+    page, told = SessionPage(with_lesson(*steps)), []
+    panel = lesson_panel(server, page, told)
+    panel.begin(script.Begin(0))
     page.frames(1)
+    panel.build(dark=False)
     assert not page.session.playing
-    measure.remember.assert_called_once_with((Wish(("joint0.rate",), "joint0.angle"),), show=True)
-    tools.show_arrows.assert_called_once_with({"torques"})
-    begin_step(page.session, script.Begin(1), measure, tools)
-    assert measure.remember.call_count == tools.show_arrows.call_count == 1
-    begin_step(page.session, script.Begin(2), measure, tools)
-    measure.remember.assert_called_with((), show=False)
-    tools.show_arrows.assert_called_with(frozenset())
-    # Where the page has no such tab, nothing is shown; what has been answered need not wait.
-    begin_step(page.session, script.Begin(0, run=True), None, None)
+    assert panel.controls == ("gravity",)
+    assert panel.plots.wishes == (Wish(("joint0.rate",), "joint0.angle"),)
+    assert page.session.ghost is not None
+    assert page.session.ghost.method == "rk4"
+    panel.begin(script.Begin(1))
+    page.frames(1)
+    panel.build(dark=False)
+    assert (panel.controls, panel.plots.wishes, page.session.ghost) == (("angular_stiffness",), (), None)
+    # What has been answered need not wait.
+    panel.begin(script.Begin(0, "run"))
     page.frames(1)
     assert page.session.playing
+    # A page that goes on in the middle of a step does not begin it anew.
+    time = page.session.simulation.time
+    panel.begin(script.Begin(1, "on"))
+    page.frames(1)
+    assert page.session.simulation.time > time
+    assert panel.controls == ("angular_stiffness",)
+    panel.begin(script.Begin(7))  # a page can send anything
+    assert panel.step == steps[1]
+    assert not told
 
 
-def test_a_step_begins_when_a_scene_is_opened_and_not_when_it_goes_on() -> None:
+def test_what_a_step_cannot_have_is_told_by_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "lesson.json"
+    for step, said in (
+        (
+            Step(title="A", do="B", controls=("gravity", "gravty")),
+            "controls[1]: gravty: there is no such setting",
+        ),
+        (
+            Step(title="A", do="B", controls=("wind_speed",)),
+            "controls[0]: wind_speed: the scene 'tutorial-3.3' has",
+        ),
+        (Step(title="A", do="B", ghost="leapfrog"), "ghost: 'leapfrog' is not one of reference, "),
+    ):
+        sim.save_scene(with_lesson(Step(title="A", do="B"), step), path)
+        assert Check((path,)).run() == 1
+        assert f"{path}: lesson.steps[1].{said}" in capsys.readouterr().err
+    sim.save_scene(with_lesson(Step(title="A", do="B", controls=("gravity",), ghost="reference")), path)
+    assert Check((path,)).run() == 0
+
+
+def test_a_step_begins_when_a_scene_is_opened_and_not_when_it_goes_on(server: viser.ViserServer) -> None:
     scene = with_lesson(Step(title="A", do="B"))
     page = SessionPage(scene)
     assert not page.session.lesson_begun
-    begin_step(page.session, script.Begin(0), None, None)
+    lesson_panel(server, page, []).begin(script.Begin(0))
     page.frames(5)
     assert page.session.lesson_begun
     kept, log = page.session.keepsake(), page.session.recorder.file()

@@ -184,24 +184,24 @@ def test_plots_that_nobody_sees_run_on_and_are_not_sent() -> None:
         panel = MeasurePanel(client, server.gui.add_tab_group().add_tab("Measure"), page.session, print)
         panel.plot_angle()
         panel.tick()
-        (shown,) = panel._plots
+        (shown,) = panel.plots._plots
         assert isinstance(shown.chart, viser.GuiUplotHandle)
         # Another number of lines is another chart.
         chart = shown.chart
         panel._what.value = "rate"
-        panel._extend(shown)
+        panel.plots._extend(shown)
         assert isinstance(shown.chart, viser.GuiUplotHandle)
         assert shown.chart is not chart
         assert len(shown.chart.data) == len(shown.chart.series) == 5
         assert len(set(map(len, shown.chart.data))) == 1
-        panel.looked_at = False
+        panel.plots.looked_at = False
         before = shown.chart.data
         for _ in range(30):
             page.frames(1)
             panel.tick()
         assert shown.chart.data is before
         assert len(shown.plot.rows) >= 30
-        panel.looked_at = True
+        panel.plots.looked_at = True
         panel.tick()
         assert shown.chart.data[0][-1] == pytest.approx(page.session.simulation.time, abs=1e-3)
     finally:
@@ -277,15 +277,15 @@ def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -
             panel.plot_angle()  # twice the same is one plot
         panel._asked += [panel._add_chosen] * 5
         panel.tick()
-        assert len(panel.wishes) == MOST_PLOTS
+        assert len(panel.plots.wishes) == MOST_PLOTS
         assert "room for 4 plots" in told[-1].text
         # Another scene keeps what it has, too; one without joints keeps nothing.
         page.frames(1, commands.Open(sim.load_scene("tutorial-3.3")))
         panel.build(dark=True)
-        assert len(panel.wishes) == MOST_PLOTS
+        assert len(panel.plots.wishes) == MOST_PLOTS
         page.frames(1, commands.Open(sim.rope(3, joints=False)))
         panel.build(dark=True)
-        assert panel.wishes == ()
+        assert panel.plots.wishes == ()
         panel.plot_angle()
         panel.tick()
         assert told[-1].text == "This scene has no joints."

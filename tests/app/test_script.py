@@ -73,10 +73,10 @@ def test_readouts_are_those_of_the_scene(name: str) -> None:
     table = readouts.joint_table(session)
     rows = re.findall(r"<tr><td>([^<]*)</td>", table)
     expected = {
-        "tutorial-3.1": ["joint", "sine", "cosine", "angle", "angle"],
-        "tutorial-3.2": ["joint", "angle"],
-        "tutorial-3.3": ["joint", "angle", "rest angle"],
-        "ring": ["joint", "angle", "rest angle"],
+        "tutorial-3.1": ["joint0", "sine", "cosine", "angle", "angle"],
+        "tutorial-3.2": ["joint0", "angle"],
+        "tutorial-3.3": ["joint0", "angle", "rest angle"],
+        "ring": ["joint0", "angle", "rest angle"],
     }
     assert rows == expected[name]
 
@@ -103,15 +103,31 @@ def test_the_meter_says_when_the_step_is_too_large() -> None:
     # A straight body stands still until something bends it.
     session.simulation.step(100)
     text = readouts.hud(session, palette("softrod", dark=False), at_rest=True)
-    assert ": unstable, runs away when touched" in text
+    assert ": unstable, explodes when touched" in text
     session.play(False)
     assert "touched" not in readouts.hud(session, palette("softrod", dark=False), at_rest=True)
     # Nothing is promised of a step that is not too large.
     session = Session(sim.load_scene("tutorial-3.3"))
     session.stability = session.simulation.stability()
-    text = readouts.hud(session, palette("softrod", dark=False), at_rest=True)
+    text = readouts.hud(session, palette("softrod", dark=False), at_rest=True, meter=True)
     assert re.search(r"time step 2\.5 ms, \d\d % of the limit<", text)
     assert "stable" not in text
+
+
+def test_the_meter_is_there_where_it_matters() -> None:
+    scene, colors = sim.load_scene("tutorial-3.3"), palette("softrod", dark=False)
+
+    def has_meter(scene: sim.Scene, meter: bool = False) -> bool:
+        session = Session(scene)
+        session.stability = session.simulation.stability()
+        return "softrod-meter" in readouts.hud(session, colors, False, meter)
+
+    limit = sim.Simulation(scene).stability().limit
+    assert not has_meter(sim.set_value(scene, "dt", 0.75 * limit))
+    assert has_meter(sim.set_value(scene, "dt", 0.85 * limit))
+    assert has_meter(scene, meter=True)
+    view = msgspec.structs.replace(scene.view, readouts=("degrees", "stability"))
+    assert has_meter(msgspec.structs.replace(scene, view=view))
 
 
 @pytest.mark.parametrize(
@@ -138,7 +154,7 @@ def test_energies_have_a_unit() -> None:
 def test_there_is_a_meter_for_every_method_that_has_a_limit(method: str) -> None:
     session = Session(sim.set_choice(sim.load_scene("tutorial-3.3"), "method", method))
     session.stability = session.simulation.stability()
-    shown = "softrod-meter" in readouts.hud(session, palette("softrod", dark=False), at_rest=False)
+    shown = "softrod-meter" in readouts.hud(session, palette("softrod", dark=False), False, meter=True)
     assert shown == (method in ("symplectic_euler", "velocity_verlet", "rk4", "stable_spring"))
 
 

@@ -316,6 +316,19 @@ class Desk:
         """Turn to one of the panel's tabs."""
         self.page.get_by_role("tab", name=tab, exact=True).click()
 
+    def view(self, entry: str) -> None:
+        """Press an entry of the View menu."""
+        self.button("View").click()
+        self.page.locator(".softrod-menu-list button").filter(has_text=entry).click()
+
+    def viewed(self, entry: str) -> bool:
+        """Whether a switch of the View menu is on."""
+        self.button("View").click()
+        item = self.page.locator(".softrod-menu-list button").filter(has_text=entry)
+        on = item.get_attribute("aria-checked") == "true"
+        self.page.keyboard.press("Escape")
+        return on
+
     def row(self, name: str) -> Locator:
         """The row of a control with that label, in the tab that is shown."""
         flex = 'ancestor::div[contains(@class, "mantine-Flex-root")][1]'

@@ -122,11 +122,11 @@ def test_every_control_has_a_name(open_page: OpenPage) -> None:
       return [...document.querySelectorAll("button, input:not([type=hidden]), select, [role=slider]")]
         .filter(e => e.checkVisibility() && e.tabIndex >= 0 && !named(e)).map(e => e.outerHTML.slice(0, 300));
     }"""
-    for tab in ("Play", "Body", "Solver", "Measure", "Files", "View"):
+    for tab in ("Play", "Measure", "Solver", "Share"):
         desk.show(tab)
         desk.rest(5)
         assert desk.page.evaluate(unnamed) == [], tab
-    desk.show("Body")
+    desk.show("Play")
     thumb = desk.page.get_by_role("slider", name="Linear stiffness")
     desk.until(lambda: thumb.get_attribute("aria-valuetext") == "10000", "not the power of ten")
 

@@ -24,7 +24,7 @@ CALM = """async () => {
     calm = moving() ? 0 : calm + 1;
   }
 }"""
-TABS = ("Play", "Body", "Solver", "Measure", "Files", "View")
+TABS = ("Play", "Measure", "Solver", "Share")
 
 
 def judged(desk: Desk) -> list[dict[str, Any]]:
@@ -45,9 +45,8 @@ def put_on(desk: Desk, look: str) -> None:
     if look == "projector":
         desk.page.keyboard.press("p")
     if look == "dark":
-        desk.show("View")
-        desk.control("Dark").click()
-        desk.until(lambda: desk.tab._dark, "it is dark")
+        desk.view("Dark")
+        desk.until(lambda: desk.tab._looks.dark, "it is dark")
 
 
 @pytest.mark.parametrize("look", ["light", "dark", "projector"])

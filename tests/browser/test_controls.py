@@ -41,7 +41,7 @@ def value(desk: Desk, key: str) -> float:
 
 def test_a_slider_and_its_number_box_set_the_solver_and_each_other(open_page: OpenPage) -> None:
     desk = open_page()
-    desk.show("Body")
+    desk.show("Play")
     desk.click_track("Angular stiffness", 0.4)
     desk.until(lambda: value(desk, "angular_stiffness") < 9_000.0, "the slider reaches the solver")
     stiffness = value(desk, "angular_stiffness")
@@ -69,7 +69,7 @@ def test_a_slider_and_its_number_box_set_the_solver_and_each_other(open_page: Op
 
 def test_a_template_bends_every_joint_and_more_masses_build_another_body(open_page: OpenPage) -> None:
     desk = open_page("tutorial-3.2")
-    desk.show("Body")
+    desk.show("Play")
     desk.choose("Angle template", "90°")
     desk.until(lambda: desk.session.scene.template == 90, "the template reaches the solver")
     assert (desk.simulation.rest_angles == 90.0).all()
@@ -92,7 +92,7 @@ def test_a_template_bends_every_joint_and_more_masses_build_another_body(open_pa
 def test_numbers_can_be_typed_slowly(open_page: OpenPage, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(slider_box, "TOUCHED", 0.05)
     desk = open_page()
-    desk.show("Body")
+    desk.show("Play")
     wrong = []
     for label, key, text in (
         ("Gravity", "gravity", "-350"),
@@ -116,7 +116,7 @@ def test_numbers_can_be_typed_slowly(open_page: OpenPage, monkeypatch: pytest.Mo
 
 def test_the_slider_of_the_number_of_masses_can_be_dragged(open_page: OpenPage) -> None:
     desk = open_page()
-    desk.show("Body")
+    desk.show("Play")
     thumb, track = (
         desk.thumb("Number of masses").bounding_box(),
         desk.control("Number of masses").locator(".mantine-Slider-track").bounding_box(),
@@ -144,7 +144,7 @@ def test_only_controls_that_the_scene_can_use_are_there(open_page: OpenPage) -> 
         pad = desk.page.get_by_role("button", name="rest angle up")
         desk.until(lambda pad=pad, name=name: pad.is_visible() == PADS[name], f"the arrow pad of {name}")
         assert desk.page.get_by_text("Follow pointer", exact=True).is_visible()
-        desk.show("Body")
+        desk.show("Play")
         labels = desk.page.locator("label:visible")
         desk.until(
             lambda labels=labels, wanted=wanted: (
@@ -199,12 +199,11 @@ def test_a_click_on_a_mass_reads_out_its_joint(open_page: OpenPage) -> None:
 def test_the_page_can_be_dark(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False))
-    desk.show("View")
     text = "() => getComputedStyle(document.querySelector('.softrod-hud')).color"
     light = desk.page.evaluate(text)
     for dark in (True, False):
-        desk.control("Dark").click()
-        desk.until(lambda dark=dark: desk.tab._dark == dark, "the switch is turned")
+        desk.view("Dark")
+        desk.until(lambda dark=dark: desk.tab._looks.dark == dark, "the switch is turned")
         # A place with nothing but paper, one in the panel.
         x, y = (float(c) for c in desk.at([(100.0, 331.0)])[0])
         desk.until(
@@ -219,7 +218,7 @@ def test_the_page_can_be_dark(open_page: OpenPage) -> None:
 
 def test_a_body_that_runs_away_is_stopped_and_explained(open_page: OpenPage) -> None:
     desk = open_page()
-    desk.show("Body")
+    desk.show("Play")
     # A straight rope with nothing to straighten would stand on its tip, as a pencil does.
     desk.tell(commands.SetValue("rest_angle", 10.0))
     desk.until(lambda: abs(desk.simulation.angles[0]) > 0.5, "the rope bends")
@@ -283,7 +282,7 @@ def test_number_boxes_take_a_comma_and_say_what_they_do_not_take(
     monkeypatch.setattr(slider_box, "TYPED", 1.0)
     desk = open_page()
     desk.tell(commands.Play(False))
-    desk.show("Body")
+    desk.show("Play")
     box = desk.box("Gravity")
     box.click()
     box.press("Control+a")
@@ -294,7 +293,7 @@ def test_number_boxes_take_a_comma_and_say_what_they_do_not_take(
     damping.fill("99999999999")
     desk.show("Play")
     desk.notice("Linear damping: 0 to ")
-    desk.show("Body")
+    desk.show("Play")
     desk.until(lambda: damping.input_value() == "40", "it shows what is set")
     desk.type_in("Angular stiffness", "-5")
     desk.notice("Angular stiffness: 0 to ")
@@ -313,8 +312,8 @@ def test_the_play_tab_has_what_makes_most_of_a_scene(open_page: OpenPage) -> Non
     desk.page.get_by_text("Rest angle", exact=True).wait_for()
     desk.type_in("Rest angle", "25")
     desk.until(lambda: value(desk, "rest_angle") == 25.0, "it reaches the solver")
-    desk.show("Body")
-    desk.until(lambda: desk.box("Rest angle").input_value() == "25", "and the slider of the Body tab")
+    desk.show("Play")
+    desk.until(lambda: desk.box("Rest angle").input_value() == "25", "and the other slider")
     desk.show("Play")
     desk.open_scene("tutorial-3.2")
     desk.choose("Angle template", "-45°")
@@ -324,7 +323,7 @@ def test_the_play_tab_has_what_makes_most_of_a_scene(open_page: OpenPage) -> Non
 def test_a_scene_s_own_values_come_back(open_page: OpenPage) -> None:
     desk = open_page()
     mine = desk.session.scene
-    desk.show("Body")
+    desk.show("Play")
     desk.type_in("Gravity", "500")
     desk.type_in("Rest angle", "30")
     desk.until(lambda: value(desk, "rest_angle") == 30.0, "the body is changed")
@@ -332,7 +331,7 @@ def test_a_scene_s_own_values_come_back(open_page: OpenPage) -> None:
     desk.choose("Integrator", "Runge-Kutta 4")
     desk.until(lambda: desk.session.scene.integrator.method == "rk4", "so is the method")
     time = desk.simulation.time
-    desk.show("Body")
+    desk.show("Play")
     desk.button("Scene's own values").click()
     desk.until(lambda: value(desk, "gravity") == 2000.0, "the body is as it was opened")
     desk.until(lambda: desk.box("Gravity").input_value() == "2000", "its boxes, too")
@@ -348,7 +347,7 @@ def test_the_meter_tells_of_a_change_while_the_clock_stands(open_page: OpenPage)
     desk = open_page()
     desk.until(lambda: "limit" in desk.hud() and "unstable" not in desk.hud(), "the meter is green")
     desk.tell(commands.Play(False))
-    desk.show("Body")
+    desk.show("Play")
     desk.type_in("Angular stiffness", "100000000")
     desk.until(lambda: value(desk, "angular_stiffness") == 1e8, "the box reaches the solver")
     desk.until(lambda: "unstable" in desk.hud(), "the meter is red before it runs", limit=3.0)

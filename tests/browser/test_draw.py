@@ -68,9 +68,8 @@ def test_screenshots_show_the_whole_body(open_page: OpenPage, phone: bool) -> No
     desk.tell(commands.Play(False))
     for dark in (False,) if phone else (False, True):
         if dark:
-            desk.show("View")
-            desk.control("Dark").click()
-            desk.until(lambda: desk.tab._dark, "it is dark")
+            desk.view("Dark")
+            desk.until(lambda: desk.tab._looks.dark, "it is dark")
             desk.show("Play")
         for name in SHOWN:
             desk.tell(commands.Open(sim.load_scene(name)), commands.DoSteps(400))

@@ -34,7 +34,7 @@ _LAYER = """() => {
 
 
 def download(desk: Desk, button: str) -> tuple[str, bytes]:
-    """Press a button of the Files tab, and return the file's name and content."""
+    """Press a button of the Share tab, and return the file's name and content."""
     with desk.page.expect_download() as started:
         desk.button(button).click()
     return started.value.suggested_filename, Path(started.value.path()).read_bytes()
@@ -84,7 +84,7 @@ def test_files_come_from_the_buttons_and_a_short_past_is_told(open_page: OpenPag
     desk = open_page("ring")
     desk.until(lambda: desk.simulation.time > 0.5, "some time passes")
     desk.tell(commands.Play(False))
-    desk.show("Files")
+    desk.show("Share")
     name, data = download(desk, "GIF")
     assert name == "ring.gif"
     film = Image.open(io.BytesIO(data))
@@ -105,7 +105,7 @@ def test_the_body_comes_as_numbers_and_as_programs(open_page: OpenPage) -> None:
     desk.until(lambda: desk.simulation.time > 0.2, "some time passes")
     desk.tell(commands.Play(False))
     desk.wait_drawn()
-    desk.show("Files")
+    desk.show("Share")
     name, data = download(desk, "JSON")
     assert name == "ring.json"
     body = json.loads(data)
@@ -124,7 +124,7 @@ def test_the_body_comes_as_numbers_and_as_programs(open_page: OpenPage) -> None:
 
 def test_a_page_says_what_a_program_cannot_do(open_page: OpenPage) -> None:
     desk = open_page("tree")
-    desk.show("Files")
+    desk.show("Share")
     desk.button("C").click()
     assert "cannot do gusts of wind; set turbulence to 0" in desk.notice("That did not work")
 

@@ -1,4 +1,4 @@
-"""The Files tab: scenes are saved, downloaded and uploaded; a bad file changes nothing."""
+"""The Share tab: scenes are saved, downloaded and uploaded; a bad file changes nothing."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def upload(desk: Desk, path: Path) -> None:
 def test_a_scene_is_saved_and_opened(open_page: OpenPage, data_folder: Path) -> None:
     desk = open_page()
     desk.tell(commands.SetValue("angular_stiffness", 4321.0))
-    desk.show("Files")
+    desk.show("Share")
     save(desk, "my rope")
     assert (data_folder / "softrod" / "scenes" / "my rope.json").is_file()
     desk.control("With pose").check()
@@ -58,7 +58,7 @@ def test_a_built_in_name_is_refused_and_a_taken_one_asked_about(
     open_page: OpenPage, data_folder: Path
 ) -> None:
     desk = open_page()
-    desk.show("Files")
+    desk.show("Share")
     desk.control("Name").fill("Ring")
     desk.button("Save").click()
     assert "built-in" in desk.notice("That did not work")
@@ -83,7 +83,7 @@ def test_a_download_is_the_scene_and_can_be_opened_again(open_page: OpenPage, tm
     desk = open_page()
     desk.tell(commands.SetValue("linear_damping", 33.0), commands.SetValue("rest_angle", -20.0))
     scene = desk.session.scene
-    desk.show("Files")
+    desk.show("Share")
     with desk.page.expect_download() as started:
         desk.button("Download as a file").click()
     assert started.value.suggested_filename == "tutorial-3.3.json"
@@ -103,7 +103,7 @@ def test_a_scene_saved_in_one_page_is_there_in_another(open_page: OpenPage) -> N
     one, other = open_page(size=(720, 460)), open_page(size=(720, 460))
     other.gallery()
     assert other.card("for both").count() == 0
-    one.show("Files")
+    one.show("Share")
     save(one, "for both")
     # The other's gallery, which is open, shows it.
     other.card("for both").locator(".softrod-open").click()
@@ -118,7 +118,7 @@ def test_a_log_is_saved_and_played(open_page: OpenPage, tmp_path: Path) -> None:
     desk = open_page()
     desk.tell(commands.SetValue("rest_angle", 15.0), commands.DoSteps(200))
     pose = desk.simulation.positions
-    desk.show("Files")
+    desk.show("Share")
     desk.page.get_by_text("A log is all that was done").wait_for()
     with desk.page.expect_download() as started:
         desk.button("Save a log").click()
@@ -140,7 +140,7 @@ def test_a_log_is_saved_and_played(open_page: OpenPage, tmp_path: Path) -> None:
 
 def test_a_bad_file_gets_one_notice_and_changes_nothing(open_page: OpenPage, tmp_path: Path) -> None:
     desk = open_page()
-    desk.show("Files")
+    desk.show("Share")
     simulation, scene = desk.session.simulation, desk.session.scene
     good: dict[str, Any] = json.loads(files.encode_scene(sim.load_scene("ring")))
     masses = [{**good["masses"][0], "mass": -3.0}, *good["masses"][1:]]

@@ -68,8 +68,7 @@ def test_the_gizmo_moves_its_mass_freely_by_the_square_and_along_one_axis_by_an_
     open_page: OpenPage,
 ) -> None:
     desk = open_page()
-    desk.show("View")
-    desk.control("Gizmos").click()
+    desk.view("Arrows at held masses")
     desk.until(lambda: desk.tab._view._gizmos, "the gizmo is there")
     desk.rest(5)
     for grip, way, moved in (

@@ -36,7 +36,7 @@ def assert_stays(desk: Desk) -> None:
 def test_held_arrows_change_rest_angle_and_length_until_released(open_page: OpenPage) -> None:
     desk = open_page()
     camera = desk.camera()
-    desk.show("Body")
+    desk.show("Play")
     hold(desk, "ArrowRight", "right")
     desk.until(lambda: desk.simulation.rest_angles[0] > 6.0, "the rest angle grows")
     release(desk, "ArrowRight")
@@ -89,7 +89,7 @@ def test_keys_are_not_held_in_a_text_nor_when_the_window_is_left_or_silent(
     open_page: OpenPage,
 ) -> None:
     desk = open_page()
-    desk.show("Files")
+    desk.show("Share")
     name = desk.control("Name")
     name.fill("")
     name.press_sequentially("rn f0w")

@@ -1,8 +1,9 @@
-"""Lessons: each is followed to its end; questions come first, and the body waits for the answer."""
+"""Lessons: a question first, then the body is tried, and then the answer is told; each one to its end."""
 
 from __future__ import annotations
 
 import msgspec
+import numpy as np
 import pytest
 
 import sim
@@ -10,6 +11,7 @@ from app.session import commands
 from sim.lesson_settings import scene_of_step
 from sim.scene.files import built_in_folder
 from sim.scene.lesson import Lesson, Step
+from sim.settings import CHOICES, setting_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -29,6 +31,21 @@ def words(desk: Desk) -> str:
 
 def press(desk: Desk, text: str) -> None:
     desk.page.locator(f"{CARD} button").filter(has_text=text).first.click()
+
+
+def label_of(desk: Desk, key: str) -> str:
+    """What the page calls a setting or a choice."""
+    return CHOICES[key].label if key in CHOICES else setting_of(desk.session.scene, key).label
+
+
+def sliders(desk: Desk) -> list[str]:
+    """The labels of the sliders and lists in the tab that is shown."""
+    return [text for text in desk.page.locator("label:visible").all_inner_texts() if text]
+
+
+def plots(desk: Desk) -> list[str]:
+    """The plots in the tab that is shown."""
+    return desk.page.locator(".softrod-plot-title:visible").all_inner_texts()
 
 
 def begins(desk: Desk, step: Step) -> None:
@@ -52,10 +69,16 @@ def test_a_lesson_is_followed_to_its_end(open_page: OpenPage, name: str) -> None
         if step.question is not None:
             assert desk.page.locator(".softrod-lesson-next").is_disabled()
             press(desk, step.question.choices[step.question.answer])
-            desk.until(lambda: "That is right." in words(desk), "the answer is right")
             desk.until(lambda: desk.session.playing, "the body moves")
+            assert step.question.because not in words(desk), "it is tried first"
+            press(desk, "What is right?")
+            desk.until(lambda: "That is right." in words(desk), "the answer is right")
         assert step.do in words(desk)
         assert step.watch in words(desk)
+        labels = [label_of(desk, key) for key in step.controls]
+        desk.until(lambda labels=labels: sliders(desk) == labels, f"its sliders are {labels}")
+        titles = [text.replace(",", "") for text in step.plots or ()]
+        desk.until(lambda titles=titles: plots(desk) == titles, f"its plots are {titles}")
         desk.until(lambda: desk.simulation.time > 0.1, "time goes on")
         press(desk, "Next" if i + 1 < len(steps(name)) else "From the beginning")
     begins(desk, steps(name)[0])
@@ -67,8 +90,18 @@ def test_a_wrong_answer_is_told_and_the_lesson_outlives_a_reload(open_page: Open
     desk.tell(commands.Open(sim.load_scene("lesson-hooke")))
     first, second = steps("lesson-hooke")[:2]
     begins(desk, first)
-    press(desk, "71 px")
+    press(desk, "200 px")
+    press(desk, "71 px")  # until it is told, one may think again
+    pressed = desk.page.locator(f"{CARD} .softrod-choice[aria-pressed=true]")
+    desk.until(lambda: pressed.all_inner_texts() == ["71 px"], "it is the choice")
+    press(desk, "What is right?")
     desk.until(lambda: "The answer is: 100 px." in words(desk), "the right answer is told")
+    # Again is anew: the question can be answered again.
+    press(desk, "Again")
+    begins(desk, first)
+    assert "The answer is" not in words(desk)
+    press(desk, "71 px")
+    press(desk, "What is right?")
     press(desk, "Next")
     begins(desk, second)
     desk.tell(commands.SetValue("gravity", 1234.0))
@@ -99,13 +132,10 @@ def test_a_lesson_that_is_opened_again_goes_on_at_its_step_with_what_that_sets(o
     there = scene_of_step(modes, 1)
     desk.until(lambda: desk.session.scene.linear_springs == there.linear_springs, "with what it sets")
     desk.until(lambda: desk.session.playing, "and it does not wait for what is answered")
-    # The step has its plots, in the tab that is shown.
-    desk.until(lambda: desk.page.locator(".softrod-plot-title").count() == 3, "there are its three plots")
+    desk.until(lambda: plots(desk) == ["mass10.y"], "there is its plot")
     desk.tell(commands.Open(hooke))
     begins(desk, steps("lesson-hooke")[0])
-    desk.until(
-        lambda: desk.page.locator(".softrod-plot-title").all_inner_texts() == ["mass1.y"], "another's plot"
-    )
+    desk.until(lambda: plots(desk) == ["mass1.y"], "another's plot")
 
 
 def test_a_step_has_its_arrows(open_page: OpenPage) -> None:
@@ -115,24 +145,44 @@ def test_a_step_has_its_arrows(open_page: OpenPage) -> None:
     assert question is not None
     press(desk, question.choices[question.answer])
     desk.page.locator(".softrod-arrow-words.softrod-torques:visible").wait_for()
-    assert desk.control("Torques").is_checked()
+    desk.show("Measure")
+    desk.until(lambda: desk.control("Torques").is_checked(), "its switch says so")
 
 
-def test_by_keys_alone_folded_and_gone_with_the_scene(open_page: OpenPage) -> None:
-    desk = open_page(size=(1280, 760))
+def test_a_lesson_leaves_behind_what_was_before(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.page.keyboard.press("g")
+    desk.until(lambda: plots(desk) == ["joint0.angle"], "there is a plot of one's own")
+    desk.control("Forces").click()
+    desk.tell(commands.Open(sim.load_scene("lesson-laws")))
+    desk.page.locator(".softrod-arrow-words.softrod-torques:visible").wait_for()
+    desk.tell(commands.Open(sim.load_scene("lesson-chaos")))
+    desk.until(lambda: desk.page.locator(CARD).is_visible(), "another lesson")
+    press(desk, "entirely different places")
+    press(desk, "Next")
+    desk.until(lambda: desk.session.ghost is not None, "its second step has a ghost")
+    desk.tell(commands.Open(sim.load_scene("rod")))
+    desk.until(lambda: not desk.page.locator(CARD).count(), "the lesson goes with its scene")
+    desk.until(lambda: desk.session.ghost is None, "and its ghost")
+    desk.show("Measure")
+    desk.until(lambda: plots(desk) == ["joint0.angle"], "one's own plot is there")
+    desk.until(lambda: desk.control("Forces").is_checked(), "and one's own arrows")
+    assert not desk.control("Torques").is_checked()
+
+
+def test_by_keys_alone_and_gone_with_the_scene(open_page: OpenPage) -> None:
+    desk = open_page()
     desk.tell(commands.Open(sim.load_scene("lesson-hooke")))
     begins(desk, steps("lesson-hooke")[0])
     desk.page.locator(f"{CARD} .softrod-choice").nth(1).focus()
     desk.page.keyboard.press("Enter")
-    desk.until(lambda: "That is right." in words(desk), "Enter answers")
-    # Screen readers read on from what was answered.
+    desk.until(lambda: steps("lesson-hooke")[0].do in words(desk), "Enter answers")
+    # Screen readers read on from there.
+    assert desk.page.evaluate("document.activeElement.className") == "softrod-lesson-do"
+    desk.page.locator(".softrod-lesson-reveal").focus()
+    desk.page.keyboard.press("Enter")
+    desk.until(lambda: "That is right." in words(desk), "Enter tells")
     assert desk.page.evaluate("document.activeElement.className") == "softrod-verdict"
-    card = desk.page.locator(CARD).bounding_box()
-    assert card is not None
-    left = desk.at(desk.simulation.positions)[:, 0].min()
-    assert left > card["x"] + card["width"], "the card is beside the body"
-    press(desk, "Hide")
-    desk.until(lambda: steps("lesson-hooke")[0].do not in words(desk), "only the title is left")
     desk.tell(commands.Open(sim.load_scene("ring")))
     desk.until(lambda: not desk.page.locator(CARD).is_visible(), "the card goes with its scene")
 
@@ -146,18 +196,29 @@ def test_its_text_is_only_text(open_page: OpenPage) -> None:
     assert desk.page.evaluate("window.evil") is None
 
 
-def test_on_a_phone_the_card_leaves_room_for_the_body_above_the_panel(open_page: OpenPage) -> None:
-    desk = open_page(size=(390, 844), phone=True)
+@pytest.mark.parametrize("size", [(390, 844), (844, 390), (640, 360)])
+def test_question_and_choices_are_in_sight_and_so_is_the_body(
+    open_page: OpenPage, size: tuple[int, int]
+) -> None:
+    desk = open_page(size=size, phone=True)
     desk.tell(commands.Open(sim.load_scene("lesson-hooke")))
     begins(desk, steps("lesson-hooke")[0])
-    if not desk.page.get_by_role("tab", name="Play", exact=True).is_visible():
-        desk.page.get_by_text("softrod", exact=True).last.tap()
-    desk.page.get_by_role("tab", name="Play", exact=True).wait_for()
+    choices = desk.page.locator(f"{CARD} .softrod-choice")
+    for i in range(choices.count()):
+        box = choices.nth(i).bounding_box()
+        assert box is not None
+        assert 0.0 <= box["y"] < box["y"] + box["height"] <= size[1], "each choice is in sight"
+        x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
+        hit = f"document.elementFromPoint({x}, {y}).className"
+        assert desk.page.evaluate(hit) == "softrod-choice", "and not covered"
 
     def is_free() -> bool:
-        box, dock = desk.page.locator(CARD).bounding_box(), desk.page.locator(".softrod-dock").bounding_box()
-        assert box is not None
+        places, dock = desk.at(desk.simulation.positions), desk.page.locator(".softrod-dock").bounding_box()
+        card = desk.page.locator(CARD).bounding_box()
         assert dock is not None
-        return dock["y"] < 500.0 and box["y"] > 0.35 * dock["y"] and box["y"] + box["height"] < dock["y"]
+        assert card is not None
+        beside = card["x"] if card["x"] > 100.0 else size[0]
+        inside = (places > 0.0).all() and (places[:, 0] < beside).all()
+        return bool(inside and (places[:, 1] < dock["y"]).all() and np.ptp(places[:, 0]) > 120.0)
 
-    desk.until(is_free, "the body can be seen above the card, the bar and the panel")
+    desk.until(is_free, "the body is large enough above the bar and beside the lesson")

@@ -16,7 +16,7 @@ SMALL = (720, 460)
 
 def shared(desk: Desk, pose: bool = False) -> str:
     """The link that the page offers."""
-    desk.show("Files")
+    desk.show("Share")
     desk.button("Share by a link").click()
     field = desk.page.get_by_label("Link to this scene")
     desk.until(lambda: "/s#1." in field.input_value(), "there is a link")

@@ -97,9 +97,8 @@ def test_a_scene_is_opened_anew(open_page: OpenPage) -> None:
 def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage, dark: bool) -> None:
     desk = open_page(size=(1000, 700))
     if dark:
-        desk.show("View")
-        desk.control("Dark").click()
-        desk.until(lambda: desk.tab._dark, "it is dark")
+        desk.view("Dark")
+        desk.until(lambda: desk.tab._looks.dark, "it is dark")
         desk.wait_drawn()
     desk.tell(commands.Play(False))
     desk.until(desk.clock_is_right, "the clock shows where it stands")
@@ -126,9 +125,9 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
 
 def test_the_bar_of_time_stays_above_the_panel_of_a_phone_while_that_is_scrolled(open_page: OpenPage) -> None:
     desk = open_page(size=(390, 844), phone=True)
-    if not desk.page.get_by_role("tab", name="Files", exact=True).is_visible():
+    if not desk.page.get_by_role("tab", name="Share", exact=True).is_visible():
         desk.page.get_by_text("softrod", exact=True).last.tap()
-    desk.show("Files")
+    desk.show("Share")
     last = desk.button("3D model")
     last.wait_for()
     bottom = "() => document.querySelector('.softrod-dock').getBoundingClientRect().bottom"

@@ -82,18 +82,18 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
 
     # While nobody sees it, it is not sent.
     desk.show("Play")
-    desk.until(lambda: not measures(desk).looked_at, "the page says that it is not seen")
+    desk.until(lambda: not measures(desk).plots.looked_at, "the page says that it is not seen")
     desk.show("Measure")
-    desk.until(lambda: measures(desk).looked_at, "and that it is")
+    desk.until(lambda: measures(desk).plots.looked_at, "and that it is")
 
     # It is there again after a reload, and gone when it is removed.
     desk.until(lambda: ANGLE in desk.tab._kept[-1], "the page keeps it")
     desk.rest(3)
     desk.open()
-    desk.until(lambda: measures(desk).wishes == (ANGLE,), "the plot is back")
+    desk.until(lambda: measures(desk).plots.wishes == (ANGLE,), "the plot is back")
     desk.show("Measure")
     desk.button("Remove").click()
-    desk.until(lambda: not charts(desk) and not measures(desk).wishes, "it is gone")
+    desk.until(lambda: not charts(desk) and not measures(desk).plots.wishes, "it is gone")
 
 
 def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None:

@@ -14,10 +14,10 @@ def test_two_tabs_are_separate_and_closing_one_in_a_drag_frees_it(open_page: Ope
     one, other = open_page(size=(720, 460)), open_page(size=(720, 460))
     assert one.session is not other.session
     # A control of one is not the other's.
-    one.show("Body")
+    one.show("Play")
     one.type_in("Gravity", "500")
     one.until(lambda: one.session.scene.gravity == (0.0, 500.0), "gravity is set in one tab")
-    other.show("Body")
+    other.show("Play")
     other.pause(0.3)
     assert other.session.scene.gravity == (0.0, 2000.0)
     assert other.box("Gravity").input_value() == "2000"

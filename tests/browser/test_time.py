@@ -82,8 +82,7 @@ def test_a_body_that_ran_away_is_taken_back(open_page: OpenPage) -> None:
 def test_a_reload_comes_back_to_where_it_was(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Open(sim.load_scene("ring")), commands.SetValue("linear_stiffness", 7000.0))
-    desk.show("View")
-    desk.control("Dark").click()
+    desk.view("Dark")
     desk.until(lambda: desk.simulation.time > 0.5, "it runs")
     desk.tell(commands.Play(False))
     where, time = desk.simulation.positions, desk.simulation.time
@@ -95,9 +94,8 @@ def test_a_reload_comes_back_to_where_it_was(open_page: OpenPage) -> None:
     assert (desk.simulation.positions == where).all()
     assert sim.settings.SETTINGS["linear_stiffness"].read(desk.session.scene) == 7000.0
     assert not desk.session.playing
-    desk.until(lambda: desk.tab._dark, "and the dark")
-    desk.show("View")
-    desk.until(lambda: desk.control("Dark").is_checked(), "its switch says so")
+    desk.until(lambda: desk.tab._looks.dark, "and the dark")
+    assert desk.viewed("Dark"), "its switch says so"
     assert_shows(desk, where)
     assert not desk.notices()
 

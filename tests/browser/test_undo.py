@@ -20,7 +20,7 @@ def value(desk: Desk, key: str) -> float:
 
 def test_a_slider_goes_back_and_forth(open_page: OpenPage) -> None:
     desk = open_page()
-    desk.show("Body")
+    desk.show("Play")
     before, stood = value(desk, "gravity"), desk.slider_value("Gravity")
     desk.click_track("Gravity", 0.9)
     desk.until(lambda: value(desk, "gravity") != before, "the slider reaches the solver")
@@ -40,7 +40,7 @@ def test_a_slider_goes_back_and_forth(open_page: OpenPage) -> None:
 
 def test_a_choice_is_taken_back(open_page: OpenPage) -> None:
     desk = open_page("tutorial-3.2")
-    desk.show("Body")
+    desk.show("Play")
     before = desk.session.scene.template
     box = desk.control("Angle template")
     stood = box.input_value()

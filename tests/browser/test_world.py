@@ -96,7 +96,7 @@ def test_the_wind_drifts_with_the_clock_and_stands_for_those_who_want_it_so(open
 
 def test_the_panel_has_sliders_only_for_what_there_is(open_page: OpenPage) -> None:
     desk = open_page()
-    desk.show("Body")
+    desk.show("Play")
     assert desk.page.get_by_text("Wind speed").count() == 0
     desk.tell(commands.Open(balloon(wind=GUSTS, air_friction=0.01)))
     desk.until(lambda: desk.row("Wind direction").is_visible(), "there are sliders for the wind")

@@ -4,7 +4,6 @@ import { shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { toWorld } from "./draw.js";
 import { editing } from "./editing.js";
-import { placeLesson } from "./lesson.js";
 import { placeTransport } from "./transport.js";
 import { viser } from "./viser.js";
 
@@ -76,7 +75,7 @@ function covered(canvas, box) {
   let top = box.bottom;
   for (const element of document.elementsFromPoint(box.left + box.width / 2, box.bottom - 4)) {
     if (element === canvas || element.contains(canvas)) break;
-    if (element.closest(".softrod-dock, .softrod-lesson, .softrod-edit-bar")) continue;
+    if (element.closest(".softrod-dock, .softrod-edit-bar")) continue;
     const { width } = element.getBoundingClientRect();
     const edge = visibleTop(element, canvas);
     if (width > 0.9 * box.width && edge > box.top + 0.2 * box.height) top = Math.min(top, edge);
@@ -154,15 +153,14 @@ export function fit(withBody = false) {
   const box = canvas.getBoundingClientRect();
   const sheet = covered(canvas, box);
   const dock = sheet + placeTransport(box, sheet);
-  const card = placeLesson(box, dock);
   const { above, below } = besideTools(box);
-  const hidden = dock + card.bottom + below;
-  const [wide, free] = [box.width - card.left, box.height - hidden - above];
-  if (!(wide > 0 && free > 0)) return false;
+  const hidden = dock + below;
+  const free = box.height - hidden - above;
+  if (!(box.width > 0 && free > 0)) return false;
   const { left, right, low, high } = bounds(width, height, withBody);
-  const perPixel = MARGIN * Math.max((right - left) / wide, (high - low) / free);
+  const perPixel = MARGIN * Math.max((right - left) / box.width, (high - low) / free);
   const distance = (perPixel * box.height) / (2 * Math.tan((camera.fov * Math.PI) / 360));
-  const [x, y] = [(left + right) / 2 - (perPixel * card.left) / 2, (low + high) / 2 - (perPixel * (hidden - above)) / 2];
+  const [x, y] = [(left + right) / 2, (low + high) / 2 - (perPixel * (hidden - above)) / 2];
   controls.minAzimuthAngle = -Infinity;
   controls.maxAzimuthAngle = Infinity;
   // From the nodes' coordinates to those of the camera.
@@ -200,10 +198,10 @@ export function keepFlat() {
     const now = `${canvas.clientWidth}x${canvas.clientHeight}`;
     const box = canvas.getBoundingClientRect();
     const sheet = covered(canvas, box);
-    const card = placeLesson(box, sheet + placeTransport(box, sheet));
+    placeTransport(box, sheet);
     const { above, below } = besideTools(box);
-    const cover = [sheet, card.left, card.bottom, above, below].join(" ");
-    // A view that its user has chosen stays when the panel's sheet, the lesson's card or the tools grow or shrink.
+    const cover = [sheet, above, below].join(" ");
+    // A view that its user has chosen stays when the panel's sheet or the tools grow or shrink.
     const grown = cover !== covers && untouched();
     // The same scene again means that somebody asked for it: the number before the point is the scene's.
     const asked = told().scene !== scene && told().scene?.split(".")[0] === scene?.split(".")[0];

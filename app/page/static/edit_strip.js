@@ -5,9 +5,9 @@ import { toClipboard, pasteHere } from "./clipboard.js";
 import { make, makeButton } from "./dialog.js";
 import { stepBack } from "./edit.js";
 import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
-import { lessonRoom } from "./lesson.js";
 import { ask } from "./mail.js";
 import { setTakesNew, takesNew } from "./move.js";
+import { hasWords } from "./looks.js";
 import { onSight } from "./overlay.js";
 import { viser } from "./viser.js";
 
@@ -46,8 +46,8 @@ const ALWAYS = [
   ["Rest as is", "", "rest", "Springs and joints rest as they are now"],
 ];
 
-/** Pixels that the box of instruments takes. */
-const BOX = 50;
+/** Pixels that the box of instruments takes where its word is left out, and between it and the tools. */
+const [BOX, GAP] = [50, 10];
 /** Pixels by which the words above the tools may grow shorter, as when the clock runs, and the tools stay in place. */
 const STAYS = 60;
 /** Pixels of height that a column of tools needs, with the bar below. */
@@ -70,7 +70,7 @@ export function addEditStrip(tracing) {
   const strip = make("div", "softrod-edit");
   strip.setAttribute("role", "toolbar");
   strip.ariaLabel = "Editing";
-  const lid = iconButton("edit", "Edit", "Build and change the body (E)", () => setEditing(!editing.on));
+  const lid = iconButton("edit", "Build", "Build and change the body (E)", () => setEditing(!editing.on));
   const tools = make("div", "softrod-edit-tools");
   const undo = iconButton("undo", "Undo", "", () => stepBack("undo"));
   const redo = iconButton("redo", "Redo", "", () => stepBack("redo"));
@@ -141,22 +141,24 @@ export function addEditStrip(tracing) {
     if (!canvas || strip.hidden) return;
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
     const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
-    const left = canvas.left + 14 + lessonRoom().left;
+    const left = canvas.left + 14;
     const free = Math.max(canvas.top, hud?.bottom ?? 0) + 10;
     const top = free < above && above < free + STAYS ? above : free;
     above = top;
-    const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity) - lessonRoom().bottom;
+    const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity);
     // On a phone they stand in a row, without words.
     const low = bottom - top < COLUMN;
     strip.classList.toggle("softrod-edit-row", low || !editing.on);
     strip.classList.toggle("softrod-edit-closed", !editing.on);
+    strip.classList.toggle("softrod-words", !editing.on && hasWords(canvas));
     bar.classList.toggle("softrod-edit-row", low);
     const words = inWords(editing.selected);
     const counted = low && words.includes(",") ? `${countSelected()} parts` : words;
     if (count.textContent !== counted) count.textContent = counted;
     if (!editing.on) {
       // Out of the body's way, beside the box of instruments.
-      Object.assign(strip.style, { left: `${left + BOX}px`, top: "auto", bottom: `${window.innerHeight - bottom + 8}px` });
+      const box = document.querySelector(".softrod-box-lid")?.getBoundingClientRect();
+      Object.assign(strip.style, { left: `${box ? box.right + GAP : left}px`, top: "auto", bottom: `${window.innerHeight - bottom + 8}px` });
       return;
     }
     Object.assign(strip.style, { left: `${left}px`, bottom: "auto" });

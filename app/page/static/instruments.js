@@ -12,7 +12,7 @@
 import { NAMES, newFace } from "./instrument_faces.js";
 import * as shapes from "./instrument_shapes.js";
 import { isFree } from "./keys.js";
-import { lessonRoom } from "./lesson.js";
+import { hasWords } from "./looks.js";
 import { onSight, redrawMarks, sight, SVG } from "./overlay.js";
 import { kept, store } from "./storage.js";
 import { timeNow } from "./transport.js";
@@ -250,7 +250,7 @@ function addBox() {
   element.className = "softrod-box";
   element.innerHTML = `<div class="softrod-box-tools" id="softrod-box-tools" role="group" aria-label="Instruments" hidden></div>
     <button type="button" class="softrod-box-lid" aria-expanded="false" aria-controls="softrod-box-tools"
-      aria-label="Instruments" title="Instruments: ruler, protractor, stopwatch">${icon("box")}</button>`;
+      aria-label="Instruments" title="Instruments: ruler, protractor, stopwatch">${icon("box")}<span>Instruments</span></button>`;
   document.body.append(element);
   const content = /** @type {HTMLElement} */ (element.firstElementChild);
   const lid = /** @type {HTMLButtonElement} */ (element.lastElementChild);
@@ -318,11 +318,12 @@ function addBox() {
     welcome: (on) => element.classList.toggle("softrod-box-welcome", on),
     /** Where it stands, pixels. */
     bottom: () => element.getBoundingClientRect().bottom,
-    /** At the left of the canvas, over the bar of time and beside a lesson. @param {DOMRect} canvas */
+    /** At the left of the canvas, over the bar of time. @param {DOMRect} canvas */
     place(canvas) {
       const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
-      const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity) - lessonRoom().bottom;
-      element.style.left = `${canvas.left + 14 + lessonRoom().left}px`;
+      const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity);
+      element.classList.toggle("softrod-words", hasWords(canvas));
+      element.style.left = `${canvas.left + 14}px`;
       element.style.bottom = `${window.innerHeight - bottom + 10}px`;
     },
   };

@@ -1,7 +1,8 @@
 // @ts-check
 /**
- * A lesson beside the body: one step at a time. A question comes first, and the body waits until it is
- * answered; then what to do and what to watch. How far the lesson is outlives a reload.
+ * A lesson in the panel's first tab: one step at a time. A question comes first, and the body waits until it is
+ * answered. Then it is tried: what to do and what to watch. What is right is told last, when the user asks for it.
+ * How far the lesson is outlives a reload.
  */
 import { onTold, send, told } from "./channel.js";
 import { kept, store } from "./storage.js";
@@ -21,32 +22,28 @@ import { kept, store } from "./storage.js";
  * @property {string} lesson
  * @property {number} at the step
  * @property {(number | null)[]} answers the choice at each step
+ * @property {boolean[]} told whether it was told at each step what is right
  */
 
 const SOURCE = '<div id="softrod-lesson"';
 const NAME = "softrod-lesson";
-/** Pixels of the canvas from which on the card stands beside the body, and not over it at the bottom. */
-const WIDE = 720;
-/** Parts of the canvas, and of what of it can be seen, that the card takes at the bottom, at most. */
-const [PART, FREE_PART] = [0.36, 0.6];
-/** Pixels of the card and its margins beside the body. */
-const COLUMN = 332;
+/** Milliseconds between two looks whether viser has made the place of the lesson anew. */
+const LOOK_EVERY = 100;
 
 /** @type {Step[]} */
 let steps = [];
 /** @type {Progress} */
-let progress = { lesson: "", at: 0, answers: [] };
+let progress = { lesson: "", at: 0, answers: [], told: [] };
 /** @type {HTMLElement | null} */
 let card = null;
-let folded = false;
 
 /** What was kept of a lesson, or its beginning. @param {string} lesson @param {number} count of its steps */
 function progressOf(lesson, count) {
-  const fresh = { lesson, at: 0, answers: Array(count).fill(null) };
+  const fresh = { lesson, at: 0, answers: Array(count).fill(null), told: Array(count).fill(false) };
   try {
     const old = JSON.parse(kept(NAME) ?? "null");
-    const fits = old?.lesson === lesson && old.at >= 0 && old.at < count && old.answers?.length === count;
-    return fits ? /** @type {Progress} */ (old) : fresh;
+    const fits = old?.lesson === lesson && old.at >= 0 && old.at < count;
+    return fits && old.answers?.length === count && old.told?.length === count ? /** @type {Progress} */ (old) : fresh;
   } catch {
     return fresh;
   }
@@ -83,27 +80,53 @@ function enter(step) {
 /** Tells the server which step begins. The body need not wait for a question that is answered. */
 function tell() {
   const answered = steps[progress.at].question !== null && progress.answers[progress.at] !== null;
-  send("lesson", `${progress.at}${answered ? "|run" : ""}`);
+  send("lesson", `${progress.at}|${answered ? "run" : "wait"}`);
 }
 
-/** Begins the present step, whenever the lesson's scene was opened and no step of it has begun. */
+/**
+ * Whenever the lesson's scene was opened: begins the present step if none has begun, or says which one the page is in
+ * the middle of.
+ */
 function begin() {
-  const opening = `${told().channel}.${told().scene?.split(".")[0]}`;
-  if (!told().channel || told().lesson !== "0" || steps.length === 0 || begunIn === opening) return;
+  const { channel, scene, lesson } = told();
+  const opening = `${channel}.${scene?.split(".")[0]}`;
+  if (!channel || !lesson || steps.length === 0 || begunIn === opening) return;
   begunIn = opening;
-  tell();
+  if (lesson === "0") tell();
+  else send("lesson", `${progress.at}|on`);
 }
 
 const keepProgress = () => store(NAME, JSON.stringify(progress));
 
-/** @param {number} choice */
+/** The first choice starts the body; until it is told what is right, another one can be made. @param {number} choice */
 function answer(choice) {
+  const first = progress.answers[progress.at] === null;
   progress.answers[progress.at] = choice;
   keepProgress();
-  send("do", "run");
+  if (first) send("do", "run");
   show();
-  const verdict = /** @type {HTMLElement | null | undefined} */ (card?.querySelector(".softrod-verdict"));
-  verdict?.focus();
+  focusOn(first ? ".softrod-lesson-do" : ".softrod-choice[aria-pressed=true]");
+}
+
+/** Tells what is right. */
+function reveal() {
+  progress.told[progress.at] = true;
+  keepProgress();
+  show();
+  focusOn(".softrod-verdict");
+}
+
+/** The present step anew, as if nothing had been answered. */
+function again() {
+  progress.answers[progress.at] = null;
+  progress.told[progress.at] = false;
+  enter(progress.at);
+}
+
+/** Screen readers read on from there. @param {string} selector */
+function focusOn(selector) {
+  const found = card?.querySelector(selector);
+  if (found instanceof HTMLElement) found.focus();
 }
 
 /**
@@ -134,101 +157,81 @@ function paragraph(label, text) {
   return made;
 }
 
-/** The question, its choices, and what is said once one is chosen. @param {Question} question */
-function asked({ text, choices, answer: right, because }) {
-  const chosen = progress.answers[progress.at];
+/** The question and its choices. @param {Question} question */
+function asked({ text, choices, answer: right }) {
+  const [chosen, known] = [progress.answers[progress.at], progress.told[progress.at]];
   const box = element("fieldset", "");
   box.append(element("legend", text));
   choices.forEach((choice, i) => {
     const made = button(choice, () => answer(i), "softrod-choice");
-    if (chosen !== null) {
-      made.disabled = true;
-      if (i === right) made.dataset.right = "";
-      else if (i === chosen) made.dataset.wrong = "";
-      if (i === chosen) made.ariaPressed = "true";
-    }
+    made.ariaPressed = String(i === chosen);
+    made.disabled = known;
+    if (known && i === right) made.dataset.right = "";
+    else if (known && i === chosen) made.dataset.wrong = "";
     box.append(made);
   });
-  if (chosen === null) return [box];
+  return box;
+}
+
+/** What is right, and why; or the button that tells it. @param {Question} question */
+function answered({ choices, answer: right, because }) {
+  const chosen = progress.answers[progress.at];
+  if (!progress.told[progress.at]) return button("What is right?", reveal, "softrod-lesson-reveal");
   const verdict = paragraph(chosen === right ? "That is right." : `The answer is: ${choices[right]}.`, because);
   verdict.className = "softrod-verdict";
   verdict.tabIndex = -1;
-  return [box, verdict];
+  return verdict;
 }
 
 /** Puts the present step into the card. */
 function show() {
   const step = steps[progress.at];
   if (!card || !step) return;
-  const open = step.question === null || progress.answers[progress.at] !== null;
-  const head = element("div", "", "softrod-lesson-head");
+  const { question } = step;
+  const open = question === null || progress.answers[progress.at] !== null;
   const title = element("h2", step.title);
   title.tabIndex = -1;
-  const fold = button(folded ? "Show" : "Hide", () => {
-    folded = !folded;
-    show();
-    /** @type {HTMLElement | null | undefined} */ (card?.querySelector(".softrod-lesson-head button"))?.focus();
-  });
-  fold.ariaExpanded = String(!folded);
-  head.append(element("span", `${progress.at + 1} / ${steps.length}`, "softrod-lesson-count"), fold);
+  const head = element("div", "", "softrod-lesson-head");
+  head.append(title, element("span", `${progress.at + 1} / ${steps.length}`, "softrod-lesson-count"));
   const text = element("div", "", "softrod-lesson-text");
   // The choice stays above what follows from it.
-  if (step.question) text.append(...asked(step.question));
+  if (question) text.append(asked(question));
   if (open) {
-    text.append(paragraph("Do:", step.do));
+    const task = paragraph("Do:", step.do);
+    task.className = "softrod-lesson-do";
+    task.tabIndex = -1;
+    text.append(task);
     if (step.watch) text.append(paragraph("Watch:", step.watch));
+    if (question) text.append(answered(question));
   }
   const foot = element("div", "", "softrod-lesson-foot");
   const back = button("Back", () => enter(progress.at - 1));
   back.disabled = progress.at === 0;
-  const again = button("Again", () => enter(progress.at));
-  again.title = "begin this step anew";
+  const anew = button("Again", again);
+  anew.title = "begin this step anew";
   const next = button(progress.at + 1 < steps.length ? "Next" : "From the beginning", () => {
-    if (progress.at + 1 === steps.length) progress.answers.fill(null);
+    if (progress.at + 1 === steps.length) {
+      progress.answers.fill(null);
+      progress.told.fill(false);
+    }
     enter((progress.at + 1) % steps.length);
   });
   next.className = "softrod-lesson-next";
   next.disabled = !open;
-  foot.append(back, again, next);
-  card.dataset.folded = folded ? "1" : "";
-  card.replaceChildren(head, title, ...(folded ? [] : [text, foot]));
+  // One thing to press next: first what is right.
+  next.toggleAttribute("data-quiet", question !== null && !progress.told[progress.at]);
+  foot.append(back, anew, next);
+  card.replaceChildren(head, text, foot);
 }
 
-/** Pixels of the canvas that the card takes. */
-let room = { left: 0, bottom: 0 };
-export const lessonRoom = () => room;
-
-/**
- * Keeps the card beside the body, or at the bottom where there is no room.
- *
- * @param {DOMRect} box of the canvas
- * @param {number} hidden px at its bottom that are covered
- * @returns {{left: number, bottom: number}} px of the canvas that the card takes
- */
-export function placeLesson(box, hidden) {
-  if (!card || card.hidden) return (room = { left: 0, bottom: 0 });
-  const wide = box.width >= WIDE;
-  const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
-  card.dataset.wide = wide ? "1" : "";
-  card.style.left = `${box.left + 12}px`;
-  card.style.width = `${wide ? COLUMN - 24 : box.width - 24}px`;
-  card.style.bottom = `${window.innerHeight - box.bottom + hidden + 4}px`;
-  const top = Math.max(box.top + 8, wide ? (hud?.bottom ?? 0) + 8 : 0);
-  const most = wide ? box.bottom - hidden - top - 4 : Math.min(PART * box.height, FREE_PART * (box.height - hidden));
-  card.style.maxHeight = `${most}px`;
-  room = wide ? { left: folded ? 0 : COLUMN, bottom: 0 } : { left: 0, bottom: card.offsetHeight + 8 };
-  return room;
-}
-
-/** Puts up the card of lessons, which shows in scenes that have one. */
+/** Makes the card of lessons, and keeps it in its place in the panel, which viser makes anew now and then. */
 export function addLesson() {
   card = element("section", "", "softrod-lesson");
   card.ariaLabel = "Lesson";
-  card.hidden = true;
-  document.body.append(card);
-  onTold(() => {
-    if (card) card.hidden = !told().lesson || steps.length === 0;
-    begin();
-  });
+  onTold(begin);
+  setInterval(() => {
+    const place = document.getElementById("softrod-lesson");
+    if (card && place && card.parentElement !== place) place.replaceChildren(card);
+  }, LOOK_EVERY);
   show();
 }

@@ -22,6 +22,7 @@ import { addLesson, hearLesson } from "./lesson.js";
 import { listenToLinks, openLink, takeLink } from "./links.js";
 import { restoreLooks } from "./looks.js";
 import { showMeasures } from "./measure.js";
+import { addMenu } from "./menu.js";
 import { nameControls } from "./names.js";
 import { quietNotices } from "./notices.js";
 import { mindNumbers } from "./numbers.js";
@@ -85,6 +86,7 @@ whenViser((viser) => {
   addInstruments();
   addHeading();
   addLesson();
+  addMenu();
   addEditMarks();
   addEditStrip(tracing);
   addBodyKeys();

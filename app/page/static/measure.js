@@ -56,7 +56,7 @@ function tellWhetherSeen() {
     }
     // What is in a tab that is not shown, or in a folded panel, has no place on the screen.
     const seen = document.visibilityState === "visible" && titles().some((title) => title.getClientRects().length);
-    const word = seen ? "look" : "away";
+    const word = !seen ? "away" : document.getElementById("softrod-lesson")?.getClientRects().length ? "lesson" : "look";
     if (!channel || word === said) return;
     said = word;
     send("do", word);

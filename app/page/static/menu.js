@@ -1,0 +1,105 @@
+// @ts-check
+/** The View menu over the bar of time: how the page looks, and the help. */
+import { fit } from "./camera.js";
+import { onTold, send, told } from "./channel.js";
+import { make, makeButton } from "./dialog.js";
+import { hasWords, isProjector, toggleProjector } from "./looks.js";
+import { onSight } from "./overlay.js";
+
+const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
+
+const isDark = () => document.documentElement.dataset.mantineColorScheme === "dark";
+
+/**
+ * @typedef {object} Entry
+ * @property {string} label
+ * @property {string} [key] that does the same
+ * @property {string} [hint]
+ * @property {"view" | "help"} part of the controls of a page without which it is left out
+ * @property {() => boolean} [on] of a switch
+ * @property {() => void} press
+ */
+
+/** @param {string} name as the server tells it @returns {Pick<Entry, "on" | "press">} */
+const toldSwitch = (name) => ({
+  on: () => told()[name] === "1",
+  press: () => send("do", told()[name] === "1" ? `no${name}` : name),
+});
+
+/** @type {Entry[]} */
+const ENTRIES = [
+  { label: "Dark", part: "view", on: isDark, press: () => send("do", isDark() ? "light" : "dark") },
+  { label: "Larger, for a projector", key: "P", part: "view", on: isProjector, press: toggleProjector },
+  { label: "Stability bar", hint: "always, not only where the time step is near its limit", part: "view", ...toldSwitch("meter") },
+  { label: "Arrows at held masses", hint: "to drag them along one axis", part: "view", ...toldSwitch("gizmos") },
+  { label: "Show the whole scene", key: "0", part: "view", press: () => void fit(true) },
+  { label: "Help", part: "help", press: () => send("do", "help") },
+];
+
+/** Puts up the button and its menu. */
+export function addMenu() {
+  const element = make("div", "softrod-menu");
+  const list = make("div", "softrod-menu-list");
+  list.id = "softrod-menu-list";
+  list.setAttribute("role", "menu");
+  list.ariaLabel = "View";
+  list.hidden = true;
+  const lid = makeButton("", () => open(list.hidden === true), "softrod-menu-lid");
+  lid.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICON}"/></svg><span>View</span>`;
+  lid.ariaLabel = "View";
+  lid.title = "View: dark, projector, help and more";
+  lid.ariaHasPopup = "menu";
+  lid.ariaExpanded = "false";
+  lid.setAttribute("aria-controls", list.id);
+  const items = ENTRIES.map((entry) => {
+    const item = makeButton("", () => {
+      open(false);
+      entry.press();
+      // The keys are the body's again.
+      lid.blur();
+    }, "");
+    item.append(make("span", "softrod-menu-mark"), make("span", "", entry.label), make("kbd", "", entry.key ?? ""));
+    item.setAttribute("role", entry.on ? "menuitemcheckbox" : "menuitem");
+    item.tabIndex = -1;
+    if (entry.hint) item.title = entry.hint;
+    list.append(item);
+    return { entry, item };
+  });
+  element.append(list, lid);
+  document.body.append(element);
+
+  /** @param {boolean} on */
+  function open(on) {
+    for (const { entry, item } of items) {
+      item.hidden = told()[entry.part] !== "1";
+      if (entry.on) item.ariaChecked = String(entry.on());
+    }
+    list.hidden = !on;
+    lid.ariaExpanded = String(on);
+    if (on) items.find(({ item }) => !item.hidden)?.item.focus();
+  }
+  element.addEventListener("keydown", (event) => {
+    if (list.hidden) return;
+    const shown = items.filter(({ item }) => !item.hidden).map(({ item }) => item);
+    const at = shown.findIndex((item) => item === document.activeElement);
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
+    if (event.key === "Escape" || event.key === "Tab") {
+      open(false);
+      lid.focus();
+    } else if (to !== undefined) shown.at(to % shown.length)?.focus();
+    else if (event.key !== "Enter" && event.key !== " ") return;
+    // The body's keys are not pressed here. Enter and Space press what has the focus.
+    event.stopPropagation();
+    if (to !== undefined || event.key === "Escape") event.preventDefault();
+  });
+  window.addEventListener("pointerdown", ({ target }) => {
+    if (!list.hidden && !(target instanceof Node && element.contains(target))) open(false);
+  }, true);
+  onTold(() => (element.hidden = told().view !== "1" && told().help !== "1"));
+  onSight(({ box }) => {
+    const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
+    element.classList.toggle("softrod-words", hasWords(box));
+    element.style.right = `${window.innerWidth - box.right + 14}px`;
+    element.style.bottom = `${window.innerHeight - Math.min(box.bottom, dock?.top ?? Infinity) + 10}px`;
+  });
+}
