@@ -29,7 +29,7 @@ from .page.controls import of_scene
 from .session.log import Log
 from .sweep.measures import MEASURES, parse_measures
 
-DEFAULT_SCENE = "tutorial-3.3"
+DEFAULT_SCENE = "rope"
 
 _GROUPS = {"lessons": "scenes with steps beside the body", "study": "scenes of `softrod study`"}
 """What the groups of presets are."""

@@ -62,15 +62,19 @@ class Entry(msgspec.Struct, frozen=True):
     own: bool
 
 
-OWN = "Your own"
-GROUPS = ("Tutorial", "Lessons", "Bodies", "Surroundings", OWN, "Studies")
+OWN, START = "Your own", "Start here"
+GROUPS = (OWN, START, "Lessons", "Bodies", "Tutorial", "Studies")
 """Headings of the gallery, in order."""
+
+FIRST = ("rope", "pile", "water-balloon", "jelly", "tree", "empty")
+"""What a newcomer finds first, in order: what is fun, and the way to a body of one's own."""
 
 _FOLDERS = {"study": "Studies", "lessons": "Lessons"}
 
 
 def entries(scenes: Iterable[SceneInfo]) -> list[Entry]:
-    """Scenes by their groups, and in these by their names, lessons by their titles."""
+    """Scenes by their groups, and in these by their names; lessons by their titles, and what comes first in the
+    order that it has there."""
     found = [
         Entry(
             name=info.name,
@@ -86,8 +90,10 @@ def entries(scenes: Iterable[SceneInfo]) -> list[Entry]:
 
 
 def _order(entry: Entry) -> tuple[int, str]:
-    # Lessons have a number at the beginning of their titles.
-    name = entry.title if entry.group == "Lessons" else entry.name
+    if entry.group == START:
+        name = f"{FIRST.index(entry.name):02}"
+    else:  # lessons have a number at the beginning of their titles
+        name = entry.title if entry.group == "Lessons" else entry.name
     return GROUPS.index(entry.group), name.casefold()
 
 
@@ -96,9 +102,11 @@ def _group(info: SceneInfo) -> str:
         return OWN
     if info.group:
         return _FOLDERS.get(info.group, "Bodies")
+    if info.name in FIRST:
+        return START
     if info.name.startswith("tutorial"):
         return "Tutorial"
-    return "Surroundings" if info.surrounded else "Bodies"
+    return "Bodies"
 
 
 def find(name: str) -> SceneInfo | None:

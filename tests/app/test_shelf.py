@@ -61,10 +61,10 @@ def test_scenes_are_grouped_by_what_they_are(home: Path) -> None:
     groups: dict[str, list[str]] = {}
     for entry in shelf.entries(shelf.scenes()):
         groups.setdefault(entry.group, []).append(entry.name)
-    assert list(groups) == ["Tutorial", "Lessons", "Bodies", "Surroundings", "Your own", "Studies"]
+    assert list(groups) == list(shelf.GROUPS)
+    assert groups["Start here"] == list(shelf.FIRST)
     assert groups["Tutorial"] == ["tutorial-3.1", "tutorial-3.2", "tutorial-3.3"]
-    assert {"ring", "cloth", "bridge"} <= set(groups["Bodies"])
-    assert {"pile", "jelly", "tree", "water-balloon"} <= set(groups["Surroundings"])
+    assert {"ring", "cloth", "bridge", "flag-pole"} <= set(groups["Bodies"])
     assert groups["Your own"] == ["mine"]
     assert all(name.startswith("study-") for name in groups["Studies"])
 
