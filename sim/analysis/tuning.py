@@ -13,7 +13,7 @@ from ..body.stable_spring import joint_softness
 from ..body.system import build_system, joint_stiffness
 from ..errors import InputError
 from ..kernels.core.tables import Floats
-from ..methods.limits import flip
+from ..methods.limits import flip, undamped_step
 from ..methods.registry import METHODS
 from ..motion.stability import StabilityMeter, limit_at_start, start_of
 from ..physics import Physics
@@ -298,7 +298,7 @@ def _fastest(scene: Scene) -> Vibration | None:
     system = build_system(scene)
     state = start_of(scene, system)
     state.vx[:] = state.vy[:] = 0.0
-    meter = StabilityMeter(system, flip(0.0))  # 2 / the largest angular frequency
+    meter = StabilityMeter(system, flip(0.0, undamped_step))  # 2 / the largest angular frequency
     limit = min(meter.update(state, 0.0).limit for _ in range(_UPDATES))
     if not math.isfinite(limit):
         return None
