@@ -44,7 +44,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..body.stable_spring import clamp_stiffness
-from ..body.system import System, build_system, new_state, refresh
+from ..body.system import System, build_system, new_state, refresh, start_of
 from ..kernels.core.tables import Floats, State
 from ..methods.limits import StabilityLimit
 from ..methods.registry import METHODS
@@ -370,19 +370,7 @@ def largest_step(scene: Scene, method: str) -> float:
 
 def limit_at_start(scene: Scene, system: System, method: str) -> StabilityEstimate:
     """The limit of a method, but the stable spring, at a scene's start, of its tables."""
-    state = start_of(scene, system)
+    system, state = start_of(scene, system)
     meter = StabilityMeter(system, method)
     meter.update(state, scene.air_friction)
     return meter.update(state, scene.air_friction)
-
-
-def start_of(scene: Scene, system: System) -> State:
-    """The state at a scene's start, with rest lengths, rest angles and inverse masses."""
-    state = new_state(system)
-    state.controls[0] = scene.rest_length_scale
-    refresh(system.body, state)
-    here = slice(1, system.body.masses + 1)
-    for field, row in zip((state.x, state.y, state.vx, state.vy), system.start, strict=True):
-        field[here] = row
-    state.inverse_mass[here] = np.where(system.held, 0.0, system.inverse_mass)
-    return state
