@@ -5,12 +5,15 @@ Points are (k, 2) arrays, y downwards. Distances that are pixels in the page go 
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from sim.around_settings import STILL_AIR
+from sim.body.damage import leaking
 from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE
 
 from ..drawing.sketch import Floats, Sketch
@@ -99,17 +102,18 @@ def hatching(wall: Wall, sketch: Sketch, window: Window) -> Floats:
     return np.stack((begin, begin - STROKE * window.unit * (wall.normal + along)), axis=1)
 
 
-def fillings(sketch: Sketch, positions: Floats, window: Window) -> list[tuple[bool, Floats]]:
-    """Of each filling whether it is a gas, and the polygon of its loop."""
+def fillings(
+    sketch: Sketch, positions: Floats, broken: Sequence[int], window: Window
+) -> list[tuple[bool, Floats]]:
+    """Of each filling that has not got out whether it is a gas, and the polygon of its loop."""
     around = sketch.around
     if around is None or not len(around.fillings):
         return []
     places = window.pixels(sketch.mapping.to_world(positions)[:, :2])
-    starts = around.loop_start
-    return [
-        (bool(filling[FILLING_GAS]), places[around.loop[starts[k] : starts[k + 1]]])
-        for k, filling in enumerate(around.fillings)
-    ]
+    loops = [around.loop[a:b] for a, b in itertools.pairwise(around.loop_start.tolist())]
+    left = set(leaking(loops, sketch.springs, np.array(broken, np.int64)))
+    kinds = around.fillings[:, FILLING_GAS] == 1.0
+    return [(bool(kinds[k]), places[loop]) for k, loop in enumerate(loops) if k not in left]
 
 
 def skin(sketch: Sketch, positions: Floats, broken: tuple[int, ...], window: Window) -> tuple[Floats, float]:

@@ -81,7 +81,7 @@ class Painter:
         broken = broken_of(picture.damage)
         lines, wide = around.skin(sketch, picture.positions, broken, self.window)
         pen.lines(list(lines), self._own.text, wide / self.window.unit, 0.13, round_ends=True)
-        for gas, polygon in around.fillings(sketch, picture.positions, self.window):
+        for gas, polygon in around.fillings(sketch, picture.positions, broken, self.window):
             color = self._own.driven if gas else LIQUID
             pen.fill([polygon], color, 0.12 if gas else 0.35)
         pen.lines(

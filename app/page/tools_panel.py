@@ -23,7 +23,7 @@ LABELS = {"forces": "Forces", "velocities": "Velocities", "torques": "Torques"}
 HINTS = {
     "forces": "the net force on each mass; on a held one, dashed, what its support bears",
     "velocities": "of each mass",
-    "torques": "with which each angular spring turns its second spring",
+    "torques": "with which each angular spring turns its first spring",
 }
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
+
 import msgspec
 import numpy as np
 
 from ..body.sparsity import new_matrix
-from ..body.system import build_system, new_scratch, new_state, refresh
+from ..body.system import build_system, damage_of, new_scratch, start_of
 from ..errors import InputError
 from ..kernels.around.around import accelerations_around
 from ..kernels.around.contact import stays_apart
@@ -15,6 +17,7 @@ from ..kernels.forces.forces import accelerations
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..kernels.linear.surrounded import factorise_surrounded, solve_surrounded
 from ..kernels.linear.two_sided_lu import inverse_pivots
+from ..physics import Physics
 from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Integrator, Pose, Scene
 from ..scene.validate import validate
@@ -47,6 +50,8 @@ _NUDGES = 5
 """Largest number of nudges."""
 _HALVINGS = 60
 """Largest number of halvings in a line search."""
+_OVER = 1e-6
+"""Load beyond what a part bears, as a fraction of it, that is more than rounding."""
 _EPSILON = 4.0 * float(np.finfo(float).eps)
 """Relative rounding error that is allowed for."""
 _TRIALS = 4
@@ -68,6 +73,9 @@ def equilibrium(scene: Scene) -> Pose:
     A step may not be so long that the matrix is indefinite, so the body leaves an unstable balance. Where no
     step converges, a step is taken with the positive definite matrix and a line search.
 
+    What is broken or has yielded in the scene's pose stays so, and nothing else breaks or yields. If a part
+    would, because it bears more than its strength, yield force or yield torque, a `UserWarning` says which.
+
     The wind is the mean wind, without gusts. Friction on walls and in contact holds nothing that is at rest,
     see `Wall`. Whether a balance is stable is judged without what couples masses and springs that touch.
 
@@ -75,7 +83,8 @@ def equilibrium(scene: Scene) -> Pose:
         scene: a valid scene. If no spring forces can balance gravity, there is no equilibrium.
 
     Returns:
-        Positions in px, and velocities of zero. Positions are as accurate as rounding and the softness of the
+        Positions in px, velocities of zero, and the damage of the scene's pose.
+        Positions are as accurate as rounding and the softness of the
         body permit: usually within 1e-9 of a spring's length, less for long bodies with springs more than 1e5
         times as stiff as their joints.
 
@@ -83,12 +92,20 @@ def equilibrium(scene: Scene) -> Pose:
         SceneError: the scene is not valid.
         InputError: a part of the body falls because nothing holds it, or the steps do not end in a balance.
     """
+    pose, overloads = loaded_equilibrium(scene)
+    for sentence in overloads:
+        warnings.warn(f"equilibrium: {sentence}", stacklevel=2)
+    return pose
+
+
+def loaded_equilibrium(scene: Scene) -> tuple[Pose, list[str]]:
+    """As `equilibrium`, with what would break or yield in that pose, in a sentence for each way."""
     body = Resting(scene, balanced=True)
     if any(scene.gravity):
         body.refuse_falling()
     q = _continuation(body)
     body.refuse_shrunk(q)
-    return body.pose(q)
+    return body.pose(q), body.overloads(q)
 
 
 class Resting:
@@ -108,14 +125,14 @@ class Resting:
         # walls are.
         exact = Integrator(method="rk4")
         wind = scene.wind and msgspec.structs.replace(scene.wind, turbulence=0.0)
-        self.system = build_system(msgspec.structs.replace(validate(scene), integrator=exact, wind=wind))
+        scene = msgspec.structs.replace(validate(scene), integrator=exact, wind=wind)
+        self.scene = scene
+        self.system, self.state = start_of(scene, build_system(scene))
         body = self.tables = self.system.body
         self.surrounded = bool(body.surroundings.present)
-        self.state, self.scratch = new_state(self.system), new_scratch(self.system)
+        self.scratch = new_scratch(self.system)
         self.matrix = new_matrix(body, self.system.held)
         state, here = self.state, slice(1, body.masses + 1)
-        state.controls[:] = scene.rest_length_scale, 0.0
-        refresh(body, state)
         free = np.where(self.system.held, 0.0, 1.0)
         weight = 1.0 / self.system.inverse_mass
         state.inverse_mass[here] = free * (1.0 / self._stiffness_at_masses() if balanced else 1.0 / weight)
@@ -256,6 +273,35 @@ class Resting:
             a, b = sorted(int(self.system.mass_order[slot - 1]) for slot in ends)
             raise InputError(f"equilibrium: the spring between masses {a} and {b} shrinks to no length")
 
+    def overloads(self, q: Floats) -> list[str]:
+        """What would break or yield at positions q and at rest, in a sentence for each way."""
+        strength, state, unit = self.tables.strength, self.state, self.scene.view.unit
+        if not strength.present:
+            return []
+        still = np.zeros(self.slots, complex)
+        x = q[: self.slots] + 1j * q[self.slots :]
+        springs, joints = self.system.spring_order, np.argsort(self.system.joint_order)
+        stiffness = self.tables.stiffness[: self.tables.springs]
+        force = np.abs(stiffness * np.hypot(*self.vectors(q)) - state.pull[: self.tables.springs])
+        torque = np.abs(Physics(self.tables, state).torques(x, still)) if joints.size else np.zeros(0)
+        ways = (
+            ("spring", springs, "break", force, "strength", strength.breaking, ""),
+            ("spring", springs, "yield", force, "yield force", strength.yielding + state.hardened, ""),
+            ("joint", joints, "yield", torque, "yield torque", strength.bending, "²"),
+        )
+        sentences = []
+        for part, order, verb, load, what, limit, power in ways:
+            over = np.flatnonzero(load > (1.0 + _OVER) * limit)
+            if not over.size:
+                continue
+            worst = int(over[np.argmax(load[over] / limit[over])])
+            others = f" and {over.size - 1} more" if over.size > 1 else ""
+            sentences.append(
+                f"{part} {int(order[worst])}{others} would {verb} in the pose at rest: {load[worst]:.4g} kg "
+                f"{unit}{power}/s² is more than its {what} of {limit[worst]:.4g}"
+            )
+        return sentences
+
     def by_mass(self, q: Floats) -> tuple[Floats, Floats]:
         """(n,) x and y of each mass, in the order of the scene's masses."""
         index = self.system.mass_index
@@ -264,7 +310,11 @@ class Resting:
     def pose(self, q: Floats) -> Pose:
         """The positions as a pose at rest."""
         x, y = (part.tolist() for part in self.by_mass(q))
-        return Pose(positions=tuple(zip(x, y, strict=True)), velocities=((0.0, 0.0),) * len(x))
+        return Pose(
+            positions=tuple(zip(x, y, strict=True)),
+            velocities=((0.0, 0.0),) * len(x),
+            damage=damage_of(self.scene),
+        )
 
 
 def _continuation(body: Resting) -> Floats:

@@ -10,16 +10,16 @@ import msgspec
 import numpy as np
 
 from ..body.stable_spring import joint_softness
-from ..body.system import build_system, joint_stiffness
+from ..body.system import build_system, damage_of, joint_stiffness, start_of
 from ..errors import InputError
-from ..kernels.core.tables import Floats
-from ..methods.limits import flip
+from ..kernels.core.tables import Floats, Indices
+from ..methods.limits import flip, undamped_step
 from ..methods.registry import METHODS
-from ..motion.stability import StabilityMeter, limit_at_start, start_of
+from ..motion.stability import StabilityMeter, limit_at_start
 from ..physics import Physics
-from ..scene.types import Scene
+from ..scene.types import Integrator, Scene
 from ..scene.validate import validate
-from .equilibrium import equilibrium
+from .equilibrium import loaded_equilibrium
 from .vibrations import MOST_MASSES, Vibrations, free_vibrations
 
 _UPDATES = 4
@@ -78,7 +78,8 @@ class Tuning:
         stable_steps: s, the largest stable time step of each method that has one, about the scene's start;
             infinite where nothing limits it.
         springs, joints: each alone.
-        notes: why something is missing, a sentence without a full stop each.
+        notes: why something is missing, and what would break or yield in the pose at rest, of which these
+            numbers do not know; a sentence without a full stop each.
     """
 
     slowest: Vibration | None
@@ -137,7 +138,9 @@ def tuning(scene: Scene) -> Tuning:
 
 
 def softnesses(scene: Scene) -> tuple[Floats, Floats]:
-    """1 / the reduced mass of each spring (S,), and of each joint (J,), 1/kg; 0 where all masses are held.
+    """1 / the reduced mass of each spring (S,), and of each joint (J,), 1/kg.
+
+    It is 0 where all masses are held, and of what is broken.
 
     The stiffness times it is the square of the angular frequency of that part alone, 1/s².
     """
@@ -146,7 +149,18 @@ def softnesses(scene: Scene) -> tuple[Floats, Floats]:
     free = np.concatenate(([0.0], np.where(system.held, 0.0, system.inverse_mass)))
     springs = np.zeros(body.springs)
     springs[system.spring_order] = free[body.spring_a] + free[body.spring_b]
-    return springs, joint_softness(body, free)[system.joint_order]
+    joints = joint_softness(body, free)[system.joint_order]
+    broken, loose = broken_parts(scene)
+    springs[broken] = joints[loose] = 0.0
+    return springs, joints
+
+
+def broken_parts(scene: Scene) -> tuple[Indices, Indices]:
+    """The springs that are broken at the scene's start, and the joints that hold one of them."""
+    damage = damage_of(scene)
+    broken = np.array(damage.broken if damage is not None else (), np.int64)
+    joints = [(joint.a, joint.b) for joint in scene.angular_springs]
+    return broken, np.flatnonzero(np.isin(np.array(joints, np.int64).reshape(-1, 2), broken).any(1))
 
 
 def vibrations_at_rest(scene: Scene, count: int) -> tuple[Scene, Vibrations]:
@@ -170,14 +184,14 @@ class Dampers:
     """
 
     def __init__(self, scene: Scene) -> None:
-        self._system = build_system(scene)
-        self._state = start_of(scene, self._system)
+        self._system, self._state = start_of(scene, build_system(scene))
         self._physics = Physics(self._system.body, self._state)
         self._mass = np.array([[m.mass] for m in scene.masses])
         self.stiffness = np.array([s.stiffness for s in scene.linear_springs], float)
         self.joint_stiffness = np.array(joint_stiffness(scene), float)
         self.damping = np.array([s.damping for s in scene.linear_springs], float)
         self.joint_damping = np.array([j.damping for j in scene.angular_springs], float)
+        self._broken, self._loose = broken_parts(scene)
 
     def ratio(
         self, omega: float, shape: Floats, springs: Floats | None = None, joints: Floats | None = None
@@ -191,10 +205,14 @@ class Dampers:
             springs, joints: their dampings, kg/s, in the order of the scene; None for no damping.
         """
         system, state, physics = self._system, self._state, self._physics
-        physics.damping = np.zeros(system.body.springs) if springs is None else springs[system.spring_order]
-        physics.joint_damping = np.zeros(system.body.joints)
-        if joints is not None:
-            physics.joint_damping[system.joint_order] = joints
+        body = system.body
+        springs, joints = (
+            np.zeros(count) if each is None else each.copy()
+            for count, each in ((body.springs, springs), (body.joints, joints))
+        )
+        springs[self._broken] = joints[self._loose] = 0.0
+        physics.damping, physics.joint_damping = springs[system.spring_order], np.zeros(body.joints)
+        physics.joint_damping[system.joint_order] = joints
         w = np.zeros(state.slots, complex)
         w[system.mass_index] = shape[:, 0] + 1j * shape[:, 1]
         x = state.x + 1j * state.y
@@ -242,13 +260,14 @@ def _at_rest(scene: Scene, notes: list[str]) -> tuple[Scene, float | None, int |
     """The scene in the pose at rest, if there is one, how far it sinks, and which mass sinks most."""
     pose, sinks = None, any(scene.gravity) and _freedoms(scene) > 0
     try:
-        pose = equilibrium(scene)
+        pose, overloads = loaded_equilibrium(scene)
+        notes.extend(overloads)
     except InputError as error:
         notes.append(_of(error))
         if sinks:
             sinks = False
             try:
-                pose = equilibrium(msgspec.structs.replace(scene, gravity=(0.0, 0.0)))
+                pose, _ = loaded_equilibrium(msgspec.structs.replace(scene, gravity=(0.0, 0.0)))
                 notes.append("the vibrations are those of the body without gravity")
             except InputError:
                 pose = None
@@ -295,10 +314,11 @@ def _vibration(dampers: Dampers, omega: float, shape: Floats) -> Vibration:
 
 
 def _fastest(scene: Scene) -> Vibration | None:
-    system = build_system(scene)
-    state = start_of(scene, system)
+    # A method for which walls and contact do not soften.
+    exact = msgspec.structs.replace(scene, integrator=Integrator(method="rk4"))
+    system, state = start_of(exact, build_system(exact))
     state.vx[:] = state.vy[:] = 0.0
-    meter = StabilityMeter(system, flip(0.0))  # 2 / the largest angular frequency
+    meter = StabilityMeter(system, flip(0.0, undamped_step))  # 2 / the largest angular frequency
     limit = min(meter.update(state, 0.0).limit for _ in range(_UPDATES))
     if not math.isfinite(limit):
         return None

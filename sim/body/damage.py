@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..kernels.core.strength import Strength
+from ..kernels.core.surroundings import FILLING_OUTSIDE, FILLING_PRESSURE
 from ..kernels.core.tables import Floats, Indices
 from ..scene.types import Scene
 
@@ -46,8 +49,30 @@ def new_strength(scene: Scene, spring_order: Indices, joint_order: Indices) -> S
     return strength
 
 
+def leaking(loops: Sequence[Indices], ends: Indices, broken: Indices) -> list[int]:
+    """The loops that a gas or liquid has left: somewhere, all springs from a mass to the next are broken.
+
+    Neighbours that no spring has ever joined are tight, as the scene says.
+
+    Args:
+        loops: the masses around each of them.
+        ends: (S, 2) the masses at the ends of each spring.
+        broken: indices of the springs that are broken.
+    """
+    if not len(broken) or not loops:
+        return []
+    pairs = [(min(pair), max(pair)) for pair in ends.tolist()]
+    gone = set(broken.tolist())
+    left = {pair for s, pair in enumerate(pairs) if s not in gone}
+    open_ = {pairs[s] for s in gone} - left
+    around = [zip(loop.tolist(), np.roll(loop, -1).tolist(), strict=True) for loop in loops]
+    return [k for k, loop in enumerate(around) if any((min(pair), max(pair)) in open_ for pair in loop)]
+
+
 def without_broken(system: System, broken: Floats) -> System:
     """The tables of a body whose broken springs, and the joints that hold them, do nothing any more.
+
+    Nor does a filling whose loop is `leaking`: its pressure is gone.
 
     Args:
         system: the tables.
@@ -76,6 +101,12 @@ def without_broken(system: System, broken: Floats) -> System:
     around = body.surroundings
     if around.contact.present:
         around = around.replaced(contact=around.contact.replaced(broken=broken.copy()))
+    loops = [around.loop[a:b] for a, b in itertools.pairwise(around.loop_start.tolist())]
+    if leaks := leaking(loops, np.stack((body.spring_a, body.spring_b), 1), gone):
+        fillings = around.fillings.copy()
+        fillings[np.ix_(leaks, (FILLING_PRESSURE, FILLING_OUTSIDE))] = 0.0
+        fillings.setflags(write=False)
+        around = around.replaced(fillings=fillings)
     return dataclasses.replace(system, body=body.replaced(**tables, surroundings=around))
 
 

@@ -22,8 +22,8 @@ from ..kernels.core.tables import (
 from ..kernels.forces.laws import LAWS, NO_JOINTS
 from ..methods.registry import METHODS
 from ..scene.columns import column, ends
-from ..scene.types import Scene, is_damageable, is_surrounded
-from .damage import NO_STRENGTH, new_strength
+from ..scene.types import Damage, Scene, is_damageable, is_surrounded
+from .damage import NO_STRENGTH, new_strength, without_broken
 from .surroundings import new_surroundings
 
 _SOFT_IN_TOLERANCES = 0.02
@@ -60,15 +60,20 @@ class System:
     start: Floats
 
 
-def build_system(scene: Scene) -> System:
+def build_system(scene: Scene, damaged: bool = False) -> System:
     """Build the tables of a valid scene.
+
+    Args:
+        scene: the scene.
+        damaged: whether something has yielded or broken that is to be kept though nothing can any more; what
+            the scene's pose says is kept anyway.
 
     A chain is a body whose springs run head to tail through all masses, and whose angular springs each
     hold a spring and the next one; its masses and springs may be listed in any order. A ring is a closed
     chain. A body in surroundings is neither, nor is one that yields or breaks.
     """
     n = len(scene.masses)
-    damageable = is_damageable(scene)
+    damageable = damaged or is_damageable(scene) or damage_of(scene) is not None
     order = None if damageable or is_surrounded(scene) else _order_along(scene)
     mass_order, spring_order = order or (np.arange(n), _hinged_first(scene))
     mass_index = np.empty(n, np.int64)
@@ -93,6 +98,53 @@ def build_system(scene: Scene) -> System:
         held=held,
         start=np.ascontiguousarray(start),
     )
+
+
+def damage_of(scene: Scene) -> Damage | None:
+    """What has yielded and broken in the scene's pose; None where nothing has."""
+    return scene.pose.damage if scene.pose is not None else None
+
+
+def put_damage(state: State, system: System, damage: Damage | None) -> None:
+    """Enter what has yielded and broken into a state; None for nothing.
+
+    Args:
+        state: of the tables, which are those of a body that yields, breaks or has done so.
+        system: the tables.
+        damage: of the scene.
+    """
+    order, joints = system.spring_order, system.joint_order
+    for array in (state.set_length, state.hardened, state.set_angle, state.broken):
+        array[:] = 0.0
+    if damage is None:
+        return
+    state.broken[:] = np.isin(order, damage.broken)
+    if damage.set_lengths:
+        state.set_length[:] = np.array(damage.set_lengths)[order]
+    if damage.hardened:
+        state.hardened[:] = np.array(damage.hardened)[order]
+    if damage.set_angles:
+        state.set_angle[joints] = damage.set_angles
+
+
+def start_of(scene: Scene, system: System) -> tuple[System, State]:
+    """The tables without what is broken at a scene's start, and the state there.
+
+    Args:
+        scene: a valid scene.
+        system: its tables.
+    """
+    state = new_state(system)
+    if (damage := damage_of(scene)) is not None:
+        put_damage(state, system, damage)
+        system = without_broken(system, state.broken)
+    state.controls[0] = scene.rest_length_scale
+    refresh(system.body, state)
+    here = slice(1, system.body.masses + 1)
+    for field, row in zip((state.x, state.y, state.vx, state.vy), system.start, strict=True):
+        field[here] = row
+    state.inverse_mass[here] = np.where(system.held, 0.0, system.inverse_mass)
+    return system, state
 
 
 def same_topology(old: Scene, new: Scene) -> bool:

@@ -9,7 +9,7 @@ from typing import NamedTuple, TypeVar
 import msgspec
 import numpy as np
 
-from ..analysis.tuning import MOST_VIBRATIONS, Dampers, Hold, softnesses, vibrations_at_rest
+from ..analysis.tuning import MOST_VIBRATIONS, Dampers, Hold, broken_parts, softnesses, vibrations_at_rest
 from ..body.system import build_system, joint_stiffness, same_topology
 from ..errors import InputError, SettingError
 from ..kernels.core.tables import Floats
@@ -274,10 +274,12 @@ def with_numbers_of(tuned: Scene, origin: Scene, scene: Scene, label: str) -> Ed
 
 def _with_damped(scene: Scene, springs: Collection[int]) -> Scene:
     own, softness = _Numbers.of(scene), softnesses(scene)[0]
-    damping = own.damping.copy()
+    damping, broken = own.damping.copy(), broken_parts(scene)[0]
     for spring in springs:
         if isinstance(spring, bool) or not isinstance(spring, int) or not 0 <= spring < len(softness):
             raise InputError(f"damp_vibration: spring {spring} does not exist (0..{len(softness) - 1})")
+        if spring in broken:
+            raise InputError(f"damp_vibration: spring {spring} is broken, so it cannot vibrate")
         if not softness[spring] > 0.0:
             raise InputError(f"damp_vibration: both masses of spring {spring} are held, so it cannot vibrate")
         damping[spring] = 2.0 * math.sqrt(float(own.stiffness[spring] / softness[spring]))

@@ -21,6 +21,17 @@ _GROWTH = 0.5
 """Growth rate of a motion, 1/s, that does not count as unstable: with some Runge-Kutta methods, such as those
 of order 2, undamped motions grow very slowly at any step."""
 
+_GROWS = 1.001
+"""Modulus of an eigenvalue of a step above which the step is unstable."""
+_NEAR = 2e-3
+"""Relative distance from the limit at which the eigenvalues are looked at, and to which it is found."""
+_MOTIONS = 12
+"""How many motions are looked at, the fastest, where the eigenvalues of the whole step decide."""
+_SHORTER = 0.9
+"""Ratio of the steps that are tried until one is stable, or until one is not."""
+_SHORTEST = 0.05
+"""How far from the limit of real eigenvalues they are tried, as a fraction of it."""
+
 
 @dataclass(frozen=True)
 class StabilityLimit:
@@ -29,29 +40,98 @@ class StabilityLimit:
     Attributes:
         damping: weight of dt c relative to dt² k, exactly or approximately, in the rule.
         solve: takes k (n, n), 1/s², and c (n, n), 1/s. Returns the limit, s, which is infinite if there is
-            none, and the motion (n,) that sets it.
+            none, and the motion (n,) that sets it, which may be complex: its parts then take turns.
     """
 
     damping: float
     solve: Callable[[Floats, Floats], tuple[float, Floats]]
 
 
-def flip(weight: float) -> StabilityLimit:
-    """The rule of methods that become unstable at an eigenvalue -1, where (dt² k + weight dt c) y = 4 y."""
+def flip(weight: float, step: Callable[[Floats, Floats], Floats]) -> StabilityLimit:
+    """The rule of methods that become unstable at an eigenvalue -1, where (dt² k + weight dt c) y = 4 y.
+
+    That is exact where k and c are symmetric. Damping in a body that moves, friction and the tutorial's law
+    make them unsymmetric. Then a pair of complex eigenvalues may leave the unit circle near -1, so the
+    eigenvalues of the whole step decide. Only those with a negative real part count: motions that the step
+    resolves with more than four points a period grow as they would by themselves. Where the fast vibrations
+    would grow by themselves, too, twice that growth is allowed.
+
+    Args:
+        weight: see above.
+        step: the matrix of a step, of dt² k and dt c.
+    """
 
     def solve(k: Floats, c: Floats) -> tuple[float, Floats]:
         # With s = 1/dt it is s² y = s (weight c / 4) y + (k / 4) y, the eigenvalues of a companion matrix.
         n = len(k)
         companion = np.block([[np.zeros((n, n)), np.eye(n)], [k / 4.0, weight * c / 4.0]])
         values, vectors = np.linalg.eig(companion)
-        real = np.where(np.abs(np.imag(values)) <= 1e-6 * np.abs(values), np.real(values), 0.0)
-        best = int(np.argmax(real))
+        best = int(np.argmax(np.real(values)))
         # Below this, nothing pulls: any step is stable.
-        if not real[best] > 1e-5:
+        if not np.real(values[best]) > 1e-5:
             return np.inf, np.zeros(n)
-        return 1.0 / float(real[best]), np.real(vectors[:n, best])
+        limit = 1.0 / float(np.real(values[best]))
+        flips = abs(np.imag(values[best])) <= 1e-6 * abs(values[best])
+        single = np.real(vectors[:n, best])
+        # Slower motions leave the unit circle later, so those that are about the first to do so suffice.
+        first = vectors[:n, np.argsort(-np.real(values))[:_MOTIONS]]
+        basis, sizes, _ = np.linalg.svd(np.hstack([np.real(first), np.imag(first)]), full_matrices=False)
+        basis = basis[:, sizes > 1e-6 * sizes[0]]
+        k, c, own = basis.T @ k @ basis, basis.T @ c @ basis, 0.0
+
+        def grows(h: float) -> bool:
+            return _fastest(np.linalg.eigvals(step(h * h * k, h * c))) > _GROWS * np.exp(2.0 * own * h)
+
+        below, above = (1.0 - _NEAR) * limit, (1.0 + _NEAR) * limit
+        if flips and not grows(below):
+            return limit, single
+        own = _own_growth(k, c)
+        while grows(below) and below > _SHORTEST * limit:
+            below, above = _SHORTER * below, below
+        while not grows(above):
+            below, above = above, above / _SHORTER
+            if above > limit / _SHORTEST:
+                return np.inf, np.zeros(n)
+        while above > (1.0 + _NEAR) * below:
+            middle = float(np.sqrt(below * above))
+            below, above = (below, middle) if grows(middle) else (middle, above)
+        values, vectors = np.linalg.eig(step(above * above * k, above * c))
+        worst = int(np.argmax(np.where(np.real(values) < 0.0, np.abs(values), 0.0)))
+        return float(np.sqrt(below * above)), basis @ vectors[: len(k), worst]
 
     return StabilityLimit(weight, solve)
+
+
+def euler_step(k: Floats, c: Floats) -> Floats:
+    """What a step of symplectic Euler makes of (x, dt v), from dt² k and dt c."""
+    eye = np.eye(len(k))
+    return np.block([[eye - k, eye - c], [-k, eye - c]])
+
+
+def verlet_step(k: Floats, c: Floats) -> Floats:
+    """What a step of velocity Verlet makes of (x, dt v, dt² a), from dt² k and dt c: a is for v + dt a."""
+    eye, zero = np.eye(len(k)), np.zeros_like(k)
+    place = np.hstack([eye, eye, 0.5 * eye])
+    force = -k @ place - c @ np.hstack([zero, eye, eye])
+    return np.vstack([place, np.hstack([zero, eye, 0.5 * eye]) + 0.5 * force, force])
+
+
+def undamped_step(k: Floats, c: Floats) -> Floats:
+    """`euler_step` of the same motion without damping."""
+    return euler_step(k, np.zeros_like(c))
+
+
+def _fastest(values: NDArray[np.inexact]) -> float:
+    """The largest modulus of the eigenvalues of a step with a negative real part."""
+    return float(np.abs(values[np.real(values) < 0.0]).max(initial=0.0))
+
+
+def _own_growth(k: Floats, c: Floats) -> float:
+    """The rate, 1/s, at which the fast vibrations grow by themselves, whatever the step."""
+    n = len(k)
+    values = np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [-k, -c]]))
+    fast = (np.abs(values) > 0.5 * np.abs(values).max()) & (np.imag(values) != 0.0)
+    return float(np.real(values[fast]).max(initial=0.0))
 
 
 def runge_kutta(table: Tableau) -> StabilityLimit:

@@ -225,7 +225,8 @@ _ALL = (
     ),
     Kind(
         "joint", "torque", ENERGY_UNIT,
-        "torque of stiffness and damping; positive where the angle is larger than the rest angle", _torques,
+        "torque of stiffness and damping on its first spring, from +x towards +y: positive where the angle "
+        "is larger than the rest angle", _torques,
     ),
     Kind("spring", "length", "{unit}", "length", _lengths),
     Kind("spring", "elongation", "{unit}", "length minus rest length", _elongations),

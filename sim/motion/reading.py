@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..body.stable_spring import clamp_stiffness
-from ..body.system import System, build_system, new_state
+from ..body.system import System, build_system, new_state, put_damage
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
 from ..scene.types import Anchor, Damage, Pose, Scene
 from ..settings import shift_rest_angles
@@ -109,10 +109,15 @@ class Reading:
         )
 
     # --------------------------------------------------------------------- inside
-    def _build(self, scene: Scene) -> None:
-        """Make the tables of a valid scene; its state is still to be filled in."""
+    def _build(self, scene: Scene, damaged: bool) -> None:
+        """Make the tables of a valid scene; its state is still to be filled in.
+
+        Args:
+            scene: the scene.
+            damaged: whether the state will have damage.
+        """
         self._scene = scene
-        system = build_system(scene)
+        system = build_system(scene, damaged)
         if scene.integrator.method == "stable_spring":
             body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
             system = dataclasses.replace(system, body=body)
@@ -137,19 +142,8 @@ class Reading:
         """Fill in the state from what `_rows` and `damage` give."""
         state, index = self._state, self._system.mass_index
         state.x[index], state.y[index], state.vx[index], state.vy[index] = rows
-        if not self._body.strength.present:
-            return
-        order, joints = self._system.spring_order, self._system.joint_order
-        for array in (state.set_length, state.hardened, state.set_angle, state.broken):
-            array[:] = 0.0
-        if damage is not None:
-            state.broken[:] = np.isin(order, damage.broken)
-            if damage.set_lengths:
-                state.set_length[:] = np.array(damage.set_lengths)[order]
-            if damage.hardened:
-                state.hardened[:] = np.array(damage.hardened)[order]
-            if damage.set_angles:
-                state.set_angle[joints] = damage.set_angles
+        if self._body.strength.present:
+            put_damage(state, self._system, damage)
 
     def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
         index = self._system.mass_index

@@ -16,7 +16,7 @@ from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
-from ..scene.types import Scene
+from ..scene.types import Damage, Scene
 from ..scene.validate import validate
 from .divergence import Divergence, explain
 from .drag import Hands, within_bounds
@@ -312,8 +312,8 @@ class Simulation(Reading):
         `advance` keeps.
         """
         kept = self._books is not None
-        if moment.scene is not self._scene:
-            self._install(moment.scene)
+        if moment.scene is not self._scene or self._lacks_room_for(moment.damage):
+            self._install(moment.scene, moment.damage)
         self._adopt(moment.rows, moment.damage)
         self._time, self._steps, self._owed = moment.time, moment.step_count, 0.0
         self._hands.clear()
@@ -329,6 +329,8 @@ class Simulation(Reading):
             shift: (4, n) px and px/s by which x, y, vx and vy of the free masses are to differ; None for 0.
         """
         rows, damage = other._rows(), other.damage
+        if self._lacks_room_for(damage):
+            self._install(self._scene, damage)
         self._adopt(rows, damage)
         self._time, self._steps, self._owed = other._time, other._steps, other._owed
         self._hands.take_over(other._hands)
@@ -353,7 +355,7 @@ class Simulation(Reading):
         rows, damage, hands, books = self._rows(), self.damage, self._hands, self._books
         if books is not None:
             books.close()
-        self._install(scene)
+        self._install(scene, damage)
         self._adopt(rows, damage)
         self._hands.take_over(hands)
         self._restart()
@@ -380,15 +382,19 @@ class Simulation(Reading):
             scene = msgspec.structs.replace(scene, integrator=integrator)
         return validate(scene)
 
-    def _install(self, scene: Scene) -> None:
-        """Build tables and room for a valid scene; the state is still to be filled in."""
-        self._build(scene)
+    def _install(self, scene: Scene, damage: Damage | None = None) -> None:
+        """Build tables and room for a valid scene and a damage; the state is still to be filled in."""
+        self._build(scene, damage is not None)
         self._scratch = new_scratch(self._system)
         self._stepper = self._new_stepper()
         self._meter: StabilityMeter | None = None
         self._books: Books | None = None
         self._weigher: Weigher | None = None
         self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
+
+    def _lacks_room_for(self, damage: Damage | None) -> bool:
+        """Whether the tables are those of a body that can have no damage."""
+        return damage is not None and not self._body.strength.present
 
     @property
     def _needed(self) -> tuple[str, ...]:

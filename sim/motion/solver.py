@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..around import filling_energy
 from ..body.damage import without_broken
 from ..body.sparsity import NO_MATRIX, new_matrix
 from ..body.system import System, refresh, slab
@@ -45,6 +46,7 @@ from ..kernels.core.tables import (
     COUNT_WHAT,
     COUNTS,
     PAST,
+    WORK_BROKEN,
     WORKS,
     Adams,
     Drive,
@@ -223,6 +225,11 @@ class Solver:
         integrator.controller[[CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, CONTROLLER_BEGUN]] = 0.0
         system = without_broken(self.system, self.state.broken)
         if not np.array_equal(system.body.stiffness, self.system.body.stiffness):
+            if self.balance.active and system.body.surroundings.fillings.size:
+                # A filling that gets out takes its energy with it.
+                x = self.state.x + 1j * self.state.y
+                before, after = (filling_energy(s.body.surroundings, x) for s in (self.system, system))
+                self.balance.work[WORK_BROKEN] += after - before
             self.system = system
             refresh(system.body, self.state)
 

@@ -8,6 +8,11 @@ Linearised about the present state, the motion is M a = -K x - C v. The stabilit
 - Velocity Verlet as implemented here uses v + dt a for the velocities in the new forces. At an eigenvalue -1,
   v is zero and a is -4 x / dt², which gives (dt² K + 4 dt C) w = 4 M w: Euler's limit without damping, and a
   lower one with it, omega dt < 2 (sqrt(1 + 4 zeta²) - 2 zeta). No other eigenvalue leaves the circle before.
+- Both hold where K and C are symmetric. The damping of a body that turns, friction, and the tutorial's law
+  make them unsymmetric. Two equal frequencies, as regular bodies have, are then a pair of complex
+  eigenvalues, and the eigenvalues of the whole step decide, see `sim.methods.limits`.
+- Methods of first order soften walls and contact by the step, see `kernels.around.bounce`. So K and C are
+  those at the limit itself, which is found by iteration.
 - Runge-Kutta 4 multiplies a motion exp(lambda t) by its stability polynomial R(dt lambda): a step is stable
   while |R| <= 1 for all lambda of lambda² + lambda M^-1 C + M^-1 K; without damping, omega dt < sqrt(8).
 - Generalized-alpha is stable with any step in linear theory (Chung & Hulbert 1993): it has no limit. How far
@@ -16,6 +21,9 @@ Linearised about the present state, the motion is M a = -K x - C v. The stabilit
   limit of symplectic Euler for that body. The springs' contributions to dt² K and to dt C are then at most M,
   and likewise the joints', as long as springs that share a joint keep the proportions of their rest lengths.
   So hardly any body has a limit.
+
+What is left out: the change of K and C in the course of a step, that of the wind from place to place, and
+whatever a step does that is not small. Damage that is done later is not known either.
 
 K w and C w are differences of two evaluations of the forces of `sim.physics`. So any topology and law will
 do, and no matrix is built: K and C are projected on a Krylov space (Arnoldi), and the small problem that is
@@ -26,14 +34,17 @@ from __future__ import annotations
 
 import copy
 import dataclasses
+from collections import deque
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..body.stable_spring import clamp_stiffness
-from ..body.system import System, build_system, new_state, refresh
+from ..body.system import System, build_system, new_state, refresh, start_of
 from ..kernels.core.tables import Floats, State
 from ..methods.limits import StabilityLimit
 from ..methods.registry import METHODS
@@ -52,14 +63,22 @@ Cause = Literal[
 ]
 """What limits the time step."""
 
+_COPIED = (
+    "q", "v", "controls", "clock", "inverse_mass", "set_length", "set_angle", "hardened", "broken",
+)  # fmt: skip
+"""What a look takes over from the state; the rest follows from it."""
 _FIRST_SIZE = 40
 """Dimension of the Krylov space in the first update."""
 _FIRST_PASSES = 5
 """Largest number of times that the first update makes it: its matrix depends on the limit that is sought."""
+_SOFTENED_PASSES = 12
+"""The same for every update where walls and contact soften with the step."""
 _SETTLED = 1e-3
 """Relative change of the limit at which they end."""
 _SIZE = 12
 """Its dimension in later updates, which start from the stiffest motion found before."""
+_ENDLESS = 1.0
+"""Limit, s, beyond which a body whose walls and contact soften with the step counts as having none."""
 _NOISE = 1e-3
 """Size of the noise that is added to that motion, relative to it."""
 
@@ -102,7 +121,8 @@ class StabilityMeter:
         method: name of the method, or a rule instead.
 
     Attributes:
-        motion: (2, n) the motion that sets the limit, in the order of the slots, of any size.
+        motion: (2, n) the motion that sets the limit, in the order of the slots, of any size; where it is a
+            complex one, that part of it which is largest.
     """
 
     def __init__(self, system: System, method: str | StabilityLimit) -> None:
@@ -116,6 +136,8 @@ class StabilityMeter:
         self._noise = noise / float(np.sqrt((noise * noise).sum()))
         self._start = noise + 3.0 * (-1.0) ** np.arange(n)
         self._limit = 0.0
+        around = system.body.surroundings
+        self._softens = around.step > 0.0 and bool(around.walls.size or around.contact.present)
         self.motion = np.zeros((2, n))
 
     def update(self, state: State, air_friction: float) -> StabilityEstimate:
@@ -139,25 +161,37 @@ class StabilityMeter:
         body, probe = self._system.body, self._probe
         here = self._here
         free = state.inverse_mass[here] > 0.0
-        for field in ("q", "v", "controls", "clock", "inverse_mass"):
+        for field in _COPIED:
             getattr(probe, field)[:] = getattr(state, field)
         refresh(body, probe)
-        physics = Physics(body, probe)
+        physics = self._physics(self._limit)
         speed = (state.vx + 1j * state.vy - physics.wind(state.x + 1j * state.y))[here]
         air = 2.0 * air_friction * np.abs(np.array([speed.real, speed.imag]))
         # Coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
         root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
         passes, size = (1, _SIZE) if self._limit else (_FIRST_PASSES, _FIRST_SIZE)
-        for _ in range(passes):
+        for _ in range(_SOFTENED_PASSES if self._softens else passes):
             before = self._limit
+            if self._softens:
+                physics = self._physics(before)
             limit, mode = yield from self._estimate(physics, root, air, min(size, 2 * int(free.sum())))
             if limit == np.inf:
+                return StabilityEstimate(np.inf, None)
+            if self._softens and limit > _ENDLESS:
+                self._limit = 0.0
                 return StabilityEstimate(np.inf, None)
             self._limit, self._start = limit, mode
             if abs(limit - before) <= _SETTLED * limit:
                 break
-        self.motion = self._start * root
-        return StabilityEstimate(self._limit, self._cause(physics, self.motion, self._limit, air))
+        self.motion = _largest_part(self._start) * root
+        return StabilityEstimate(self._limit, self._cause(physics, self._start * root, self._limit, air))
+
+    def _physics(self, step: float) -> Physics:
+        """The forces of the probe. Walls and contact that soften do so for a step (s), 0 for the scene's."""
+        body = self._system.body
+        if self._softens and step:
+            body = body.replaced(surroundings=body.surroundings.replaced(step=step))
+        return Physics(body, self._probe)
 
     def _estimate(
         self, physics: Physics, root: Floats, air: Floats, size: int
@@ -170,22 +204,25 @@ class StabilityMeter:
         weight, scale = self._rule.damping, self._limit or 1e-3
         basis, k_basis, c_basis = [], [], []
         # Noise, for the motion found before may be that of another body than the one that is stiffest now.
-        start = self._start / max(float(np.sqrt((self._start * self._start).sum())), 1e-300)
-        q = (start + _NOISE * self._noise) * (root > 0.0)
-        for _ in range(size):
+        start = self._start / max(float(np.sqrt((np.abs(self._start) ** 2).sum())), 1e-300)
+        # A complex motion spans two dimensions, from both of which the space grows.
+        parts = [start.real, start.imag] if np.iscomplexobj(start) else [start]
+        coming = deque((part + _NOISE * self._noise) * (root > 0.0) for part in parts)
+        while coming and len(basis) < size:
+            q = coming.popleft()
             for _ in range(2):  # twice makes it orthogonal up to rounding
                 for other in basis:
                     q = q - (other * q).sum() * other
             norm = float(np.sqrt((q * q).sum()))
             if not 1e-12 < norm < np.inf:
-                break
+                continue
             basis.append(q / norm)
             w = basis[-1] * root
             k_basis.append(self._by_positions(physics, w) * root)
             yield
             c_basis.append((self._by_velocities(physics, w) + air * w) * root)
             q = scale * scale * k_basis[-1] + weight * scale * c_basis[-1]
-            q = q / max(float(np.sqrt((q * q).sum())), 1e-300)
+            coming.append(q / max(float(np.sqrt((q * q).sum())), 1e-300))
             yield
         if not basis:
             return np.inf, self._start
@@ -225,13 +262,17 @@ class StabilityMeter:
         return flat[: self._probe.slots] + 1j * flat[self._probe.slots :]
 
     def _cause(self, physics: Physics, w: Floats, limit: float, air: Floats) -> Cause:
-        """Which property contributes most to the stiffest motion."""
+        """Which property contributes most to the stiffest motion, (2, n), which may be complex."""
         assert self._rule is not None
+
+        def along(change: Callable[[Floats], Floats]) -> float:
+            return sum(float((part * change(part)).sum()) for part in (w.real, w.imag) if part.any())
+
         rate = self._rule.damping * limit
         linear, springs, unfilled, alone = (copy.copy(physics) for _ in range(4))
         linear.joint_stiffness = np.zeros_like(physics.joint_stiffness)
         linear.joint_damping = np.zeros_like(physics.joint_damping)
-        around = self._system.body.surroundings
+        around = physics.surroundings
         alone.surroundings = around.replaced(contact=around.contact.replaced(present=False))
         unfilled.surroundings = alone.surroundings.replaced(
             fillings=around.fillings[:0], loop_start=around.loop_start[:1], loop=around.loop[:0]
@@ -239,22 +280,31 @@ class StabilityMeter:
         linear.surroundings = springs.surroundings = around.replaced(present=False)
         kinds = (physics, alone, unfilled, springs, linear)
         whole, no_contact, no_filling, stiffness, linear_stiffness = (
-            float((w * self._by_positions(kind, w)).sum()) for kind in kinds
+            along(partial(self._by_positions, kind)) for kind in kinds
         )
         whole_damping, no_contact_damping, _, damping, linear_damping = (
-            float((w * self._by_velocities(kind, w)).sum()) for kind in kinds
+            along(partial(self._by_velocities, kind)) for kind in kinds
         )
         parts: dict[Cause, float] = {
             "linear stiffness": limit * limit * linear_stiffness,
             "angular stiffness": limit * limit * (stiffness - linear_stiffness),
             "linear damping": rate * linear_damping,
             "angular damping": rate * (damping - linear_damping),
-            "air friction": rate * float((w * air * w).sum()),
+            "air friction": rate * along(lambda part: air * part),
             "walls": limit * limit * (no_filling - stiffness) + rate * (no_contact_damping - damping),
             "fillings": limit * limit * (no_contact - no_filling),
             "contact": limit * limit * (whole - no_contact) + rate * (whole_damping - no_contact_damping),
         }
         return max(parts, key=lambda cause: parts[cause])
+
+
+def _largest_part(mode: NDArray[np.complex128] | Floats) -> Floats:
+    """The real part of a motion, turned in the complex plane so that it is as large as can be."""
+    return (
+        np.real(mode * np.exp(-0.5j * np.angle((mode * mode).sum())))
+        if np.iscomplexobj(mode)
+        else np.real(mode)
+    )
 
 
 def quick_limit(system: System) -> float:
@@ -320,19 +370,7 @@ def largest_step(scene: Scene, method: str) -> float:
 
 def limit_at_start(scene: Scene, system: System, method: str) -> StabilityEstimate:
     """The limit of a method, but the stable spring, at a scene's start, of its tables."""
-    state = start_of(scene, system)
+    system, state = start_of(scene, system)
     meter = StabilityMeter(system, method)
     meter.update(state, scene.air_friction)
     return meter.update(state, scene.air_friction)
-
-
-def start_of(scene: Scene, system: System) -> State:
-    """The state at a scene's start, with rest lengths, rest angles and inverse masses."""
-    state = new_state(system)
-    state.controls[0] = scene.rest_length_scale
-    refresh(system.body, state)
-    here = slice(1, system.body.masses + 1)
-    for field, row in zip((state.x, state.y, state.vx, state.vy), system.start, strict=True):
-        field[here] = row
-    state.inverse_mass[here] = np.where(system.held, 0.0, system.inverse_mass)
-    return state

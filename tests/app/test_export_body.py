@@ -372,3 +372,11 @@ def test_a_link_can_be_exported(tmp_path: Path, capsys: pytest.CaptureFixture[st
     link = capsys.readouterr().out.strip()
     assert command("export", link, "--json", tmp_path / "ring.json") == 0
     assert json.loads((tmp_path / "ring.json").read_text())["name"] == "ring"
+
+
+def test_a_filling_that_has_got_out_is_not_in_the_body() -> None:
+    scene = sim.load_scene("water-balloon")
+    assert len(body_of(scene).loops) == 1
+    moment = replace(sim.Simulation(scene).capture(), damage=Damage(broken=(3,)))
+    assert not Body.of(moment).loops
+    assert b"fillings" not in body_json(Body.of(moment))

@@ -137,6 +137,18 @@ def test_a_broken_spring_is_absent_and_a_ghost_is_drawn() -> None:
     assert inked(replace(whole, ghost=whole.positions + aside), middle + aside)
 
 
+def test_a_filling_that_has_got_out_is_not_drawn() -> None:
+    scene = sim.load_scene("water-balloon")
+    painter = Painter(scene, (400, 400), grid=False)
+    whole = Picture.at_start(scene)
+    middle = whole.positions[list(scene.fillings[0].masses)].mean(0)
+    colors = [
+        pixel(painter.paint(replace(whole, damage=damage)), painter.window, painter.sketch, middle).tolist()
+        for damage in (None, Damage(broken=(3,)))
+    ]
+    assert colors[0] != colors[1] == [255, 255, 255]
+
+
 def test_the_window_shows_the_frame_near_walls_and_a_body_that_leaves_a_little() -> None:
     scene = sim.load_scene("water-balloon")
     sketch = Sketch(scene, palette("softrod", dark=False), plain)

@@ -1,7 +1,7 @@
 // Outlines of what surrounds a body, on the screen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { airAt, gridLines, hatching, streaks, uncovered, wallInView } from "../../app/page/static/around.js";
+import { airAt, gridLines, hatching, loops, streaks, uncovered, wallInView } from "../../app/page/static/around.js";
 import { showWalls } from "../../app/page/static/camera.js";
 
 const view = { left: 0, right: 800, top: 0, bottom: 600 };
@@ -83,4 +83,12 @@ test("walls just beyond the scene's frame are shown with it, far ones are not", 
   assert.deepEqual(fitted([0, 900, 0, -1]), frame());
   assert.deepEqual(fitted([0, 500, 0, -1]), frame());
   assert.ok(fitted([95, 0, 1, 0]).left < -3.05);
+});
+
+test("a filling is drawn until a spring of its loop, and all beside it, are broken", () => {
+  const ring = plan({ fillings: new Float32Array([1, 3, 0, 1, 2]), springs: new Float32Array([0, 1, 2, 1, 2, 0, 1, 0, 3, 0]) });
+  const places = new Float64Array([0, 0, 10, 0, 0, 10, 5, 5]);
+  const drawn = (/** @type {number[]} */ ...broken) => loops(ring, places, true, new Set(broken)) !== "";
+  assert.ok(drawn() && drawn(0) && drawn(4));
+  assert.ok(!drawn(0, 3) && !drawn(1) && !drawn(2));
 });

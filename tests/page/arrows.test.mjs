@@ -77,15 +77,17 @@ test("an arc turns clockwise for a positive turn, by as much", () => {
   assert.equal(turnArrow(0, 0, 20, 0, 0.01), "");
 });
 
-test("a torque's arc begins at the second spring and goes the way in which that is turned", () => {
-  const plan = {
-    flip: -1, radius: new Float32Array([0.1, 0.1, 0.1]),
-    springs: new Float32Array([0, 1, 1, 2]), joints: new Float32Array([0, 1, 1, 1]),
-  };
+test("a torque's arc begins at the first spring and goes the way in which that is turned", () => {
   const places = new Float64Array([100, 100, 200, 100, 300, 100]);
-  const path = torqueArrows(plan, { torques: new Float32Array([10]), jointStep: 1 }, places, 30, 100, view);
-  const [start, ...others] = points(path);
-  assert.ok(start[0] > 200 && start[1] === 100, "towards the third mass");
-  // +x towards +y is clockwise where y grows downwards; a third of the full 270 degrees ends below.
-  assert.ok(others.some(([x, y]) => Math.abs(x - 200) < 0.2 && y > 110));
+  for (const first of [[0, 1], [1, 0]]) {
+    const plan = {
+      flip: -1, radius: new Float32Array([0.1, 0.1, 0.1]),
+      springs: new Float32Array([...first, 1, 2]), joints: new Float32Array([0, 1, 1, 1]),
+    };
+    const path = torqueArrows(plan, { torques: new Float32Array([10]), jointStep: 1 }, places, 30, 100, view);
+    const [start, ...others] = points(path);
+    assert.ok(start[0] < 200 && start[1] === 100, "towards the first mass");
+    // +x towards +y is clockwise where y grows downwards; a third of the full 270 degrees ends above.
+    assert.ok(others.some(([x, y]) => Math.abs(x - 200) < 0.2 && y < 90));
+  }
 });

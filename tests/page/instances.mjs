@@ -29,8 +29,8 @@ for await (const line of createInterface({ input: process.stdin })) {
       sizes: [plan.walls.length, plan.fillings.length, plan.wind.length],
       outlines: {
         wall: plan.walls.length ? outline(wallInView(plan, 0, on, view).corners) : "",
-        gas: loops(plan, places, true),
-        liquid: loops(plan, places, false),
+        gas: loops(plan, places, true, damage.broken),
+        liquid: loops(plan, places, false, damage.broken),
         skin: plan.contact ? skin(plan, places, damage.broken) : "",
       },
       air: plan.wind.length ? Object.values(airAt(plan.wind, 120, 250)) : [],

@@ -13,7 +13,10 @@ from hypothesis import strategies as st
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene, SceneError, Simulation
+from sim.body.damage import leaking
+from sim.body.system import build_system, start_of
 from sim.methods.registry import METHODS
+from sim.physics import Physics
 from sim.scene.types import Damage, ForceLaw, Method
 from tests.sim.bodies import LAWS, body
 from tests.sim.inside import same_state, solver_of
@@ -318,3 +321,228 @@ def test_a_broken_spring_is_no_obstacle() -> None:
     assert broken.positions[2, 1] > 50.0
     broken.reset()
     broken.step(1)
+
+
+# ------------------------------------------------------------------------- what else knows of it
+def without_limits(scene: Scene) -> Scene:
+    """The scene with nothing that could still break or yield."""
+    return REPLACE(
+        scene,
+        linear_springs=tuple(
+            REPLACE(s, strength=None, yield_force=None, hardening=0.0) for s in scene.linear_springs
+        ),
+        angular_springs=tuple(REPLACE(j, yield_torque=None) for j in scene.angular_springs),
+    )
+
+
+def test_damage_stays_when_the_last_strength_is_taken_away() -> None:
+    simulation = Simulation(fragile())
+    simulation.advance(0.3)
+    before = simulation.damage
+    assert before is not None and before.broken and any(before.set_lengths) and any(before.set_angles)
+    scene = without_limits(simulation.scene)
+    simulation.replace(scene)
+    assert simulation.damage == before
+    moment = simulation.capture()
+    # A moment, a pose, and another simulation of the same scene take it over, too.
+    restored, taken, fresh = Simulation(scene), Simulation(scene), Simulation(scene)
+    assert fresh.damage is None
+    restored.restore(moment)
+    taken.take_state(simulation)
+    posed = Simulation(REPLACE(scene, pose=simulation.pose()))
+    for each in (restored, taken, posed):
+        assert each.damage == before
+        each.advance(0.05)
+    simulation.advance(0.05)
+    for each in (restored, taken, posed):
+        assert np.abs(each.positions - simulation.positions).max() <= 1e-6
+    assert simulation.damage == before
+    simulation.reset()
+    assert simulation.damage is None
+    fresh.advance(0.01)
+    simulation.advance(0.01)
+    assert np.abs(fresh.positions - simulation.positions).max() <= 1e-6
+
+
+def test_taking_away_the_last_strength_changes_no_speed() -> None:
+    # A spring that has broken under load would throw the mass if it healed.
+    simulation = Simulation(flung(strength=20_000.0))
+    simulation.advance(0.1)
+    speed = float(np.hypot(*simulation.velocities[1]))
+    simulation.replace(without_limits(simulation.scene))
+    simulation.advance(0.05)
+    assert float(np.hypot(*simulation.velocities[1])) == pytest.approx(speed, rel=1e-9)
+
+
+def hung(**spring: Any) -> Scene:
+    """A mass of 1 kg between two held ones, on two springs of 10 px."""
+    return Scene(
+        name="hung",
+        masses=tuple(Mass(position=(10.0 * i, 0.0)) for i in range(3)),
+        linear_springs=tuple(
+            LinearSpring(a=i, b=i + 1, stiffness=1000.0, rest_length=10.0, damping=5.0, **spring)
+            for i in range(2)
+        ),
+        anchors=(Anchor(mass=0), Anchor(mass=2)),
+        gravity=(0.0, 500.0),
+        integrator=Integrator(method="symplectic_euler", dt=1e-3),
+    )
+
+
+def with_damage(scene: Scene, damage: Damage) -> Scene:
+    places = tuple(mass.position for mass in scene.masses)
+    return REPLACE(scene, pose=Pose(positions=places, velocities=((0.0, 0.0),) * len(places), damage=damage))
+
+
+def test_equilibrium_vibrations_and_tuning_go_by_the_damage_of_the_pose() -> None:
+    broken = with_damage(hung(strength=1e6), Damage(broken=(1,)))
+    pose = sim.equilibrium(broken)
+    # It hangs on the one that is left, which 500 stretch by half a px.
+    assert pose.positions[1] == pytest.approx((0.0, 10.5), abs=1e-6)
+    assert pose.damage == Damage(broken=(1,))
+    resting = REPLACE(broken, pose=pose)
+    slow, fast = sim.vibrations(resting, 2).frequencies
+    assert slow == pytest.approx(math.sqrt(500.0 / 10.5), rel=1e-6)  # a pendulum
+    assert fast == pytest.approx(math.sqrt(1000.0), rel=1e-6)
+    told = sim.tuning(broken)
+    assert told.fastest is not None and told.sag == pytest.approx(10.5)
+    assert told.fastest.frequency == pytest.approx(math.sqrt(1000.0) / math.tau, rel=1e-3)
+    assert told.fastest.damping_ratio == pytest.approx(5.0 / (2.0 * math.sqrt(1000.0)), rel=1e-2)
+    assert told.springs.frequency[1] == 0.0 and told.springs.frequency[0] > 0.0
+    # Yielding, too: 3 px longer.
+    longer = sim.equilibrium(with_damage(hung(yield_force=1e6), Damage(set_lengths=(3.0, 3.0))))
+    plain = sim.equilibrium(
+        REPLACE(hung(), linear_springs=tuple(REPLACE(s, rest_length=13.0) for s in hung().linear_springs))
+    )
+    assert np.array(longer.positions) == pytest.approx(np.array(plain.positions), abs=1e-6)
+
+
+def test_make_stable_lowers_nothing_for_a_broken_spring() -> None:
+    scene = hung(strength=1e12)
+    stiff = (scene.linear_springs[0], REPLACE(scene.linear_springs[1], stiffness=1e9))
+    scene = REPLACE(scene, linear_springs=stiff)
+    assert sim.make_stable(scene).linear_springs[1].stiffness < 1e7
+    broken = with_damage(scene, Damage(broken=(1,)))
+    assert sim.make_stable(broken) is broken
+    with pytest.raises(sim.InputError, match="spring 1 is broken, so it cannot vibrate"):
+        sim.damp_vibration(broken, spring=1)
+
+
+def test_an_equilibrium_that_would_break_or_yield_something_says_so() -> None:
+    load = r"spring 0 and 1 more would {} in the pose at rest: 701\.9 kg px/s² is more than its {} of 600"
+    for limit, words in (("strength", ("break", "strength")), ("yield_force", ("yield", "yield force"))):
+        with pytest.warns(UserWarning, match=load.format(*words)):
+            sim.equilibrium(hung(**{limit: 600.0}))
+        notes = sim.tuning(hung(**{limit: 600.0})).notes
+        assert any(words[1] + " of 600" in note for note in notes)
+        assert not any(words[1] in note for note in sim.tuning(hung(**{limit: 710.0})).notes)
+    scene = REPLACE(bent("conservative", yield_torque=1e3), gravity=(0.0, 2000.0))
+    with pytest.warns(
+        UserWarning, match=r"joint 0 would yield .* kg px²/s² is more than its yield torque of"
+    ):
+        sim.equilibrium(scene)
+
+
+# ------------------------------------------------------------------------- fillings get out
+def burst(method: Method = "auto", filling: Any = None, weak: int = 5, joined: bool = True) -> Scene:
+    """A blown-up ring of 12 masses, of which one spring is weaker than the others."""
+    count, radius = 12, 50.0
+    turns = [math.tau * i / count for i in range(count)]
+    edge = 2.0 * radius * math.sin(math.pi / count)
+    rim = tuple(range(count))
+    return Scene(
+        name="burst",
+        masses=tuple(Mass(position=(radius * math.cos(v), radius * math.sin(v)), mass=0.5) for v in turns),
+        linear_springs=tuple(
+            LinearSpring(
+                a=i,
+                b=(i + 1) % count,
+                stiffness=2000.0,
+                damping=1.0,
+                rest_length=edge,
+                strength=8000.0 if i == weak else 1e9,
+            )
+            for i in range(count if joined else count - 1)
+        ),
+        gravity=(0.0, 0.0),
+        fillings=(filling or sim.Gas(masses=rim, pressure=400.0, outside=100.0),),
+        integrator=Integrator(method=method, dt=1e-4, tolerance=1e-3),
+    )
+
+
+FILLINGS = {
+    "gas": None,
+    "liquid": sim.Liquid(masses=tuple(range(12)), bulk_modulus=2000.0, area=12000.0),
+}
+
+
+@pytest.mark.parametrize("kind", FILLINGS)
+@pytest.mark.parametrize("method", METHODS)
+def test_a_filling_gets_out_of_a_burst_skin(method: Method, kind: str) -> None:
+    scene = burst(method, FILLINGS[kind])
+    simulation = Simulation(scene)
+    start = simulation.energy().total
+    whole = simulation.capture()
+    before = simulation.energy()
+    while simulation.damage is None:
+        before = simulation.energy()
+        assert simulation.step() == 1 and simulation.time < 1.0
+    book = simulation.energy()
+    assert simulation.damage.broken == (5,)
+    # Its energy is gone with it, and the balance says where.
+    assert before.fillings != 0.0 and book.fillings == 0.0
+    assert book.broken == pytest.approx(-before.fillings - 8000.0**2 / (2.0 * 2000.0), rel=0.1)
+    assert abs(book.residual) <= (1e-2 if METHODS[method].order == 1 else 1e-3) * max(
+        abs(start), book.kinetic
+    )
+    # From then on it moves as a body without it.
+    empty = REPLACE(scene, fillings=(), pose=simulation.pose())
+    other, again = Simulation(empty), Simulation(REPLACE(scene, pose=simulation.pose()))
+    for each in (simulation, other, again):
+        each.advance(0.05)
+    for each in (simulation, again):
+        assert np.abs(each.positions - other.positions).max() <= 2e-2
+    # Going back makes the skin tight again, and so does a reset.
+    simulation.restore(whole)
+    assert simulation.energy().fillings == pytest.approx(start - simulation.energy().linear, rel=1e-9)
+    first = Simulation(scene)
+    simulation.advance(0.01)
+    simulation.reset()
+    for each in (simulation, first):
+        each.advance(0.02)
+    assert np.abs(simulation.positions - first.positions).max() <= 1e-6
+
+
+def test_numpy_moves_a_burst_balloon_without_its_filling() -> None:
+    scene = burst("velocity_verlet")
+    pose = Pose(
+        positions=tuple(m.position for m in scene.masses),
+        velocities=((0.0, 0.0),) * 12,
+        damage=Damage(broken=(5,)),
+    )
+    system, state = start_of(REPLACE(scene, pose=pose), build_system(REPLACE(scene, pose=pose)))
+    x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
+    empty = REPLACE(scene, pose=pose, fillings=())
+    without, other = start_of(empty, build_system(empty))
+    forces = Physics(system.body, state).forces(x, v)[system.mass_index]
+    assert forces == pytest.approx(Physics(without.body, other).forces(x, v)[without.mass_index])
+    assert sim.equilibrium(REPLACE(scene, pose=pose)).damage == Damage(broken=(5,))
+
+
+def test_a_loop_leaks_where_all_springs_of_an_edge_are_broken_and_only_there() -> None:
+    loop = [np.array([0, 1, 2])]
+    ends = np.array([(0, 1), (2, 1), (2, 0), (1, 0), (3, 0)])
+    assert leaking(loop, ends, np.array([], int)) == []
+    assert leaking(loop, ends, np.array([0])) == []  # another spring joins the same masses
+    assert leaking(loop, ends, np.array([0, 3])) == [0]
+    assert leaking(loop, ends, np.array([1])) == [0]
+    assert leaking(loop, ends, np.array([2])) == [0]
+    assert leaking(loop, ends, np.array([4])) == []  # not a part of it
+    # Where there never was a spring, the scene says that it is tight.
+    assert leaking(loop, ends[:2], np.array([], int)) == []
+
+
+def test_a_loop_with_a_gap_from_the_start_is_tight() -> None:
+    simulation = Simulation(burst(joined=False))
+    simulation.advance(0.02)
+    assert simulation.damage is None and simulation.energy().fillings != 0.0

@@ -159,13 +159,17 @@ def test_torques_are_those_of_the_law(law: ForceLaw) -> None:
         force_law=law,
         integrator=Integrator(method="rk4", dt=1e-4),
     )
-    loads = Simulation(scene).loads
+    simulation = Simulation(scene)
+    loads = simulation.loads
     size = v - rest if law == "angle" else math.sin(v - rest)
-    wanted = -one * other * (stiffness * size + damping * spin)
+    wanted = one * other * (stiffness * size + damping * spin)
     assert loads.torques == pytest.approx([wanted])
-    # The torque is what turns the second spring about the tip.
+    # What is plotted has the same sign.
+    assert sim.quantity("joint0.torque", scene).read(simulation) == pytest.approx(wanted)
+    # The torque is what turns the first spring about the tip, and the second one the other way.
+    assert -one * loads.forces[0][1] == pytest.approx(wanted)
     x, y = loads.forces[2]
-    assert tip[0] * y - tip[1] * x == pytest.approx(wanted)
+    assert tip[0] * y - tip[1] * x == pytest.approx(-wanted)
 
 
 def test_a_mass_that_is_led_in_a_circle_has_no_inertia_in_what_its_support_bears() -> None:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 import sim
+from sim.body.damage import leaking
 from sim.body.stable_spring import clamp_stiffness
 from sim.body.system import System, build_system, joint_stiffness
 from sim.errors import InputError
-from sim.kernels.core.surroundings import FILLING_AREA
 from sim.motion.driving import offset
 from sim.scene.types import Circle
 
@@ -135,7 +136,7 @@ class Body:
             walls=np.array(around.walls),
             wind=(float(around.wind_x), float(around.wind_y)),
             gusts=bool(around.waves.size),
-            loops=_loops(system),
+            loops=_loops(system, ends, np.flatnonzero(broken)),
         )
 
     def softened(self) -> Body:
@@ -164,12 +165,15 @@ def _circles(moment: sim.Moment) -> dict[int, tuple[Circle, tuple[float, float]]
     return circles
 
 
-def _loops(system: System) -> list[Loop]:
-    around, start = system.body.surroundings, system.body.surroundings.loop_start
-    loops = []
-    for k, (is_gas, pressure, outside, _) in enumerate(around.fillings.tolist()):
-        slots = around.loop[start[k] : start[k + 1]]
-        masses = system.mass_order[slots - 1].tolist()
-        area = float(around.fillings[k, FILLING_AREA])
-        loops.append(Loop(masses, bool(is_gas), pressure, outside, area))
-    return loops
+def _loops(system: System, ends: Indices, broken: Indices) -> list[Loop]:
+    """The loops with their fillings, but those that these have left."""
+    around = system.body.surroundings
+    masses = [
+        system.mass_order[around.loop[a:b] - 1] for a, b in itertools.pairwise(around.loop_start.tolist())
+    ]
+    left = set(leaking(masses, ends, broken))
+    return [
+        Loop(masses[k].tolist(), bool(is_gas), pressure, outside, area)
+        for k, (is_gas, pressure, outside, area) in enumerate(around.fillings.tolist())
+        if k not in left
+    ]

@@ -146,18 +146,38 @@ export function hatching({ at, normal, surface }, scale) {
   return strokes;
 }
 
+/** @param {number} a @param {number} b */
+const pair = (a, b) => `${Math.min(a, b)} ${Math.max(a, b)}`;
+
 /**
- * The outlines of the loops that are filled with gas, or with liquid.
+ * The pairs of masses all springs between which are broken, as `leaking` in sim/body/damage.py has them.
+ *
+ * @param {ArrayLike<number>} springs both masses of each
+ * @param {Set<number>} broken
+ */
+function gapsOf(springs, broken) {
+  /** @param {number} s */
+  const ends = (s) => pair(springs[2 * s], springs[2 * s + 1]);
+  const gaps = new Set(Array.from(broken, ends));
+  for (let s = 0; gaps.size && s < springs.length / 2; s++) if (!broken.has(s)) gaps.delete(ends(s));
+  return gaps;
+}
+
+/**
+ * The outlines of the loops that are filled with gas, or with liquid, and from which it has not got out.
  *
  * @param {Plan} plan
  * @param {Float64Array} places of the masses in pixels of the window, x and y of each
  * @param {boolean} gas
+ * @param {Set<number>} broken
  */
-export function loops({ fillings }, places, gas) {
+export function loops({ fillings, springs }, places, gas, broken) {
   let outlines = "";
+  const gaps = gapsOf(springs, broken);
   for (let i = 0; i < fillings.length; i += 2 + fillings[i + 1]) {
     if ((fillings[i] === 1) !== gas) continue;
     const loop = Array.from(fillings.subarray(i + 2, i + 2 + fillings[i + 1]));
+    if (gaps.size && loop.some((mass, k) => gaps.has(pair(mass, loop[(k + 1) % loop.length])))) continue;
     outlines += outline(loop.map((mass) => ({ x: places[2 * mass], y: places[2 * mass + 1] })));
   }
   return outlines;
@@ -189,8 +209,8 @@ export function standing({ plan, on, box }, size) {
  */
 export const moving = ({ plan, places }, broken) => ({
   skin: plan.contact ? skin(plan, places, broken) : "",
-  gas: loops(plan, places, true),
-  liquid: loops(plan, places, false),
+  gas: loops(plan, places, true, broken),
+  liquid: loops(plan, places, false, broken),
 });
 
 /**

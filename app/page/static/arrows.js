@@ -220,7 +220,7 @@ export function vectorArrows(masses, values, places, perUnit, flip, view, { open
 const isIn = (view, x, y) => x >= view.left && x <= view.right && y >= view.top && y <= view.bottom;
 
 /**
- * The arcs of a torque at each joint that is in view. They begin at the second spring and show how it is turned.
+ * The arcs of a torque at each joint that is in view. They begin at the first spring and show how it is turned.
  *
  * @param {Plan} plan
  * @param {Numbers} numbers
@@ -233,10 +233,10 @@ export function torqueArrows(plan, { torques, jointStep }, places, full, step, v
   let path = "";
   const { joints, springs } = plan;
   torques.forEach((torque, i) => {
-    const [, spring, mass, sense] = joints.subarray(4 * i * jointStep, 4 * i * jointStep + 4);
+    const [spring, , mass] = joints.subarray(4 * i * jointStep, 4 * i * jointStep + 4);
     const [x, y] = [places[2 * mass], places[2 * mass + 1]];
     if (!isIn(view, x, y)) return;
-    const far = springs[2 * spring + (sense > 0 ? 1 : 0)];
+    const far = springs[2 * spring + (springs[2 * spring] === mass ? 1 : 0)];
     const from = Math.atan2(places[2 * far + 1] - y, places[2 * far] - x);
     path += turnArrow(x, y, plan.radius[mass] * step + ARC, from, ((-torque * plan.flip) / full) * FULL_TURN);
   });

@@ -1,0 +1,139 @@
+"""The stability meter against the eigenvalues of the whole step, of bodies at rest and in motion."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Integrator, Scene, Simulation
+from sim.edit.edit import of_parts
+from sim.scene.types import Damage, Method, Pose
+from tests.sim.builders import chain
+from tests.sim.whole_step import whole_limit
+
+REPLACE = msgspec.structs.replace
+METHODS_WITH_LIMIT: tuple[Method, ...] = ("symplectic_euler", "velocity_verlet", "rk4")
+
+
+def by(scene: Scene, method: Method, dt: float = 2e-4) -> Scene:
+    return REPLACE(scene, integrator=Integrator(method=method, dt=dt))
+
+
+def turning(scene: Scene, rate: float) -> Scene:
+    """A free body that turns as a whole, by `rate` rad/s."""
+    scene = of_parts(scene)
+    positions = np.array([mass.position for mass in scene.masses])
+    x, y = (positions - positions.mean(0)).T
+    velocities = rate * np.column_stack((-y, x))
+    masses = tuple(
+        REPLACE(m, velocity=tuple(v)) for m, v in zip(scene.masses, velocities.tolist(), strict=True)
+    )
+    return REPLACE(scene, masses=masses, anchors=(), gravity=(0.0, 0.0))
+
+
+def hold(simulation: Simulation, within: float = 0.01) -> None:
+    said = simulation.stability().limit
+    assert said == pytest.approx(whole_limit(simulation, said), rel=within)
+    # And so do later looks, which start from what the first has found.
+    assert simulation.stability().limit == pytest.approx(said, rel=0.005)
+
+
+@pytest.mark.parametrize("rate", [0.0, 0.5, 3.0])
+@pytest.mark.parametrize("method", METHODS_WITH_LIMIT)
+def test_regular_bodies_that_turn(method: Method, rate: float) -> None:
+    # Their vibrations come in pairs of equal frequencies, which damping couples as soon as they turn.
+    for sides, damping in ((5, 10.0), (9, 40.0)):
+        hold(Simulation(by(turning(sim.polygon(sides=sides, damping=damping), rate), method)))
+
+
+def test_a_regular_body_that_turns_runs_below_its_limit_and_explodes_above() -> None:
+    scene = turning(sim.polygon(sides=5), 0.5)
+    limit = Simulation(by(scene, "symplectic_euler")).stability().limit
+    for factor, runs in ((0.98, True), (1.02, False)):
+        simulation = Simulation(by(scene, "symplectic_euler", factor * limit))
+        # A little noise, since nothing else moves a body that is at rest in itself.
+        noise = 1e-6 * np.random.default_rng(1).normal(size=(4, len(scene.masses)))
+        simulation.take_state(simulation, noise)
+        simulation.advance(60.0)
+        lengths = np.abs(np.diff(simulation.positions, axis=0))
+        assert (simulation.divergence is None and lengths.max() < 1e3) == runs
+
+
+@pytest.mark.parametrize("method", METHODS_WITH_LIMIT)
+@pytest.mark.parametrize(
+    ("name", "time"),
+    [("box", 0.5), ("tutorial-3.3", 0.2), ("water-balloon", 0.5), ("water-balloon", 0.9), ("triangle", 0.3)],
+)
+def test_presets_in_motion(name: str, time: float, method: Method) -> None:
+    simulation = Simulation(by(sim.load_scene(name), method))
+    simulation.advance(time)
+    # The meter leaves out that a mass comes further into a wall in the course of the step.
+    hold(simulation, 0.02 if simulation.scene.walls else 0.01)
+
+
+@pytest.mark.parametrize("method", METHODS_WITH_LIMIT)
+@pytest.mark.parametrize("law", ["tutorial", "angle"])
+def test_turning_under_every_law(law: Any, method: Method) -> None:
+    hold(Simulation(by(REPLACE(turning(sim.polygon(sides=6, damping=20.0), 2.0), force_law=law), method)))
+
+
+@pytest.fixture(scope="module")
+def lying() -> Scene:
+    """A polygon that has come to rest on two held masses and the spring between them, with friction."""
+    top = of_parts(sim.polygon(sides=5, damping=20.0))
+    low = max(m.position[1] for m in top.masses) + 15.0
+    n = len(top.masses)
+    scene = REPLACE(
+        top,
+        masses=(*top.masses, sim.Mass(position=(-500.0, low)), sim.Mass(position=(1500.0, low))),
+        linear_springs=(
+            *top.linear_springs,
+            sim.LinearSpring(a=n, b=n + 1, stiffness=1000.0, rest_length=2000.0),
+        ),
+        anchors=(sim.Anchor(mass=n), sim.Anchor(mass=n + 1)),
+        gravity=(0.0, 500.0),
+        contact=sim.Contact(distance=12.0, stiffness=500.0, friction=0.9, bounciness=0.3),
+        integrator=Integrator(method="auto", dt=1 / 60, tolerance=1e-3),
+    )
+    simulation = Simulation(scene)
+    simulation.advance(3.0)
+    return REPLACE(simulation.scene, pose=simulation.pose())
+
+
+@pytest.mark.parametrize("method", METHODS_WITH_LIMIT)
+def test_a_body_that_lies_on_another(lying: Scene, method: Method) -> None:
+    simulation = Simulation(by(lying, method))
+    apart = Simulation(by(REPLACE(lying, contact=None), method))
+    if method == "velocity_verlet":  # friction at rest damps strongly
+        assert simulation.stability().limit < 0.9 * apart.stability().limit
+    hold(simulation, 0.02)  # it still creeps
+
+
+@pytest.mark.parametrize("method", METHODS_WITH_LIMIT)
+def test_what_has_yielded_counts(method: Method) -> None:
+    # Two springs of 10 px that have yielded to 300 px and are at rest there, at a right angle.
+    scene = chain([(10.0, 0.0), (0.0, 0.0), (0.0, 10.0)], stiffness=10000.0, mass=1.0, held=(0, 2))
+    springs = tuple(REPLACE(spring, yield_force=1e6) for spring in scene.linear_springs)
+    pose = Pose(
+        positions=((300.0, 0.0), (0.0, 0.0), (0.0, 300.0)),
+        velocities=((0.0, 0.0),) * 3,
+        damage=Damage(set_lengths=(290.0, 290.0)),
+    )
+    simulation = Simulation(by(REPLACE(scene, linear_springs=springs, pose=pose), method))
+    unit = {"symplectic_euler": 2.0, "velocity_verlet": 2.0, "rk4": math.sqrt(8.0)}[method]
+    assert simulation.stability().limit == pytest.approx(unit / math.sqrt(10000.0), rel=1e-3)
+    hold(simulation)
+
+
+def test_walls_that_soften_with_the_step_do_not_limit_it() -> None:
+    stone = chain([(0.0, 103.0)], mass=1.0)
+    floor = sim.Wall(point=(0.0, 100.0), normal=(0.0, -1.0), hardness=1e6, friction=0.0, bounciness=0.5)
+    scene = by(REPLACE(stone, walls=(floor,)), "symplectic_euler", 1e-3)
+    assert Simulation(scene).stability().limit == math.inf
+    rough = Simulation(by(scene, "velocity_verlet"))
+    assert rough.stability().limit < 1e-3

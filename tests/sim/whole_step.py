@@ -1,0 +1,93 @@
+"""The largest stable step by brute force: the whole step differentiated numerically, and its eigenvalues."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim import Simulation
+from sim.physics import Physics, Vectors, euler_step, verlet_step
+
+Floats = NDArray[np.float64]
+SIZES = (1e-5, 1e-3, 1e-1)
+"""Sizes of the differences: px, px/s, px/s²."""
+GROWS = 1.001
+"""Growth in a step that counts as unstable."""
+
+
+def rk4_step(physics: Physics, x: Vectors, v: Vectors, h: float) -> tuple[Vectors, Vectors]:
+    """The classical Runge-Kutta method."""
+    force = physics.accelerations
+    a1 = force(x, v)
+    v2, a2 = v + h / 2 * a1, force(x + h / 2 * v, v + h / 2 * a1)
+    v3, a3 = v + h / 2 * a2, force(x + h / 2 * v2, v + h / 2 * a2)
+    v4, a4 = v + h * a3, force(x + h * v3, v + h * a3)
+    return x + h / 6 * (v + 2 * v2 + 2 * v3 + v4), v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
+
+
+def step_matrix(simulation: Simulation, h: float) -> Floats:
+    """What a step of h seconds of the simulation's method makes of small changes of its state."""
+    system, state = simulation.tables
+    body, method = system.body, simulation.method
+    if method == "symplectic_euler":  # walls and contact soften with the step
+        body = body.replaced(surroundings=body.surroundings.replaced(step=h))
+    physics = Physics(body, state)
+    free = np.flatnonzero(state.inverse_mass > 0.0)
+    x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
+
+    def step(parts: list[Vectors]) -> tuple[Vectors, ...]:
+        if method == "velocity_verlet":
+            return verlet_step(physics, parts[0], parts[1], parts[2], h, lambda *_: None)
+        return (rk4_step if method == "rk4" else euler_step)(physics, parts[0], parts[1], h)
+
+    parts = [x, v, physics.accelerations(x, v)] if method == "velocity_verlet" else [x, v]
+    columns = []
+    for i in range(len(parts)):
+        for direction in (1.0, 1j):
+            for mass in free.tolist():
+                ends = []
+                for sign in (1.0, -1.0):
+                    changed = [part.copy() for part in parts]
+                    changed[i][mass] += sign * SIZES[i] * direction
+                    ends.append(np.concatenate([part[free] for part in step(changed)]))
+                change = (ends[0] - ends[1]) / (2.0 * SIZES[i])
+                columns.append(np.concatenate((change.real, change.imag)))
+    # Rows are all real parts, then all imaginary ones; columns are ordered likewise.
+    count = free.size
+    order = [2 * i * count + d * count + k for d in (0, 1) for i in range(len(parts)) for k in range(count)]
+    return np.column_stack(columns)[:, order]
+
+
+def whole_limit(simulation: Simulation, near: float) -> float:
+    """The step at which a motion begins to grow that would not by itself, to 0.05 %.
+
+    Args:
+        simulation: in any state.
+        near: s, where to start from.
+    """
+    fine = 0.02 * near
+    own = float(np.log(np.abs(np.linalg.eigvals(step_matrix(simulation, fine))).max())) / fine
+
+    def grows(h: float) -> bool:
+        values = np.linalg.eigvals(step_matrix(simulation, h))
+        if simulation.method == "rk4":
+            return bool(np.abs(values).max() > GROWS * np.exp(1.1 * max(own, 0.0) * h))
+        # What the step resolves grows as it does by itself; what it causes changes its direction.
+        return bool((np.abs(values[values.real < 0.0]) > GROWS).any())
+
+    return bisected(grows, near)
+
+
+def bisected(grows: Callable[[float], bool], near: float) -> float:
+    low = 0.8 * near
+    while grows(low):
+        low *= 0.8
+    high = low * 1.05
+    while not grows(high):
+        low, high = high, 1.05 * high
+    while high > 1.0005 * low:
+        middle = (low * high) ** 0.5
+        low, high = (low, middle) if grows(middle) else (middle, high)
+    return low
