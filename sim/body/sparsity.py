@@ -125,6 +125,13 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     )
 
 
+def clear_factors(matrix: Matrix) -> None:
+    """Forget what was computed with a matrix; its pattern and the body's damping stay."""
+    for name, array in matrix.arrays():
+        if array.dtype == np.float64 and name != "damping":
+            array[:] = 0.0
+
+
 def fill(body: Body, matrix: Matrix) -> tuple[int, int]:
     """(number of blocks of the matrix, number of blocks of its factors)."""
     if body.chain:

@@ -141,6 +141,7 @@ class Reading:
     def _adopt(self, rows: NDArray[np.float64], damage: Damage | None) -> None:
         """Fill in the state from what `_rows` and `damage` give."""
         state, index = self._state, self._system.mass_index
+        state.q[:] = state.v[:] = 0.0  # the padding, too
         state.x[index], state.y[index], state.vx[index], state.vy[index] = rows
         if self._body.strength.present:
             put_damage(state, self._system, damage)

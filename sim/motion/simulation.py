@@ -413,6 +413,7 @@ class Simulation(Reading):
     def _restart(self, controls: tuple[float, float] | None = None) -> None:
         """Begin from the state in the tables; `controls`: what keys did, rest length scale and degrees."""
         self.divergence = None
+        self._stepper.forget()
         self._folded = (self._scene.rest_length_scale, 0.0), self._scene
         self._state.controls[:] = controls or self._folded[0]
         if self._body.strength.present:

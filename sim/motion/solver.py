@@ -8,7 +8,7 @@ import numpy as np
 
 from ..around import filling_energy
 from ..body.damage import without_broken
-from ..body.sparsity import NO_MATRIX, new_matrix
+from ..body.sparsity import NO_MATRIX, clear_factors, new_matrix
 from ..body.system import System, refresh, slab
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, fetch, for_fallback, is_ready, needed_by
 from ..kernels.around.around import accelerations_around
@@ -34,6 +34,7 @@ from ..kernels.core.tables import (
     CONTROLLER_CONTRACTION,
     CONTROLLER_LAST,
     CONTROLLER_LAST_BUT_ONE,
+    CONTROLLER_ORIGIN,
     CONTROLLER_TIME,
     CONTROLLERS,
     COUNT_FALLBACKS,
@@ -163,7 +164,7 @@ class Solver:
     @system.setter
     def system(self, system: System) -> None:
         self._system, self._problem = system, None
-        if self._matrix is not None and not system.body.chain:
+        if self._matrix is not None:
             self._matrix.damping[1:] = system.body.damping
 
     @property
@@ -188,11 +189,20 @@ class Solver:
         return float(self.integrator.controller[CONTROLLER_TIME])
 
     def load(self, time: float) -> None:
-        """Start from the state in `state`, at a time (s), and forget what was kept from earlier steps."""
+        """Start from the state in `state`, at a time (s), and forget what was kept from earlier steps.
+
+        Nothing of them is left, not even in scratch, which loops over padding read.
+        """
         integrator = self.integrator
+        for array in (integrator.a, integrator.rows, integrator.history, integrator.past):
+            array[:] = 0.0
+        for _, array in self.scratch.arrays():
+            array[:] = 0.0
+        if self._matrix is not None:
+            clear_factors(self._matrix)
         integrator.controller[:] = 0.0
         integrator.selector[:] = _NEW
-        integrator.controller[CONTROLLER_TIME] = time
+        integrator.controller[[CONTROLLER_TIME, CONTROLLER_ORIGIN]] = time
         integrator.counts[:] = 0
 
     def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:

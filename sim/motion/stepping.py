@@ -81,7 +81,8 @@ class Stepper:
         self._driver = Driver(scene, system, state)
         self.solver = solver
         self._led: Targets = {}
-        self._undisturbed: Drive | None = None  # the drive without targets, hands and keys
+        self._kept: Drive | None = None  # the drive of the last call, unless it had targets or hands
+        self._presses = NO_PRESSES  # the keys in it
         self._origin, self._done = 0.0, 0  # time of the last `begin`, s; steps since then
 
     @property
@@ -97,8 +98,12 @@ class Stepper:
         """Start from the state in `state`, at a time (s)."""
         self.solver.load(time)
         self._origin, self._done = time, 0
-        if self._undisturbed is not None and self._undisturbed.mass.size:
-            self._undisturbed = None  # circles start from where the masses are now
+        if self._kept is not None and (self._kept.mass.size or self._kept.pressed):
+            self._kept = None  # circles and keys start from where the masses are now
+
+    def forget(self) -> None:
+        """Forget which masses the last call has led: the state is another one."""
+        self._led = {}
 
     def step(
         self, steps: int, hands: Hands, presses: Presses, all_held: bool, attempts: int = UNLIMITED
@@ -112,19 +117,17 @@ class Stepper:
         if targets or self._led:
             self._stop(self._led)
             solver.touch()
-            self._undisturbed = None
+            self._kept = None
             self._led = targets
         if hands.limited:
-            self._undisturbed = None
+            self._kept = None
             what = self._lead_limited(until, hands, presses, attempts)
         else:
-            if presses != NO_PRESSES:
-                self._undisturbed = None
-            drive = self._undisturbed
-            if drive is None:
+            drive = self._kept
+            if drive is None or presses != self._presses:
                 drive = self._drive(until, targets, presses)
-                if not targets and presses == NO_PRESSES:
-                    self._undisturbed = drive
+                if not targets:
+                    self._kept, self._presses = drive, presses
             if all_held and drive.moving and self._adaptive and solver.keeps_books:
                 what = self._halt(until, drive, min(_HALTS * steps, attempts), attempts)
             else:

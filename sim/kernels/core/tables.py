@@ -275,7 +275,9 @@ CONTROLLER_MOST = 15
 """In `controller`, of Adams methods: the degree that the method is raising its degree to."""
 CONTROLLER_KNOWN = 16
 """In `controller`, of Adams methods: number of rows of `past`, from the latest on, at the present spacing."""
-CONTROLLERS = 17
+CONTROLLER_ORIGIN = 17
+"""In `controller`: the time at which the run began, s."""
+CONTROLLERS = 18
 """Length of `controller`."""
 
 ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_ADAMS = 0, 1, 2, 3

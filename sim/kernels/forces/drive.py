@@ -64,6 +64,15 @@ def hand_speed(drive, i, t):
 def drive_to(body, state, drive, t, q, v):
     """Set the held masses in q and v to their state at time t, and rest lengths and angles likewise."""
     lead_to(drive, t, q, v)
+    act_at(body, state, drive, t)
+
+
+@kernel(forceinline=True)
+def act_at(body, state, drive, t):
+    """Set the clock of the gusts to time t, and rest lengths and angles to what held keys make of them then.
+
+    A step that is refused has set them to a later time.
+    """
     if drive.gusty:
         state.clock[0] = t
     if drive.pressed:

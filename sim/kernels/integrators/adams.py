@@ -33,7 +33,7 @@ from ..core.tables import (
     PAST,
     SPARE,
 )
-from ..forces.drive import drive_to
+from ..forces.drive import act_at, drive_to
 from .guard import GOOD, STUCK, sound
 from .kinks import ago, any_turns, kinks_matter, turn_past, with_kinks, without_kinks
 from .steps import (
@@ -191,8 +191,7 @@ def run_adams(problem, drive, end, tolerance, attempts):
                 # A step that was cut short says little about longer ones.
                 h = max(h, step * factor) if step < 0.999 * h else step * factor
         else:
-            if drive.pressed or drive.gusty:
-                drive_to(body, state, drive, t, q, v)
+            act_at(body, state, drive, t)
             since, failures = 0, failures + 1
             if degree == most and error > 1.0:
                 most, error = _best_degree(past, head, 0, method, degree, top, scale, error, to_a)

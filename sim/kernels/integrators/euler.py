@@ -17,6 +17,7 @@ from ..core.tables import (
 )
 from ..forces.drive import lead_to, press, set_controls
 from .guard import GOOD, sound
+from .steps import fixed_steps, fixed_time
 
 CHECK_EVERY = 64
 """Number of steps between two checks of the state. If a check fails, the steps since the last one are undone
@@ -33,8 +34,8 @@ def run_euler(problem, drive, end, tolerance, attempts):
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     controller, count, h = integrator.controller, integrator.counts, problem.fixed
     q, v, a, kept_q, kept_v = state.q, state.v, integrator.a, integrator.rows[0], integrator.rows[1]
-    start = controller[CONTROLLER_TIME]
-    wanted = int((end - start) / h + 0.5)
+    first = fixed_steps(problem, controller[CONTROLLER_TIME])
+    wanted = fixed_steps(problem, end) - first
     steps = min(wanted, attempts)
     count[COUNT_FRESH] = 0  # `a` is never that of the state
     free = _any_free(state.inverse_mass)
@@ -44,17 +45,18 @@ def run_euler(problem, drive, end, tolerance, attempts):
         scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
         _copy(q, v, kept_q, kept_v)
         if balance.active:
-            _step_with_balance(problem, drive, start + done * h)
+            _step_with_balance(problem, drive, fixed_time(problem, first + done))
         else:
             for step in range(done + 1, done + batch + 1):
-                lead_to(drive, start + step * h, q, v)
+                at = fixed_time(problem, first + step)
+                lead_to(drive, at, q, v)
                 press(body, state, drive, h)
                 if drive.gusty:
-                    state.clock[0] = start + step * h
+                    state.clock[0] = at
                 if free:
                     accelerate(problem, q, v, a)
                     _kick_and_drift(q, v, a, h)
-                    lead_to(drive, start + step * h, q, v)  # the drift has moved them
+                    lead_to(drive, at, q, v)  # the drift has moved them
         if sound(body, integrator, q, v, batch == 1):
             done += batch
             settle(problem, q)
@@ -62,10 +64,12 @@ def run_euler(problem, drive, end, tolerance, attempts):
             _copy(kept_q, kept_v, q, v)
             if drive.pressed:
                 set_controls(body, state, scale, shift)
+            if drive.gusty:
+                state.clock[0] = fixed_time(problem, first + done)
             stride = 1
     count[COUNT_STEPS] += done
     count[COUNT_FORCES] += done
-    controller[CONTROLLER_TIME] = end if done == wanted else start + done * h
+    controller[CONTROLLER_TIME] = fixed_time(problem, first + done)
 
 
 @kernel(fastmath=FUSED)

@@ -25,7 +25,7 @@ from ..core.tables import (
 )
 from ..core.vectors import from_to
 from ..energy.energies import energies
-from ..forces.drive import drive_to
+from ..forces.drive import act_at, drive_to
 from ..linear.damping import add_resistance, remember_directions
 from .guard import GOOD, sound
 from .steps import max_abs
@@ -49,7 +49,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
     to_q, to_v, a, move, parts = rows[0], rows[1], rows[2], rows[3], rows[4]
     kept_q, kept_v = rows[5], rows[6]
     for j in range(q.size):
-        kept_q[j], kept_v[j] = q[j], v[j]
+        kept_q[j], kept_v[j], a[j] = q[j], v[j], 0.0
     t = controller[CONTROLLER_TIME]
     mass = balance.mass
     first = energies(body, state, mass, gravity_x, gravity_y, q, v, parts)
@@ -104,6 +104,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
     if not sound(body, integrator, to_q, to_v, True):
         for j in range(q.size):  # a driven mass is out of bounds
             q[j], v[j] = kept_q[j], kept_v[j]
+        act_at(body, state, drive, t)
         return
     for j in range(q.size):
         q[j], v[j] = to_q[j], to_v[j]

@@ -28,7 +28,7 @@ from ..core.tables import (
     COUNT_WHAT,
     SPARE,
 )
-from ..forces.drive import drive_to
+from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
 from .steps import (
     HOPELESS,
@@ -36,6 +36,8 @@ from .steps import (
     WORTH_SHORTENING,
     ensure_acceleration,
     first_step,
+    fixed_steps,
+    fixed_time,
     is_gentle,
     max_abs,
     max_abs_difference,
@@ -112,8 +114,9 @@ def run_alpha(problem, drive, end, tolerance, attempts):
             late[j] = integrator.a[j]
     precision = 0.05 * _SPAN * tolerance if fixed == 0.0 else 1e-9
     t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
+    goal = end
     if fixed > 0.0:
-        h = fixed
+        h = min(h, fixed) if h > 0.0 else fixed
     elif h <= 0.0:
         h = 4.0 * first_step(integrator, drive, _SPAN * tolerance)
     failed = False
@@ -121,8 +124,10 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         if not (t < end and count[COUNT_WHAT] == GOOD):
             break
         # Equal steps up to the end: where steps change, what is kept from the last one is only of first
-        # order.
-        step = (end - t) / max(math.ceil((end - t) / h - 1e-6), 1)
+        # order. A fixed step is divided by itself, so that a run does not depend on how it is cut into calls.
+        if fixed > 0.0:
+            goal = fixed_time(problem, fixed_steps(problem, t) + 1)
+        step = (goal - t) / max(math.ceil((goal - t) / h - 1e-6), 1)
         # Motions that are too fast for the coming steps show up in the accelerations: discard those.
         calming = fixed == 0.0 and controller[CONTROLLER_BEGUN] < _CALMING
         am, af, gamma, beta, kept = _EULER if calming else _ALPHA
@@ -210,7 +215,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
                     force[j] = g2 * (to_q[j] - start[j]) - pull[j]
                 _rest(drive, force)
                 accumulate(problem, drive, t, to_q, to_v, force, step)
-            t = end if step == end - t else t + step
+            t = goal if step == goal - t else t + step
             remember(problem, step, 0.0)
             for j in range(1, q.size - SPARE):
                 late[j] = (to_q[j] - start[j]) * inverse
@@ -225,8 +230,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         else:
             error = max(error, 2.0)
             count[COUNT_REJECTED] += 1
-            if drive.pressed or drive.gusty:
-                drive_to(body, state, drive, t, q, v)
+            act_at(body, state, drive, t)
         after = step_after(integrator, h, step, error, 3, good, failed, _LEFT)
         if not good and error >= HOPELESS:
             controller[CONTROLLER_SOLVABLE] = after = _SOLVED * step

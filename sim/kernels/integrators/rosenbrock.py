@@ -21,7 +21,7 @@ from ..core.tables import (
     COUNT_WHAT,
     SPARE,
 )
-from ..forces.drive import drive_to
+from ..forces.drive import act_at, drive_to
 from ..linear.damping import add_resistance, remember_directions
 from .guard import GOOD, sound
 from .steps import (
@@ -132,8 +132,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
             for i in range(2 * _MOST_STAGES):  # sums include stages with weight zero, which may be NaN
                 for j in range(1, q.size - SPARE):
                     rows[i, j] = 0.0
-            if drive.pressed or drive.gusty:
-                drive_to(body, state, drive, t, q, v)
+            act_at(body, state, drive, t)
         if fixed == 0.0:
             h = step_after(integrator, h, step, error, method.order, good, failed)
             failed = not good

@@ -6,9 +6,9 @@ from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, settle
 from ..core.tables import CONTROLLER_TIME, COUNT_FORCES, COUNT_STEPS, COUNT_WHAT, SPARE
-from ..forces.drive import drive_to
+from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
-from .steps import ensure_acceleration, fitting_step, replace_state
+from .steps import ensure_acceleration, fixed_steps, fixed_time, replace_state
 
 
 @kernel(fastmath=FAST)
@@ -22,12 +22,11 @@ def run_runge_kutta(problem, drive, end, tolerance, attempts):
     tableau, controller, count = problem.explicit, integrator.controller, integrator.counts
     q, v, rates = state.q, state.v, integrator.rows
     to_q, to_v = rates[rates.shape[0] - 1], rates[rates.shape[0] - 2]
-    stages = tableau.stages
-    t = controller[CONTROLLER_TIME]
-    for _ in range(attempts):
-        if not (t < end and count[COUNT_WHAT] == GOOD):
-            break
-        step = fitting_step(t, end, problem.fixed)
+    stages, step = tableau.stages, problem.fixed
+    t, done = controller[CONTROLLER_TIME], 0
+    first = fixed_steps(problem, t)
+    wanted = min(fixed_steps(problem, end) - first, attempts)
+    while done < wanted and count[COUNT_WHAT] == GOOD:
         for j in range(1, q.size - SPARE):
             rates[0, j] = integrator.a[j]
         # The last one is the end of the step, whose accelerations are those of the next step's start.
@@ -38,13 +37,15 @@ def run_runge_kutta(problem, drive, end, tolerance, attempts):
             accelerate(problem, to_q, to_v, rates[i])
         count[COUNT_FORCES] += stages
         if not sound(body, integrator, to_q, to_v, True):
+            act_at(body, state, drive, t)
             break
         if problem.balance.active:
             accumulate(problem, drive, t, to_q, to_v, rates[stages], step)
-        t = end if step == end - t else t + step
+        done += 1
+        t = fixed_time(problem, first + done)
         replace_state(q, v, integrator.a, to_q, to_v, rates[stages])
         settle(problem, q)
-        count[COUNT_STEPS] += 1
+    count[COUNT_STEPS] += done
     controller[CONTROLLER_TIME] = t
 
 

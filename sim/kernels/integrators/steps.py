@@ -10,7 +10,15 @@ from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time, whole_eights
 from ..core.shared import accelerate
-from ..core.tables import CONTROLLER_PAST, CONTROLLER_TIME, COUNT_FORCES, COUNT_FRESH, COUNT_WHAT, SPARE
+from ..core.tables import (
+    CONTROLLER_ORIGIN,
+    CONTROLLER_PAST,
+    CONTROLLER_TIME,
+    COUNT_FORCES,
+    COUNT_FRESH,
+    COUNT_WHAT,
+    SPARE,
+)
 from ..core.vectors import from_to
 from ..forces.chain import is_chain_like
 from ..forces.drive import drive_to
@@ -138,6 +146,18 @@ def fitting_step(t, end, h):
     if 2.0 * h > rest:
         return 0.5 * rest
     return h
+
+
+@kernel(forceinline=True)
+def fixed_steps(problem, t):
+    """The number of whole steps of a fixed length from where the run began to time t."""
+    return int((t - problem.integrator.controller[CONTROLLER_ORIGIN]) / problem.fixed + 1e-6)
+
+
+@kernel(forceinline=True)
+def fixed_time(problem, number):
+    """The time of a step of a fixed length, s; the same bits however the run is cut into calls."""
+    return problem.integrator.controller[CONTROLLER_ORIGIN] + number * problem.fixed
 
 
 @kernel(fastmath=FAST)

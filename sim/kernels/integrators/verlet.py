@@ -17,7 +17,7 @@ from ..core.tables import (
     COUNT_WHAT,
     SPARE,
 )
-from ..forces.drive import drive_to
+from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
 from .steps import (
     HOPELESS,
@@ -26,6 +26,8 @@ from .steps import (
     ensure_acceleration,
     first_step,
     fitting_step,
+    fixed_steps,
+    fixed_time,
     replace_state,
     shortest_of,
     stays_gentle,
@@ -85,8 +87,10 @@ def run_verlet(problem, drive, end, tolerance, attempts):
     slots = q.size // 2
     farthest, fastest = integrator.limits[0], integrator.limits[1]
     t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
+    first = 0
     if fixed > 0.0:
-        h = fixed
+        h, first = fixed, fixed_steps(problem, t)
+        end = fixed_time(problem, fixed_steps(problem, end))
     elif h <= 0.0:
         h = 0.5 * first_step(integrator, drive, 0.01 * tolerance)
         controller[CONTROLLER_CAP] = 1e9
@@ -97,7 +101,7 @@ def run_verlet(problem, drive, end, tolerance, attempts):
     steps, tries, held, swaps, shortest = 0, 0, 0, 0, 0.0
     while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
         tries += 1
-        step = fitting_step(t, end, h)
+        step = fixed if fixed > 0.0 else fitting_step(t, end, h)
         half = 0.5 * step
         near = fixed == 0.0 and h >= near_limit
         _predict(q, v, a, slope, step, to_q, to_v)
@@ -129,6 +133,7 @@ def run_verlet(problem, drive, end, tolerance, attempts):
         if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
             good = good and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         if not good:
+            act_at(body, state, drive, t)
             if fixed == 0.0:
                 if failures != 1:
                     cap = _SINK * step
@@ -145,8 +150,11 @@ def run_verlet(problem, drive, end, tolerance, attempts):
             swaps += 1
         slope, to_slope = to_slope, slope
         settle(problem, q)
-        t = end if step == end - t else t + step
         steps += 1
+        if fixed > 0.0:
+            t = fixed_time(problem, first + steps)
+        else:
+            t = end if step == end - t else t + step
         if fixed == 0.0:
             cap *= _RAISE
             if failures == 0 and error * cap * cap < _ROOMY * step * step and cap < 2.0 * step:

@@ -17,6 +17,7 @@ from ..around.broad_phase import meeting, pairs_of, segment, update_pairs
 from ..around.contact import moving, pair_terms, roughness
 from ..core.jit import FAST, FUSED, kernel
 from .sparse import solve_sparse
+from .vectors import add_multiple, dot
 
 _ACCURACY = 1e-12
 """Residual, relative to the right-hand side, at which the iteration ends."""
@@ -182,10 +183,12 @@ def solve_with_contact(body, matrix, b):
     if not body.surroundings.contact.present or matrix.touching[TOUCHING_PAIRS] == 0.0:
         return
     space, hessenberg, width = matrix.krylov, matrix.hessenberg, matrix.hessenberg.shape[1]
-    right, most = space[width + 1], width - 1
+    x, right, most = space[width], space[width + 1], width - 1
+    masses, slots = body.masses, b.size // 2
     cosine, sine, rest = hessenberg[width], hessenberg[width + 1], hessenberg[width + 2]
     for j in range(b.size):
-        right[j], b[j] = b[j], 0.0
+        x[j], right[j] = 0.0, 0.0
+    add_multiple(masses, 1.0, b, right)
     whole, cycle, size = 0.0, 0, math.inf
     while cycle < _CYCLES:
         # The residual of what has been found so far.
@@ -193,11 +196,11 @@ def solve_with_contact(body, matrix, b):
             for j in range(b.size):
                 space[0, j] = right[j]
         else:
-            _couple(body, matrix, b, space[0])
+            _couple(body, matrix, x, space[0])
             solve_sparse(body, matrix, space[0])
             for j in range(b.size):
-                space[0, j] = right[j] - b[j] - space[0, j]
-        size = math.sqrt(_dot(space[0], space[0]))
+                space[0, j] = right[j] - x[j] - space[0, j]
+        size = math.sqrt(dot(masses, space[0], space[0]))
         whole = size if cycle == 0 else whole
         if not size > _ACCURACY * whole:
             break
@@ -212,11 +215,11 @@ def solve_with_contact(body, matrix, b):
             for j in range(b.size):
                 new[j] += space[k, j]
             for i in range(k + 1):
-                along = _dot(space[i], new)
+                along = dot(masses, space[i], new)
                 hessenberg[i, k] = along
                 for j in range(b.size):
                     new[j] -= along * space[i, j]
-            length = math.sqrt(_dot(new, new))
+            length = math.sqrt(dot(masses, new, new))
             for j in range(b.size):
                 new[j] /= length + 1e-300
             for i in range(k):  # the rotations so far
@@ -236,13 +239,13 @@ def solve_with_contact(body, matrix, b):
                 rest[i] -= hessenberg[i, k] * rest[k]
             rest[i] /= hessenberg[i, i]
             for j in range(b.size):
-                b[j] += rest[i] * space[i, j]
+                x[j] += rest[i] * space[i, j]
         cycle += 1
         if not size > _ACCURACY * whole:
             break
-    if not size <= _ACCURACY * whole:
-        for i in range(1, body.masses + 1):
-            b[i], b[b.size // 2 + i] = math.inf, math.inf
+    found = size <= _ACCURACY * whole
+    for i in range(1, masses + 1):
+        b[i], b[slots + i] = (x[i], x[slots + i]) if found else (math.inf, math.inf)
 
 
 @kernel(fastmath=FUSED)
@@ -277,11 +280,3 @@ def _couple(body, matrix, z, out):
                 out[slots + a] += w[a] * (u * fy + gy)
                 out[b] -= w[b] * (gx - t * fx)
                 out[slots + b] -= w[b] * (gy - t * fy)
-
-
-@kernel(fastmath=FAST)
-def _dot(one, other):
-    total = 0.0
-    for j in range(one.size):
-        total += one[j] * other[j]
-    return total

@@ -15,6 +15,7 @@ from ..around.wind import wind_at
 from ..core.jit import FAST, kernel
 from .contact import add_contact, add_contact_damping, solve_with_contact
 from .sparse import assemble, eliminate
+from .vectors import add_multiple, dot
 
 
 @kernel(fastmath=FAST)
@@ -37,16 +38,12 @@ def solve_surrounded(body, matrix, b):
     solve_with_contact(body, matrix, b)
     fillings = body.surroundings.fillings.shape[0]
     for k in range(fillings):
-        along = 0.0
-        for j in range(b.size):
-            along += matrix.borders[k, j] * b[j]
-        matrix.corrections[fillings, k] = along
+        matrix.corrections[fillings, k] = dot(body.masses, matrix.borders[k], b)
     for k in range(fillings):
         part = 0.0
         for i in range(fillings):
             part += matrix.corrections[k, i] * matrix.corrections[fillings, i]
-        for j in range(b.size):
-            b[j] -= part * matrix.borders[fillings + k, j]
+        add_multiple(body.masses, -part, matrix.borders[fillings + k], b)
 
 
 @kernel(fastmath=FAST)
@@ -146,10 +143,7 @@ def _border(body, state, matrix, q):
         solve_with_contact(body, matrix, solved)
     for i in range(count):
         for k in range(count):
-            dot = 1.0 if i == k else 0.0
-            for j in range(q.size):
-                dot += borders[i, j] * borders[count + k, j]
-            small[i, k] = dot
+            small[i, k] = dot(body.masses, borders[i], borders[count + k]) + (1.0 if i == k else 0.0)
     return _invert(small, count)
 
 

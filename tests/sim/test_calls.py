@@ -1,0 +1,152 @@
+"""What a run depends on: not on the calls that it is cut into, and not on what was before a reset."""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Anchor, ArrowKeys, Circle, Integrator, Scene, Simulation
+from sim.kernels.core.table import Table
+from sim.methods.registry import METHODS
+from sim.scene.types import Method
+from tests.sim.arrays import Arrays
+from tests.sim.bodies import body
+from tests.sim.inside import solver_of
+from tests.sim.surrounded import KINDS, surrounded
+from tests.sim.touching import SOFT, crumpled
+
+REPLACE = msgspec.structs.replace
+FIXED = [name for name, info in METHODS.items() if not info.adaptive]
+ADAPTIVE = [name for name, info in METHODS.items() if info.adaptive]
+
+
+def bits(simulation: Simulation) -> bytes:
+    state = simulation.positions.tobytes() + simulation.velocities.tobytes()
+    return state + np.array([simulation.time, simulation.rest_length_scale]).tobytes()
+
+
+def restless(**fields: object) -> Scene:
+    """A body that time itself drives: an anchor that goes round, and gusts."""
+    circle = Circle(radius=20.0, frequency=3.0, ramp=0.1)
+    anchors = (Anchor(mass=0, driven=True, circle=circle),)
+    springs = surrounded("all", seed=8).linear_springs
+    weak = tuple(REPLACE(spring, strength=5e4, yield_force=2e4) for spring in springs)
+    scene = REPLACE(surrounded("all", seed=8), linear_springs=weak, anchors=anchors, arrow_keys=ArrowKeys())
+    return REPLACE(scene, contact=SOFT, **fields)
+
+
+# ------------------------------------------------------------------------- calls
+@pytest.mark.parametrize("method", FIXED)
+def test_steps_of_a_fixed_length_are_the_same_bits_however_they_are_called(method: Method) -> None:
+    scene = restless(integrator=Integrator(method=method, dt=3e-4))
+    ends = set()
+    for every in (42, 1, 6):
+        simulation = Simulation(scene)
+        for keys in ((), ("up", "left"), ("left",)):
+            simulation.keys = keys
+            for _ in range(42 // every):
+                simulation.step(every)
+        ends.add(bits(simulation))
+    assert len(ends) == 1
+
+
+@pytest.mark.parametrize("method", ADAPTIVE)
+def test_steps_that_a_method_chooses_agree_to_the_tolerance(method: Method) -> None:
+    # They are cut at the ends of calls. The first steps of a jelly on a floor try to be far too long.
+    scene = sim.load_scene("jelly")
+    scene = REPLACE(scene, integrator=Integrator(method=method, dt=0.0025, tolerance=0.1))
+    ends = []
+    for every in (80, 640, 1):
+        simulation = Simulation(scene)
+        for _ in range(640 // every):
+            simulation.step(every)
+        assert simulation.stats().fallbacks == 0
+        ends.append(simulation.positions)
+    assert np.abs(ends[1] - ends[0]).max() <= 0.1
+    assert np.abs(ends[2] - ends[0]).max() <= 0.1
+
+
+# ------------------------------------------------------------------------- what was before
+@pytest.mark.parametrize("scene", ["fillings", "contact"])
+def test_a_solution_that_overflows_leaves_nothing_behind(scene: str) -> None:
+    arrays = Arrays(surrounded("fillings", seed=1) if scene == "fillings" else crumpled("girder"))
+    g = 150.0
+    assert arrays.factorise(g * g, g)
+    right = np.random.default_rng(1).normal(size=arrays.here.size)
+    expected = arrays.solve(right)  # which looks that nothing is written beside the masses
+    for much in (1e308, np.inf, np.nan):
+        arrays.solve(much * np.sign(right))
+    assert np.array_equal(arrays.solve(right), expected)
+
+
+def spoil(*tables: Table) -> None:
+    """Make all floats of tables NaN, but for what belongs to the body."""
+    for table in tables:
+        for name, array in table.arrays():
+            if array.dtype == np.float64 and name not in ("damping", "limits"):
+                array[:] = np.nan
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("kind", ["chain", "ring", "tree", "everything"])
+def test_a_reset_or_restored_simulation_depends_on_nothing_before(kind: str, method: Method) -> None:
+    scene = restless() if kind == "everything" else body(kind, "conservative", 1)
+    scene = REPLACE(scene, integrator=Integrator(method=method, dt=3e-4))
+    simulation, fresh = Simulation(scene), Simulation(scene)
+    fresh.step(20)
+    simulation.step(5)
+    moment = fresh.capture()
+    ends = []
+    for back in (simulation.reset, lambda: simulation.restore(moment)):
+        solver = solver_of(simulation)
+        spoil(solver.integrator, solver.scratch)
+        if METHODS[method].implicit:
+            spoil(solver.matrix)
+        simulation._state.q[:] = simulation._state.v[:] = np.nan
+        back()
+        simulation.step(20)
+        ends.append(bits(simulation))
+    assert ends[0] == bits(fresh)
+    fresh.restore(moment)
+    fresh.step(20)
+    assert ends[1] == bits(fresh)
+
+
+def test_a_mass_that_was_led_before_a_reset_starts_with_its_own_velocity() -> None:
+    scene = body("chain", "conservative", 1)
+    simulation, fresh = Simulation(scene), Simulation(scene)
+    simulation.grab(3)
+    simulation.lead(3, (100.0, 50.0))
+    simulation.step(4)
+    simulation.reset()
+    simulation.step(4)
+    fresh.step(4)
+    assert bits(simulation) == bits(fresh)
+
+
+# ------------------------------------------------------------------------- steps that are refused
+@pytest.mark.parametrize("method", FIXED)
+def test_the_last_good_state_has_the_keys_of_its_own_steps(method: Method) -> None:
+    scene = REPLACE(
+        body("girder", "conservative", 1),
+        integrator=Integrator(method=method, dt=0.02),
+        arrow_keys=ArrowKeys(),
+        wind=KINDS["gusts"]["wind"],
+        air_friction=0.3,
+    )
+    simulation, once = Simulation(scene), Simulation(scene)
+    simulation.keys = once.keys = {"up", "right"}
+    simulation.step(2000)
+    if METHODS[method].implicit or method == "stable_spring":
+        return  # they do not run away
+    assert simulation.divergence is not None
+    once.step(simulation.step_count)
+    assert once.divergence is None
+    assert (simulation.rest_length_scale, simulation.rest_angle_shift) == (
+        once.rest_length_scale,
+        once.rest_angle_shift,
+    )
+    assert np.array_equal(simulation._state.clock, once._state.clock)
+    assert bits(simulation) == bits(once)
