@@ -30,6 +30,7 @@ import { mindPictures } from "./picture.js";
 import { readPhases } from "./phase.js";
 import { listenToPointer } from "./pointer.js";
 import { addHeading } from "./paper.js";
+import { listenToPresses } from "./presses.js";
 import { addShareDialog } from "./share.js";
 import { keepStyles } from "./styles.js";
 import { addUnderlay } from "./underlay.js";
@@ -64,6 +65,7 @@ whenViser((viser) => {
   drawBody(viser, [hear, hearLesson, showHud, hearTools, keepStyles]);
   keepFlat();
   mindDialogs();
+  listenToPresses();
   const tracing = addTracing();
   listenToEditKeys();
   listenToKeys();
