@@ -120,6 +120,8 @@ class Tab:
         """Ask for something that is not the session's: of the ticker, but for what the page's script does."""
         if what == "notice":
             self.notify(argument)
+        elif what == "larger":
+            self._mail.send("larger")
         elif what == "share":
             self._answers.sharing.offer()
         elif what == "gallery":

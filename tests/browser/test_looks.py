@@ -93,6 +93,52 @@ def test_a_scene_is_opened_anew(open_page: OpenPage) -> None:
     )
 
 
+SMALL = """least => [...document.querySelectorAll("body *")].filter(e => {
+  const words = [...e.childNodes].some(n => n.nodeType === 3 && n.data.trim());
+  const said = e instanceof HTMLInputElement ? e.value : words;
+  if (!said || !e.checkVisibility() || !e.getBoundingClientRect().width) return false;
+  if (e.matches(".softrod-live, .softrod-tell, option, [aria-hidden] *") || e.type === "range") return false;
+  return parseFloat(getComputedStyle(e).fontSize) * e.currentCSSZoom < least;
+}).map(e => `${e.tagName} ${e.className} ${e.value ?? e.textContent}`.slice(0, 90))"""
+"""Texts that are seen and are smaller than so many pixels."""
+
+
+def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
+    """From the command palette, on a screen of 1920 by 1080; and it is there again after a reload."""
+    desk = open_page(size=(1920, 1080))
+    desk.page.keyboard.press("Control+k")
+    desk.page.locator(".mantine-Spotlight-action").filter(has_text="Larger, for a projector").click()
+    desk.until(lambda: desk.page.locator("html.softrod-projector").count() == 1, "all is larger")
+    desk.page.locator(".mantine-Spotlight-content").wait_for(state="detached")
+    desk.dismiss("Software WebGL")
+    desk.page.keyboard.press("g")
+    desk.page.locator(".u-legend").wait_for()
+    for tab in ("Play", "Body", "Solver", "Measure", "Files", "View"):
+        desk.show(tab)
+        desk.rest(3)
+        assert not desk.page.evaluate(SMALL, 23.9), tab
+    # What is beside the panel is not below it, and its sliders are where they seem to be.
+    panel, canvas = (desk.page.locator(one).first.bounding_box() for one in ("[data-dock-region]", "canvas"))
+    assert panel is not None and canvas is not None
+    assert panel["width"] >= 560.0
+    assert canvas["x"] + canvas["width"] == pytest.approx(panel["x"], abs=1.0)
+    desk.show("Body")
+    desk.click_track("Gravity", 0.5)
+    desk.until(
+        lambda: abs(desk.slider_value("Gravity") - 2500.0) < 60.0, "the slider is where it was clicked"
+    )
+    desk.show("Solver")
+    desk.control("Integrator").click()
+    desk.page.get_by_role("option", name="Adams").wait_for()
+    assert not desk.page.evaluate(SMALL, 23.9)
+    desk.open()
+    assert desk.page.locator("html.softrod-projector").count() == 1
+    desk.page.keyboard.press("p")
+    desk.until(lambda: desk.page.locator("[data-dock-region]").bounding_box()["width"] < 400.0, "as before")  # type: ignore[index]
+    canvas = desk.page.locator("canvas").first.bounding_box()
+    assert canvas is not None and canvas["width"] > 1500.0
+
+
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage, dark: bool) -> None:
     desk = open_page(size=(1000, 700))
