@@ -93,6 +93,40 @@ def test_a_scene_is_opened_anew(open_page: OpenPage) -> None:
     )
 
 
+INSIDE = """names => [...document.querySelectorAll(names)].filter(e => e.checkVisibility()).map(e => {
+  const box = e.getBoundingClientRect();
+  const over = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+  const cut = box.x < 0 || box.y < 0 || box.right > innerWidth || box.bottom > innerHeight;
+  return [e.ariaLabel ?? e.className, !cut && (e.contains(over) || over?.contains(e))];
+})"""
+"""Whether each of some elements is in view with nothing over it, by its name."""
+
+
+@pytest.mark.parametrize("size", [(844, 390), (640, 360), (390, 844), (360, 640)])
+def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(
+    open_page: OpenPage, size: tuple[int, int]
+) -> None:
+    desk = open_page(size=size, phone=True)
+    desk.tell(commands.Play(False))
+    desk.dismiss("Software WebGL")
+
+    def seen(names: str, count: int) -> bool:
+        found = desk.page.evaluate(INSIDE, names)
+        return len(found) >= count and all(inside for _, inside in found)
+
+    def body() -> bool:
+        return all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
+
+    bar = ".softrod-transport :is(button, input, .softrod-clock, select)"
+    desk.until(lambda: seen(bar, 6), "the bar of time is whole")
+    desk.until(body, "the body is in view")
+    desk.button("Edit").click()
+    desk.until(lambda: seen(".softrod-edit button", 8), "the tools are whole")
+    desk.until(body, "so is the body beside them")
+    assert abs(desk.place(11)[1] - desk.place(0)[1]) > 70.0
+    assert seen(bar, 6)
+
+
 SMALL = """least => [...document.querySelectorAll("body *")].filter(e => {
   const words = [...e.childNodes].some(n => n.nodeType === 3 && n.data.trim());
   const said = e instanceof HTMLInputElement ? e.value : words;

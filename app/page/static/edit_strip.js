@@ -148,7 +148,7 @@ export function addEditStrip(tracing) {
     const left = canvas.left + 14 + lessonRoom().left;
     const free = Math.max(canvas.top, hud?.bottom ?? 0) + 10;
     const top = free < above && above < free + STAYS ? above : free;
-    above = top;
+    above = editing.on ? top : 0;
     const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity) - lessonRoom().bottom;
     // On a phone they stand in a row, without words.
     const low = bottom - top < COLUMN * larger();
