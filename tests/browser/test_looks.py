@@ -217,3 +217,24 @@ def test_the_bar_of_time_stays_above_the_panel_of_a_phone_while_that_is_scrolled
     last.scroll_into_view_if_needed()
     desk.pause(1.0)
     assert abs(desk.page.evaluate(bottom) - before) < 1.0
+
+
+def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: OpenPage) -> None:
+    desk = open_page("lesson-hooke", size=(1000, 700))
+    desk.page.locator(".uplot canvas").wait_for()
+    desk.until(lambda: desk.page.locator(".softrod-reading").count() == 1, "the plot is drawn")
+    title = desk.page.locator(".softrod-lesson h2").inner_text()
+    desk.page.emulate_media(media="print")
+    below = desk.page.locator(".softrod-paper-below")
+    desk.until(lambda: title in below.inner_text(), "the step is on paper")
+    assert "mass1.y" in below.inner_text()
+    assert "How much lower, if gravity is doubled?" in below.inner_text()
+    curves = below.locator("figure img")
+    assert curves.count() == 1
+    desk.until(lambda: curves.evaluate("image => image.naturalWidth > 100"), "the curve is a picture")
+    assert desk.page.locator(".uplot canvas").evaluate("e => getComputedStyle(e).visibility") == "hidden"
+    box, canvas = below.bounding_box(), desk.page.locator("canvas").first.bounding_box()
+    assert box is not None and canvas is not None
+    assert canvas["y"] + canvas["height"] <= box["y"] + 1.0
+    assert box["y"] + box["height"] <= 700.0
+    desk.picture("paper-lesson.png")

@@ -29,7 +29,7 @@ import { addOverlay } from "./overlay.js";
 import { mindPictures } from "./picture.js";
 import { readPhases } from "./phase.js";
 import { listenToPointer } from "./pointer.js";
-import { addHeading } from "./paper.js";
+import { addPaper } from "./paper.js";
 import { listenToPresses } from "./presses.js";
 import { addShareDialog } from "./share.js";
 import { keepStyles } from "./styles.js";
@@ -85,7 +85,7 @@ whenViser((viser) => {
   addArrows();
   addCoordinates();
   addInstruments();
-  addHeading();
+  addPaper();
   addLesson();
   addEditMarks();
   addEditStrip(tracing);
