@@ -61,8 +61,8 @@ class Arrows:
             return
         if not exactly and now < self._due:
             return
-        simulation, dragged = session.simulation, session.dragged
-        held = {anchor.mass for anchor in simulation.anchors} | ({dragged} if dragged is not None else set())
+        simulation = session.simulation
+        held = {anchor.mass for anchor in simulation.anchors} | set(session.dragged)
         about = plan, frozenset(kinds), frozenset(held)
         numbers = _numbers(simulation, kinds)
         if self._least[0] != plan:

@@ -175,6 +175,7 @@ class Panel:
             ("Follow the pointer, or stop", "F", "follow"),
             ("Plot the joint's angle", "G", "plot"),
             ("Show the whole scene", "0", "fit"),
+            ("Larger, for a projector", "P", "larger"),
             ("Energy: follow it, or stop", "", "energy"),
             ("Predictability: measure it, or stop", "", "foretell"),
             ("Undo the last change of the body", "Ctrl Z", commands.Undo()),

@@ -20,9 +20,10 @@ from ..session.session import Session
 _KEYS = {"U": "up", "D": "down", "L": "left", "R": "right"}
 _NUMBER = r"-?\d{1,7}(?:\.\d{1,6})?"
 _MESSAGE = re.compile(
-    rf"\d{{1,15}}\|(?:keys\|([UDLR]{{0,4}})|at\|({_NUMBER}),({_NUMBER})|do\|([a-z]{{1,10}})"
+    rf"\d{{1,15}}\|(?:keys\|([UDLR]{{0,4}})|at\|((?:\d:{_NUMBER},{_NUMBER};){{1,10}})|do\|([a-z]{{1,10}})"
     rf"|go\|({_NUMBER})|speed\|({_NUMBER})"
-    rf"|grab\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|(drop)\||pick\|(\d{{1,6}})|lesson\|(\d{{1,2}})\|(run|wait|on))"
+    rf"|grab\|(\d)\|(\d{{1,6}})\|({_NUMBER}),({_NUMBER})|drop\|(\d)|pick\|(\d{{1,6}})"
+    r"|lesson\|(\d{1,2})\|(run|wait|on))"
 )
 _PART = re.compile(r"\d{1,15}\|(resume|link|paste)\|(\d{1,2})/(\d{1,2})\|([\x21-\x7e]{0,48000})")
 
@@ -223,7 +224,7 @@ def parse(message: object, mapping: Mapping) -> Command | Word | Pick | Begin | 
     match = _MESSAGE.fullmatch(message) if isinstance(message, str) else None
     if match is None:
         return None
-    keys, x, y, word, time, speed, mass, grab_x, grab_y, drop, picked, step, how = match.groups()
+    keys, places, word, time, speed, hand, mass, grab_x, grab_y, empty, picked, step, how = match.groups()
     if keys is not None:
         return commands.HoldKeys(frozenset(_KEYS[key] for key in keys))
     if word is not None:
@@ -232,17 +233,25 @@ def parse(message: object, mapping: Mapping) -> Command | Word | Pick | Begin | 
         return commands.GoTo(float(time))
     if speed is not None:
         return commands.Speed(float(speed))
-    if drop is not None:
-        return commands.DragEnd()
+    if empty is not None:
+        return commands.DragEnd(int(empty))
     if picked is not None:
         return Pick(int(picked))
     if step is not None:
         return Begin(int(step), how)  # type: ignore[arg-type]
     if mass is not None:
         point = mapping.to_scene(float(grab_x), float(grab_y))
-        return commands.DragStart(int(mass), *point) if all(map(math.isfinite, point)) else None
-    point = mapping.to_scene(float(x), float(y))
-    return commands.Point(*point) if all(map(math.isfinite, point)) else None
+        return commands.DragStart(int(mass), *point, int(hand)) if all(map(math.isfinite, point)) else None
+    points = [_point_of(place, mapping) for place in places[:-1].split(";")]
+    if not all(math.isfinite(point.x) and math.isfinite(point.y) for point in points):
+        return None
+    return points[0] if len(points) == 1 else commands.Points(tuple(points))
+
+
+def _point_of(place: str, mapping: Mapping) -> commands.Point:
+    """A hand and its place, as in "0:1.5,-0.5"."""
+    hand, x, y = re.split("[:,]", place)
+    return commands.Point(*mapping.to_scene(float(x), float(y)), int(hand))
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ from sim.scene.types import is_surrounded
 from ..drawing.plan import Picture, broken_of
 from ..drawing.sketch import Mapping
 from ..session import commands
+from ..session.hand import GIZMO
 from ..session.pacing import is_large
 from ..session.plots import Wish
 from ..session.session import Notice, Session
@@ -129,6 +130,8 @@ class Tab:
         """Ask for something that is not the session's: of the ticker, but for what the page's script does."""
         if what == "notice":
             self.notify(argument)
+        elif what == "larger":
+            self._mail.send("larger")
         elif what == "share":
             self._answers.sharing.offer()
         elif what == "gallery":
@@ -153,11 +156,11 @@ class Tab:
         if self._session is None:
             return
         if touch.phase == "start":
-            self._session.post(commands.DragStart(touch.mass, touch.x, touch.y, by_gizmo=True))
+            self._session.post(commands.DragStart(touch.mass, touch.x, touch.y, GIZMO))
         elif touch.phase == "update":
-            self._session.post(commands.DragTo(touch.x, touch.y))
+            self._session.post(commands.DragTo(touch.x, touch.y, GIZMO))
         else:
-            self._session.post(commands.DragEnd())
+            self._session.post(commands.DragEnd(GIZMO))
 
     # --------------------------------------------------------------------- the ticker's
     def frame(self, budget: float, beside: Submit) -> None:

@@ -26,10 +26,18 @@ class HoldKeys:
 
 @dataclass(frozen=True)
 class Point:
-    """Where the pointer is; used while something is dragged, or follows."""
+    """Where a hand's pointer is; used while it has a mass, and that of hand 0 while something follows."""
 
     x: float
     y: float
+    hand: int = 0
+
+
+@dataclass(frozen=True)
+class Points:
+    """Where the pointers of several hands are."""
+
+    points: tuple[Point, ...]
 
 
 @dataclass(frozen=True)
@@ -41,25 +49,28 @@ class Follow:
 
 @dataclass(frozen=True)
 class DragStart:
-    """A mass was taken hold of, by itself or by its gizmo, with the pointer at (x, y)."""
+    """A hand took hold of a mass, with its pointer at (x, y); see `hand.GIZMO` for that of a gizmo."""
 
     mass: int
     x: float
     y: float
-    by_gizmo: bool = False
+    hand: int = 0
 
 
 @dataclass(frozen=True)
 class DragTo:
-    """The mass in hand is wanted with the pointer at (x, y)."""
+    """As `Point`, from whom the next report comes later."""
 
     x: float
     y: float
+    hand: int = 0
 
 
 @dataclass(frozen=True)
 class DragEnd:
-    """The mass in hand was let go."""
+    """A hand let go of its mass."""
+
+    hand: int = 0
 
 
 @dataclass(frozen=True)
@@ -264,8 +275,8 @@ class Resume:
 
 
 Command = (
-    HoldKeys | Point | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues | Compare
-    | Foretell | KeepBooks | Change | Select | Undo | Redo | Open | Play | DoSteps | Reset | Speed
+    HoldKeys | Point | Points | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues
+    | Compare | Foretell | KeepBooks | Change | Select | Undo | Redo | Open | Play | DoSteps | Reset | Speed
     | SelectJoint | Snapshot | Recent
     | GoTo | GoBack | GoForward | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
 )  # fmt: skip

@@ -50,7 +50,7 @@ class Editing(Timeline):
             moment: of the scene as it is now.
             edit: what made it of the one before; None where it is another body's.
         """
-        self.hand.drop()
+        self.hands.drop()
         self.lesson_begun = True  # it goes on where it was
         self.recorder.restore(moment)
         if edit is None:

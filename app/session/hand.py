@@ -1,9 +1,10 @@
-"""What the pointer of a page does to its body: taking hold of a mass, leading it, letting it go."""
+"""What the pointers of a page do to its body: taking hold of masses, leading them, letting them go."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import sim
 from sim.errors import InputError
@@ -17,90 +18,129 @@ FRAME = 1.0 / 60.0
 DRAG_EVENT = 0.05
 """Seconds between two of viser's own reports of a drag; a mass is led smoothly from one to the next."""
 
+MOST_HANDS = 10
+"""Hands that the pointers of a page have at most, numbered from 0: as many as fingers on a board."""
+
+GIZMO = MOST_HANDS
+"""Number of the hand that leads a mass by its gizmo, which may keep to an axis."""
+
 Body = Recorder | sim.Simulation
 
 
-class PointerHand:
-    """The pointer of a page, and the mass in its hand.
+@dataclass
+class _Pointer:
+    """Where a pointer is, px, and the wall time, s, at which what it leads is to be there."""
+
+    x: float
+    y: float
+    arrival: float
+
+
+@dataclass
+class _Hand:
+    """A mass in hand, and where it is held off the pointer, px."""
+
+    mass: int
+    dx: float
+    dy: float
+    pointer: _Pointer
+
+
+class PointerHands:
+    """The pointers of a page, each with a mass in its hand, and the one that a mass follows without a button.
 
     Args:
         bodies: the body, and others that are to do the same.
         clock: wall time, s.
-
-    Attributes:
-        by_gizmo: whether a gizmo leads the mass in hand, which may keep to an axis.
     """
 
     def __init__(self, bodies: Callable[[], list[Body]], clock: Callable[[], float]) -> None:
         self._bodies, self._clock = bodies, clock
-        self._held: tuple[int, float, float] | None = None  # mass, and where it is held off the pointer
-        self._pointer: tuple[float, float] | None = None
-        self._arrival = 0.0  # when a led mass is to be at the pointer
-        self._pointed_at = -math.inf  # when the page's script last told where the pointer is
+        self._hands: dict[int, _Hand] = {}
+        self._followed: _Pointer | None = None
         self._last_steer = clock()
-        self.by_gizmo = False
 
     @property
-    def mass(self) -> int | None:
-        """The mass in hand."""
-        return self._held[0] if self._held else None
+    def masses(self) -> tuple[int, ...]:
+        """The masses in hand, in the order in which they were taken."""
+        return tuple(hand.mass for hand in self._hands.values())
 
-    def point(self, x: float, y: float, at: float) -> None:
-        """The page's script tells where the pointer is, px, at a wall time, s."""
-        self._pointed_at = at
-        if self._held is None or not self.by_gizmo:
-            self._pointer, self._arrival = finite(x, y), at + FRAME
+    def is_full(self, number: int) -> bool:
+        """Whether a hand has a mass."""
+        return number in self._hands
 
-    def drag_to(self, x: float, y: float, at: float) -> None:
-        """viser tells where the mass in hand is dragged, px, at a wall time, s."""
-        # The page's script is faster and tells the same, but a gizmo may keep to an axis.
-        if self._held is not None and (self.by_gizmo or at - self._pointed_at > 0.2):
-            self._pointer, self._arrival = finite(x, y), at + DRAG_EVENT
+    def point(self, number: int, x: float, y: float, arrival: float) -> None:
+        """The pointer of a hand is at (x, y) px, where its mass is to be at a wall time, s.
+
+        That of an empty hand 0 is the one that is followed; no other empty hand matters.
+        """
+        pointer = _Pointer(*finite(x, y), arrival)
+        if number in self._hands:
+            self._hands[number].pointer = pointer
+        elif number == 0:
+            self._followed = pointer
 
     def forget_pointer(self) -> None:
         """Nothing is to follow until the pointer moves again."""
-        self._pointer = None
+        self._followed = None
 
-    def take(self, mass: int, x: float, y: float, by_gizmo: bool) -> None:
-        """Take hold of a mass, with the pointer at (x, y) px."""
+    def take(self, number: int, mass: int, x: float, y: float) -> None:
+        """Have a hand take hold of a mass, with its pointer at (x, y) px; one that had the mass loses it."""
         x, y = finite(x, y)
-        self.let_go(None)
+        self.let_go(number, None)
         for body in self._bodies():
             body.grab(mass)
+        self._hands = {n: hand for n, hand in self._hands.items() if hand.mass != mass}
         px, py = self._place(mass)
-        self._held = (mass, px - x, py - y)
-        self._pointer = (x, y)
-        self.by_gizmo = by_gizmo
+        self._hands[number] = _Hand(mass, px - x, py - y, _Pointer(x, y, self._clock()))
 
-    def let_go(self, following: int | None) -> None:
-        """Let go of the mass in hand; `following`: the mass that goes on following the pointer, if any."""
-        if self._held is not None:
-            mass = self._held[0]
+    def let_go(self, number: int, following: int | None) -> None:
+        """Have a hand let go of its mass; `following`: the mass that then follows the pointer, if any."""
+        if number in self._hands:
+            hand = self._hands[number]
             # Where the pointer left it: the last frame may not have led it all the way.
-            self.steer(None, glide=False)
-            self._held = None
+            self._lead(hand, None)
+            del self._hands[number]
             for body in self._bodies():
-                body.release(mass)
+                body.release(hand.mass)
+            self._followed = hand.pointer
         if following is None:
-            self._pointer = None
+            self._followed = None
+
+    def let_all_go(self, following: int | None) -> None:
+        """Have all hands let go; see `let_go`."""
+        for number in list(self._hands):
+            self.let_go(number, following)
+        if following is None:
+            self._followed = None
 
     def drop(self) -> None:
         """Have nothing in hand any more; the bodies have let go by themselves."""
-        self._held = self._pointer = None
+        self._hands.clear()
+        self._followed = None
 
     def steer(self, following: int | None, glide: bool) -> None:
-        """Lead the mass in hand, or else one that follows, to the pointer: over some steps, or at once."""
-        if self._pointer is None:
+        """Lead the masses in hand, or else one that follows, to the pointers: over some steps, or at once."""
+        led = list(self._hands.values())
+        if not led and following is not None and self._followed is not None:
+            led = [_Hand(following, 0.0, 0.0, self._followed)]
+        if not led:
             return
-        x, y = self._pointer
-        if self._held is not None:
-            mass, dx, dy = self._held
-            x, y = x + dx, y + dy
-        elif following is not None:
-            mass = following
-        else:
+        if not glide:
+            for hand in led:
+                self._lead(hand, None)
             return
-        x, y = _clamp(x), _clamp(y)
+        # This frame's share of the way to where a mass is to be when the next report comes.
+        now = self._clock()
+        frame = min(max(now - self._last_steer, 1e-3), 2.0 * FRAME)
+        self._last_steer = now
+        for hand in led:
+            self._lead(hand, min(1.0, frame / max(frame, hand.pointer.arrival - now + frame)))
+
+    def _lead(self, hand: _Hand, share: float | None) -> None:
+        """Lead the mass in a hand to its pointer: a share of the way over some steps, or at once (None)."""
+        mass, pointer = hand.mass, hand.pointer
+        x, y = _clamp(pointer.x + hand.dx), _clamp(pointer.y + hand.dy)
         bodies = self._bodies()
         if bodies[0].rate_limited:
             # As fast as it can follow while time passes, also after it was let go; the ghost as it does.
@@ -108,15 +148,10 @@ class PointerHand:
                 if body.rate_limited:
                     body.follow(mass, (x, y))
             return
-        if not glide:
+        if share is None:
             for body in bodies:
                 body.move(mass, (x, y))
             return
-        # This frame's share of the way to where the mass is to be when the next report comes.
-        now = self._clock()
-        frame = min(max(now - self._last_steer, 1e-3), 2.0 * FRAME)
-        self._last_steer = now
-        share = min(1.0, frame / max(frame, self._arrival - now + frame))
         px, py = self._place(mass)
         for body in bodies:
             body.lead(mass, (px + (x - px) * share, py + (y - py) * share))

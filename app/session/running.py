@@ -16,7 +16,7 @@ from sim.motion.stability import Look, StabilityEstimate
 from sim.settings import settings_of
 
 from .ghost import Ghost, GhostMoment
-from .hand import Body, PointerHand
+from .hand import Body, PointerHands
 from .history import History, OldFuture
 from .notices import Notice
 from .pacing import Pacer
@@ -27,7 +27,7 @@ from .versions import Versions
 
 
 class Running:
-    """The body of one page in the present: its settings, its hand, its second body; see `Session`.
+    """The body of one page in the present: its settings, its hands, its second body; see `Session`.
 
     Attributes:
         simulation: the body in motion; the ticker's alone.
@@ -53,7 +53,7 @@ class Running:
         replay: the log that is played, if one is.
         opened: the scene as it was opened.
         lesson_begun: whether a step of the scene's lesson has begun; if not, the page says which.
-        hand: what the pointer does.
+        hands: what the pointers do.
         preparing: what is being compiled, for the page to say; empty when nothing is.
 
     Args:
@@ -89,7 +89,7 @@ class Running:
         self.stability = StabilityEstimate(math.inf, None)
         self._stability_due = 0.0
         self._look: Look | None = None  # at the stability limit, if one is under way
-        self.hand = PointerHand(self._bodies, clock)
+        self.hands = PointerHands(self._bodies, clock)
         self.ghost: Ghost | None = None
         self.foresight: Foresight | None = None
         self.books = False
@@ -111,9 +111,9 @@ class Running:
         return next((a.mass for a in self.simulation.anchors if a.driven), None)
 
     @property
-    def dragged(self) -> int | None:
-        """The mass in hand."""
-        return self.hand.mass
+    def dragged(self) -> tuple[int, ...]:
+        """The masses in hand, in the order in which they were taken."""
+        return self.hands.masses
 
     @property
     def _following(self) -> int | None:
@@ -121,7 +121,7 @@ class Running:
         return self.driven if self.follow else None
 
     def _let_go(self) -> None:
-        self.hand.let_go(self._following)
+        self.hands.let_all_go(self._following)
 
     def _set(self, key: str, value: float) -> None:
         setting = next((s for s in settings_of(self.simulation.scene) if s.key == key), None)
@@ -151,7 +151,7 @@ class Running:
             self.versions.add_change(label, before, after, key, self.now())
         if rebuilt:
             # Another body, whose time begins anew: what is past belongs to the other one.
-            self.hand.drop()
+            self.hands.drop()
             self._begin_history()
             self.generation += 1
             self.openings += 1
@@ -184,7 +184,7 @@ class Running:
         simulation = sim.Simulation(scene, wait=self._wait)
         self.opened = simulation.capture().scene
         self.lesson_begun = True
-        self.hand.drop()
+        self.hands.drop()
         self.simulation, self.recorder = simulation, Recorder(simulation)
         if self.books:
             self.recorder.keep_books(True)

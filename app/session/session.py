@@ -26,7 +26,7 @@ from . import commands, keepsakes
 from .commands import Command
 from .editing import Editing
 from .ghost import Ghost
-from .hand import FRAME
+from .hand import DRAG_EVENT, FRAME
 from .notices import Notice, runaway
 from .pacing import HEAVY_UNIT, is_large
 from .shadow import Foresight
@@ -195,7 +195,7 @@ class Session(Editing):
             except (InputError, SettingError, SceneError) as error:
                 self.notices.append(Notice("error", "That cannot be done", str(error)))
         if self.replay is None and (not self.playing or self.simulation.divergence is not None):
-            self.hand.steer(self._following, glide=False)
+            self.hands.steer(self._following, glide=False)
 
     # --------------------------------------------------------------------- inside
     def _go_on_looking(self, look: Look, now: float, budget: float) -> None:
@@ -217,19 +217,20 @@ class Session(Editing):
             case commands.HoldKeys(keys):
                 self._hold(keys & KEYS)
                 self._keys_at = at
-            case commands.Point(x, y):
-                # What follows the pointer must not disturb a moment that was gone back to.
-                if self.dragged is not None or not self.history.scrubbed:
-                    self.hand.point(x, y, at)
-            case commands.DragTo(x, y):
-                self.hand.drag_to(x, y, at)
+            case commands.Point():
+                self._point(command, at)
+            case commands.Points(points):
+                for point in points:
+                    self._point(point, at)
+            case commands.DragTo(x, y, hand):
+                self.hands.point(hand, x, y, at + DRAG_EVENT)
             case commands.Follow(on):
                 self.follow = on and self.driven is not None
-                self.hand.forget_pointer()
-            case commands.DragStart(mass, x, y, by_gizmo):
-                self.hand.take(mass, x, y, by_gizmo)
-            case commands.DragEnd():
-                self._let_go()
+                self.hands.forget_pointer()
+            case commands.DragStart(mass, x, y, hand):
+                self.hands.take(hand, mass, x, y)
+            case commands.DragEnd(hand):
+                self.hands.let_go(hand, self._following)
             case commands.SetValue(key, value):
                 self._set(key, value)
             case commands.SetChoice(key, value):
@@ -269,7 +270,7 @@ class Session(Editing):
             case commands.DoSteps(steps):
                 self.play(False)
                 self._branch()
-                self.hand.steer(self._following, glide=True)
+                self.hands.steer(self._following, glide=True)
                 led = list(self.simulation.behind)
                 done = self.recorder.step(max(0, min(steps, 1000)), self.pacer.attempts(MOST_SECONDS))
                 self._follow(done, led, MOST_SECONDS)
@@ -305,12 +306,17 @@ class Session(Editing):
                 if 0 <= joint < len(self.simulation.scene.angular_springs):
                     self.joint = joint
 
+    def _point(self, point: commands.Point, at: float) -> None:
+        # What follows the pointer must not disturb a moment that was gone back to.
+        if self.hands.is_full(point.hand) or not self.history.scrubbed:
+            self.hands.point(point.hand, point.x, point.y, at + FRAME)
+
     def _step(self, now: float, budget: float) -> None:
         """Go on by a frame."""
         # A method with steps of its own is held to the budget by what it may try.
         own = METHODS[self.simulation.method].adaptive
         steps = self.pacer.grant(now, self.simulation.dt, math.inf if own else budget)
-        self.hand.steer(self._following, glide=True)
+        self.hands.steer(self._following, glide=True)
         led = list(self.simulation.behind)
         began = time.perf_counter()
         done = self.recorder.step(steps, attempts=self.pacer.attempts(budget))

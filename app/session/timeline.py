@@ -91,7 +91,7 @@ class Timeline(Running):
             self._viewer = self._viewer or sim.Simulation(history[index].scene, wait=self._wait)
             self._viewer.restore(history[index])
             self.simulation = self._viewer
-        self.hand.forget_pointer()
+        self.hands.forget_pointer()
         history.shown = index
         self.offer_back = False
         self._changed_from(before)

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 import sim
 from app.gate.uploads import MAX_UPLOAD_BYTES
 from app.session import commands, log, record
+from app.session.hand import GIZMO
 from app.session.log import Check, Log, decode_log
 from sim.errors import InputError
 from sim.methods.registry import METHODS
@@ -56,11 +57,12 @@ def test_a_log_of_a_machine_that_is_too_slow() -> None:
 
 
 PLACES = st.floats(0.0, 600.0)
+HANDS = st.integers(0, GIZMO)
 ACTS: st.SearchStrategy[commands.Command] = st.one_of(
-    st.builds(commands.DragStart, st.integers(-1, 12), PLACES, PLACES, st.booleans()),
-    st.builds(commands.Point, PLACES, PLACES),
-    st.builds(commands.DragTo, PLACES, PLACES),
-    st.just(commands.DragEnd()),
+    st.builds(commands.DragStart, st.integers(-1, 12), PLACES, PLACES, HANDS),
+    st.builds(commands.Point, PLACES, PLACES, HANDS),
+    st.builds(commands.DragTo, PLACES, PLACES, HANDS),
+    st.builds(commands.DragEnd, HANDS),
     st.builds(commands.Follow, st.booleans()),
     st.builds(commands.HoldKeys, st.frozensets(st.sampled_from(["up", "down", "left", "right"]))),
     st.builds(

@@ -15,6 +15,7 @@ from app.session import commands
 from app.session.session import Session
 from sim.methods.registry import METHODS
 
+TWO = commands.Points((commands.Point(450.0, 350.0, 2), commands.Point(300.0, 300.0, 9)))
 MAPPING = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
 
 
@@ -23,14 +24,18 @@ MAPPING = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
     [
         ("1|keys|UR", commands.HoldKeys(frozenset({"up", "right"}))),
         ("2|keys|", commands.HoldKeys(frozenset())),
-        ("3|at|1.5,-0.5", commands.Point(450.0, 350.0)),
+        ("3|at|0:1.5,-0.5;", commands.Point(450.0, 350.0)),
+        (
+            "19|at|2:1.5,-0.5;9:0,0;",
+            TWO,
+        ),
         ("4|do|play", commands.Play()),
         ("5|do|pause", commands.Play(False)),
         ("6|do|step", commands.DoSteps(1)),
         ("7|do|reset", commands.Reset()),
         ("8|do|follow", script.Switch()),
-        ("15|grab|3|1.5,-0.5", commands.DragStart(3, 450.0, 350.0)),
-        ("16|drop|", commands.DragEnd()),
+        ("15|grab|2|3|1.5,-0.5", commands.DragStart(3, 450.0, 350.0, 2)),
+        ("16|drop|2", commands.DragEnd(2)),
         ("17|pick|3", script.Pick(3)),
         ("9|go|12.5", commands.GoTo(12.5)),
         ("10|speed|0.125", commands.Speed(0.125)),
@@ -48,10 +53,12 @@ def test_messages_are_understood(message: str, expected: object) -> None:
 @pytest.mark.parametrize(
     "message",
     [
-        "", "keys|U", "1|keys|X", "1|keys|UUUUU", "1|at|nan,0", "1|at|inf,1", "1|at|1e9,1", "1|at|1",
-        "1|at|1,2,3", "1|at|,", "1|go|nan", "1|go|",
-        "1|speed|x", "1|grab|3|1", "1|grab|-1|0,0", "1|drop|1", "1|pick|", "1|resume|1/1|%%%%",
-        "1|at|99999999,0", "1|do|format", "1|do|", "x|do|play", "1|do|play\n",
+        "", "keys|U", "1|keys|X", "1|keys|UUUUU", "1|at|0:nan,0;", "1|at|0:inf,1;", "1|at|0:1e9,1;",
+        "1|at|0:1;", "1|at|0:1,2,3;", "1|at|0:,;", "1|at|1,2", "1|at|10:1,2;", "1|at|" + 11 * "1:2,3;", "1|at|",
+        "1|go|nan", "1|go|",
+        "1|speed|x", "1|grab|0|3|1", "1|grab|0|-1|0,0", "1|grab|10|3|0,0", "1|drop|",
+        "1|drop|10", "1|pick|", "1|resume|1/1|%%%%",
+        "1|at|0:99999999,0;", "1|do|format", "1|do|", "x|do|play", "1|do|play\n",
         7, None, ["1|do|play"],
     ],
 )  # fmt: skip

@@ -11,6 +11,7 @@ import pytest
 
 import sim
 from app.session import commands
+from app.session.hand import GIZMO, MOST_HANDS
 from app.session.session import KEYS_FORGOTTEN_AFTER, MAX_QUEUE
 from tests.app.pages import FRAME, SessionPage
 from tests.sim.builders import tutorial_preset
@@ -84,7 +85,7 @@ def test_a_dragged_held_mass_goes_with_the_pointer_and_stays(page: SessionPage) 
     page.frames(5, commands.Point(x + 53.0, y + 20.0))
     page.frames(30, commands.DragEnd())
     assert page.session.simulation.positions[0] == pytest.approx((x + 50.0, y + 20.0))
-    assert page.session.dragged is None
+    assert not page.session.dragged
 
 
 def test_a_drag_is_smooth_between_two_slow_reports(page: SessionPage) -> None:
@@ -112,18 +113,47 @@ def test_a_free_mass_is_held_while_dragged_and_falls_after(page: SessionPage) ->
     assert np.hypot(*(page.session.simulation.positions[last] - (x + 80.0, y - 60.0))) > 5.0
 
 
-def test_the_script_s_pointer_wins_over_slow_reports_of_the_same_drag(page: SessionPage) -> None:
-    x, y = page.session.simulation.positions[0]
-    page.frames(1, commands.DragStart(0, x, y), commands.Point(x + 40.0, y))
-    page.frames(10, commands.DragTo(x - 500.0, y))
-    assert page.session.simulation.positions[0, 0] == pytest.approx(x + 40.0)
-
-
 def test_a_gizmo_that_keeps_to_its_axis_is_not_disturbed_by_the_pointer(page: SessionPage) -> None:
     x, y = page.session.simulation.positions[0]
-    page.frames(1, commands.DragStart(0, x, y, by_gizmo=True))
-    page.frames(20, commands.DragTo(x + 40.0, y), commands.Point(x + 40.0, y + 90.0))
+    page.frames(1, commands.DragStart(0, x, y, GIZMO))
+    page.frames(20, commands.DragTo(x + 40.0, y, GIZMO), commands.Point(x + 40.0, y + 90.0))
     assert page.session.simulation.positions[0] == pytest.approx((x + 40.0, y))
+
+
+def test_every_hand_drags_a_mass_of_its_own(page: SessionPage) -> None:
+    hands = range(MOST_HANDS)
+    before = page.session.simulation.positions
+    for hand in hands:
+        page.session.post(commands.DragStart(hand + 1, *before[hand + 1], hand))
+    moved = [commands.Point(*(before[hand + 1] + (5.0 * hand, -30.0)), hand) for hand in hands]
+    page.frames(20, commands.Points(tuple(moved)))
+    assert page.session.dragged == tuple(hand + 1 for hand in hands)
+    wanted = before[1 : MOST_HANDS + 1] + np.outer(hands, (5.0, 0.0)) + (0.0, -30.0)
+    assert page.session.simulation.positions[1 : MOST_HANDS + 1] == pytest.approx(wanted)
+    page.frames(1, *(commands.DragEnd(hand) for hand in hands if hand != 4))
+    assert page.session.dragged == (5,)
+    assert page.session.simulation._hands.grabbed == {5}
+    page.frames(20, commands.Points(tuple(moved)))
+    assert page.session.simulation.positions[5] == pytest.approx(wanted[4])
+
+
+def test_a_mass_goes_to_the_hand_that_took_it_last(page: SessionPage) -> None:
+    x, y = page.session.simulation.positions[11]
+    page.frames(1, commands.DragStart(11, x, y, 0), commands.DragStart(11, x, y, 3))
+    page.frames(20, commands.DragEnd(0), commands.Point(x + 40.0, y, 3))
+    assert page.session.dragged == (11,)
+    assert page.session.simulation.positions[11] == pytest.approx((x + 40.0, y))
+    page.frames(1, commands.DragStart(10, x, y, 3))
+    assert page.session.simulation._hands.grabbed == {10}
+
+
+def test_what_follows_the_pointer_comes_to_where_a_drag_has_ended(page: SessionPage) -> None:
+    x, y = page.session.simulation.positions[11]
+    page.frames(2, commands.Follow(True), commands.Point(200.0, 100.0))
+    page.frames(2, commands.DragStart(11, x, y), commands.Point(x - 60.0, y))
+    assert page.session.simulation.positions[0] == pytest.approx((200.0, 100.0))
+    page.frames(20, commands.DragEnd())
+    assert page.session.simulation.positions[0] == pytest.approx((x - 60.0, y))
 
 
 def test_dragging_works_while_paused(page: SessionPage) -> None:
@@ -154,7 +184,7 @@ def test_a_pointer_out_of_the_world_is_clamped(page: SessionPage) -> None:
 
 def test_a_mass_that_does_not_exist_cannot_be_dragged(page: SessionPage) -> None:
     page.frames(2, commands.DragStart(99, 0.0, 0.0), commands.DragStart(-1, 0.0, 0.0))
-    assert page.session.dragged is None
+    assert not page.session.dragged
     assert len(page.session.notices) == 2
 
 
@@ -191,7 +221,7 @@ def test_another_number_of_masses_is_another_body(page: SessionPage) -> None:
 def test_the_number_of_masses_can_change_in_the_middle_of_a_drag(page: SessionPage) -> None:
     page.frames(2, commands.DragStart(11, 300.0, 480.0), commands.SetValue("masses", 4))
     page.frames(5, commands.Point(0.0, 0.0), commands.DragEnd())
-    assert page.session.dragged is None
+    assert not page.session.dragged
     assert not page.session.notices
 
 

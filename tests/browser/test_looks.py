@@ -93,6 +93,86 @@ def test_a_scene_is_opened_anew(open_page: OpenPage) -> None:
     )
 
 
+INSIDE = """names => [...document.querySelectorAll(names)].filter(e => e.checkVisibility()).map(e => {
+  const box = e.getBoundingClientRect();
+  const over = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+  const cut = box.x < 0 || box.y < 0 || box.right > innerWidth || box.bottom > innerHeight;
+  return [e.ariaLabel ?? e.className, !cut && (e.contains(over) || over?.contains(e))];
+})"""
+"""Whether each of some elements is in view with nothing over it, by its name."""
+
+
+@pytest.mark.parametrize("size", [(844, 390), (640, 360), (390, 844), (360, 640)])
+def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(
+    open_page: OpenPage, size: tuple[int, int]
+) -> None:
+    desk = open_page(size=size, phone=True)
+    desk.tell(commands.Play(False))
+    desk.dismiss("Software WebGL")
+
+    def seen(names: str, count: int) -> bool:
+        found = desk.page.evaluate(INSIDE, names)
+        return len(found) >= count and all(inside for _, inside in found)
+
+    def body() -> bool:
+        return all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
+
+    bar = ".softrod-transport :is(button, input, .softrod-clock, select)"
+    desk.until(lambda: seen(bar, 6), "the bar of time is whole")
+    desk.until(body, "the body is in view")
+    desk.button("Edit").click()
+    desk.until(lambda: seen(".softrod-edit button", 8), "the tools are whole")
+    desk.until(body, "so is the body beside them")
+    assert abs(desk.place(11)[1] - desk.place(0)[1]) > 70.0
+    assert seen(bar, 6)
+
+
+SMALL = """least => [...document.querySelectorAll("body *")].filter(e => {
+  const words = [...e.childNodes].some(n => n.nodeType === 3 && n.data.trim());
+  const said = e instanceof HTMLInputElement ? e.value : words;
+  if (!said || !e.checkVisibility() || !e.getBoundingClientRect().width) return false;
+  if (e.matches(".softrod-live, .softrod-tell, option, [aria-hidden] *") || e.type === "range") return false;
+  return parseFloat(getComputedStyle(e).fontSize) * e.currentCSSZoom < least;
+}).map(e => `${e.tagName} ${e.className} ${e.value ?? e.textContent}`.slice(0, 90))"""
+"""Texts that are seen and are smaller than so many pixels."""
+
+
+def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
+    """From the command palette, on a screen of 1920 by 1080; and it is there again after a reload."""
+    desk = open_page(size=(1920, 1080))
+    desk.page.keyboard.press("Control+k")
+    desk.page.locator(".mantine-Spotlight-action").filter(has_text="Larger, for a projector").click()
+    desk.until(lambda: desk.page.locator("html.softrod-projector").count() == 1, "all is larger")
+    desk.page.locator(".mantine-Spotlight-content").wait_for(state="detached")
+    desk.dismiss("Software WebGL")
+    desk.page.keyboard.press("g")
+    desk.page.locator(".u-legend").wait_for()
+    for tab in ("Play", "Body", "Solver", "Measure", "Files", "View"):
+        desk.show(tab)
+        desk.rest(3)
+        assert not desk.page.evaluate(SMALL, 23.9), tab
+    # What is beside the panel is not below it, and its sliders are where they seem to be.
+    panel, canvas = (desk.page.locator(one).first.bounding_box() for one in ("[data-dock-region]", "canvas"))
+    assert panel is not None and canvas is not None
+    assert panel["width"] >= 560.0
+    assert canvas["x"] + canvas["width"] == pytest.approx(panel["x"], abs=1.0)
+    desk.show("Body")
+    desk.click_track("Gravity", 0.5)
+    desk.until(
+        lambda: abs(desk.slider_value("Gravity") - 2500.0) < 60.0, "the slider is where it was clicked"
+    )
+    desk.show("Solver")
+    desk.control("Integrator").click()
+    desk.page.get_by_role("option", name="Adams").wait_for()
+    assert not desk.page.evaluate(SMALL, 23.9)
+    desk.open()
+    assert desk.page.locator("html.softrod-projector").count() == 1
+    desk.page.keyboard.press("p")
+    desk.until(lambda: desk.page.locator("[data-dock-region]").bounding_box()["width"] < 400.0, "as before")  # type: ignore[index]
+    canvas = desk.page.locator("canvas").first.bounding_box()
+    assert canvas is not None and canvas["width"] > 1500.0
+
+
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage, dark: bool) -> None:
     desk = open_page(size=(1000, 700))
@@ -136,3 +216,24 @@ def test_the_bar_of_time_stays_above_the_panel_of_a_phone_while_that_is_scrolled
     last.scroll_into_view_if_needed()
     desk.pause(1.0)
     assert abs(desk.page.evaluate(bottom) - before) < 1.0
+
+
+def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: OpenPage) -> None:
+    desk = open_page("lesson-hooke", size=(1000, 700))
+    desk.page.locator(".uplot canvas").wait_for()
+    desk.until(lambda: desk.page.locator(".softrod-reading").count() == 1, "the plot is drawn")
+    title = desk.page.locator(".softrod-lesson h2").inner_text()
+    desk.page.emulate_media(media="print")
+    below = desk.page.locator(".softrod-paper-below")
+    desk.until(lambda: title in below.inner_text(), "the step is on paper")
+    assert "mass1.y" in below.inner_text()
+    assert "How much lower, if gravity is doubled?" in below.inner_text()
+    curves = below.locator("figure img")
+    assert curves.count() == 1
+    desk.until(lambda: curves.evaluate("image => image.naturalWidth > 100"), "the curve is a picture")
+    assert desk.page.locator(".uplot canvas").evaluate("e => getComputedStyle(e).visibility") == "hidden"
+    box, canvas = below.bounding_box(), desk.page.locator("canvas").first.bounding_box()
+    assert box is not None and canvas is not None
+    assert canvas["y"] + canvas["height"] <= box["y"] + 1.0
+    assert box["y"] + box["height"] <= 700.0
+    desk.picture("paper-lesson.png")

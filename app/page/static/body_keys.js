@@ -6,6 +6,7 @@
 import { onPicture, shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
 import { choose, chosenMass } from "./overlay.js";
+import { freeHand, freshHand, placeText } from "./hands.js";
 import { pointText } from "./screen.js";
 
 /** How far an arrow moves a mass, in units of the world: a hundredth of the scene's frame. */
@@ -35,6 +36,8 @@ export function addBodyKeys() {
 
   /** Where the mass in hand is, in the world; null while none is. @type {{x: number, y: number} | null} */
   let hand = null;
+  /** Its number. */
+  let number = -1;
   const name = () => {
     const { pictured: plan } = shown();
     return plan ? `mass ${chosenMass()} of 0 to ${plan.radius.length - 1}` : "no mass";
@@ -49,7 +52,8 @@ export function addBodyKeys() {
   const letGo = () => {
     if (!hand) return;
     hand = null;
-    send("drop", "");
+    send("drop", String(number));
+    freeHand(number);
     say(`${name()} let go`);
   };
 
@@ -77,16 +81,16 @@ export function addBodyKeys() {
     if (event.code === "Space" || event.key === "Enter") {
       const at = where();
       if (hand) letGo();
-      else if (at) {
+      else if (at && (number = freshHand()) >= 0) {
         hand = at;
-        send("grab", `${chosenMass()}|${pointText(at)}`);
+        send("grab", `${number}|${chosenMass()}|${pointText(at)}`);
         send("pick", String(chosenMass()));
         say(`${name()} in hand. Arrows move it`);
       }
     } else if (move && hand) {
       const step = STEP * (event.shiftKey ? FAR : 1);
       hand = { x: hand.x + move[0] * step, y: hand.y + move[1] * step };
-      send("at", pointText(hand));
+      send("at", placeText(number, hand));
     } else if (move) {
       const count = plan.radius.length;
       choose((chosenMass() + (event.key === "ArrowRight" || event.key === "ArrowDown" ? 1 : count - 1)) % count);

@@ -62,6 +62,7 @@ function swallow(event) {
 function down(event) {
   const { canvas } = viser() ?? {};
   if (passing || !editing.on || event.target !== canvas || !canvas) return;
+  if (press.id >= 0 && event.pointerType === "pen") drop(); // a hand that rests gives way to it
   if (press.id >= 0) {
     giveBack(canvas);
     return;
@@ -69,7 +70,7 @@ function down(event) {
   if (event.button === 2) second = placeOf(event);
   const { tool } = editing;
   const selects = tool === "select" || event.shiftKey;
-  if (event.button !== 0 || !event.isPrimary || (tool === "hand" && !selects)) return;
+  if (event.button !== 0 || (tool === "hand" && !selects)) return;
   swallow(event);
   const focused = document.activeElement;
   if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
@@ -94,7 +95,7 @@ function giveBack(canvas) {
   const { pointerId, pointerType, clientX, clientY, pageX, pageY, button, buttons } = event;
   const init = { pointerId, pointerType, clientX, clientY, pageX, pageY, button, buttons, bubbles: true, cancelable: true };
   passing = true;
-  canvas.dispatchEvent(new PointerEvent("pointerdown", { ...init, isPrimary: false }));
+  canvas.dispatchEvent(new PointerEvent("pointerdown", init));
   passing = false;
 }
 
@@ -114,11 +115,6 @@ function drop() {
   change({ drag: null, hover: press.kind === "touch" ? null : editing.hover });
 }
 
-/** The press ends without its release, as when another window comes to the front. */
-function lose() {
-  if (press.id >= 0) drop();
-}
-
 /** @param {PointerEvent} event */
 function move(event) {
   if (!editing.on || passing) return;
@@ -129,10 +125,6 @@ function move(event) {
     return;
   }
   if (event.pointerId !== press.id) return;
-  if (event.buttons === 0) {
-    lose();
-    return;
-  }
   event.stopImmediatePropagation();
   if (!press.moved && Math.hypot(at.x - press.start.x, at.y - press.start.y) <= CLICK) return;
   clearTimeout(longer);
@@ -355,8 +347,7 @@ export function listenToEdits() {
   window.addEventListener("pointerdown", down, true);
   window.addEventListener("pointermove", move, true);
   for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) window.addEventListener(kind, up, true);
-  window.addEventListener("lostpointercapture", ({ pointerId }) => pointerId === press.id && lose(), true);
-  window.addEventListener("blur", lose);
+  window.addEventListener("lostpointercapture", ({ pointerId }) => pointerId === press.id && drop(), true);
   document.addEventListener("pointerout", ({ relatedTarget }) => editing.hover && press.id < 0 && !relatedTarget && hover(null));
   window.addEventListener("contextmenu", (event) => {
     if (!editing.on || event.target !== viser()?.canvas) return;

@@ -5,9 +5,9 @@ import { toClipboard, pasteHere } from "./clipboard.js";
 import { make, makeButton } from "./dialog.js";
 import { stepBack } from "./edit.js";
 import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
+import { hasWords, larger } from "./looks.js";
 import { ask } from "./mail.js";
 import { setTakesNew, takesNew } from "./move.js";
-import { hasWords } from "./looks.js";
 import { onSight } from "./overlay.js";
 import { viser } from "./viser.js";
 
@@ -46,12 +46,15 @@ const ALWAYS = [
   ["Rest as is", "", "rest", "Springs and joints rest as they are now"],
 ];
 
-/** Pixels that the box of instruments takes where its word is left out, and between it and the tools. */
-const [BOX, GAP] = [50, 10];
+/** Pixels between the closed box of instruments and what stands beside it. */
+const GAP = 10;
 /** Pixels by which the words above the tools may grow shorter, as when the clock runs, and the tools stay in place. */
 const STAYS = 60;
 /** Pixels of height that a column of tools needs, with the bar below. */
 const COLUMN = 480;
+
+/** Pixels that the box of instruments takes. */
+const boxWidth = () => (document.querySelector(".softrod-box-lid")?.clientWidth ?? 40) + GAP;
 
 /** @param {string} name */
 const icon = (name) => `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`;
@@ -144,10 +147,11 @@ export function addEditStrip(tracing) {
     const left = canvas.left + 14;
     const free = Math.max(canvas.top, hud?.bottom ?? 0) + 10;
     const top = free < above && above < free + STAYS ? above : free;
-    above = top;
+    above = editing.on ? top : 0;
     const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity);
     // On a phone they stand in a row, without words.
-    const low = bottom - top < COLUMN;
+    const low = bottom - top < COLUMN * larger();
+    const beside = boxWidth();
     strip.classList.toggle("softrod-edit-row", low || !editing.on);
     strip.classList.toggle("softrod-edit-closed", !editing.on);
     strip.classList.toggle("softrod-words", !editing.on && hasWords(canvas));
@@ -157,8 +161,7 @@ export function addEditStrip(tracing) {
     if (count.textContent !== counted) count.textContent = counted;
     if (!editing.on) {
       // Out of the body's way, beside the box of instruments.
-      const box = document.querySelector(".softrod-box-lid")?.getBoundingClientRect();
-      Object.assign(strip.style, { left: `${box ? box.right + GAP : left}px`, top: "auto", bottom: `${window.innerHeight - bottom + 8}px` });
+      Object.assign(strip.style, { left: `${left + beside}px`, top: "auto", bottom: `${window.innerHeight - bottom + 8}px` });
       return;
     }
     Object.assign(strip.style, { left: `${left}px`, bottom: "auto" });
@@ -167,8 +170,8 @@ export function addEditStrip(tracing) {
     const under = low && scale && scale.left < left + strip.offsetWidth ? scale.bottom : 0;
     strip.style.top = `${Math.max(top, under + 10)}px`;
     // Over the bar of time, beside the box of instruments.
-    bar.style.left = `${left + BOX}px`;
-    bar.style.maxWidth = `${canvas.right - left - BOX - 14}px`;
+    bar.style.left = `${left + beside}px`;
+    bar.style.maxWidth = `${canvas.right - left - beside - 14}px`;
     bar.style.bottom = `${window.innerHeight - bottom + 8}px`;
   };
   let shown = "";

@@ -102,6 +102,8 @@ export function addInstruments() {
     return lay(kind, LAID[kind].map(([x, y]) => shapes.pointAt({ x: at.x + x, y: at.y + y }, new Float64Array(), on)));
   };
 
+  /** Those that a pointer moves. @type {Set<Instrument>} */
+  const led = new Set();
   /**
    * Moves an instrument, or one point of it, with the pointer until that is let go.
    *
@@ -111,7 +113,8 @@ export function addInstruments() {
    * @param {number} index of the point, or -1 for all
    */
   const drag = (instrument, event, target, index) => {
-    if (!seen || !event.isPrimary || event.button > 0) return;
+    if (!seen || led.has(instrument) || event.button > 0) return;
+    led.add(instrument);
     event.preventDefault();
     target.setPointerCapture(event.pointerId);
     const begun = shapes.placesOf(instrument.points, seen.places, seen.on);
@@ -131,6 +134,7 @@ export function addInstruments() {
     const end = (now) => {
       if (now.pointerId !== event.pointerId) return;
       for (const kind of ["pointermove", "pointerup", "pointercancel"]) target.removeEventListener(kind, listeners[kind]);
+      led.delete(instrument);
       box.welcome(false);
       if (box.isOver(now)) putAway(instrument.kind);
       else {
@@ -282,11 +286,11 @@ function addBox() {
     let begun = null;
     let dragged = false;
     button.addEventListener("pointerdown", (event) => {
-      [begun, dragged] = [event.isPrimary && event.button === 0 ? event : null, false];
+      [begun, dragged] = [event.button === 0 ? event : null, false];
       button.setPointerCapture(event.pointerId);
     });
     button.addEventListener("pointermove", (event) => {
-      if (!begun || Math.hypot(event.clientX - begun.clientX, event.clientY - begun.clientY) < DRAG) return;
+      if (begun?.pointerId !== event.pointerId || Math.hypot(event.clientX - begun.clientX, event.clientY - begun.clientY) < DRAG) return;
       [begun, dragged] = [null, true];
       take(kind, event, button);
     });

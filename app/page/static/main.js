@@ -30,7 +30,8 @@ import { addOverlay } from "./overlay.js";
 import { mindPictures } from "./picture.js";
 import { readPhases } from "./phase.js";
 import { listenToPointer } from "./pointer.js";
-import { addHeading } from "./paper.js";
+import { addPaper } from "./paper.js";
+import { listenToPresses } from "./presses.js";
 import { addShareDialog } from "./share.js";
 import { keepStyles } from "./styles.js";
 import { addUnderlay } from "./underlay.js";
@@ -65,6 +66,7 @@ whenViser((viser) => {
   drawBody(viser, [hear, hearLesson, showHud, hearTools, keepStyles]);
   keepFlat();
   mindDialogs();
+  listenToPresses();
   const tracing = addTracing();
   listenToEditKeys();
   listenToKeys();
@@ -84,7 +86,7 @@ whenViser((viser) => {
   addArrows();
   addCoordinates();
   addInstruments();
-  addHeading();
+  addPaper();
   addLesson();
   addMenu();
   addEditMarks();

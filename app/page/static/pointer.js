@@ -1,10 +1,12 @@
 // @ts-check
 /**
- * Taking hold of masses with a mouse, a pen or a finger. Where the pointer is in the scene is told to the server
- * at every animation frame while it matters.
+ * Taking hold of masses with a mouse, pens and fingers, each with a mass of its own. Where the pointers are in the scene is
+ * told to the server at every animation frame while it matters.
  */
 import { shown } from "./canvas.js";
 import { send, told } from "./channel.js";
+import { editing } from "./editing.js";
+import { areFree, freeHand, freshHand, placeText } from "./hands.js";
 import { nearest, onScreen, pointText, screen, worldAt } from "./screen.js";
 import { viser } from "./viser.js";
 
@@ -12,11 +14,21 @@ import { viser } from "./viser.js";
 const REACH = { mouse: 12, pen: 16, touch: 26, disc: 0 };
 /** Pixels within which a press counts as a click. */
 const CLICK = 4;
+/** Milliseconds after a finger on the background in which a second one is for the view, whatever is under it. */
+const PINCH = 250;
+
+/** @typedef {{x: number, y: number}} Place pixels of the window */
 
 /** Where the pointer was last over the canvas, in pixels of the window. @type {{x: number, y: number} | null} */
 let pointer = null;
-/** The mass in hand, and where it was pressed. @type {{mass: number, id: number, x: number, y: number, moved: boolean} | null} */
-let hold = null;
+/**
+ * What each pointer holds: in which hand, where it was pressed, where it is and whether the server knows that.
+ *
+ * @type {Map<number, {mass: number, hand: number, start: Place, at: Place, moved: boolean, told: boolean}>}
+ */
+const holds = new Map();
+/** When each finger came down on the background, ms of the events' clock. @type {Map<number, number>} */
+const viewing = new Map();
 let asked = false;
 
 /** What lies over the canvas and gives way to a mass under the pointer. @param {EventTarget | null} target */
@@ -27,31 +39,46 @@ const givesWay = (target) => target instanceof Element && target.closest(".softr
  *
  * @param {{x: number, y: number}} place
  * @param {string} kind of pointer; "disc" for the disc itself and nothing around it
+ * @param {number[]} [others] masses that do not count
  */
-export function massAt(place, kind) {
+export function massAt(place, kind, others = []) {
   const { pictured: plan, frame } = shown();
   const on = screen();
   if (!plan || !frame || !on) return -1;
   const radii = plan.radius.map((radius) => radius * on.step);
+  for (const mass of others) radii[mass] = NaN;
   return nearest(onScreen(plan, frame.positions, on), radii, place, REACH[/** @type {"mouse"} */ (kind)] ?? REACH.mouse);
 }
 
-/** @param {{x: number, y: number}} place */
-function coordinates(place) {
+/** @param {Place} place */
+function pointAt(place) {
   const on = screen();
   const point = on && worldAt(place, on);
-  if (!point || !Number.isFinite(point.x) || !Number.isFinite(point.y)) return null;
-  return pointText(point);
+  return point && Number.isFinite(point.x) && Number.isFinite(point.y) ? point : null;
 }
-
-/** Whether something goes where the pointer goes. */
-const isFollowed = () => hold !== null || told().follow === "1";
 
 function report() {
   asked = false;
-  const at = pointer && isFollowed() ? coordinates(pointer) : null;
-  if (at) send("at", at);
+  let places = "";
+  for (const hold of holds.values()) {
+    const point = hold.told ? null : pointAt(hold.at);
+    if (point) places += placeText(hold.hand, point);
+    hold.told = true;
+  }
+  // That of a free hand is followed without a button.
+  const point = pointer && areFree() && told().follow === "1" ? pointAt(pointer) : null;
+  if (point) places += placeText(0, point);
+  if (places) send("at", places);
 }
+
+function reportSoon() {
+  if (!asked) requestAnimationFrame(report);
+  asked = true;
+}
+
+/** Whether a finger that comes down belongs to one that did so just now, for the view. @param {PointerEvent} event */
+const isPinch = ({ pointerType, timeStamp }) =>
+  pointerType === "touch" && [...viewing.values()].some((since) => timeStamp - since < PINCH);
 
 /** @param {PointerEvent} event */
 function press(event) {
@@ -61,49 +88,65 @@ function press(event) {
   // The keys are the body's again.
   const focused = document.activeElement;
   if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
-  pointer = { x: event.clientX, y: event.clientY };
-  const at = coordinates(pointer);
-  const mass = event.button === 0 && event.isPrimary ? massAt(pointer, under) : -1;
-  if (mass < 0 || !at) return;
+  const place = { x: event.clientX, y: event.clientY };
+  if (holds.size === 0) pointer = place;
+  const isTool = editing.on && editing.tool !== "hand";
+  const held = [...holds.values()].map(({ mass }) => mass);
+  const mass = event.button === 0 && !isTool && !isPinch(event) ? massAt(place, under, held) : -1;
+  const point = mass >= 0 ? pointAt(place) : null;
+  const hand = point ? freshHand() : -1;
+  if (!point || hand < 0) {
+    if (event.pointerType === "touch") viewing.set(event.pointerId, event.timeStamp);
+    return;
+  }
   // Neither viser nor its camera may hear of it.
   event.preventDefault();
   event.stopImmediatePropagation();
   canvas.setPointerCapture(event.pointerId);
-  hold = { mass, id: event.pointerId, ...pointer, moved: false };
-  send("grab", `${mass}|${at}`);
+  holds.set(event.pointerId, { mass, hand, start: place, at: place, moved: false, told: true });
+  send("grab", `${hand}|${mass}|${pointText(point)}`);
 }
 
 /** @param {PointerEvent} event */
 function move(event) {
   const { canvas } = viser() ?? {};
-  // Off the canvas the pointer counts as staying where it was; and a second finger does not move the mass in hand.
-  if (hold ? event.pointerId !== hold.id : event.target !== canvas) return;
-  pointer = { x: event.clientX, y: event.clientY };
+  const at = { x: event.clientX, y: event.clientY };
+  const hold = holds.get(event.pointerId);
   if (hold) {
     event.stopImmediatePropagation();
-    hold.moved ||= Math.hypot(pointer.x - hold.x, pointer.y - hold.y) > CLICK;
-  } else if (canvas && event.buttons === 0 && event.pointerType !== "touch") {
-    document.documentElement.toggleAttribute("data-softrod-near", massAt(pointer, event.pointerType) >= 0);
+    hold.at = pointer = at;
+    hold.told = false;
+    hold.moved ||= Math.hypot(at.x - hold.start.x, at.y - hold.start.y) > CLICK;
+    reportSoon();
+    return;
   }
-  if (isFollowed() && !asked) {
-    asked = true;
-    requestAnimationFrame(report);
+  // Off the canvas the pointer counts as staying where it was.
+  if (holds.size || event.target !== canvas) return;
+  pointer = at;
+  if (event.buttons === 0 && event.pointerType !== "touch") {
+    document.documentElement.toggleAttribute("data-softrod-near", massAt(at, event.pointerType) >= 0);
   }
+  if (told().follow === "1") reportSoon();
 }
 
 /** @param {PointerEvent} event */
 function letGo(event) {
-  if (!hold || event.pointerId !== hold.id) return;
+  viewing.delete(event.pointerId);
+  const hold = holds.get(event.pointerId);
+  if (!hold) return;
   event.stopImmediatePropagation();
   if (asked) report();
-  send("drop", "");
+  holds.delete(event.pointerId);
+  freeHand(hold.hand);
+  send("drop", String(hold.hand));
   if (!hold.moved && event.type === "pointerup") send("pick", String(hold.mass));
-  hold = null;
 }
 
 /** Begins to listen. */
 export function listenToPointer() {
   window.addEventListener("pointerdown", press, true);
   window.addEventListener("pointermove", move, true);
-  for (const kind of ["pointerup", "pointercancel"]) window.addEventListener(kind, /** @type {any} */ (letGo), true);
+  for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
+    window.addEventListener(kind, letGo, true);
+  }
 }

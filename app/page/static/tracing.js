@@ -224,7 +224,7 @@ function listen(present, put, stop) {
   window.addEventListener("pointerdown", (event) => {
     const now = present();
     const { canvas } = viser() ?? {};
-    if (!moving || !now || !canvas || event.target !== canvas || event.button !== 0 || !event.isPrimary) return;
+    if (!moving || !now || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
     event.preventDefault();
     event.stopImmediatePropagation();
     canvas.setPointerCapture(event.pointerId);
@@ -243,7 +243,6 @@ function listen(present, put, stop) {
       hold = null;
     }, true);
   }
-  window.addEventListener("blur", () => (hold = null));
   window.addEventListener("keydown", (event) => {
     const now = present();
     const way = MOVES[event.key];
