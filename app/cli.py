@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 import os
 import sys
@@ -425,6 +426,9 @@ COMMANDS = {
 
 def main(arguments: list[str] | None = None) -> None:
     """The entry point of the command `softrod`."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # Names may have letters that the terminal's encoding lacks. The error stream does this anyway.
+        sys.stdout.reconfigure(errors="backslashreplace")
     words = sys.argv[1:] if arguments is None else arguments
     command = COMMANDS.get(words[0]) if words else None
     sys.exit(_main(command or Serve, words[1:] if command else words))

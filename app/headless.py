@@ -18,6 +18,7 @@ import sim
 from sim.errors import InputError
 from sim.motion.energy import ENERGY_FIELDS, EnergyBook
 from sim.scene.files import write_atomically
+from sim.scene.places import as_utf8, repeated_key
 
 from .session.log import Log, Step, decode_log, is_recorded
 from .session.replay import Player
@@ -54,9 +55,11 @@ def read_log(path: Path) -> list[Entry] | Log:
         InputError: the file cannot be read, or a line is not an entry; the sentence names the line.
     """
     try:
-        data = path.read_bytes()
+        data = as_utf8(path.read_bytes())
     except OSError as error:
         raise InputError(f"{path}: the file cannot be read ({error.strerror or error})") from None
+    except UnicodeError as error:
+        raise InputError(f"{path}: {error}") from None
     if is_recorded(data):
         return decode_log(data, str(path))
     lines = data.splitlines()
@@ -67,8 +70,10 @@ def read_log(path: Path) -> list[Entry] | Log:
             continue
         try:
             entry = decoder.decode(line)
-        except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        except msgspec.DecodeError as error:
             raise InputError(f"{path}: line {number}: {error}") from None
+        if again := repeated_key(line):
+            raise InputError(f"{path}: line {number}: the key {again[0][:60]!r} stands twice in one object")
         if entry.step < (entries[-1].step if entries else 0):
             raise InputError(f"{path}: line {number}: step {entry.step} comes after a later step")
         entries.append(entry)

@@ -16,7 +16,9 @@ import numpy as np
 import pytest
 
 import sim
+from app import headless
 from app.cli import main
+from sim.errors import InputError
 
 Result = subprocess.CompletedProcess[str]
 
@@ -210,6 +212,35 @@ def test_check_tells_good_from_bad(tmp_path: Path) -> None:
     assert "bad.json: rope.mass: -1 is not in the range 1e-06..1e+06 kg" in result.stderr
     assert "missing.json" in result.stderr
     assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "ascii"])
+def test_letters_that_the_terminal_lacks_are_no_error(
+    encoding: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "Маятник.json"
+    sim.save_scene(sim.rope(name="Маятник"), path)
+    monkeypatch.setenv("PYTHONIOENCODING", encoding)
+    result = softrod("check", path)
+    assert result.returncode == 0, result.stderr
+    assert "12 masses, is valid" in result.stdout
+    result = softrod("link", path, "--qr")
+    assert result.stdout.startswith("http://")
+    refused(result, f"--qr: the terminal's encoding, {encoding}, lacks the blocks of a QR code")
+
+
+def test_inputs_of_other_programs(tmp_path: Path) -> None:
+    line = '{"step": 3, "keys": ["left"]}'
+    path = tmp_path / "inputs.jsonl"
+    for mark, encoding in ((b"\xef\xbb\xbf", "utf-8"), (b"\xff\xfe", "utf-16-le")):
+        path.write_bytes(mark + f"{line}\r\n{line}\r\n".encode(encoding))
+        assert headless.read_log(path) == [headless.Entry(step=3, keys=("left",))] * 2
+    path.write_bytes(b'\n{"step": 3, "keys": [], "step": 4}')
+    with pytest.raises(InputError, match=r"line 2: the key 'step' stands twice"):
+        headless.read_log(path)
+    path.write_bytes(b'{"step": 3}\n{"keys": ["\xe4"]}')
+    with pytest.raises(InputError, match=r"inputs.jsonl: line 2: the text is not in UTF-8"):
+        headless.read_log(path)
 
 
 def test_help_lists_every_command() -> None:
