@@ -27,6 +27,10 @@ STREAKS, STREAK, PARTS, POINT = 150.0, 44.0, 8, 4.0
 point."""
 
 
+HEAD, SIDE = 10.0, 4.2
+"""The head of an arrow, along and to either side."""
+
+
 class Wall(NamedTuple):
     """What a picture shows of a wall.
 
@@ -110,6 +114,20 @@ def fillings(sketch: Sketch, positions: Floats, window: Window) -> list[tuple[bo
         (bool(filling[FILLING_GAS]), places[around.loop[starts[k] : starts[k + 1]]])
         for k, filling in enumerate(around.fillings)
     ]
+
+
+def load_arrows(sketch: Sketch, positions: Floats, window: Window) -> tuple[Floats, Floats]:
+    """(k, 2, 2) shafts and (k, 3, 2) heads of the arrows of constant forces on masses."""
+    which = sketch.loads[:, 0].astype(int)
+    begin = window.pixels(sketch.mapping.to_world(positions[which])[:, :2])
+    arrows = sketch.loads[:, 1:] * (window.step, -window.step)
+    length = np.hypot(*arrows.T)[:, None]
+    along = arrows / length
+    across = np.column_stack((-along[:, 1], along[:, 0]))
+    size = np.minimum(HEAD * window.unit, 0.6 * length)
+    tip, base = begin + arrows, begin + arrows - size * along
+    side = SIDE / HEAD * size * across
+    return np.stack((begin, base), 1), np.stack((base + side, tip, base - side), 1)
 
 
 def skin(sketch: Sketch, positions: Floats, broken: tuple[int, ...], window: Window) -> tuple[Floats, float]:

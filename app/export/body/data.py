@@ -23,6 +23,7 @@ _UNITS = {
     "velocity": "L/s",
     "mass": "kg",
     "radius": "L",
+    "force": "kg L/s^2",
     "stiffness": "kg/s^2",
     "damping": "kg/s",
     "rest_length": "L",
@@ -80,6 +81,10 @@ def body_csv(body: Body) -> bytes:
     masses: dict[str, Iterable[Any]] = {f"x [{unit}]": x, f"y [{unit}]": y}
     masses |= {f"vx [{unit}/s]": vx, f"vy [{unit}/s]": vy}
     masses |= _with_units(scene, {key: _masses(body)[key] for key in ("mass", "radius")})
+    if body.loads:
+        of = f"kg {unit}/s^2"
+        forces = zip(*_forces(body), strict=True)
+        masses |= {f"force_{axis} [{of}]": part for axis, part in zip("xy", forces, strict=True)}
     masses["held"] = body.held.astype(int).tolist()
     anchors = {anchor.mass: anchor for anchor in scene.anchors}
     if any(anchor.circle is not None for anchor in scene.anchors):
@@ -130,7 +135,12 @@ def _masses(body: Body) -> dict[str, Any]:
         "velocity": body.velocities.tolist(),
         "mass": body.mass.tolist(),
         "radius": body.radius.tolist(),
+        **({"force": _forces(body)} if body.loads else {}),
     }
+
+
+def _forces(body: Body) -> list[tuple[float, float]]:
+    return [body.loads.get(i, (0.0, 0.0)) for i in range(len(body.mass))]
 
 
 def _springs(body: Body) -> dict[str, Any]:
