@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
@@ -15,6 +14,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 import sim
+from sim.csv_text import csv_text
 from sim.errors import InputError
 from sim.motion.energy import ENERGY_FIELDS, EnergyBook
 from sim.scene.files import write_atomically
@@ -89,8 +89,8 @@ class Table(Protocol):
         """Note the present state."""
         ...
 
-    def write(self, path: Path) -> None:
-        """Write as CSV or NPZ.
+    def write(self, path: Path, decimal_comma: bool = False) -> None:
+        """Write as CSV, which may have decimal commas, or NPZ.
 
         Raises:
             InputError: the ending is neither, or the file cannot be written.
@@ -101,12 +101,12 @@ class Table(Protocol):
 class QuantityTable(sim.Recording):
     """A table of quantities, for `--record`."""
 
-    def write(self, path: Path) -> None:
+    def write(self, path: Path, decimal_comma: bool = False) -> None:
         """As `Table` says; in NPZ, there is an array `time`, and one for each quantity by its name."""
         if path.suffix == ".npz":
             _write(path, _npz(time=self.time, **{name: self[name] for name in self.units}))
         else:
-            self.to_csv(path)
+            self.to_csv(path, decimal_comma)
 
 
 @dataclass
@@ -130,7 +130,7 @@ class PositionTable:
         self.times.append(simulation.time)
         self.positions.append(simulation.positions)
 
-    def write(self, path: Path) -> None:
+    def write(self, path: Path, decimal_comma: bool = False) -> None:
         """Write as CSV (17 significant digits) or NPZ (`step`, `time`, `positions` of shape (rows, n, 2)).
 
         With energies, there is a column, or an array, for each field of `sim.EnergyBook`.
@@ -148,19 +148,17 @@ class PositionTable:
             steps, times = np.array(self.steps), np.array(self.times)
             _write(path, _npz(step=steps, time=times, positions=positions, **energies))
         else:
-            _write(path, self._csv(positions).encode())
+            _write(path, self._csv(positions, decimal_comma).encode())
 
-    def _csv(self, positions: np.ndarray) -> str:
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
+    def _csv(self, positions: np.ndarray, decimal_comma: bool) -> str:
         names = ENERGY_FIELDS if self.energies is not None else ()
         axes = [f"{axis}{i}" for i in range(self.masses) for axis in "xy"]
-        writer.writerow(["step", "time", *names, *axes])
+        table: list[list[object]] = [["step", "time", *names, *axes]]
         flat = positions.reshape(len(self.steps), 2 * self.masses)
         for i, (step, time, row) in enumerate(zip(self.steps, self.times, flat, strict=True)):
             energies = [getattr(self.energies[i], name) for name in names] if self.energies else []
-            writer.writerow([step, *(f"{value:.17g}" for value in (time, *energies, *row))])
-        return text.getvalue()
+            table.append([step, time, *energies, *row])
+        return csv_text(table, decimal_comma, "{:.17g}".format)
 
 
 def new_table(scene: sim.Scene, energy: bool, names: Sequence[str]) -> Table:

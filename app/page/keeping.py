@@ -15,17 +15,21 @@ MOST_BYTES = 8_000_000
 
 
 class Kept(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A keepsake of the session, how the page looked, and which plots were open."""
+    """A keepsake of the session, how the page and its tables looked, and which plots were open."""
 
     session: msgspec.Raw
     dark: bool = False
     gizmos: bool = False
+    commas: bool = False
     plots: tuple[Wish, ...] = ()
 
 
-def encode(session: bytes, dark: bool, gizmos: bool, plots: tuple[Wish, ...] = ()) -> bytes:
+def encode(
+    session: bytes, dark: bool, gizmos: bool, plots: tuple[Wish, ...] = (), commas: bool = False
+) -> bytes:
     """What the browser is to keep, JSON."""
-    return msgspec.json.encode(Kept(session=msgspec.Raw(session), dark=dark, gizmos=gizmos, plots=plots))
+    kept = Kept(session=msgspec.Raw(session), dark=dark, gizmos=gizmos, plots=plots, commas=commas)
+    return msgspec.json.encode(kept)
 
 
 def decode(letters: str) -> Kept | None:

@@ -23,6 +23,7 @@ from ..session.notices import Notice
 from ..session.plots import MOST_PLOTS, OFFERED, Plot, Wish, curve
 from ..session.session import Session
 from . import plots, readouts
+from .comma_switch import CommaSwitch
 
 EVERY = 0.1
 """Seconds between two updates of a plot, at least."""
@@ -82,6 +83,7 @@ class MeasurePanel:
         tab: where they stand.
         session: what is measured.
         notify: tells the user something.
+        commas: whether tables have decimal commas.
 
     Attributes:
         called: counts how often the tab was to be shown.
@@ -94,8 +96,10 @@ class MeasurePanel:
         tab: viser.GuiTabHandle,
         session: Session,
         notify: Callable[[Notice], None],
+        commas: CommaSwitch,
     ) -> None:
         self._client, self._tab, self._session, self._notify = client, tab, session, notify
+        self._commas = commas
         self._asked: deque[Callable[[], None]] = deque(maxlen=100)
         self._plots: list[_Shown] = []
         self._kept: tuple[Wish, ...] | None = None  # None for those that are open
@@ -119,6 +123,8 @@ class MeasurePanel:
             self.new = gui.add_button("New plot", icon=viser.Icon.CHART_LINE, order=5)
             self._span = gui.add_dropdown("Plots show", tuple(SPANS), initial_value="10 s", order=6)
             self._span.visible = False
+            self._comma_switch = commas.add(gui, order=7)
+            self._comma_switch.visible = False
         for handle, action in (
             (self._part, self._offer),
             (self._what, self._offer),
@@ -286,7 +292,7 @@ class MeasurePanel:
                 self._asked.append(partial(action, shown))
 
         plot.sample(self._session)
-        self._span.visible = True
+        self._span.visible = self._comma_switch.visible = True
         self._offer()
         self._show(shown, reads=True)
 
@@ -295,7 +301,7 @@ class MeasurePanel:
             return
         self._plots.remove(shown)
         shown.remove()
-        self._span.visible = bool(self._plots)
+        self._span.visible = self._comma_switch.visible = bool(self._plots)
         if not (self._session.books or any(one.plot.wants_energy for one in self._plots)):
             self._session.simulation.keep_books(False)
         self._offer()
@@ -318,7 +324,9 @@ class MeasurePanel:
 
     def _download(self, shown: _Shown) -> None:
         name = f"{self._session.scene.name}-{shown.plot.wish.names[0]}.csv"
-        self._client.send_file_download(name, shown.plot.table().encode(), save_immediately=True)
+        self._client.send_file_download(
+            name, shown.plot.table(self._commas.on).encode(), save_immediately=True
+        )
 
     def _redraw(self) -> None:
         for shown in self._plots:

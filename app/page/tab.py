@@ -29,6 +29,7 @@ from ..session.plots import Wish
 from ..session.session import Notice, Session
 from . import controls, keeping, mail, readouts, script, shelf
 from .answers import Answers
+from .comma_switch import CommaSwitch
 from .controls import Controls
 from .export_panel import ExportPanel
 from .files_panel import FilesPanel
@@ -77,6 +78,7 @@ class Tab:
         self._requests: deque[tuple[str, Any]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
         self._dark = False
+        self._commas = CommaSwitch(self.request)
         self._gizmos = False
         self._generation = -1
         self._fits = 0
@@ -222,7 +224,9 @@ class Tab:
         self._measure = self._tools = None
         if self._panel.measure_tab is not None:
             if "measure" in self._controls:
-                self._measure = MeasurePanel(self.client, self._panel.measure_tab, session, self.notify)
+                self._measure = MeasurePanel(
+                    self.client, self._panel.measure_tab, session, self.notify, self._commas
+                )
                 self._measure.remember(self._plots_kept)
             if "tools" in self._controls:
                 with self._panel.measure_tab:
@@ -232,7 +236,7 @@ class Tab:
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
                 files = FilesPanel(self.client, session, self.notify, self._answers.sharing.offer)
-                take_home = ExportPanel(self.client, session, lambda: self._dark, self.request)
+                take_home = ExportPanel(self.client, session, lambda: self._dark, self.request, self._commas)
             self._panel.outlined += [*files.outlined, *take_home.outlined]
 
         @self._panel.channel.on_update
@@ -294,6 +298,7 @@ class Tab:
             if self._tools is not None:
                 self._arrows_kept = self._tools.leave()
             self.client.gui.reset()
+            self._commas.clear()
             self._make_panel(session)
             self._panel.pictures = pictures
             self._panel.show_looks(self._dark, self._gizmos)
@@ -350,13 +355,13 @@ class Tab:
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
         now, plots = session.now(), self._measure.wishes if self._measure is not None else ()
-        state = (session.revision, session.simulation.time, self._dark, self._gizmos, plots)
+        state = (session.revision, session.simulation.time, self._dark, self._gizmos, self._commas.on, plots)
         # At rest only the clock goes on: that is not worth a message.
-        resting = self._was_at_rest and (state[0], plots) == (*self._kept[:1], *self._kept[4:])
+        resting = self._was_at_rest and (state[0], *state[4:]) == (*self._kept[:1], *self._kept[4:])
         if now < self._keep_due or state == self._kept or resting or session.replay is not None:
             return
         began = time.perf_counter()
-        self._view.keep(keeping.encode(session.keepsake(), self._dark, self._gizmos, plots))
+        self._view.keep(keeping.encode(session.keepsake(), self._dark, self._gizmos, plots, self._commas.on))
         self._kept = state
         self._keep_due = now + max(KEEP_EVERY, (time.perf_counter() - began) / KEEP_SHARE)
 
@@ -365,6 +370,7 @@ class Tab:
         if self._measure is not None:
             self._measure.remember(kept.plots)
         self.request("gizmos", kept.gizmos)
+        self.request("commas", kept.commas)
         if kept.dark:
             self.request("theme", True)
         session.post(commands.Resume(bytes(kept.session)))
@@ -390,6 +396,8 @@ class Tab:
                 self._gizmos = argument
                 self._view.show_gizmos(argument)
                 self._panel.show_looks(self._dark, self._gizmos)
+            elif what == "commas":
+                self._commas.show(argument)
             elif what == "resume":
                 self._resume(session, argument)
             elif what == "fit":

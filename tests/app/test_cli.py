@@ -72,6 +72,18 @@ def test_run_writes_a_table_that_reads_back_exactly(tmp_path: Path) -> None:
     assert float(rows[1][1]) == simulation.time
 
 
+def test_tables_have_decimal_commas_if_they_are_to(tmp_path: Path) -> None:
+    plain, commas = tmp_path / "plain.csv", tmp_path / "commas.csv"
+    for words in ((), ("--energy",), ("--record", "joint0.angle", "--record", "mass3.x")):
+        run = "run", "ring", "--steps", "20", "--every", "5", *words, "--out"
+        assert softrod(*run, plain).returncode == 0
+        assert softrod(*run, commas, "--csv-comma").returncode == 0
+        text = commas.read_text()
+        head, *rows = plain.read_text().splitlines()
+        wanted = [head.replace(",", ";"), *(row.replace(",", ";").replace(".", ",") for row in rows)]
+        assert text.splitlines() == wanted
+
+
 def test_run_replays_moves_and_keys(tmp_path: Path) -> None:
     log, out = tmp_path / "log.jsonl", tmp_path / "out.npz"
     lines = [

@@ -319,6 +319,18 @@ def test_tables_have_every_number_with_its_unit() -> None:
     assert body_csv(body) == body_csv(body_of(scene))
 
 
+def test_tables_have_decimal_commas_if_they_are_to() -> None:
+    body = body_of(sim.load_scene("air-balloon"))
+    with_commas = zipfile.ZipFile(io.BytesIO(body_csv(body, decimal_comma=True)))
+    for name in (plain := zipfile.ZipFile(io.BytesIO(body_csv(body)))).namelist():
+        head, *rows = csv.reader(io.StringIO(plain.read(name).decode()))
+        found = list(csv.reader(io.StringIO(with_commas.read(name).decode()), delimiter=";"))
+        assert found[0] == head
+        for row, other in zip(rows, found[1:], strict=True):
+            numbers = [cell.replace(".", ",") if cell[-1:].isdigit() else cell for cell in row]
+            assert [*map(str.strip, other)] == numbers
+
+
 def test_numpy_reads_a_table() -> None:
     archive = zipfile.ZipFile(io.BytesIO(body_csv(body_of(sim.load_scene("girder")))))
     for name, count in (("masses", 17), ("springs", 31)):
