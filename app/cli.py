@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 import os
 import sys
@@ -21,7 +22,7 @@ from sim.motion.quantities import PARTS
 from sim.scene.files import read_scene
 
 from . import headless
-from .command import Settings, fail, scene_of
+from .command import CsvComma, Settings, fail, scene_of
 from .export.command import Export
 from .lessons import check_lesson
 from .linking import Link
@@ -91,6 +92,7 @@ class Run:
             + "; ".join(f"{part}: {', '.join(names)}" for part, names in PARTS.items()),
         ),
     ] = ()
+    csv_comma: CsvComma = False
     settings: Settings = ()
 
     def run(self) -> int:
@@ -115,7 +117,7 @@ class Run:
         recording, problem = headless.run(
             scene, steps, entries, self.every, Console(stderr=True), self.energy, self.record
         )
-        recording.write(self.out)
+        recording.write(self.out, self.csv_comma)
         if problem is not None:
             return fail(f"{problem}; {self.out} has the {len(recording)} rows before it")
         return 0
@@ -134,7 +136,7 @@ class Run:
             record, steps, self.every, Console(stderr=True), self.energy, self.record
         )
         if self.out is not None:
-            recording.write(self.out)
+            recording.write(self.out, self.csv_comma)
         if not player.agrees:
             return fail(f"{self.inputs}: {player.verdict}")
         print(player.verdict)
@@ -388,6 +390,7 @@ class Sweep:
     """Processes that compute at the same time; one for each core unless given."""
     cluster: str | None = None
     """Address of a Dask scheduler whose workers compute instead, as in tcp://host:8786."""
+    csv_comma: CsvComma = False
     settings: Settings = ()
 
     def run(self) -> int:
@@ -406,7 +409,7 @@ class Sweep:
         measures, address = parse_measures(self.measure), self.cluster
         jobs = self.jobs or os.cpu_count() or 1
         workers = partial(processes, jobs) if address is None else partial(cluster, address)
-        return sweep(grid, measures, self.duration, workers, self.out, Console())
+        return sweep(grid, measures, self.duration, workers, self.out, Console(), self.csv_comma)
 
 
 COMMANDS = {
@@ -425,6 +428,9 @@ COMMANDS = {
 
 def main(arguments: list[str] | None = None) -> None:
     """The entry point of the command `softrod`."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # Names may have letters that the terminal's encoding lacks. The error stream does this anyway.
+        sys.stdout.reconfigure(errors="backslashreplace")
     words = sys.argv[1:] if arguments is None else arguments
     command = COMMANDS.get(words[0]) if words else None
     sys.exit(_main(command or Serve, words[1:] if command else words))

@@ -23,6 +23,14 @@ Settings = Annotated[
     ),
 ]
 
+CsvComma = Annotated[
+    bool,
+    arg(
+        help="write CSV with decimal commas, and semicolons between the columns, as spreadsheets of many "
+        "countries read it"
+    ),
+]
+
 
 def scene_of(name: str, settings: tuple[str, ...]) -> sim.Scene:
     """A scene by its name, its file's path or a link, with settings KEY=VALUE.

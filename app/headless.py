@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
@@ -15,9 +14,11 @@ from rich.console import Console
 from rich.progress import Progress
 
 import sim
+from sim.csv_text import csv_text
 from sim.errors import InputError
 from sim.motion.energy import ENERGY_FIELDS, EnergyBook
 from sim.scene.files import write_atomically
+from sim.scene.places import as_utf8, repeated_key
 
 from .session.log import Log, Step, decode_log, is_recorded
 from .session.replay import Player
@@ -54,9 +55,11 @@ def read_log(path: Path) -> list[Entry] | Log:
         InputError: the file cannot be read, or a line is not an entry; the sentence names the line.
     """
     try:
-        data = path.read_bytes()
+        data = as_utf8(path.read_bytes())
     except OSError as error:
         raise InputError(f"{path}: the file cannot be read ({error.strerror or error})") from None
+    except UnicodeError as error:
+        raise InputError(f"{path}: {error}") from None
     if is_recorded(data):
         return decode_log(data, str(path))
     lines = data.splitlines()
@@ -67,8 +70,10 @@ def read_log(path: Path) -> list[Entry] | Log:
             continue
         try:
             entry = decoder.decode(line)
-        except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        except msgspec.DecodeError as error:
             raise InputError(f"{path}: line {number}: {error}") from None
+        if again := repeated_key(line):
+            raise InputError(f"{path}: line {number}: the key {again[0][:60]!r} stands twice in one object")
         if entry.step < (entries[-1].step if entries else 0):
             raise InputError(f"{path}: line {number}: step {entry.step} comes after a later step")
         entries.append(entry)
@@ -84,8 +89,8 @@ class Table(Protocol):
         """Note the present state."""
         ...
 
-    def write(self, path: Path) -> None:
-        """Write as CSV or NPZ.
+    def write(self, path: Path, decimal_comma: bool = False) -> None:
+        """Write as CSV, which may have decimal commas, or NPZ.
 
         Raises:
             InputError: the ending is neither, or the file cannot be written.
@@ -96,12 +101,12 @@ class Table(Protocol):
 class QuantityTable(sim.Recording):
     """A table of quantities, for `--record`."""
 
-    def write(self, path: Path) -> None:
+    def write(self, path: Path, decimal_comma: bool = False) -> None:
         """As `Table` says; in NPZ, there is an array `time`, and one for each quantity by its name."""
         if path.suffix == ".npz":
             _write(path, _npz(time=self.time, **{name: self[name] for name in self.units}))
         else:
-            self.to_csv(path)
+            self.to_csv(path, decimal_comma)
 
 
 @dataclass
@@ -125,7 +130,7 @@ class PositionTable:
         self.times.append(simulation.time)
         self.positions.append(simulation.positions)
 
-    def write(self, path: Path) -> None:
+    def write(self, path: Path, decimal_comma: bool = False) -> None:
         """Write as CSV (17 significant digits) or NPZ (`step`, `time`, `positions` of shape (rows, n, 2)).
 
         With energies, there is a column, or an array, for each field of `sim.EnergyBook`.
@@ -143,19 +148,17 @@ class PositionTable:
             steps, times = np.array(self.steps), np.array(self.times)
             _write(path, _npz(step=steps, time=times, positions=positions, **energies))
         else:
-            _write(path, self._csv(positions).encode())
+            _write(path, self._csv(positions, decimal_comma).encode())
 
-    def _csv(self, positions: np.ndarray) -> str:
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
+    def _csv(self, positions: np.ndarray, decimal_comma: bool) -> str:
         names = ENERGY_FIELDS if self.energies is not None else ()
         axes = [f"{axis}{i}" for i in range(self.masses) for axis in "xy"]
-        writer.writerow(["step", "time", *names, *axes])
+        table: list[list[object]] = [["step", "time", *names, *axes]]
         flat = positions.reshape(len(self.steps), 2 * self.masses)
         for i, (step, time, row) in enumerate(zip(self.steps, self.times, flat, strict=True)):
             energies = [getattr(self.energies[i], name) for name in names] if self.energies else []
-            writer.writerow([step, *(f"{value:.17g}" for value in (time, *energies, *row))])
-        return text.getvalue()
+            table.append([step, time, *energies, *row])
+        return csv_text(table, decimal_comma, "{:.17g}".format)
 
 
 def new_table(scene: sim.Scene, energy: bool, names: Sequence[str]) -> Table:

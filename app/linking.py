@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -42,6 +43,11 @@ class Link:
         text = f"{address}{PATH}#{pack_scene(scene)}"
         print(text)
         if self.qr:
+            encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
+            try:
+                "█▀▄".encode(encoding)
+            except UnicodeEncodeError:
+                return fail(f"--qr: the terminal's encoding, {encoding}, lacks the blocks of a QR code")
             try:
                 segno.make(text, error="l", micro=False).terminal(compact=True)
             except segno.DataOverflowError:

@@ -132,7 +132,12 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         turn_colors(sketch),
         sketch.ink_colors(),
     )
-    return joined(*sections, *(_surroundings(sketch, sketch.around) if sketch.around is not None else ()))
+    around: tuple[ArrayLike, ...] = ()
+    if sketch.around is not None:
+        around = _surroundings(sketch, sketch.around)
+    elif len(sketch.loads):
+        around = [], [], [], []  # what a body does not have may be left out at the end only
+    return joined(*sections, *around, *([sketch.loads] if len(sketch.loads) else []))
 
 
 def encode_frame(generation: int, wall: float, picture: Picture) -> NDArray[np.float32]:

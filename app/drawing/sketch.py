@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from sim import Scene
 from sim.body.surroundings import new_surroundings
 from sim.scene.columns import column, ends, has_any
-from sim.scene.types import is_surrounded
+from sim.scene.types import is_loaded, is_surrounded
 
 from .colors import Palette, Rgb, sent
 from .shapes import COILS
@@ -35,6 +35,9 @@ FULL_STRAIN, LEAST_STRAIN = 0.1, 1e-6
 """Relative stretch at which a spring has its full colour, at most and at least."""
 
 WEDGE_SLICES = 6
+
+LONGEST_LOAD, SHORTEST_LOAD = 0.6, 0.3
+"""Length of the arrow of the largest constant force, in the world; of any other at least, as a part of it."""
 
 WORLD_SIZE = 6.0
 """What the longer side of the scene's frame measures in the page's world."""
@@ -91,6 +94,7 @@ class Sketch:
         radius: (n,) of each mass in the world.
         around: the table of what surrounds the body, its masses by their index; None where nothing does.
         contact: px, the distance at which contact begins; 0 where there is none.
+        loads: (k, 3) of each constant force which mass it acts on, and its arrow in the world.
     """
 
     def __init__(
@@ -123,6 +127,7 @@ class Sketch:
             drawn = msgspec.structs.replace(scene, contact=None)
             self.around = new_surroundings(drawn, np.arange(n), self.springs, n)
         self.contact = scene.contact.distance if scene.contact else 0.0
+        self.loads = _load_arrows(scene, mapping)
         self.thickness = self._spring_thickness()
         self.spring_shape = self._spring_shape()
 
@@ -161,6 +166,18 @@ class Sketch:
     def pinned(self) -> NDArray[np.int64]:
         """Held masses that are not driven."""
         return self.held[self.held != self.driven] if self.driven is not None else self.held
+
+
+def _load_arrows(scene: Scene, mapping: Mapping) -> Floats:
+    """See `Sketch`: as long as the forces are large, but none too short to be seen."""
+    if not is_loaded(scene):
+        return np.zeros((0, 3))
+    loaded = [(i, *mass.force) for i, mass in enumerate(scene.masses) if mass.force and any(mass.force)]
+    rows = np.array(loaded, float).reshape(-1, 3)
+    sizes = np.hypot(rows[:, 1], rows[:, 2])
+    lengths = LONGEST_LOAD * np.maximum(sizes / sizes.max(initial=0.0), SHORTEST_LOAD)
+    rows[:, 1:] *= (lengths / sizes)[:, None] * (1.0, mapping.flip)
+    return rows
 
 
 def _full_strains(scene: Scene) -> Floats:

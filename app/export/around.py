@@ -30,6 +30,10 @@ STREAKS, STREAK, PARTS, POINT = 150.0, 44.0, 8, 4.0
 point."""
 
 
+HEAD, SIDE = 10.0, 4.2
+"""The head of an arrow, along and to either side."""
+
+
 class Wall(NamedTuple):
     """What a picture shows of a wall.
 
@@ -114,6 +118,20 @@ def fillings(
     left = set(leaking(loops, sketch.springs, np.array(broken, np.int64)))
     kinds = around.fillings[:, FILLING_GAS] == 1.0
     return [(bool(kinds[k]), places[loop]) for k, loop in enumerate(loops) if k not in left]
+
+
+def load_arrows(sketch: Sketch, positions: Floats, window: Window) -> tuple[Floats, Floats]:
+    """(k, 2, 2) shafts and (k, 3, 2) heads of the arrows of constant forces on masses."""
+    which = sketch.loads[:, 0].astype(int)
+    begin = window.pixels(sketch.mapping.to_world(positions[which])[:, :2])
+    arrows = sketch.loads[:, 1:] * (window.step, -window.step)
+    length = np.hypot(*arrows.T)[:, None]
+    along = arrows / length
+    across = np.column_stack((-along[:, 1], along[:, 0]))
+    size = np.minimum(HEAD * window.unit, 0.6 * length)
+    tip, base = begin + arrows, begin + arrows - size * along
+    side = SIDE / HEAD * size * across
+    return np.stack((begin, base), 1), np.stack((base + side, tip, base - side), 1)
 
 
 def skin(sketch: Sketch, positions: Floats, broken: tuple[int, ...], window: Window) -> tuple[Floats, float]:

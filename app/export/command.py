@@ -18,6 +18,7 @@ from sim.errors import InputError
 from sim.scene.files import write_atomically
 from sim.settings import apply_assignments
 
+from ..command import CsvComma
 from ..headless import read_log
 from ..session.log import Log
 from .clip import LONGEST, SHORTEST, Clip, Shot
@@ -65,6 +66,7 @@ class Export:
     """Of the picture and the film, pixels, as in 640x360; by the scene's frame unless given."""
     dark: bool = False
     """On dark paper."""
+    csv_comma: CsvComma = False
     inputs: Path | None = None
     """A log that a page recorded."""
     settings: Annotated[
@@ -182,7 +184,7 @@ class Export:
             "html": lambda: replay.replay_html(clip()),
             "glb": model,
             "json": lambda: body_json(Body.of(begin)),
-            "csv": lambda: body_csv(Body.of(begin)),
+            "csv": lambda: body_csv(Body.of(begin), self.csv_comma),
             "python": lambda: program(python_program, self.python),
             "c": lambda: program(c_program, self.c),
         }

@@ -30,6 +30,8 @@ SMALLEST, LARGEST = 16, 4096
 """Pixels of a side of a picture."""
 
 LIQUID = rgb("1c8fe0")
+FORCE = rgb("c2185b"), rgb("ff7eb6")
+"""Of arrows of forces, on white and on dark paper."""
 
 TOGETHER = 400
 """Parts that are drawn in one call, which holds the interpreter: some milliseconds."""
@@ -66,6 +68,7 @@ class Painter:
         self.sketch = Sketch(scene, palette(scene.view.colors, dark), plain)
         self.window = window or Window.fit(self.sketch, scene.view.frame, size)
         self._own = palette("softrod", dark)
+        self._force = FORCE[dark]
         self._rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])
         self._paper = self._blank(size, grid)
 
@@ -99,6 +102,10 @@ class Painter:
         pen.stamp("disc", instances.masses(sketch, picture))
         if picture.ghost is not None and np.isfinite(picture.ghost).all():
             pen.stamp("bar", instances.ghost(sketch, picture))
+        if len(sketch.loads):
+            shafts, heads = around.load_arrows(sketch, picture.positions, self.window)
+            pen.lines(list(shafts), self._force, 2.4)
+            pen.fill(list(heads), self._force)
         return pen.image()
 
     def _blank(self, size: tuple[int, int], grid: bool) -> _Pen:

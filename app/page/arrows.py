@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Set
 from typing import Any
 
@@ -138,6 +139,7 @@ def smallest(scene: Scene) -> tuple[float, float, float]:
     frame = scene.view.frame
     pixel = max(frame[2] - frame[0], frame[3] - frame[1]) / 600.0
     weight = max(mass.mass for mass in scene.masses) * float(np.hypot(*scene.gravity))
+    weight = max([weight, *(math.hypot(*mass.force) for mass in scene.masses if mass.force)])
     stiffest = max((spring.stiffness for spring in scene.linear_springs), default=0.0)
     force = max(0.02 * weight, 1e-4 * pixel * stiffest)
     torque = 0.0

@@ -20,6 +20,7 @@ from ..export.clip import Clip, Shot
 from ..export.workshop import Breath, workshop
 from ..session.notices import Notice
 from ..session.session import Session
+from .comma_switch import CommaSwitch
 
 SECONDS = (1, 20)
 """Of a film or a replay that a page can have."""
@@ -57,6 +58,7 @@ class ExportPanel:
         session: its simulation.
         is_dark: whether the page is dark.
         act: what the tab does: "picture", "notice".
+        commas: whether tables have decimal commas.
 
     Attributes:
         outlined: buttons that are not the first thing to press.
@@ -68,7 +70,9 @@ class ExportPanel:
         session: Session,
         is_dark: Callable[[], bool],
         act: Callable[[str, Any], None],
+        commas: CommaSwitch,
     ) -> None:
+        self._commas = commas
         self._client, self._session, self._is_dark, self._act = client, session, is_dark, act
         self._busy = threading.Lock()
         gui = client.gui
@@ -83,6 +87,7 @@ class ExportPanel:
         model = gui.add_button("3D model", icon=viser.Icon.CUBE, color="gray")
         gui.add_html(PROGRAMS)
         programs = gui.add_button_group("Body as", tuple(_PROGRAMS))
+        commas.add(gui)
         self._progress = gui.add_progress_bar(0.0, visible=False)
         self.outlined = [picture, gif, replay_file, model]
         for button, label, key, action in (
@@ -175,7 +180,7 @@ class ExportPanel:
         if kind == _JSON:
             return "json", body_json(body)
         if kind == _CSV:
-            return "zip", body_csv(body)
+            return "zip", body_csv(body, self._commas.on)
         data, notes = (python_program if kind == _PYTHON else c_program)(body)
         if notes:
             self._tell("info", "About the program", _sentence("; ".join(notes)))

@@ -15,6 +15,7 @@ import viser
 import sim
 from sim.errors import InputError, SceneError
 from sim.scene import files
+from sim.scene.places import as_utf8
 
 from ..session import commands, log
 from ..session.session import Notice, Session
@@ -108,6 +109,10 @@ class FilesPanel:
         self._client.send_file_download(f"{name}-log.jsonl", data, save_immediately=True)
 
     def _open_bytes(self, data: bytes, name: str) -> None:
+        try:
+            data = as_utf8(data)
+        except UnicodeError as error:
+            raise InputError(f"{name}: {error}") from None
         if log.is_recorded(data):
             self._session.post(commands.Replay(log.decode_log(data, name)))
         else:

@@ -15,17 +15,19 @@ MOST_BYTES = 8_000_000
 
 
 class Looks(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The switches of the View menu that are the server's.
+    """How the page and its tables look, as far as that is the server's.
 
     Attributes:
         dark: light on dark.
         gizmos: arrows that drag held masses along one axis.
         meter: always the stability meter, not only where it matters.
+        commas: tables that are saved have decimal commas.
     """
 
     dark: bool = False
     gizmos: bool = False
     meter: bool = False
+    commas: bool = False
 
 
 PLAIN = Looks()
@@ -33,7 +35,7 @@ PLAIN = Looks()
 
 
 class Kept(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A keepsake of the session, how the page looked, and which plots were open."""
+    """A keepsake of the session, how the page and its tables looked, and which plots were open."""
 
     session: msgspec.Raw
     looks: Looks = PLAIN

@@ -20,6 +20,7 @@ from ..session import commands
 from ..session.notices import Notice
 from ..session.plots import wish_of
 from ..session.session import Session
+from .comma_switch import CommaSwitch
 from .plot_list import PlotList
 from .script import Begin
 
@@ -42,6 +43,7 @@ class LessonPanel:
         tab: where it stands.
         session: whose scene has it.
         notify: tells the user something.
+        commas: whether tables have decimal commas.
         page: the page's lists of plots, see `PlotList`.
 
     Attributes:
@@ -55,6 +57,7 @@ class LessonPanel:
         tab: viser.GuiTabHandle,
         session: Session,
         notify: Callable[[Notice], None],
+        commas: CommaSwitch,
         page: list[PlotList],
     ) -> None:
         self.tab = tab
@@ -62,7 +65,7 @@ class LessonPanel:
         self._step = 0
         with tab:
             self._text = client.gui.add_html("", order=1)
-        self.plots = PlotList(client, tab, session, notify, page=page)
+        self.plots = PlotList(client, tab, session, notify, commas, page=page)
 
     @property
     def step(self) -> Step | None:

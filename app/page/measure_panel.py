@@ -19,6 +19,7 @@ from ..session.notices import Notice
 from ..session.plots import OFFERED, Wish
 from ..session.session import Session
 from . import readouts
+from .comma_switch import CommaSwitch
 from .plot_list import SPANS, PlotList
 
 MOST_PARTS = 24
@@ -40,6 +41,7 @@ class MeasurePanel:
         tab: where they stand.
         session: what is measured.
         notify: tells the user something.
+        commas: whether tables have decimal commas.
         page: the page's lists of plots, see `PlotList`.
 
     Attributes:
@@ -53,6 +55,7 @@ class MeasurePanel:
         tab: viser.GuiTabHandle,
         session: Session,
         notify: Callable[[Notice], None],
+        commas: CommaSwitch,
         page: list[PlotList] | None = None,
     ) -> None:
         self._session, self._notify = session, notify
@@ -73,7 +76,9 @@ class MeasurePanel:
             self.new = gui.add_button("New plot", icon=viser.Icon.CHART_LINE, order=5)
             self._span = gui.add_dropdown("Plots show", tuple(SPANS), initial_value="10 s", order=6)
             self._span.visible = False
-        self.plots = PlotList(client, tab, session, notify, lambda: self._chosen, self._changed, page)
+            self._comma_switch = commas.add(gui, order=7)
+            self._comma_switch.visible = False
+        self.plots = PlotList(client, tab, session, notify, commas, lambda: self._chosen, self._changed, page)
         for handle, action in (
             (self._part, self._offer),
             (self._what, self._offer),
@@ -168,7 +173,7 @@ class MeasurePanel:
             self.plots.add(wish)
 
     def _changed(self) -> None:
-        self._span.visible = len(self.plots) > 0
+        self._span.visible = self._comma_switch.visible = len(self.plots) > 0
         self._offer()
 
     def _respan(self) -> None:

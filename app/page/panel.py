@@ -22,6 +22,7 @@ from ..session.commands import Command
 from ..session.session import Notice, Session
 from . import keeping, readouts, script
 from .choice_box import ChoiceBox
+from .comma_switch import CommaSwitch
 from .controls import Controls
 from .lesson_panel import LessonPanel
 from .play_panel import PlayPanel
@@ -79,6 +80,7 @@ class Panel:
         act: what the tab does beyond the session's commands: "gallery", "notice", "fit", "follow", "energy",
             "foretell", "plot", "anew", "share", "help".
         controls: which there are; what there is not is not made.
+        commas: whether tables have decimal commas.
 
     Attributes:
         lesson: the Lesson tab, if the scene has a lesson.
@@ -93,6 +95,7 @@ class Panel:
         session: Session,
         act: Callable[[str, Any], None],
         controls: Controls,
+        commas: CommaSwitch,
     ) -> None:
         self._controls = controls
         self._client = client
@@ -132,8 +135,9 @@ class Panel:
         if controls.in_panel or has_lesson:
             tabs = gui.add_tab_group()
             if has_lesson:
+                tab = tabs.add_tab("Lesson")
                 self.lesson = LessonPanel(
-                    client, tabs.add_tab("Lesson"), session, lambda notice: act("notice", notice), self.plots
+                    client, tab, session, lambda notice: act("notice", notice), commas, self.plots
                 )
             self._build_tabs(tabs)
         self._add_palette_commands()

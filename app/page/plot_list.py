@@ -21,6 +21,7 @@ from ..session.notices import Notice
 from ..session.plots import MOST_PLOTS, Plot, Wish, curve
 from ..session.session import Session
 from . import plots
+from .comma_switch import CommaSwitch
 
 EVERY = 0.1
 """Seconds between two updates of a plot, at least."""
@@ -78,6 +79,7 @@ class PlotList:
         tab: where they stand.
         session: what is plotted.
         notify: tells the user something.
+        commas: whether tables have decimal commas.
         extend: the name of the quantity that the button "Add to it" adds to a plot; None where plots are not
             the user's own to change.
         changed: called when plots came or went.
@@ -94,12 +96,13 @@ class PlotList:
         tab: viser.GuiTabHandle,
         session: Session,
         notify: Callable[[Notice], None],
+        commas: CommaSwitch,
         extend: Callable[[], str] | None = None,
         changed: Callable[[], None] = lambda: None,
         page: list[PlotList] | None = None,
     ) -> None:
         self._client, self._tab, self._session, self._notify = client, tab, session, notify
-        self._extend_by, self._changed = extend, changed
+        self._commas, self._extend_by, self._changed = commas, extend, changed
         self._page = page if page is not None else []
         self._page.append(self)
         self._asked: deque[Callable[[], None]] = deque(maxlen=100)
@@ -238,7 +241,8 @@ class PlotList:
 
     def _download(self, shown: _Shown) -> None:
         name = f"{self._session.scene.name}-{shown.plot.wish.names[0]}.csv"
-        self._client.send_file_download(name, shown.plot.table().encode(), save_immediately=True)
+        table = shown.plot.table(self._commas.on).encode()
+        self._client.send_file_download(name, table, save_immediately=True)
 
     def _picture(self, shown: _Shown) -> None:
         """Send the plot as it is shown, as a picture; matplotlib takes a while to draw it."""

@@ -11,6 +11,7 @@ import sim
 from sim.analysis.predictability import factor_of
 from sim.analysis.tuning import Tuning, Vibration
 from sim.methods.registry import METHODS
+from sim.scene.types import is_loaded
 
 from ..drawing.colors import Palette
 from ..drawing.plan import broken_of, yielded_of
@@ -209,7 +210,8 @@ def tuning_table(scene: sim.Scene, told: Tuning, spring: int | None) -> str:
     if told.fastest is not None:
         rows["fastest vibration"] = _vibration(told.fastest)
     if told.sag is not None:
-        rows["sag under gravity"] = f"{told.sag:.3g} {html.escape(scene.view.unit)}, mass {told.sag_mass}"
+        pull = "gravity" if any(scene.gravity) else "its loads"
+        rows[f"sag under {pull}"] = f"{told.sag:.3g} {html.escape(scene.view.unit)}, mass {told.sag_mass}"
     for method, step in told.stable_steps.items():
         limit = f"stable to {1e3 * step:.3g} ms" if math.isfinite(step) else "stable at any step"
         rows[METHODS[method].label] = limit
@@ -310,7 +312,8 @@ def energy_table(session: Session) -> str:
         if key in _LOSSES:
             value = -value
         if value or key in ("kinetic", "residual"):
-            rows[name] = energy(value, largest)
+            loaded = key == "gravity" and is_loaded(session.scene)
+            rows[f"{name} and loads" if loaded else name] = energy(value, largest)
     return table(rows)
 
 

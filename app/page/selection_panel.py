@@ -16,11 +16,14 @@ from sim.edit.build import pin, remove
 from sim.edit.edit import Edit, Selection, counted
 from sim.edit.values import (
     NUMBERS,
+    STARTS,
     Kind,
     Number,
+    middle_of_starts,
     number,
     scale_number,
     set_number,
+    set_start,
     take_as_rest,
     values_of,
 )
@@ -46,25 +49,29 @@ class Shown:
 
     Attributes:
         of: which.
-        value: that of all, or the largest in size.
-        mixed: whether they differ.
+        value: that of all, or the largest in size; of places, their middle.
+        note: "mixed" where they differ, "middle" of places.
     """
 
     of: Number
     value: float
-    mixed: bool
+    note: str = ""
 
 
 def numbers_of(scene: Scene, selection: Selection) -> list[Shown]:
     """The numbers that any selected part has."""
-    found = []
+    masses = selection.masses
+    found = [
+        Shown(of, middle_of_starts(scene, of, masses), "middle" if len(masses) > 1 else "")
+        for of in (STARTS if masses else ())
+    ]
     for of in NUMBERS:
         parts = parts_of(selection, of.kind)
         values = values_of(scene, of, parts)
         known = [value for value in values if value is not None]
         if not known or (of.field == "hardening" and values_of(scene, _YIELD_FORCE, parts) <= {None}):
             continue  # hardening has no meaning without a yield force
-        found.append(Shown(of, max(known, key=abs), len(values) > 1))
+        found.append(Shown(of, max(known, key=abs), "mixed" if len(values) > 1 else ""))
     return found
 
 
@@ -87,6 +94,8 @@ def changed(of: Number, value: float, in_proportion: bool) -> commands.MakeEdit:
 
     def make(moment: Moment, selection: Selection) -> Edit:
         parts = parts_of(selection, of.kind)
+        if of in STARTS:
+            return set_start(moment.scene, of, parts, value) if parts else Edit("", moment.scene)
         scales = in_proportion and len(values_of(moment.scene, of, parts)) > 1
         if not parts or (scales and value == 0.0):  # 0.5 begins with 0, which would leave no proportions
             return Edit("", moment.scene)
@@ -152,7 +161,7 @@ class SelectionPanel:
             shown = {each.of: each for each in numbers_of(scene, selection)}
             for row in self._rows:
                 row.take(shown.get(row.of), another)
-            _set(self._proportions, "visible", any(each.mixed for each in shown.values()))
+            _set(self._proportions, "visible", any(each.note == "mixed" for each in shown.values()))
             _set(self._holding, "visible", bool(selection.masses))
             _set(folder, "label", described(selection))
             _set(folder, "visible", True)
@@ -164,7 +173,7 @@ class SelectionPanel:
         gui, post = self._client.gui, self._session.post
         folder = gui.add_folder("", order=FIRST)
         with folder:
-            self._rows = [_Row(self._client, of, self._set, self._tell) for of in NUMBERS]
+            self._rows = [_Row(self._client, of, self._set, self._tell) for of in (*STARTS, *NUMBERS)]
             self._proportions = gui.add_checkbox(
                 "Keep proportions",
                 initial_value=False,
@@ -198,7 +207,7 @@ class SelectionPanel:
     def _set(self, of: Number, value: float) -> None:
         """A number was entered; what is entered in a row, for the same parts, is one step of undo."""
         change = changed(of, value, bool(self._proportions.value))
-        key = f"{of.kind}.{of.field} {hash(self._session.selection)}"
+        key = f"{of.kind}.{of.field}.{of.axis} {hash(self._session.selection)}"
         self._session.post(commands.Change(change, key))
 
 
@@ -245,7 +254,7 @@ class _Row:
         _set(self._box, "visible", shown is not None)
         if shown is None:
             return
-        _set(self._box, "label", f"{self.of.label} (mixed)" if shown.mixed else self.of.label)
+        _set(self._box, "label", f"{self.of.label} ({shown.note})" if shown.note else self.of.label)
         if another:
             self._touched, self.refused = -math.inf, False
             size = abs(shown.value)

@@ -73,8 +73,8 @@ _FOLDERS = {"study": "Studies", "lessons": "Lessons"}
 
 
 def entries(scenes: Iterable[SceneInfo]) -> list[Entry]:
-    """Scenes by their groups, and in these by their names; lessons by their titles, and what comes first in the
-    order that it has there."""
+    """Scenes by their groups, and in these by their names; lessons by their titles, and what a newcomer finds
+    first in the order of `FIRST`."""
     found = [
         Entry(
             name=info.name,

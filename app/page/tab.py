@@ -32,6 +32,7 @@ from ..session.plots import Wish
 from ..session.session import Notice, Session
 from . import controls, keeping, mail, readouts, script, shelf
 from .answers import Answers
+from .comma_switch import CommaSwitch
 from .controls import Controls
 from .export_panel import ExportPanel
 from .files_panel import FilesPanel
@@ -88,6 +89,7 @@ class Tab:
         self._requests: deque[tuple[str, Any]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
         self._looks = keeping.Looks()
+        self._commas = CommaSwitch(self.request)
         self._before_lesson: BeforeLesson | None = None
         self._generation = -1
         self._fits = 0
@@ -233,13 +235,13 @@ class Tab:
 
     def _make_panel(self, session: Session) -> None:
         """The panel, with the controls that there are."""
-        self._panel = Panel(self.client, session, self.request, self._controls)
+        self._panel = Panel(self.client, session, self.request, self._controls, self._commas)
         self._has_lesson = session.scene.lesson is not None
         self._measure = self._tools = None
         if self._panel.measure_tab is not None:
             if "measure" in self._controls:
                 tab, lists = self._panel.measure_tab, self._panel.plots
-                self._measure = MeasurePanel(self.client, tab, session, self.notify, lists)
+                self._measure = MeasurePanel(self.client, tab, session, self.notify, self._commas, lists)
                 self._measure.plots.remember(self._plots_kept)
             if "tools" in self._controls:
                 with self._panel.measure_tab:
@@ -249,7 +251,9 @@ class Tab:
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
                 files = FilesPanel(self.client, session, self.notify, self._answers.sharing.offer)
-                take_home = ExportPanel(self.client, session, lambda: self._looks.dark, self.request)
+                take_home = ExportPanel(
+                    self.client, session, lambda: self._looks.dark, self.request, self._commas
+                )
             self._panel.outlined += [*files.outlined, *take_home.outlined]
 
         @self._panel.channel.on_update
@@ -319,6 +323,7 @@ class Tab:
             if self._tools is not None:
                 self._arrows_kept = self._tools.leave()
             self.client.gui.reset()
+            self._commas.clear()
             self._make_panel(session)
             self._panel.pictures = pictures
         dark = self._looks.dark
@@ -417,7 +422,7 @@ class Tab:
         self._plots_kept = kept.plots
         if self._measure is not None:
             self._measure.plots.remember(kept.plots)
-        for what in ("gizmos", "meter", "dark"):
+        for what in ("gizmos", "meter", "commas", "dark"):
             if getattr(kept.looks, what):
                 self.request(what, True)
         session.post(commands.Resume(bytes(kept.session)))
@@ -434,7 +439,7 @@ class Tab:
     def _serve_requests(self, session: Session) -> None:
         while self._requests:
             what, argument = self._requests.popleft()
-            if what in ("dark", "gizmos", "meter"):
+            if what in ("dark", "gizmos", "meter", "commas"):
                 self._looks = msgspec.structs.replace(self._looks, **{what: argument})
                 session.revision += 1
                 if what == "dark":
@@ -442,6 +447,8 @@ class Tab:
                     self._generation = -1
                 elif what == "gizmos":
                     self._view.show_gizmos(argument)
+                elif what == "commas":
+                    self._commas.show(argument)
             elif what == "resume":
                 self._resume(session, argument)
             elif what == "fit":

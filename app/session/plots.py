@@ -184,9 +184,9 @@ class Plot:
         first, now, last = np.searchsorted(times, (end - seconds, self.shown, end), side="right").tolist()
         return self.rows[first:last], now - first
 
-    def table(self) -> str:
+    def table(self, decimal_comma: bool = False) -> str:
         """All rows as CSV, see `sim.Recording.to_csv`."""
-        return table_text(self.quantities, self.rows)
+        return table_text(self.quantities, self.rows, decimal_comma)
 
 
 class Drawn(NamedTuple):

@@ -5,7 +5,6 @@ A file is written only if it says something else than the one that is there.
 
 from __future__ import annotations
 
-import csv
 import datetime
 import gzip
 import io
@@ -23,6 +22,7 @@ from rich.console import Console, RenderableType
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
+from sim.csv_text import csv_text
 from sim.errors import InputError
 from sim.scene.files import write_atomically
 
@@ -102,14 +102,11 @@ def grid(headings: Sequence[str], rows: Rows, align: str = "l") -> list[str]:
     return [f"| {' | '.join(line)} |" for line in lines] + [""]
 
 
-def comma_separated(headings: Sequence[str], rows: Iterable[Iterable[object]]) -> str:
-    """The same as comma-separated values, floats with all their digits and nothing for None."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(headings)
-    for row in rows:
-        writer.writerow(f"{v:.17g}" if isinstance(v, float) else v for v in row)
-    return text.getvalue()
+def comma_separated(
+    headings: Sequence[str], rows: Iterable[Iterable[object]], decimal_comma: bool = False
+) -> str:
+    """The same as CSV, floats with all their digits and nothing for None."""
+    return csv_text([headings, *rows], decimal_comma, "{:.17g}".format)
 
 
 def captioned(figures: Sequence[tuple[str, str]]) -> list[str]:

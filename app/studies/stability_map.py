@@ -113,6 +113,7 @@ class ExactMotion:
         elastic = self._energies.elastic(self._positions[:1])
         energy = self._energies.motion(self._positions, self._velocities)
         weight = sum(m.mass for m in scene.masses) * math.hypot(*scene.gravity)
+        weight += sum(math.hypot(*m.force) for m in scene.masses if m.force)
         kinetic = self._energies.kinetic(self._velocities[:1])
         self.budget = float(kinetic[0] + elastic[0]) + weight * self.extent
         self.ceiling = float(np.nanmax(energy)) + self.budget
@@ -146,6 +147,8 @@ class Energies:
         self._scene = scene
         springs = scene.linear_springs
         self._mass = np.array([m.mass for m in scene.masses])
+        self._forces = np.outer(self._mass, scene.gravity)
+        self._forces += [mass.force or (0.0, 0.0) for mass in scene.masses]
         self._ends = np.array([(s.a, s.b) for s in springs], np.int64).reshape(-1, 2)
         self._stiffness = np.array([s.stiffness for s in springs])
         self._rest = scene.rest_length_scale * np.array([s.rest_length for s in springs])
@@ -158,8 +161,8 @@ class Energies:
         return 0.5 * (self._mass[:, None] * velocities**2).sum((1, 2))
 
     def motion(self, positions: Floats, velocities: Floats) -> Floats:
-        """(samples,) kinetic energy and height."""
-        height = -(self._mass[:, None] * positions * np.array(self._scene.gravity)).sum((1, 2))
+        """(samples,) kinetic energy and height, with the energy of constant forces."""
+        height = -(positions * self._forces).sum((1, 2))
         return self.kinetic(velocities) + height
 
     def elastic(self, positions: Floats) -> Floats:

@@ -130,13 +130,13 @@ class Folder:
         self._written(self._path, lambda path: _append(path, line))
         self.rows[number] = row
 
-    def write_table(self, grid: Grid, measures: Sequence[str]) -> None:
+    def write_table(self, grid: Grid, measures: Sequence[str], decimal_comma: bool = False) -> None:
         """Write `table.csv`: the rows that there are, in the order of the grid.
 
         Raises:
             InputError: it cannot be written.
         """
-        text = comma_separated(headings(grid, measures), cells(grid, self.rows))
+        text = comma_separated(headings(grid, measures), cells(grid, self.rows), decimal_comma)
         self._written(self._out / "table.csv", lambda path: write_atomically(path, text.encode()))
 
     def _written(self, path: Path, write: Callable[[Path], None]) -> None:

@@ -109,7 +109,13 @@ class Sweep:
 
 
 def sweep(
-    grid: Grid, measures: tuple[str, ...], duration: float, workers: Making, out: Path, console: Console
+    grid: Grid,
+    measures: tuple[str, ...],
+    duration: float,
+    workers: Making,
+    out: Path,
+    console: Console,
+    decimal_comma: bool = False,
 ) -> int:
     """Do all runs that are not done yet, and write the table and its plot.
 
@@ -122,6 +128,7 @@ def sweep(
         workers: makes those who compute.
         out: folder; made if its parent exists.
         console: where the progress goes.
+        decimal_comma: whether the table has decimal commas.
 
     Returns:
         The exit status: 0, or 130 if it was interrupted.
@@ -142,7 +149,7 @@ def sweep(
         try:
             _compute(what, folder, workers, watch)
         finally:
-            folder.write_table(grid, measures)
+            folder.write_table(grid, measures, decimal_comma)
     if folder is not None and folder.rows:
         _draw(what, folder, out)
         if len({row.by for row in folder.rows.values()}) > 1:

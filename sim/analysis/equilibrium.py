@@ -136,7 +136,8 @@ class Resting:
         free = np.where(self.system.held, 0.0, 1.0)
         weight = 1.0 / self.system.inverse_mass
         state.inverse_mass[here] = free * (1.0 / self._stiffness_at_masses() if balanced else 1.0 / weight)
-        state.gx[here], state.gy[here] = state.inverse_mass[here] * np.outer(scene.gravity, weight)
+        forces = np.outer(scene.gravity, weight) + (0.0 if self.system.loads is None else self.system.loads)
+        state.gx[here], state.gy[here] = state.inverse_mass[here] * forces
         self.slots = state.x.size
         self.start = np.zeros(2 * self.slots)
         self.start[here], self.start[self.slots :][here] = self.system.start[:2]

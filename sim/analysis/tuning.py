@@ -17,7 +17,7 @@ from ..methods.limits import flip, undamped_step
 from ..methods.registry import METHODS
 from ..motion.stability import StabilityMeter, limit_at_start
 from ..physics import Physics
-from ..scene.types import Integrator, Scene
+from ..scene.types import Integrator, Scene, is_loaded
 from ..scene.validate import validate
 from .equilibrium import loaded_equilibrium
 from .vibrations import MOST_MASSES, Vibrations, free_vibrations
@@ -72,8 +72,9 @@ class Tuning:
         slowest, fastest: of the vibrations about the pose at rest; None where there is none.
         elastic: the slowest of those that springs or joints hold by more than half, so that it is no swing
             under gravity; None where there is none among the slowest hundred.
-        sag: px by which the mass that sinks most sinks in the direction of gravity, from where the scene puts
-            it to its place at rest; None without gravity, or where it comes to no rest.
+        sag: px by which the mass that sinks most sinks in the direction of gravity (without gravity: of all
+            constant forces together), from where the scene puts it to its place at rest; None where nothing
+            pulls it, or where it comes to no rest.
         sag_mass: which mass that is.
         stable_steps: s, the largest stable time step of each method that has one, about the scene's start;
             infinite where nothing limits it.
@@ -258,33 +259,48 @@ def _freedoms(scene: Scene) -> int:
 
 def _at_rest(scene: Scene, notes: list[str]) -> tuple[Scene, float | None, int | None]:
     """The scene in the pose at rest, if there is one, how far it sinks, and which mass sinks most."""
-    pose, sinks = None, any(scene.gravity) and _freedoms(scene) > 0
+    down = _down(scene) if _freedoms(scene) > 0 else None
+    pose, sinks = None, down is not None
     try:
         pose, overloads = loaded_equilibrium(scene)
         notes.extend(overloads)
     except InputError as error:
         notes.append(_of(error))
         if sinks:
-            sinks = False
+            down = None
             try:
-                pose, _ = loaded_equilibrium(msgspec.structs.replace(scene, gravity=(0.0, 0.0)))
-                notes.append("the vibrations are those of the body without gravity")
+                pose, _ = loaded_equilibrium(_weightless(scene))
+                what = "gravity" if any(scene.gravity) else "its loads"
+                notes.append(f"the vibrations are those of the body without {what}")
             except InputError:
                 pose = None
     if pose is None:
         notes.append("the vibrations are those about the start")
         return scene, None, None
     resting = msgspec.structs.replace(scene, pose=pose)
-    if not sinks:
-        return _weightless(resting) if any(scene.gravity) else resting, None, None
-    down = np.array(scene.gravity) / math.hypot(*scene.gravity)
+    if down is None:
+        return _weightless(resting) if sinks else resting, None, None
     moved = (np.array(pose.positions) - np.array([m.position for m in scene.masses])) @ down
     most = int(np.argmax(moved))
     return resting, float(moved[most]), most
 
 
+def _down(scene: Scene) -> Floats | None:
+    """The direction of gravity or, without it, of all loads together; None where nothing pulls the body."""
+    pull = np.array(scene.gravity)
+    if not pull.any():
+        held = {anchor.mass for anchor in scene.anchors}
+        loads = [mass.force for i, mass in enumerate(scene.masses) if mass.force and i not in held]
+        pull = np.sum([(0.0, 0.0), *loads], axis=0)
+    size = float(np.hypot(*pull))
+    return pull / size if size > 0.0 else None
+
+
 def _weightless(scene: Scene) -> Scene:
-    return msgspec.structs.replace(scene, gravity=(0.0, 0.0))
+    masses = scene.masses
+    if is_loaded(scene):
+        masses = tuple(msgspec.structs.replace(mass, force=msgspec.UNSET) for mass in masses)
+    return msgspec.structs.replace(scene, gravity=(0.0, 0.0), masses=masses)
 
 
 def _of(error: InputError) -> str:

@@ -22,7 +22,7 @@ from ..kernels.core.tables import (
 from ..kernels.forces.laws import LAWS, NO_JOINTS
 from ..methods.registry import METHODS
 from ..scene.columns import column, ends
-from ..scene.types import Damage, Scene, is_damageable, is_surrounded
+from ..scene.types import Damage, Scene, is_damageable, is_loaded, is_surrounded
 from .damage import NO_STRENGTH, new_strength, without_broken
 from .surroundings import new_surroundings
 
@@ -48,6 +48,8 @@ class System:
         inverse_mass: (n,) 1/kg, in slot order, also of held masses.
         held: (n,) whether a mass is held, in slot order.
         start: (4, n) x, y, vx, vy at the start, in slot order.
+        loads: (2, n) x and y of the constant forces on the masses, kg px/s², in slot order; None if there are
+            none.
     """
 
     body: Body
@@ -58,6 +60,7 @@ class System:
     inverse_mass: Floats
     held: np.ndarray
     start: Floats
+    loads: Floats | None
 
 
 def build_system(scene: Scene, damaged: bool = False) -> System:
@@ -97,6 +100,7 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
         inverse_mass=1.0 / column(scene.masses, "mass")[mass_order],
         held=held,
         start=np.ascontiguousarray(start),
+        loads=_loads(scene, mass_order),
     )
 
 
@@ -145,6 +149,12 @@ def start_of(scene: Scene, system: System) -> tuple[System, State]:
         field[here] = row
     state.inverse_mass[here] = np.where(system.held, 0.0, system.inverse_mass)
     return system, state
+
+
+def _loads(scene: Scene, mass_order: Indices) -> Floats | None:
+    if not is_loaded(scene):
+        return None
+    return np.array([mass.force or (0.0, 0.0) for mass in scene.masses], float).T[:, mass_order]
 
 
 def same_topology(old: Scene, new: Scene) -> bool:

@@ -29,7 +29,8 @@ def move(scene: Scene, masses: Collection[int], by: Vector) -> Edit:
 
 
 def mirror(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> Edit:
-    """Some masses mirrored left to right about their middle; the joints among them bend the other way.
+    """Some masses mirrored left to right about their middle, and the forces on them; the joints among them
+    bend the other way.
 
     Raises:
         SceneError: one of them would be out of range.
@@ -41,6 +42,8 @@ def mirror(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -
     label = f"{counted(len(chosen), 'mass')} mirrored"
     edit = _displaced(scene, {i: (2.0 * (axis - positions[i][0]), 0.0) for i in chosen}, label)
     inside, scene = set(chosen), edit.scene
+    pulled = [(i, mass, mass.force) for i in chosen if (mass := scene.masses[i]).force]
+    forces = [(i, msgspec.structs.replace(mass, force=(-force[0], force[1]))) for i, mass, force in pulled]
     springs = scene.linear_springs
     turned = []
     for j, joint in enumerate(scene.angular_springs):
@@ -48,7 +51,8 @@ def mirror(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -
         if ends <= inside:
             turned.append((j, msgspec.structs.replace(joint, rest_angle=wrapped(-joint.rest_angle))))
     joints = changed(scene.angular_springs, turned)
-    return Edit(label, msgspec.structs.replace(scene, angular_springs=joints), shift=edit.shift)
+    scene = msgspec.structs.replace(scene, masses=changed(scene.masses, forces), angular_springs=joints)
+    return Edit(label, scene, shift=edit.shift)
 
 
 def _displaced(scene: Scene, by: dict[int, Vector], label: str) -> Edit:

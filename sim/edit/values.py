@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import msgspec
 import numpy as np
@@ -18,6 +18,7 @@ from ..scene.types import Damage, Scene
 from ..scene.validate import number_range
 from .build import angle_between, in_turn, positions_of
 from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
+from .shape import move
 
 Kind = Literal["masses", "linear_springs", "angular_springs"]
 """The field of a scene that has the parts."""
@@ -39,6 +40,7 @@ class Number:
         label, unit: for people.
         low, high: its range.
         optional: whether a part may be without it.
+        axis: of a vector, 0 for x and 1 for y; None for a number by itself.
     """
 
     kind: Kind
@@ -48,16 +50,34 @@ class Number:
     low: float
     high: float
     optional: bool = False
+    axis: int | None = None
+
+    def of_part(self, part: Any) -> float | None:
+        """The number that a part has."""
+        value = getattr(part, self.field)
+        return value if self.axis is None else (value or (0.0, 0.0))[self.axis]
+
+    def replaced(self, part: Any, value: float | None) -> Any:
+        """The part with another number."""
+        new: Any = value
+        if self.axis is not None:
+            vector: list[Any] = list(getattr(part, self.field) or (0.0, 0.0))
+            vector[self.axis] = value
+            # No force is none at all, so that a body which has lost its last one is what it was without.
+            new = msgspec.UNSET if self.field == "force" and not any(vector) else tuple(vector)
+        return msgspec.structs.replace(part, **{self.field: new})
 
 
-def _number(kind: Kind, field: str, label: str, optional: bool = False) -> Number:
+def _number(kind: Kind, field: str, label: str, optional: bool = False, axis: int | None = None) -> Number:
     low, high, unit = number_range(_TYPES[kind], field)
-    return Number(kind, field, label, unit, low, high, optional)
+    return Number(kind, field, label, unit, low, high, optional, axis)
 
 
 NUMBERS = (
     _number("masses", "mass", "Mass"),
     _number("masses", "radius", "Radius"),
+    _number("masses", "force", "Force x", axis=0),
+    _number("masses", "force", "Force y", axis=1),
     _number("linear_springs", "stiffness", "Stiffness"),
     _number("linear_springs", "damping", "Damping"),
     _number("linear_springs", "rest_length", "Rest length"),
@@ -70,6 +90,12 @@ NUMBERS = (
     _number("angular_springs", "yield_torque", "Yield torque", optional=True),
 )
 """Every number that can be set for single parts."""
+
+STARTS = (
+    _number("masses", "position", "Start x", axis=0),
+    _number("masses", "position", "Start y", axis=1),
+)
+"""Where masses start, in the saved pose if there is one: of several the middle, and they move together."""
 
 
 def number(kind: str, field: str) -> Number:
@@ -87,6 +113,9 @@ def number(kind: str, field: str) -> Number:
 
 def values_of(scene: Scene, of: Number, parts: Collection[int]) -> set[float | None]:
     """The different values that some parts have."""
+    if of.axis is not None:
+        every = getattr(scene, of.kind)
+        return {of.of_part(every[i]) for i in parts}
     found = np.unique(column(getattr(scene, of.kind), of.field)[list(parts)])
     return {None if math.isnan(value) else value for value in found.tolist()}
 
@@ -131,7 +160,7 @@ def scale_number(
     _refuse_value(of, largest)
     refuse_missing(parts, len(getattr(scene, of.kind)), _WORDS[of.kind])
     every, shift = getattr(scene, of.kind), shift if of.field == "rest_angle" else 0.0
-    has = {i: value for i in parts if (value := getattr(every[i], of.field)) is not None}
+    has = {i: value for i in parts if (value := of.of_part(every[i])) is not None}
     values = {i: _turned(value, shift) for i, value in has.items()}
     old = max(map(abs, values.values()), default=0.0)
     scaled = {i: largest * (value / old) if old else largest for i, value in values.items()}
@@ -139,6 +168,27 @@ def scale_number(
         _refuse_value(of, value)
     new: dict[int, float | None] = {i: _turned(value, -shift) for i, value in scaled.items()}
     return _with_values(scene, of, new, f"{of.label} scaled")
+
+
+def middle_of_starts(scene: Scene, of: Number, masses: Collection[int]) -> float:
+    """The coordinate of one of `STARTS`, px: of several masses that of the middle of their bounding box."""
+    starts = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
+    values = [starts[i][of.axis or 0] for i in masses]
+    return (min(values) + max(values)) / 2.0
+
+
+def set_start(scene: Scene, of: Number, masses: Collection[int], value: float) -> Edit:
+    """Masses moved together, so that they start with their middle at a coordinate, one of `STARTS`.
+
+    They are moved by as much where they are now. Springs keep their rest lengths.
+
+    Raises:
+        SettingError: the value is out of range.
+        SceneError: as `move`.
+    """
+    _refuse_value(of, value)
+    by = value - middle_of_starts(scene, of, masses)
+    return move(scene, masses, (by, 0.0) if of.axis == 0 else (0.0, by))
 
 
 def take_as_rest(moment: Moment, parts: Selection) -> Edit:
@@ -192,7 +242,7 @@ def _with_values(scene: Scene, of: Number, values: dict[int, float | None], labe
     scene = of_parts(scene)
     refuse_missing(values, len(getattr(scene, of.kind)), _WORDS[of.kind])
     every = getattr(scene, of.kind)
-    new = [(i, msgspec.structs.replace(every[i], **{of.field: value})) for i, value in values.items()]
+    new = [(i, of.replaced(every[i], value)) for i, value in values.items()]
     for _, part in new:
         _refuse_contradiction(part)
     parts = changed(every, new)

@@ -215,7 +215,7 @@ class Hands:
             self.leave(index)
 
     def weigh(self, scene: Scene) -> bool:
-        """Set inverse masses, air friction and gravity in the state, zero for held masses.
+        """Set inverse masses, air friction, gravity and constant forces in the state, zero for held masses.
 
         Returns:
             Whether all masses are held.
@@ -231,6 +231,9 @@ class Hands:
         state.air[masses] = state.inverse_mass[masses] * still
         state.gx[masses] = free * scene.gravity[0]
         state.gy[masses] = free * scene.gravity[1]
+        if system.loads is not None:
+            state.gx[masses] += state.inverse_mass[masses] * system.loads[0]
+            state.gy[masses] += state.inverse_mass[masses] * system.loads[1]
         return bool(held.all())
 
     def settle(self) -> None:

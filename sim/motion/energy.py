@@ -19,7 +19,6 @@ from ..kernels.core.tables import (
     State,
 )
 from ..kernels.energy.energies import ENERGIES, energies
-from ..scene.types import Scene
 from .solver import Solver
 
 
@@ -29,9 +28,9 @@ class EnergyBook:
 
     Attributes:
         kinetic, linear, angular, gravity, walls, fillings, contact: energies of the free masses' motion, the
-            linear springs, the angular springs, the free masses' height above 0 and their depth in walls, the
-            gases and liquids, and what touches. Under the force law "tutorial" the angular energy is that of
-            the conservative law.
+            linear springs, the angular springs, the free masses' height above 0 (with the energy -F · x of
+            the constant forces on them) and their depth in walls, the gases and liquids, and what touches.
+            Under the force law "tutorial" the angular energy is that of the conservative law.
         anchors: work done on the body by moved anchors. Grabbing a mass removes its kinetic energy and that
             of its height; releasing it adds that of its height at that moment.
         damping, air, friction: work of the damping of springs, of air friction, and of walls and contact by
@@ -78,12 +77,11 @@ class Books:
     """Keeps the energy balance of a simulation; made only when it is asked for.
 
     Args:
-        scene, state, solver: of the simulation.
+        state, solver: of the simulation.
     """
 
-    def __init__(self, scene: Scene, state: State, solver: Solver) -> None:
-        self._scene, self._state = scene, state
-        self._solver = solver
+    def __init__(self, state: State, solver: Solver) -> None:
+        self._state, self._solver = state, solver
         self._solver.open_balance()
         self._changes = 0.0
         self._energies = np.zeros(ENERGIES)
@@ -110,9 +108,9 @@ class Books:
 
     def total(self) -> float:
         """The sum of the energies of the present state, kg px²/s²."""
-        state, gravity, solver = self._state, self._scene.gravity, self._solver
+        state, solver = self._state, self._solver
         body, mass = solver.system.body, solver.balance.mass
-        return float(energies(body, state, mass, *gravity, state.q, state.v, self._energies))
+        return float(energies(body, state, mass, state.q, state.v, self._energies))
 
     def moved(self, before: float) -> None:
         """Enter that held masses were moved at once, grabbed or released; the total was `before`."""

@@ -17,9 +17,9 @@ class Loads(NamedTuple):
     """Forces and torques.
 
     Attributes:
-        forces: (n, 2) the net force on each mass, kg px/s²: of springs, joints, gravity, air and what
-            surrounds the body. That on a mass which an anchor or a hand holds is what its support bears,
-            without the inertia of a held mass that is being moved.
+        forces: (n, 2) the net force on each mass, kg px/s²: of springs, joints, gravity, air, its constant
+            force and what surrounds the body. That on a mass which an anchor or a hand holds is what its
+            support bears, without the inertia of a held mass that is being moved.
         torques: (J,) the torque with which each angular spring turns its first spring, kg px²/s², positive
             from +x towards +y; its second spring is turned the other way by as much. So it is positive where
             stiffness and damping make the angle smaller, as the quantity `jointN.torque` is.
@@ -53,5 +53,7 @@ class Weigher:
         air = u.real * abs(u.real) + 1j * (u.imag * abs(u.imag))
         weight = physics.surroundings.mass * complex(*scene.gravity)
         net = (physics.forces(x, v) + weight - scene.air_friction * air)[self.system.mass_index]
+        if self.system.loads is not None:
+            net += (self.system.loads[0] + 1j * self.system.loads[1])[self.system.mass_index - 1]
         torques = physics.torques(x, v)[self.system.joint_order] if physics.first.size else np.zeros(0)
         return Loads(np.column_stack((net.real, net.imag)), torques)

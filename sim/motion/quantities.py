@@ -193,7 +193,7 @@ _ENERGY_SUMMARIES = {
     "kinetic": "kinetic energy",
     "linear": "energy of the linear springs",
     "angular": "energy of the angular springs",
-    "gravity": "energy of height",
+    "gravity": "energy of height and of constant forces",
     "walls": "energy of the depth in walls",
     "fillings": "energy of gases and liquids",
     "contact": "energy of contact",

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from ..csv_text import csv_text
 from ..errors import InputError
 from ..scene.files import write_atomically
 from ..scene.types import Scene
@@ -67,14 +66,18 @@ class Recording:
         values = (q.read(simulation) for q in self._quantities.values())
         self._rows.append((simulation.time, *values))
 
-    def to_csv(self, path: str | Path) -> None:
+    def to_csv(self, path: str | Path, decimal_comma: bool = False) -> None:
         """Write a table: a line of names with units, as in `time [s]` and `joint3.angle [deg]`, and a line
         for each time. Numbers have as many digits as it takes to read back exactly what they are.
+
+        Args:
+            path: the file.
+            decimal_comma: whether numbers have a decimal comma; semicolons then stand between them.
 
         Raises:
             InputError: the file cannot be written.
         """
-        text = table_text(self._quantities.values(), self._rows)
+        text = table_text(self._quantities.values(), self._rows, decimal_comma)
         try:
             write_atomically(Path(path), text.encode())
         except OSError as error:
@@ -85,16 +88,20 @@ class Recording:
         return np.array(self._rows, float).reshape(len(self._rows), 1 + len(self._quantities)).T
 
 
-def table_text(quantities: Iterable[Quantity], rows: Iterable[Sequence[float]]) -> str:
+def table_text(
+    quantities: Iterable[Quantity], rows: Iterable[Sequence[float]], decimal_comma: bool = False
+) -> str:
     """The table of some quantities as CSV, see `Recording.to_csv`.
 
     Args:
         quantities: what the columns are, beside the time.
         rows: of time and values; a NaN leaves its place empty.
+        decimal_comma: as of `Recording.to_csv`.
     """
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
     units = ((q.name, q.unit.translate(_ASCII)) for q in quantities)
-    writer.writerow(["time [s]", *(f"{name} [{unit}]" if unit else name for name, unit in units)])
-    writer.writerows(["" if value != value else repr(float(value)) for value in row] for row in rows)
-    return text.getvalue()
+    head = ["time [s]", *(f"{name} [{unit}]" if unit else name for name, unit in units)]
+    return csv_text([head, *(map(float, row) for row in rows)], decimal_comma, _digits)
+
+
+def _digits(value: float) -> str:
+    return repr(value) if value == value else ""

@@ -374,7 +374,7 @@ class Simulation(Reading):
 
     def _new_books(self) -> Books:
         assert isinstance(self._stepper.solver, Solver)
-        return Books(self._scene, self._state, self._stepper.solver)
+        return Books(self._state, self._stepper.solver)
 
     def _with_overrides(self, scene: Scene) -> Scene:
         if isinstance(scene, Scene) and self._overrides:

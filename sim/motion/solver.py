@@ -338,7 +338,7 @@ class Solver:
         problem = self._problem
         if problem is None or not problem.factorise:
             problem = self._bind(True)
-        run_fallback(problem, drive, *self.scene.gravity, h, 1e-6 * typical, typical)
+        run_fallback(problem, drive, h, 1e-6 * typical, typical)
         integrator.selector[:] = _NEW
         integrator.controller[
             [CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, CONTROLLER_BEGUN, CONTROLLER_CONTRACTION]

@@ -22,7 +22,7 @@ import platformdirs
 from ..errors import SceneError
 from .link import link_data, unpack
 from .numbers import of_python
-from .places import line_and_column, place_of
+from .places import as_utf8, infinite_number, line_and_column, place_of, repeated_key
 from .sentences import sentence
 from .types import BODY_FIELDS, FORMAT_VERSION, Scene, is_surrounded
 from .validate import consistent, validate
@@ -126,9 +126,18 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
             f"{source}: {len(data)} bytes are more than the {MAX_FILE_BYTES} that a scene may have"
         )
     try:
+        data = as_utf8(data)
+    except UnicodeError as error:
+        raise SceneError(f"{source}: {error if places else 'this is not a JSON file'}") from None
+    try:
         raw = msgspec.json.decode(data)
-    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
+    except (msgspec.DecodeError, RecursionError) as error:
+        if isinstance(error, msgspec.ValidationError) and (number := infinite_number(data)):
+            raise SceneError(f"{source}: {number[0][:40]} is too large for a number ({number[1]})") from None
         raise SceneError(f"{source}: this is not a JSON file ({_with_line(str(error), data)})") from None
+    if again := repeated_key(data):
+        place = f" ({again[1]})" if places else ""
+        raise SceneError(f"{source}: the key {again[0][:60]!r} stands twice in one object{place}")
     if not isinstance(raw, dict):
         raise SceneError(f"{source}: a scene is a JSON object, with fields such as name and masses")
     version = raw.get("format")

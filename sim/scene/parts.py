@@ -10,6 +10,7 @@ from .numbers import (
     Angle,
     Damping,
     Force,
+    ForceComponent,
     Index,
     Kilograms,
     Length,
@@ -29,12 +30,15 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         velocity: at the start, px/s, each component within ±1e9; ignored while the mass is held.
         mass: 1e-6..1e6 kg.
         radius: 1e-3..1e4 px; used for drawing only.
+        force: a constant force on it (a point load), each component within ±1e15 kg px/s²; files leave it out
+            where there is none. A held mass hands it on to what holds it.
     """
 
     position: Vector
     velocity: tuple[Speed, Speed] = (0.0, 0.0)
     mass: Kilograms = 1.0
     radius: Radius = 6.0
+    force: tuple[ForceComponent, ForceComponent] | msgspec.UnsetType = msgspec.UNSET
 
 
 class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -1,13 +1,84 @@
-"""Where in a JSON file something stands, for error messages."""
+"""Where in a JSON file something stands, for error messages; and the encodings that a text file may have."""
 
 from __future__ import annotations
 
+import codecs
 import json
+import math
 import re
 
 _SPACE = re.compile(r"[ \t\n\r]*")
 _STEP = re.compile(r"(\w+)|\[(\d+)\]")
 _DECODER = json.JSONDecoder()
+_STRING = rb'"[^"\\]*(?:\\.[^"\\]*)*"'
+_KEY_OR_BRACE = re.compile(rb"(%b)\s*:|%b|[{}]" % (_STRING, _STRING), re.DOTALL)
+_STRING_OR_NUMBER = re.compile(rb"%b|(-?\d[\d.eE+-]*)" % _STRING, re.DOTALL)
+
+_MARKS = (
+    (codecs.BOM_UTF8, "UTF-8"),
+    (codecs.BOM_UTF32_LE, "UTF-32-LE"),  # begins with the mark of the next one
+    (codecs.BOM_UTF16_LE, "UTF-16-LE"),
+    (codecs.BOM_UTF32_BE, "UTF-32-BE"),
+    (codecs.BOM_UTF16_BE, "UTF-16-BE"),
+)
+"""Byte order marks, which some programs begin a text file with, and the encodings that they stand for."""
+
+
+def as_utf8(data: bytes) -> bytes:
+    """A text file's bytes in UTF-8 without a byte order mark; UTF-16 and UTF-32 are known by theirs.
+
+    Raises:
+        UnicodeError: the file is in another encoding; the message says what to do.
+    """
+    mark, encoding = next(((mark, name) for mark, name in _MARKS if data.startswith(mark)), (b"", "UTF-8"))
+    text = data.removeprefix(mark)
+    try:
+        decoded = text.decode(encoding)
+    except UnicodeDecodeError as error:
+        line = text[: error.start].decode(encoding, "replace").count("\n") + 1
+        raise UnicodeError(
+            f"line {line}: the text is not in {encoding}; save the file with the encoding UTF-8"
+        ) from None
+    return text if encoding == "UTF-8" else decoded.encode("utf-8", "surrogatepass")
+
+
+def repeated_key(data: bytes) -> tuple[str, str] | None:
+    """A key that an object has twice, and in words the place of the second; None if there is none.
+
+    Args:
+        data: a file that is JSON.
+    """
+    objects: list[set[str]] = []
+    for found in _KEY_OR_BRACE.finditer(data):
+        if found[0] == b"{":
+            objects.append(set())
+        elif found[0] == b"}":
+            objects.pop()
+        elif (key := found[1]) is not None:
+            name = json.loads(key) if b"\\" in key else key[1:-1].decode()
+            if name in objects[-1]:
+                return name, line_and_column(data, found.start())
+            objects[-1].add(name)
+    return None
+
+
+def infinite_number(data: bytes) -> tuple[str, str] | None:
+    """The first number that no double can hold, such as 1e999, and in words its place; None if there is none.
+
+    Args:
+        data: a file, which need not be JSON.
+    """
+    for found in _STRING_OR_NUMBER.finditer(data):
+        if found[1] is not None and _is_infinite(found[1]):
+            return found[1].decode(), line_and_column(data, found.start())
+    return None
+
+
+def _is_infinite(number: bytes) -> bool:
+    try:
+        return math.isinf(float(number))
+    except ValueError:
+        return False
 
 
 def line_and_column(data: bytes, at: int) -> str:

@@ -163,7 +163,7 @@ def _split(kind: Any, value: Any) -> tuple[Any, msgspec.Meta | None]:
             kind, *extras = get_args(kind)
             meta = next((extra for extra in extras if isinstance(extra, msgspec.Meta)), None)
         else:
-            options = [option for option in get_args(kind) if option is not NoneType]
+            options = [option for option in get_args(kind) if option not in (NoneType, msgspec.UnsetType)]
             if len(options) > 1:
                 return _tagged(options, value), None
             (kind,) = options

@@ -40,6 +40,7 @@ __all__ = [
     "Template",
     "View",
     "is_damageable",
+    "is_loaded",
     "is_surrounded",
     "rebuilt",
 ]
@@ -228,6 +229,11 @@ def is_surrounded(scene: Scene) -> bool:
     """Whether anything acts on a scene's masses besides springs, still air and gravity."""
     touches = scene.contact is not None and scene.contact.distance > 0.0 and bool(scene.linear_springs)
     return bool(scene.walls or scene.fillings or touches or (scene.wind and scene.air_friction > 0.0))
+
+
+def is_loaded(scene: Scene) -> bool:
+    """Whether a constant force acts on any mass."""
+    return any(mass.force for mass in scene.masses)
 
 
 def is_damageable(scene: Scene) -> bool:

@@ -74,9 +74,11 @@ def plain(scene: Scene) -> dict[str, Any]:
 
 
 def number_range(kind: type, field: str) -> tuple[float, float, str]:
-    """(lowest, highest, unit) of a numeric field of one of the scene's types, from its annotation."""
-    parts = get_args(get_type_hints(kind, include_extras=True)[field])
-    if type(None) in parts:  # a number that may be left out
+    """(lowest, highest, unit) of a numeric field of a scene's types, from its annotation; of a vector,
+    those of its components."""
+    hint = get_type_hints(kind, include_extras=True)[field]
+    parts = get_args(hint)
+    while not any(isinstance(part, msgspec.Meta) for part in parts):  # a vector, or what may be left out
         parts = get_args(parts[0])
     meta = next(part for part in parts if isinstance(part, msgspec.Meta))
     low, high = (

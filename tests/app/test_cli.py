@@ -16,7 +16,9 @@ import numpy as np
 import pytest
 
 import sim
+from app import headless
 from app.cli import main
+from sim.errors import InputError
 
 Result = subprocess.CompletedProcess[str]
 
@@ -68,6 +70,18 @@ def test_run_writes_a_table_that_reads_back_exactly(tmp_path: Path) -> None:
     simulation.step(80)
     assert [float(value) for value in rows[1][2:]] == simulation.positions.ravel().tolist()
     assert float(rows[1][1]) == simulation.time
+
+
+def test_tables_have_decimal_commas_if_they_are_to(tmp_path: Path) -> None:
+    plain, commas = tmp_path / "plain.csv", tmp_path / "commas.csv"
+    for words in ((), ("--energy",), ("--record", "joint0.angle", "--record", "mass3.x")):
+        run = "run", "ring", "--steps", "20", "--every", "5", *words, "--out"
+        assert softrod(*run, plain).returncode == 0
+        assert softrod(*run, commas, "--csv-comma").returncode == 0
+        text = commas.read_text()
+        head, *rows = plain.read_text().splitlines()
+        wanted = [head.replace(",", ";"), *(row.replace(",", ";").replace(".", ",") for row in rows)]
+        assert text.splitlines() == wanted
 
 
 def test_run_replays_moves_and_keys(tmp_path: Path) -> None:
@@ -210,6 +224,35 @@ def test_check_tells_good_from_bad(tmp_path: Path) -> None:
     assert "bad.json: rope.mass: -1 is not in the range 1e-06..1e+06 kg" in result.stderr
     assert "missing.json" in result.stderr
     assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "ascii"])
+def test_letters_that_the_terminal_lacks_are_no_error(
+    encoding: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "Маятник.json"
+    sim.save_scene(sim.rope(name="Маятник"), path)
+    monkeypatch.setenv("PYTHONIOENCODING", encoding)
+    result = softrod("check", path)
+    assert result.returncode == 0, result.stderr
+    assert "12 masses, is valid" in result.stdout
+    result = softrod("link", path, "--qr")
+    assert result.stdout.startswith("http://")
+    refused(result, f"--qr: the terminal's encoding, {encoding}, lacks the blocks of a QR code")
+
+
+def test_inputs_of_other_programs(tmp_path: Path) -> None:
+    line = '{"step": 3, "keys": ["left"]}'
+    path = tmp_path / "inputs.jsonl"
+    for mark, encoding in ((b"\xef\xbb\xbf", "utf-8"), (b"\xff\xfe", "utf-16-le")):
+        path.write_bytes(mark + f"{line}\r\n{line}\r\n".encode(encoding))
+        assert headless.read_log(path) == [headless.Entry(step=3, keys=("left",))] * 2
+    path.write_bytes(b'\n{"step": 3, "keys": [], "step": 4}')
+    with pytest.raises(InputError, match=r"line 2: the key 'step' stands twice"):
+        headless.read_log(path)
+    path.write_bytes(b'{"step": 3}\n{"keys": ["\xe4"]}')
+    with pytest.raises(InputError, match=r"inputs.jsonl: line 2: the text is not in UTF-8"):
+        headless.read_log(path)
 
 
 def test_help_lists_every_command() -> None:

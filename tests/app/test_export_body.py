@@ -71,6 +71,13 @@ LOOSE = sim.Scene(
     gravity=(0.0, 900.0),
 )
 DAMPED = sim.rope(masses=7, length=240.0, direction=(1.0, 0.2), angular_damping=30.0, rest_angle=20.0)
+LOADED = changed(
+    DAMPED,
+    bodies=(),
+    masses=tuple(
+        changed(m, force=(300.0 * i, -4000.0)) if i % 3 == 2 else m for i, m in enumerate(DAMPED.masses)
+    ),
+)
 SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "rope": (sim.load_scene("tutorial-3.3"), ("rest_angle=25",)),
     "diagonal template": (sim.load_scene("tutorial-3.2"), ("template=135",)),
@@ -88,6 +95,7 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "steady wind": (sim.load_scene("flag-pole"), ("turbulence=0",)),
     "stable spring": (sim.load_scene("girder"), ("method=stable_spring",)),
     "no springs, a slope": (LOOSE, ()),
+    "constant forces": (LOADED, ()),
 }
 
 
@@ -268,6 +276,10 @@ def test_json_has_all_that_a_scene_has_with_units() -> None:
     girder = json.loads(body_json(body_of(sim.load_scene("girder"))))
     assert girder["springs"]["strength"] == [s.strength for s in sim.load_scene("girder").linear_springs]
     assert pile["units"]["velocity"] == "px/s"
+    loaded = json.loads(body_json(body_of(LOADED)))
+    assert loaded["masses"]["force"][1:3] == [[0.0, 0.0], [600.0, -4000.0]]
+    assert loaded["units"]["force"] == "kg px/s^2"
+    assert "force" not in pile["masses"]
     metres = changed(LOOSE, view=sim.View(unit="m"))
     assert json.loads(body_json(body_of(metres)))["units"]["gravity"] == "m/s^2"
 
@@ -299,9 +311,24 @@ def test_tables_have_every_number_with_its_unit() -> None:
     circles = tables(sim.load_scene("lesson-resonance"))["masses"]
     assert circles[0]["circle_radius [px]"] == "5.0"
     assert circles[1]["circle_radius [px]"] == ""
+    assert "force_x [kg px/s^2]" not in circles[0]
+    forces = [(row["force_x [kg px/s^2]"], row["force_y [kg px/s^2]"]) for row in tables(LOADED)["masses"]]
+    assert forces[1:3] == [("0.0", "0.0"), ("600.0", "-4000.0")]
     contact = {row["setting"]: row["value"] for row in tables(sim.load_scene("pile"))["settings"]}
     assert float(contact["contact_distance [px]"]) > 0.0
     assert body_csv(body) == body_csv(body_of(scene))
+
+
+def test_tables_have_decimal_commas_if_they_are_to() -> None:
+    body = body_of(sim.load_scene("air-balloon"))
+    with_commas = zipfile.ZipFile(io.BytesIO(body_csv(body, decimal_comma=True)))
+    for name in (plain := zipfile.ZipFile(io.BytesIO(body_csv(body)))).namelist():
+        head, *rows = csv.reader(io.StringIO(plain.read(name).decode()))
+        found = list(csv.reader(io.StringIO(with_commas.read(name).decode()), delimiter=";"))
+        assert found[0] == head
+        for row, other in zip(rows, found[1:], strict=True):
+            numbers = [cell.replace(".", ",") if cell[-1:].isdigit() else cell for cell in row]
+            assert [*map(str.strip, other)] == numbers
 
 
 def test_numpy_reads_a_table() -> None:

@@ -17,6 +17,7 @@ import sim
 from app.cli import Check
 from app.drawing.sketch import Mapping
 from app.page import script
+from app.page.comma_switch import CommaSwitch
 from app.page.lesson_panel import LessonPanel, lesson_html
 from app.session import commands
 from app.session.log import decode_log
@@ -120,7 +121,7 @@ def server() -> Iterator[viser.ViserServer]:
 def lesson_panel(server: viser.ViserServer, page: SessionPage, told: list[Notice]) -> LessonPanel:
     client: Any = server  # has the same `gui`
     tab = server.gui.add_tab_group().add_tab("Lesson")
-    return LessonPanel(client, tab, page.session, told.append, [])
+    return LessonPanel(client, tab, page.session, told.append, CommaSwitch(print), [])
 
 
 def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server: viser.ViserServer) -> None:

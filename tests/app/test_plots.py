@@ -16,6 +16,7 @@ import viser
 import sim
 from app.drawing.colors import palette
 from app.page import plots
+from app.page.comma_switch import CommaSwitch
 from app.page.measure_panel import MeasurePanel
 from app.page.phase import phase_svg
 from app.session import commands
@@ -181,7 +182,9 @@ def test_plots_that_nobody_sees_run_on_and_are_not_sent() -> None:
     server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
     try:
         client: Any = server  # has the same `gui`
-        panel = MeasurePanel(client, server.gui.add_tab_group().add_tab("Measure"), page.session, print)
+        panel = MeasurePanel(
+            client, server.gui.add_tab_group().add_tab("Measure"), page.session, print, CommaSwitch(print)
+        )
         panel.plot_angle()
         panel.tick()
         (shown,) = panel.plots._plots
@@ -234,6 +237,8 @@ def test_the_table_has_all_rows_and_units() -> None:
     page = PlotPage("joint0.angle", "joint0.torque", over="mass11.x")
     page.frames(10)
     header, *rows = csv.reader(io.StringIO(page.plot.table()))
+    commas = list(csv.reader(io.StringIO(page.plot.table(decimal_comma=True)), delimiter=";"))
+    assert commas == [header, *([cell.replace(".", ",") for cell in row] for row in rows)]
     assert header == ["time [s]", "joint0.angle [deg]", "joint0.torque [kg px^2/s^2]", "mass11.x [px]"]
     assert np.array_equal(np.array(rows, float), page.plot.rows)
 
@@ -263,7 +268,7 @@ def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -
     try:
         client: Any = server  # has the same `gui`
         tab = server.gui.add_tab_group().add_tab("Measure")
-        panel = MeasurePanel(client, tab, page.session, told.append)
+        panel = MeasurePanel(client, tab, page.session, told.append, CommaSwitch(print))
         panel.tick()
         panel._part.value = "joint999999"
         panel._what.value = "<b>"

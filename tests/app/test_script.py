@@ -54,8 +54,8 @@ def test_messages_are_understood(message: str, expected: object) -> None:
     "message",
     [
         "", "keys|U", "1|keys|X", "1|keys|UUUUU", "1|at|0:nan,0;", "1|at|0:inf,1;", "1|at|0:1e9,1;",
-        "1|at|0:1;", "1|at|0:1,2,3;", "1|at|0:,;", "1|at|1,2", "1|at|10:1,2;", "1|at|" + 11 * "1:2,3;", "1|at|",
-        "1|go|nan", "1|go|",
+        "1|at|0:1;", "1|at|0:1,2,3;", "1|at|0:,;", "1|at|1,2", "1|at|10:1,2;",
+        "1|at|" + 11 * "1:2,3;", "1|at|", "1|go|nan", "1|go|",
         "1|speed|x", "1|grab|0|3|1", "1|grab|0|-1|0,0", "1|grab|10|3|0,0", "1|drop|",
         "1|drop|10", "1|pick|", "1|resume|1/1|%%%%",
         "1|at|0:99999999,0;", "1|do|format", "1|do|", "x|do|play", "1|do|play\n",

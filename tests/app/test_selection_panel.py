@@ -114,7 +114,12 @@ def test_nothing_is_made_until_something_is_selected_and_it_goes_with_the_select
     page.select(masses=(1, 2), springs=(0,))
     folder = next(iter(page.made.values()))
     assert (folder.label, folder.visible) == ("2 masses, 1 spring", True)
-    assert list(page.shown()) == ["Mass", "Radius", "Stiffness", "Damping", "Rest length"]
+    forces, springs = ["Force x", "Force y"], ["Stiffness", "Damping", "Rest length"]
+    places = ["Start x (middle)", "Start y (middle)"]
+    assert list(page.shown()) == [*places, "Mass", "Radius", *forces, *springs]
+    page.select(masses=(1,))
+    assert list(page.shown()) == ["Start x", "Start y", "Mass", "Radius", *forces]
+    page.select(masses=(1, 2), springs=(0,))
     count = len(page.made)
     page.select(joints=(0, 1))
     assert (folder.label, list(page.shown())) == (
@@ -145,6 +150,63 @@ def test_a_number_that_differs_is_mixed_and_entering_one_sets_all_until_an_undo(
     page.enter("Stiffness", 6.0)
     assert stiffnesses(page) == [5.0, 5.0, 6.0]
     assert len(page.session.versions) == 2
+
+
+def test_a_mass_is_put_exactly_where_it_is_to_start() -> None:
+    """A pendulum of 100 px at 30°."""
+    page = Page(rope())
+    page.frames(30, commands.Play())
+    page.frames(1, commands.Play(False))
+    page.select(masses=(3,))
+    start, now = page.scene.masses[3].position, page.session.simulation.positions[3]
+    assert (page.shown()["Start x"], page.shown()["Start y"]) == start
+    page.enter("Start x", 350.0)
+    page.enter("Start y", 86.60254)
+    assert page.scene.masses[3].position == pytest.approx((350.0, 86.60254), abs=1e-12)
+    # What moves now is moved by as much.
+    moved = page.session.simulation.positions[3] - now
+    assert moved == pytest.approx(np.subtract((350.0, 86.60254), start), abs=1e-9)
+    assert page.scene.linear_springs == rope().linear_springs
+    page.frames(10, commands.Reset())
+    assert page.session.simulation.positions[3] == pytest.approx((350.0, 86.60254), abs=1e-12)
+    assert len(page.session.versions) == 2
+    page.frames(10, commands.Undo())
+    assert page.scene.masses[3].position == (350.0, start[1])
+    page.frames(10, commands.Undo())
+    assert page.scene.masses[3].position == start
+
+
+def test_several_masses_move_together_by_their_middle() -> None:
+    page = Page(rope())
+    page.select(masses=(1, 2, 3))
+    before = np.array([mass.position for mass in page.scene.masses])
+    middle = float((before[1, 1] + before[3, 1]) / 2.0)
+    assert page.shown()["Start y (middle)"] == pytest.approx(middle)
+    page.enter("Start y", 500.0)
+    after = np.array([mass.position for mass in page.scene.masses])
+    assert after[1:] - before[1:] == pytest.approx(np.full((3, 2), (0.0, 500.0 - middle)), abs=1e-9)
+    assert after[0].tolist() == before[0].tolist()
+    assert len(page.session.versions) == 1
+
+
+def test_forces_are_set_and_taken_away() -> None:
+    page = Page(rope())
+    bare = page.scene.masses
+    page.select(masses=(2, 3))
+    page.enter("Force y", 500.0)
+    page.select(masses=(3,))
+    page.enter("Force x", -20.0)
+    assert [mass.force for mass in page.scene.masses[2:]] == [(0.0, 500.0), (-20.0, 500.0)]
+    page.select(masses=(2, 3))
+    assert page.shown()["Force x (mixed)"] == -20.0
+    assert page.shown()["Force y"] == 500.0
+    page.enter("Force y", 2e15)
+    assert page.scene.masses[2].force == (0.0, 500.0)
+    page.enter("Force x", 0.0)
+    page.enter("Force y", 0.0)
+    assert page.scene.masses == bare
+    page.frames(10, commands.Undo())
+    assert [mass.force for mass in page.scene.masses[2:]] == [(0.0, 500.0)] * 2
 
 
 def test_numbers_keep_their_proportions_if_they_are_to() -> None:

@@ -124,8 +124,10 @@ def test_every_hand_drags_a_mass_of_its_own(page: SessionPage) -> None:
     hands = range(MOST_HANDS)
     before = page.session.simulation.positions
     for hand in hands:
-        page.session.post(commands.DragStart(hand + 1, *before[hand + 1], hand))
-    moved = [commands.Point(*(before[hand + 1] + (5.0 * hand, -30.0)), hand) for hand in hands]
+        page.session.post(commands.DragStart(hand + 1, before[hand + 1, 0], before[hand + 1, 1], hand))
+    moved = [commands.Point(x + 5.0 * hand, y - 30.0, hand) for hand, (x, y) in enumerate(before[1:])][
+        :MOST_HANDS
+    ]
     page.frames(20, commands.Points(tuple(moved)))
     assert page.session.dragged == tuple(hand + 1 for hand in hands)
     wanted = before[1 : MOST_HANDS + 1] + np.outer(hands, (5.0, 0.0)) + (0.0, -30.0)

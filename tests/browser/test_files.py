@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import json
 from pathlib import Path
 from typing import Any
@@ -125,6 +126,7 @@ def test_a_log_is_saved_and_played(open_page: OpenPage, tmp_path: Path) -> None:
     assert started.value.suggested_filename == "tutorial-3.3-log.jsonl"
     path = tmp_path / "again.jsonl"
     started.value.save_as(path)
+    path.write_bytes(codecs.BOM_UTF8 + path.read_bytes())  # as some editors do
     desk.tell(commands.Open(sim.load_scene("ring")))
     upload(desk, path)
     assert "It agrees with the log" in desk.notice("The replay has ended")
@@ -166,7 +168,7 @@ def test_a_bad_file_gets_one_notice_and_changes_nothing(open_page: OpenPage, tmp
     assert not desk.notices()
     # The button is not blocked: a good file still opens.
     path = tmp_path / "good.json"
-    path.write_text(json.dumps({**good, "name": "a good one"}))
+    path.write_text(json.dumps({**good, "name": "a good one"}), encoding="utf-16")  # as some editors do
     upload(desk, path)
     desk.until(lambda: desk.session.scene.name == "a good one", "a good file is opened")
     assert not desk.notices()

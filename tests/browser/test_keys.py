@@ -158,6 +158,77 @@ def test_keys_that_are_pressed_once(open_page: OpenPage) -> None:
     desk.until(lambda: np.abs(desk.at(desk.simulation.positions) - first).max() < 0.5, "0 shows all")
 
 
+def press_printed(desk: Desk, key: str, code: str, ctrl: bool = False) -> None:
+    """A key of another keyboard: what is printed on it, and its place."""
+    desk.page.evaluate(
+        """([key, code, ctrlKey]) => document.activeElement.dispatchEvent(
+            new KeyboardEvent("keydown", { key, code, ctrlKey, bubbles: true, cancelable: true }))""",
+        [key, code, ctrl],
+    )
+
+
+def test_keys_go_by_what_is_printed_on_them(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False), commands.DoSteps(200))
+    # Dvorak.
+    press_printed(desk, "p", "KeyR")
+    desk.until(lambda: desk.page.locator("html.softrod-projector").count() == 1, "P is for a projector")
+    press_printed(desk, "p", "KeyR")
+    assert desk.simulation.step_count >= 200
+    press_printed(desk, "r", "KeyO")
+    desk.until(lambda: desk.simulation.step_count == 0, "R resets, where O is elsewhere")
+    press_printed(desk, "b", "KeyN")
+    # Russian.
+    press_printed(desk, "т", "KeyN")  # and only now, not with the letter before
+    desk.until(lambda: desk.simulation.step_count == 1, "the place of N steps")
+    press_printed(desk, "л", "KeyK", ctrl=True)
+    palette = desk.page.locator(".mantine-Spotlight-action")
+    desk.until(lambda: palette.count() > 0, "the palette opens")
+
+
+def test_space_pauses_after_a_click_wherever_the_focus_is(open_page: OpenPage) -> None:
+    desk = open_page()
+
+    def plays(what: str) -> None:
+        playing = desk.session.playing
+        desk.page.keyboard.press("Space")
+        desk.until(lambda: desk.session.playing is not playing, f"Space acts after a click on {what}")
+
+    desk.show("Body")
+    plays("a tab")
+    box = desk.box("Linear damping")
+    box.click()
+    plays("a number's box")
+    assert box.input_value() == "40"
+    desk.show("Solver")
+    chooser = desk.page.locator('[aria-haspopup="listbox"]:visible').first
+    before = chooser.input_value()
+    chooser.click()
+    desk.page.get_by_role("option", name=before, exact=True).click()
+    plays("a choice")
+    assert chooser.input_value() == before
+    desk.show("View")
+    switch = desk.page.locator("input[type=checkbox]:visible").first
+    switch.click()
+    was = switch.is_checked()
+    plays("a switch")
+    assert switch.is_checked() is was
+    # What was reached by keys is pressed.
+    desk.page.keyboard.press("Shift+Tab")
+    desk.page.keyboard.press("Tab")
+    playing = desk.session.playing
+    desk.page.keyboard.press("Space")
+    desk.until(lambda: switch.is_checked() is not was, "Space switches")
+    assert desk.session.playing is playing
+    # Texts have spaces.
+    desk.show("Files")
+    name = desk.control("Name")
+    name.click()
+    desk.page.keyboard.press("Space")
+    desk.until(lambda: " " in name.input_value().removeprefix("my scene"), "a space is typed")
+    assert desk.session.playing is playing
+
+
 def test_the_ringed_mass_follows_the_pointer_without_a_button(open_page: OpenPage) -> None:
     desk = open_page()
     desk.page.keyboard.press("KeyF")

@@ -80,6 +80,22 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     assert header == ["time [s]", "joint0.angle [deg]"]
     assert np.array(rows, float)[-1, 0] == time
 
+    # With decimal commas, which the tab remembers.
+    desk.control("Decimal commas").check()
+    desk.until(lambda: desk.tab._commas.on, "tables have decimal commas")
+    desk.until(lambda: desk.tab._kept[-2] is True, "the browser keeps that")
+    desk.rest(3)
+    desk.open()
+    desk.until(lambda: desk.tab._commas.on, "it is so after a reload")
+    desk.show("Measure")
+    assert desk.control("Decimal commas").is_checked()
+    with desk.page.expect_download() as download:
+        desk.button("CSV").click()
+    with download.value.path().open(newline="") as file:
+        header, *rows = csv.reader(file, delimiter=";")
+    assert header == ["time [s]", "joint0.angle [deg]"]
+    assert all("," in cell and "." not in cell for row in rows[1:3] for cell in row)
+
     # While nobody sees it, it is not sent.
     desk.show("Play")
     desk.until(lambda: not measures(desk).plots.looked_at, "the page says that it is not seen")

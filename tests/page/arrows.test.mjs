@@ -1,7 +1,8 @@
 // Arrows of forces, velocities and torques: their numbers, their scale, and their outlines.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { arrow, largest, massesOf, readArrows, Scale, Series, torqueArrows, turnArrow, vectorArrows } from "../../app/page/static/arrows.js";
+import { arrow, loadArrows } from "../../app/page/static/arrow_shapes.js";
+import { largest, massesOf, readArrows, Scale, Series, torqueArrows, turnArrow, vectorArrows } from "../../app/page/static/arrows.js";
 
 const view = { left: 0, right: 800, top: 0, bottom: 600 };
 const points = (path) => [...path.matchAll(/(-?[\d.]+) (-?[\d.]+)(?=[A-Z]|$)/g)].map(([, x, y]) => [Number(x), Number(y)]);
@@ -90,4 +91,13 @@ test("a torque's arc begins at the first spring and goes the way in which that i
     // +x towards +y is clockwise where y grows downwards; a third of the full 270 degrees ends above.
     assert.ok(others.some(([x, y]) => Math.abs(x - 200) < 0.2 && y < 90));
   }
+});
+
+test("constant forces are arrows at their masses, in the world's units, with y upwards there", () => {
+  const places = new Float64Array([100, 200, 300, 400]);
+  const plan = { loads: new Float32Array([1, 0.5, -0.25]) };
+  const ends = points(loadArrows(plan, places, 100));
+  assert.deepEqual(ends[0], [300, 400]);
+  assert.deepEqual(ends[3], [350, 425]);
+  assert.equal(loadArrows({ loads: new Float32Array() }, places, 100), "");
 });

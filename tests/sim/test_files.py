@@ -248,6 +248,60 @@ def test_what_is_wrong_in_a_file_has_a_place(text: str, place: str) -> None:
     assert place in refused(text.encode())
 
 
+@pytest.mark.parametrize(
+    ("mark", "encoding"),
+    [
+        (b"\xef\xbb\xbf", "utf-8"),
+        (b"\xff\xfe", "utf-16-le"),
+        (b"\xfe\xff", "utf-16-be"),
+        (b"\xff\xfe\0\0", "utf-32-le"),
+    ],
+)
+def test_files_of_other_programs_with_a_byte_order_mark(mark: bytes, encoding: str, tmp_path: Path) -> None:
+    text = json.dumps(minimal(name="Маятник 中"), ensure_ascii=False).replace(",", ",\r\n")
+    path = tmp_path / "scene.json"
+    path.write_bytes(mark + text.encode(encoding))
+    assert load_scene(path).name == "Маятник 中"
+    wrong = text.replace("[1", '["x"')
+    assert "masses[0].position[0]: " in refused(mark + wrong.encode(encoding))
+    assert "(line 2, column 27)" in refused(mark + wrong.encode(encoding))
+
+
+def test_other_encodings_are_refused_with_what_to_do() -> None:
+    text = '{"name": "one",\n"title": "Mädchen", "rope": {}}'
+    assert (
+        refused(text.encode("latin-1"))
+        == "line 2: the text is not in UTF-8; save the file with the encoding UTF-8"
+    )
+    assert refused(b"\xff\xfe" + '{"name": "one"}'.encode("utf-16-le")[:-1]).startswith("line 1: ")
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        (
+            '{"name": "a",\n "rope": {},\n "name": "b"}',
+            "the key 'name' stands twice in one object (line 3, column 2)",
+        ),
+        ('{"name": "a",\n "rope": {"mass": 1, "m\\u0061ss": 2}}', "the key 'mass' stands twice"),
+        ('{"name": "a",\n "rope": {"mass": 1e999}}', "1e999 is too large for a number (line 2, column 19)"),
+        (
+            '{"name": "1e999",\n "gravity": [0, -1e400], "rope": {}}',
+            "-1e400 is too large for a number (line 2, column 17)",
+        ),
+    ],
+    ids=range(4),
+)
+def test_keys_that_stand_twice_and_numbers_that_are_infinite_have_a_place(text: str, sentence: str) -> None:
+    assert refused(text.encode()).startswith(sentence)
+
+
+def test_keys_of_different_objects_and_texts_that_look_like_keys_may_repeat() -> None:
+    masses = [{"position": [0, 0]}, {"position": [1, 0]}]
+    raw = {"name": 'x": 1, "', "description": '"name": {', "masses": masses}
+    assert len(decode_scene(json.dumps(raw).encode(), "file").masses) == 2
+
+
 def test_files_that_are_too_large_are_refused_unread(tmp_path: Path) -> None:
     path = tmp_path / "large.json"
     path.write_bytes(b" " * (MAX_FILE_BYTES + 1))

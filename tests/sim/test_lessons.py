@@ -137,7 +137,7 @@ def test_catenary() -> None:
     assert parabola > 10.0, "which can be seen"
     marks = sim.load_scene("lesson-catenary").masses[chain:]
     for mass in marks:
-        x, y = mass.position
+        x, y = mass.position  # px
         assert at[:, 1].max() - y == pytest.approx(
             (at[:, 1].max() - 110.0) * ((x - 300.0) / 150.0) ** 2, abs=1.0
         )

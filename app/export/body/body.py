@@ -49,6 +49,7 @@ class Body:
         positions, velocities: (n, 2) px and px/s; a held mass is at rest unless it goes round a circle.
         mass: (n,) kg.
         radius: (n,) px.
+        loads: the constant forces on masses, kg px/s², by mass.
         held: (n,) whether a mass is held.
         circles: the circles on which held masses go, and where each is at time zero, px, by mass.
         ends: (S, 2) masses at the ends of each linear spring.
@@ -67,6 +68,7 @@ class Body:
     velocities: Floats
     mass: Floats
     radius: Floats
+    loads: dict[int, tuple[float, float]]
     held: NDArray[np.bool_]
     circles: dict[int, tuple[Circle, tuple[float, float]]]
     ends: Indices
@@ -122,6 +124,7 @@ class Body:
             velocities=velocities,
             mass=np.array([m.mass for m in scene.masses], float),
             radius=np.array([m.radius for m in scene.masses], float),
+            loads={i: mass.force for i, mass in enumerate(scene.masses) if mass.force},
             held=held,
             circles=_circles(moment),
             ends=ends,

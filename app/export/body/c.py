@@ -7,7 +7,20 @@ from collections.abc import Iterable
 import numpy as np
 
 from .body import Body
-from .program import OF_CIRCLES, OF_FILLINGS, OF_WALLS, STEPS, Plan, about, comment, rest_terms, rows, wrapped
+from .program import (
+    OF_CIRCLES,
+    OF_FILLINGS,
+    OF_LOADS,
+    OF_WALLS,
+    STEPS,
+    Plan,
+    about,
+    comment,
+    load_columns,
+    rest_terms,
+    rows,
+    wrapped,
+)
 
 
 def c_program(body: Body) -> tuple[bytes, list[str]]:
@@ -95,6 +108,12 @@ def _springs(plan: Plan) -> list[str]:
 
 def _around(plan: Plan) -> list[str]:
     body, lines = plan.body, []
+    if body.loads:
+        lines += [
+            *comment("//", OF_LOADS),
+            *_table("load", "LOADS", "int mass; double x, y;", load_columns(body)),
+            "",
+        ]
     if body.loops:
         loops = body.loops
         first = np.cumsum([0, *(len(loop.masses) for loop in loops)])
@@ -145,6 +164,10 @@ def _around(plan: Plan) -> list[str]:
 def _forces(plan: Plan) -> list[str]:
     body = plan.body
     code = ["for (int i = 0; i < MASSES; i++) ax[i] = ay[i] = 0.0;"]
+    if body.loads:
+        code += [
+            "for (int i = 0; i < LOADS; i++) ax[load[i].mass] = load[i].x, ay[load[i].mass] = load[i].y;"
+        ]
     if len(body.ends):
         code += _spring_forces(plan)
     if body.loops:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import zipfile
@@ -12,6 +11,7 @@ from typing import Any
 import msgspec
 
 import sim
+from sim.csv_text import csv_text
 
 from .body import Body
 
@@ -23,6 +23,7 @@ _UNITS = {
     "velocity": "L/s",
     "mass": "kg",
     "radius": "L",
+    "force": "kg L/s^2",
     "stiffness": "kg/s^2",
     "damping": "kg/s",
     "rest_length": "L",
@@ -68,7 +69,7 @@ def body_json(body: Body) -> bytes:
     return f"{_object(msgspec.to_builtins(data))}\n".encode()
 
 
-def body_csv(body: Body) -> bytes:
+def body_csv(body: Body, decimal_comma: bool = False) -> bytes:
     """The body as a ZIP archive of tables in CSV, with units in their first lines.
 
     `masses.csv`, `springs.csv` and `joints.csv` have a line for each part, `settings.csv` one for each number
@@ -80,6 +81,10 @@ def body_csv(body: Body) -> bytes:
     masses: dict[str, Iterable[Any]] = {f"x [{unit}]": x, f"y [{unit}]": y}
     masses |= {f"vx [{unit}/s]": vx, f"vy [{unit}/s]": vy}
     masses |= _with_units(scene, {key: _masses(body)[key] for key in ("mass", "radius")})
+    if body.loads:
+        of = f"kg {unit}/s^2"
+        forces = zip(*_forces(body), strict=True)
+        masses |= {f"force_{axis} [{of}]": part for axis, part in zip("xy", forces, strict=True)}
     masses["held"] = body.held.astype(int).tolist()
     anchors = {anchor.mass: anchor for anchor in scene.anchors}
     if any(anchor.circle is not None for anchor in scene.anchors):
@@ -106,7 +111,7 @@ def body_csv(body: Body) -> bytes:
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, rows in tables.items():
             # Without the time of day, the same body makes the same file.
-            archive.writestr(zipfile.ZipInfo(f"{name}.csv"), _csv(rows), zipfile.ZIP_DEFLATED)
+            archive.writestr(zipfile.ZipInfo(f"{name}.csv"), _csv(rows, decimal_comma), zipfile.ZIP_DEFLATED)
     return out.getvalue()
 
 
@@ -130,7 +135,12 @@ def _masses(body: Body) -> dict[str, Any]:
         "velocity": body.velocities.tolist(),
         "mass": body.mass.tolist(),
         "radius": body.radius.tolist(),
+        **({"force": _forces(body)} if body.loads else {}),
     }
+
+
+def _forces(body: Body) -> list[tuple[float, float]]:
+    return [body.loads.get(i, (0.0, 0.0)) for i in range(len(body.mass))]
 
 
 def _springs(body: Body) -> dict[str, Any]:
@@ -229,18 +239,15 @@ def _indexed(name: str, columns: Mapping[str, Iterable[Any]]) -> list[Sequence[A
     return [[name, *columns], *([i, *row] for i, row in enumerate(rows))]
 
 
-def _csv(rows: Iterable[Sequence[Any]]) -> str:
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerows([_cell(value) for value in row] for row in rows)
-    return text.getvalue()
+def _csv(rows: Iterable[Sequence[Any]], decimal_comma: bool) -> str:
+    return csv_text((map(_cell, row) for row in rows), decimal_comma)
 
 
 def _cell(value: Any) -> Any:
-    """A number with all its digits; a text that no spreadsheet takes for a formula."""
+    """A text that no spreadsheet takes for a formula, and everything else as it is."""
     if isinstance(value, str):
         return f"'{value}" if value[:1] in ("=", "+", "-", "@", "\t", "\r") else value
-    return repr(value) if isinstance(value, float) else value
+    return value
 
 
 def _ascii(unit: str) -> str:

@@ -139,6 +139,7 @@ OF_FILLINGS = (
     "Of each filling: whether it is a gas, its pressure or the bulk modulus, the pressure outside (kg/s^2), "
     "its area (px^2), and the masses around it"
 )
+OF_LOADS = "Of each mass with a constant force: which it is, and the force's x and y (kg px/s^2)."
 OF_CIRCLES = (
     "Of each held mass that goes round: which it is, its place at time 0 (px), radius (px), turns per second "
     "(Hz), and the time constant with which it speeds up (s)."
@@ -200,6 +201,11 @@ def rows(columns: Sequence[Iterable[float | int]], before: str, after: str) -> l
 
 def _numbers(column: Iterable[float | int]) -> list[float | int]:
     return column.tolist() if isinstance(column, np.ndarray) else list(column)
+
+
+def load_columns(body: Body) -> list[np.ndarray]:
+    """Which masses have constant forces on them, and the forces' x and y, kg px/s²."""
+    return [np.array(list(body.loads)), *np.array(list(body.loads.values()), float).T]
 
 
 def rest_terms(angles: Floats) -> tuple[Floats, Floats]:

@@ -5,7 +5,19 @@ from __future__ import annotations
 import numpy as np
 
 from .body import Body
-from .program import OF_CIRCLES, OF_FILLINGS, OF_WALLS, STEPS, Plan, about, comment, rest_terms, rows
+from .program import (
+    OF_CIRCLES,
+    OF_FILLINGS,
+    OF_LOADS,
+    OF_WALLS,
+    STEPS,
+    Plan,
+    about,
+    comment,
+    load_columns,
+    rest_terms,
+    rows,
+)
 
 
 def python_program(body: Body) -> tuple[bytes, list[str]]:
@@ -89,6 +101,8 @@ def _springs(plan: Plan) -> list[str]:
 
 def _around(plan: Plan) -> list[str]:
     body, lines = plan.body, []
+    if body.loads:
+        lines += [*comment("#", OF_LOADS), *_table("LOADS", load_columns(body)), ""]
     if body.loops:
         lines += [
             *comment("#", f"{OF_FILLINGS}."),
@@ -124,6 +138,8 @@ def _around(plan: Plan) -> list[str]:
 def _accelerations(plan: Plan) -> list[str]:
     body = plan.body
     code = ["force = np.zeros_like(x)"]
+    if body.loads:
+        code += ["force[LOADS[:, 0].astype(int)] = LOADS[:, 1:]"]
     if len(body.ends):
         code += _SPRINGS
         if plan.damped or plan.joints_damped:

@@ -28,6 +28,7 @@
  * @property {Part} high
  */
 import { moving, standing, streaks } from "../../page/static/around.js";
+import { loadArrows } from "../../page/static/arrow_shapes.js";
 import * as draw from "../../page/static/draw.js";
 import { readDamage, readPlan, UNHARMED } from "../../page/static/plan.js";
 
@@ -185,6 +186,12 @@ function painter(about, motion, canvas) {
     if (plan.driven >= 0) put("ring", draw.ring(plan, world));
     put("disc", draw.masses(plan, world));
     if (frame.ghost) put("bar", draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage));
+    if (plan.loads.length) {
+      const arrows = new Path2D(loadArrows(plan, places, step));
+      Object.assign(to, { strokeStyle: color("force"), fillStyle: color("force"), lineWidth: 2.4, lineJoin: "round" });
+      to.stroke(arrows);
+      to.fill(arrows);
+    }
     return frame;
   };
 }

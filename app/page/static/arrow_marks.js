@@ -1,5 +1,6 @@
 // @ts-check
 /** Draws the arrows of forces, velocities and torques over the body, with what their lengths stand for. */
+import { arrow } from "./arrow_shapes.js";
 import * as arrows from "./arrows.js";
 import { carry } from "./canvas.js";
 import { told } from "./channel.js";
@@ -105,7 +106,7 @@ export function addArrows() {
           });
         set(body, { d: all(false) });
         set(dashed, { d: kind === "forces" ? all(true) : "" });
-        set(sample, { d: arrows.arrow(end - full, y, full, 0, how.open) });
+        set(sample, { d: arrow(end - full, y, full, 0, how.open) });
         set(words, { x: end - full - 8, y });
       }
       set(rim, { d: (body.getAttribute("d") ?? "") + (dashed.getAttribute("d") ?? "") });

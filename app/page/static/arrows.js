@@ -6,6 +6,7 @@
  * @typedef {import("./plan.js").Plan} Plan
  * @typedef {import("./edge.js").Box} Box
  */
+import { arrow, head, headOf } from "./arrow_shapes.js";
 import { roundUp } from "./overlay.js";
 import { sections } from "./plan.js";
 
@@ -15,8 +16,6 @@ const KEPT = 8;
 const PATIENCE = 1.5;
 /** How many times larger all may become and still fit a finer scale, before there is one. */
 const ROOM = 1.2;
-/** Pixels below which an arrow is not drawn; of a head at most, along and to either side. */
-const [SHORTEST, HEAD, SIDE] = [3, 10, 4.2];
 /** Radians of a full arc, and below which it is not drawn. */
 const [FULL_TURN, LEAST_TURN] = [1.5 * Math.PI, 0.2];
 /** Pixels between a mass and the arc of its joint. */
@@ -133,42 +132,6 @@ export function largest(values, width) {
 const text = (value) => value.toFixed(1);
 
 /**
- * A head with its tip at a place.
- *
- * @param {number} x
- * @param {number} y
- * @param {number} angle radians on the screen, to which it points
- * @param {number} length
- * @param {boolean} open of two strokes
- */
-function head(x, y, angle, length, open) {
-  const [u, v] = [Math.cos(angle), Math.sin(angle)];
-  const side = (length * SIDE) / HEAD;
-  const [bx, by] = [x - length * u, y - length * v];
-  const [left, right] = [`${text(bx - side * v)} ${text(by + side * u)}`, `${text(bx + side * v)} ${text(by - side * u)}`];
-  const tip = `${text(x)} ${text(y)}`;
-  return open ? `M${left}L${tip}L${right}` : `M${left}L${tip}L${right}Z`;
-}
-
-/**
- * An arrow; nothing if it is too short to be seen.
- *
- * @param {number} x where it begins, pixels
- * @param {number} y
- * @param {number} dx
- * @param {number} dy
- * @param {boolean} open whether its head is of two strokes
- */
-export function arrow(x, y, dx, dy, open = false) {
-  const length = Math.hypot(dx, dy);
-  if (!(length >= SHORTEST)) return "";
-  const size = Math.min(HEAD, 0.6 * length);
-  const part = open ? 1 : (length - size) / length;
-  const shaft = `M${text(x)} ${text(y)}L${text(x + part * dx)} ${text(y + part * dy)}`;
-  return shaft + head(x + dx, y + dy, Math.atan2(dy, dx), size, open);
-}
-
-/**
  * An arc with a head; nothing if it is too short to be seen.
  *
  * @param {number} x its middle, pixels
@@ -180,7 +143,7 @@ export function arrow(x, y, dx, dy, open = false) {
 export function turnArrow(x, y, radius, from, turn) {
   if (!(Math.abs(turn) >= LEAST_TURN)) return "";
   const sense = Math.sign(turn);
-  const size = Math.min(HEAD, 0.7 * radius * Math.abs(turn));
+  const size = headOf(0.7 * radius * Math.abs(turn));
   /** @param {number} angle */
   const at = (angle) => `${text(x + radius * Math.cos(angle))} ${text(y + radius * Math.sin(angle))}`;
   const end = from + turn;

@@ -8,14 +8,13 @@ import { pasteHere, toClipboard } from "./clipboard.js";
 import { line, stepBack } from "./edit.js";
 import { step } from "./edit_places.js";
 import { change, countSelected, editing, giveUp, isEditable, setEditing, setTool } from "./editing.js";
+import { EDIT, PIN, printed, TOOLS } from "./key_table.js";
 import { isFree } from "./keys.js";
 import { ask } from "./mail.js";
 import { moveSelected } from "./move.js";
 import { chosenMass, sight } from "./overlay.js";
 import { massAt } from "./pointer.js";
 
-/** @type {Record<string, import("./editing.js").Tool>} */
-const TOOLS = { KeyH: "hand", KeyB: "build", KeyK: "joint", KeyS: "select", KeyC: "cut" };
 /** @type {Record<string, [number, number]>} */
 const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 /** By how much less an arrow moves with Shift. */
@@ -29,9 +28,6 @@ function swallow(event) {
 
 /** Whether keys go to the page, even with Ctrl: nobody types, no dialog is open. @param {KeyboardEvent} event */
 const isFreeWithCtrl = ({ target }) => isFree(/** @type {any} */ ({ target }));
-
-/** The letter of a key: as it is written on it, since Z and Y change places from keyboard to keyboard. @param {KeyboardEvent} event */
-const letterOf = ({ key, code }) => (/^[a-z]$/i.test(key) ? key.toLowerCase() : code.replace("Key", "").toLowerCase());
 
 /** Whether some text of the page is marked: that is what is copied then. */
 const isTextMarked = () => !(getSelection()?.isCollapsed ?? true);
@@ -51,7 +47,7 @@ function aim(mass) {
 /** @param {KeyboardEvent} event @returns {boolean} whether that was one */
 function withCtrl(event) {
   const { shiftKey, repeat } = event;
-  const letter = letterOf(event);
+  const letter = printed(event);
   if (!isFreeWithCtrl(event)) return false;
   if (letter === "z") stepBack(shiftKey ? "redo" : "undo");
   else if (letter === "y" && !shiftKey) stepBack("redo");
@@ -107,7 +103,8 @@ function grow(mass) {
 /** @param {KeyboardEvent} event */
 function press(event) {
   if (!isEditable()) return;
-  const { code, key, ctrlKey, metaKey, altKey, shiftKey } = event;
+  const { key, ctrlKey, metaKey, altKey, shiftKey } = event;
+  const letter = printed(event);
   if ((ctrlKey || metaKey) && !altKey) {
     if (withCtrl(event)) swallow(event);
     return;
@@ -120,14 +117,14 @@ function press(event) {
     return;
   }
   if (!isFree(event)) return;
-  if (code === "KeyE" && !shiftKey) {
+  if (letter === EDIT && !shiftKey) {
     if (!event.repeat) setEditing(!editing.on);
   } else if (!editing.on) return;
-  else if (TOOLS[code]) setTool(TOOLS[code]);
+  else if (TOOLS[letter]) setTool(TOOLS[letter]);
   else if (key === "Delete" || key === "Backspace") {
     if (isForInstrument(event)) return;
     if (!event.repeat) ask({ do: "do", what: "remove", ...aim(mass) });
-  } else if (code === "KeyP") event.repeat || ask({ do: "do", what: "pin", ...aim(mass) });
+  } else if (letter === PIN) event.repeat || ask({ do: "do", what: "pin", ...aim(mass) });
   else if (key === "Escape") {
     if (!leave()) return;
   } else if (mass >= 0 && key === "Enter") {

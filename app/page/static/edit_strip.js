@@ -5,6 +5,7 @@ import { toClipboard, pasteHere } from "./clipboard.js";
 import { make, makeButton } from "./dialog.js";
 import { stepBack } from "./edit.js";
 import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
+import { EDIT, keyOf, PIN } from "./key_table.js";
 import { hasWords, larger } from "./looks.js";
 import { ask } from "./mail.js";
 import { setTakesNew, takesNew } from "./move.js";
@@ -23,18 +24,18 @@ const ICONS = {
   redo: "M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2",
 };
 
-/** @type {[import("./editing.js").Tool, string, string, string][]} */
+/** @type {[import("./editing.js").Tool, string, string][]} */
 const TOOLS = [
-  ["hand", "Hand", "H", "Take hold of masses and drag them"],
-  ["build", "Build", "B", "Click for a mass, drag from mass to mass for a spring"],
-  ["joint", "Joint", "K", "Point at a mass and click a corner for an angular spring"],
-  ["select", "Select", "S", "Click parts, or drag a frame around them"],
-  ["cut", "Cut", "C", "Draw a line through springs"],
+  ["hand", "Hand", "Take hold of masses and drag them"],
+  ["build", "Build", "Click for a mass, drag from mass to mass for a spring"],
+  ["joint", "Joint", "Point at a mass and click a corner for an angular spring"],
+  ["select", "Select", "Click parts, or drag a frame around them"],
+  ["cut", "Cut", "Draw a line through springs"],
 ];
 
 /** What can be done: its name, its key, and what it asks for. @type {[string, string, string, string][]} */
 const ACTIONS = [
-  ["Pin", "P", "pin", "Hold the masses where they are, or let them go"],
+  ["Pin", PIN.toUpperCase(), "pin", "Hold the masses where they are, or let them go"],
   ["Delete", "Delete", "remove", "Take away what is selected"],
   ["Duplicate", "Ctrl D", "duplicate", "A copy beside it"],
   ["Mirror", "", "mirror", "Left becomes right"],
@@ -73,12 +74,12 @@ export function addEditStrip(tracing) {
   const strip = make("div", "softrod-edit");
   strip.setAttribute("role", "toolbar");
   strip.ariaLabel = "Editing";
-  const lid = iconButton("edit", "Build", "Build and change the body (E)", () => setEditing(!editing.on));
+  const lid = iconButton("edit", "Build", `Build and change the body (${EDIT.toUpperCase()})`, () => setEditing(!editing.on));
   const tools = make("div", "softrod-edit-tools");
   const undo = iconButton("undo", "Undo", "", () => stepBack("undo"));
   const redo = iconButton("redo", "Redo", "", () => stepBack("redo"));
-  const buttons = TOOLS.map(([tool, label, key, title]) => {
-    const button = iconButton(tool, label, `${title} (${key})`, () => setTool(tool));
+  const buttons = TOOLS.map(([tool, label, title]) => {
+    const button = iconButton(tool, label, `${title} (${keyOf(tool)})`, () => setTool(tool));
     tools.append(button);
     return /** @type {const} */ ([tool, button]);
   });

@@ -11,6 +11,7 @@
  */
 import { NAMES, newFace } from "./instrument_faces.js";
 import * as shapes from "./instrument_shapes.js";
+import { printed, WATCH } from "./key_table.js";
 import { isFree } from "./keys.js";
 import { hasWords } from "./looks.js";
 import { onSight, redrawMarks, sight, SVG } from "./overlay.js";
@@ -225,7 +226,7 @@ export function addInstruments() {
     }
   });
   window.addEventListener("keydown", (event) => {
-    const index = ["KeyT", "KeyL"].indexOf(event.code);
+    const index = WATCH.indexOf(printed(event));
     if (index < 0 || event.repeat || event.shiftKey || !isFree(event)) return;
     if (time(index)) event.preventDefault();
   });

@@ -2,6 +2,7 @@
 /** Keys and the arrow pad: what is held, and what is pressed once. */
 import { fit } from "./camera.js";
 import { onTold, send, told } from "./channel.js";
+import { ONCE, PALETTE, printed } from "./key_table.js";
 import { toggleProjector } from "./looks.js";
 import { ask } from "./mail.js";
 import { takePicture } from "./picture.js";
@@ -9,33 +10,23 @@ import { nextStep } from "./transport.js";
 
 /** @type {Record<string, string>} */
 const ARROWS = { ArrowUp: "U", ArrowDown: "D", ArrowLeft: "L", ArrowRight: "R" };
-/** @type {Record<string, string>} */
-const ONCE = {
-  Space: "play",
-  KeyN: "step",
-  KeyR: "reset",
-  KeyF: "follow",
-  KeyG: "plot",
-  KeyJ: "second",
-  KeyP: "project",
-  KeyI: "picture",
-  Escape: "pause",
-  KeyO: "gallery",
-  Digit0: "fit",
-  Comma: "back",
-  Period: "forward",
-};
-/** What Space presses, once it was reached with the Tab key. */
-const PRESSED = "button:focus-visible, input:focus-visible, [role=tab]:focus-visible, [role=button]:focus-visible";
+/** What Space presses, once it was reached by keys. */
+const PRESSED = "button, input, [role=tab], [role=button]";
+/** What Space is typed into, or opens. */
+const TEXTS = "textarea, select, [contenteditable], input:not([type]), input[type=text], input[type=search], input[type=url]";
 /** What a key that is held down does again and again. */
 const REPEATED = new Set(["step", "back", "forward"]);
-/** With these viser would move the camera. */
+/** With these viser would move the camera, wherever their letters are printed. */
 const CAMERA_KEYS = new Set(["KeyW", "KeyA", "KeyS", "KeyD", "KeyQ", "KeyE"]);
 /** Milliseconds between two reports of keys that are held; the server forgets those of which it hears nothing. */
 const REPEAT = 150;
 
 /** @type {Set<string>} */
 const held = new Set();
+/** Whether the focus was last moved by a click or a touch, and not by the Tab key. */
+let byPointer = false;
+/** Whether Space is down that has played or paused. */
+let spaceDown = false;
 
 /** @param {EventTarget | null} target */
 const isTyping = (target) =>
@@ -50,6 +41,21 @@ const isSlider = (target) =>
 /** While the body or an instrument has the focus, it takes arrows and Space. @param {KeyboardEvent} event */
 const isForBody = ({ target, code, key }) =>
   target instanceof Element && target.matches(".softrod-body, .softrod-grip") && (key in ARROWS || code === "Space");
+/**
+ * Whether Space plays or pauses, and does not press or type anything. After a click it does, wherever the focus is then;
+ * only texts and open lists keep it. Browsers take the focus as one by keys as soon as any key is pressed, so
+ * `:focus-visible` cannot tell.
+ *
+ * @param {KeyboardEvent} event
+ */
+function isSpaceFree({ target, ctrlKey, metaKey, altKey }) {
+  if (ctrlKey || metaKey || altKey || dialogIsOpen()) return false;
+  if (!(target instanceof Element)) return true;
+  if (target.matches(".mantine-NumberInput-root input")) return true; // no number has a space
+  if (target.matches('[aria-haspopup="listbox"]')) return byPointer && target.ariaExpanded !== "true";
+  if (target.matches(TEXTS)) return false;
+  return byPointer || !target.matches(PRESSED);
+}
 /** Whether a key acts on the page, and not on what is typed into or on a dialog. @param {KeyboardEvent} event */
 export const isFree = ({ target, ctrlKey, metaKey, altKey }) =>
   !(ctrlKey || metaKey || altKey || isTyping(target) || dialogIsOpen());
@@ -88,11 +94,12 @@ const releaseAll = () => {
  * @returns {boolean} whether that was the key
  */
 function openPalette(event) {
-  if (event.code !== "KeyK" || !(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return false;
-  if (event.target === document.body) return true; // viser hears it
+  if (printed(event) !== PALETTE || !(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return false;
+  if (event.target === document.body && event.key === PALETTE && event.code === "KeyK") return true; // viser hears it
   swallow(event);
-  const { key, code, ctrlKey, metaKey } = event;
-  const again = new KeyboardEvent("keydown", { key, code, ctrlKey, metaKey, bubbles: true, cancelable: true });
+  const { ctrlKey, metaKey } = event;
+  const pressed = { key: PALETTE, code: "KeyK", ctrlKey, metaKey };
+  const again = new KeyboardEvent("keydown", { ...pressed, bubbles: true, cancelable: true });
   if (!dialogIsOpen()) document.body.dispatchEvent(again);
   return true;
 }
@@ -100,6 +107,14 @@ function openPalette(event) {
 /** @param {KeyboardEvent} event */
 function press(event) {
   if (openPalette(event)) return;
+  const once = ONCE[printed(event)];
+  if (once === "play") {
+    if (!isSpaceFree(event) || isForBody(event)) return;
+    swallow(event);
+    spaceDown = true;
+    if (!event.repeat) send("do", once);
+    return;
+  }
   if (!isFree(event) || isSlider(event.target) || isForBody(event)) return;
   const arrow = ARROWS[event.key];
   if (arrow) {
@@ -107,15 +122,9 @@ function press(event) {
     hold(arrow);
     return;
   }
-  if (CAMERA_KEYS.has(event.code)) {
-    swallow(event);
-    return;
-  }
-  const once = ONCE[event.code];
-  if (!once) return;
-  // What was reached with the Tab key is pressed with Space, as everywhere.
-  if (once === "play" && document.activeElement?.matches(PRESSED)) return;
+  if (!once && !CAMERA_KEYS.has(event.code)) return;
   swallow(event);
+  if (!once) return;
   if (event.repeat && !REPEATED.has(once)) return;
   if (once === "fit") fit(true);
   else if (once === "project") toggleProjector();
@@ -184,6 +193,8 @@ function leaveChooser() {
 /** Begins to listen. */
 export function listenToKeys() {
   leaveChooser();
+  window.addEventListener("pointerdown", () => (byPointer = true), true);
+  window.addEventListener("keydown", ({ key }) => key === "Tab" && (byPointer = false), true);
   window.addEventListener("keydown", press, true);
   window.addEventListener(
     "keyup",
@@ -192,6 +203,10 @@ export function listenToKeys() {
       if (arrow) {
         release(arrow);
         if (!isTyping(event.target)) swallow(event);
+      } else if (spaceDown && event.code === "Space") {
+        // Some browsers press a button when Space goes up.
+        spaceDown = false;
+        swallow(event);
       }
     },
     true,

@@ -20,6 +20,7 @@ import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { addLesson, hearLesson } from "./lesson.js";
 import { listenToLinks, openLink, takeLink } from "./links.js";
+import { addLoads } from "./load_marks.js";
 import { restoreLooks } from "./looks.js";
 import { showMeasures } from "./measure.js";
 import { addMenu } from "./menu.js";
@@ -83,6 +84,7 @@ whenViser((viser) => {
   addOverlay();
   addUnderlay();
   addTraces();
+  addLoads();
   addArrows();
   addCoordinates();
   addInstruments();

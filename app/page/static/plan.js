@@ -36,6 +36,7 @@ export const CLOCK_PERIOD = 1024;
  * @property {Float32Array} fillings of each whether it is a gas, how many masses its loop has, and which
  * @property {Float32Array} wind velocity, px/s; of each wave of its gusts wave vector, amplitude and phase; or nothing
  * @property {number} contact px, the distance at which contact begins; 0 where there is none
+ * @property {Float32Array} loads of each constant force which mass it acts on, and its arrow, in the world
  */
 
 /**
@@ -50,6 +51,7 @@ export function readPlan(data) {
     radius: take(), springs: take(), restLength: take(), thickness: take(), fullStrain: take(), joints: take(),
     restAngle: take(), pinned: take(), massColors: take(), strainColors: take(), turnColors: take(),
     inkColors: take(), walls: take(), fillings: take(), wind: take(), contact: take()[0] ?? 0,
+    loads: take(),
   };
 }
 

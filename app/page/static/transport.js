@@ -2,6 +2,7 @@
 /** The bar under the body: play and pause, steps, going back in time, speed and the clock. */
 import { onPicture, shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
+import { keyOf } from "./key_table.js";
 
 /** Milliseconds between two readings of the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
@@ -24,27 +25,27 @@ const ICONS = {
  * @property {keyof typeof ICONS} icon
  * @property {string} word beside the icon, where there is room
  * @property {string} name for screen readers and the tooltip; it contains the word
- * @property {string} key that does the same
+ * @property {string} does what, as the table of keys says
  */
 
 /** @satisfies {Record<string, Face>} */
 const FACES = {
-  play: { icon: "play", word: "Play", name: "Play", key: "Space" },
-  goOn: { icon: "play", word: "Go on", name: "Go on from here", key: "Space" },
-  pause: { icon: "pause", word: "Pause", name: "Pause", key: "Space" },
-  reset: { icon: "reset", word: "Reset", name: "Reset", key: "R" },
-  second: { icon: "second", word: "1 s", name: "Back 1 second", key: "J" },
-  back: { icon: "back", word: "Frame", name: "Back 1 frame", key: "," },
-  step: { icon: "forward", word: "Step", name: "1 step", key: "N" },
-  forward: { icon: "forward", word: "Frame", name: "Forward 1 frame", key: "." },
+  play: { icon: "play", word: "Play", name: "Play", does: "play" },
+  goOn: { icon: "play", word: "Go on", name: "Go on from here", does: "play" },
+  pause: { icon: "pause", word: "Pause", name: "Pause", does: "play" },
+  reset: { icon: "reset", word: "Reset", name: "Reset", does: "reset" },
+  second: { icon: "second", word: "1 s", name: "Back 1 second", does: "second" },
+  back: { icon: "back", word: "Frame", name: "Back 1 frame", does: "back" },
+  step: { icon: "forward", word: "Step", name: "1 step", does: "step" },
+  forward: { icon: "forward", word: "Frame", name: "Forward 1 frame", does: "forward" },
 };
 
 /** @param {HTMLButtonElement} element @param {Face} face */
-function dress(element, { icon, word, name, key }) {
+function dress(element, { icon, word, name, does }) {
   if (element.ariaLabel === name) return;
   element.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[icon]}"/></svg><span>${word}</span>`;
   element.ariaLabel = name;
-  element.title = `${name} (${key})`;
+  element.title = `${name} (${keyOf(does)})`;
 }
 
 /** @param {Face} face @param {() => void} press */

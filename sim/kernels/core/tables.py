@@ -85,7 +85,7 @@ class State(Table):
     # What acts on each mass besides the springs; all zero for a mass that is held.
     inverse_mass: Floats  # (slots,) 1/kg
     air: Floats  # (slots,) air friction / mass, 1/px
-    gx: Floats  # (slots,) gravity, px/s²
+    gx: Floats  # (slots,) acceleration by gravity and by the constant force on each mass, px/s²
     gy: Floats
     clock: Floats  # (1,) time of the gusts, s
     # Empty where nothing yields or breaks.

@@ -18,19 +18,20 @@ ENERGIES = 7
 
 
 @kernel(fastmath=FAST)
-def energies(body, state, mass, gravity_x, gravity_y, q, v, out):
+def energies(body, state, mass, q, v, out):
     """Write the energies of motion, linear springs, angular springs, gravity, walls, fillings and contact,
     kg px²/s², into `out`, and return their sum.
 
-    The energy of gravity is counted from height 0. Held masses have neither kinetic energy nor that of
-    gravity and walls. Under the tutorial's law, the angular energy is that of the conservative law.
+    The energy of gravity, with that of the constant forces on masses, is counted from (0, 0). Held masses
+    have neither kinetic energy nor that of gravity and walls. Under the tutorial's law, the angular energy is
+    that of the conservative law.
     """
     slots, soft = q.size // 2, body.softening
     kinetic, linear, angular, height = 0.0, 0.0, 0.0, 0.0
     for i in range(1, body.masses + 1):
         if state.inverse_mass[i] > 0.0:
             kinetic += 0.5 * mass[i] * (v[i] * v[i] + v[slots + i] * v[slots + i])
-            height -= mass[i] * (gravity_x * q[i] + gravity_y * q[slots + i])
+            height -= mass[i] * (state.gx[i] * q[i] + state.gy[i] * q[slots + i])
     for s in range(body.springs):
         a, b = body.spring_a[s], body.spring_b[s]
         x, y = from_to(q, a, b)

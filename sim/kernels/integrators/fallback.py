@@ -32,12 +32,11 @@ from .steps import max_abs
 
 
 @kernel(fastmath=FAST)
-def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
+def run_fallback(problem, drive, h, shortest, reach):
     """One step of h seconds from a state in which the integrators are stuck.
 
     Args:
         problem, drive: as of `run_verlet`.
-        gravity_x, gravity_y: px/s².
         h: length of the step, s.
         shortest: length to which shorter springs are set, px.
         reach: largest distance that a mass moves, px.
@@ -52,7 +51,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
         kept_q[j], kept_v[j], a[j] = q[j], v[j], 0.0
     t = controller[CONTROLLER_TIME]
     mass = balance.mass
-    first = energies(body, state, mass, gravity_x, gravity_y, q, v, parts)
+    first = energies(body, state, mass, q, v, parts)
     if drive.moving:
         drive_to(body, state, drive, t + h, q, v)
     for s in range(body.springs):
@@ -66,7 +65,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
                 far = integrator.limits[0]
                 q[k] = min(max(q[i] + shortest * math.cos(1.0 + s), -far), far)
                 q[slots + k] = min(max(q[slots + i] + shortest * math.sin(1.0 + s), -far), far)
-    before = energies(body, state, mass, gravity_x, gravity_y, q, v, parts)
+    before = energies(body, state, mass, q, v, parts)
     accelerate(problem, q, v, a)
     g = 1.0 / h
     factorise(problem, q, v, g * g, g, True)
@@ -93,7 +92,7 @@ def run_fallback(problem, drive, gravity_x, gravity_y, h, shortest, reach):
             to_v[j] = part * move[j] * g
         if drive.moving:
             drive_to(body, state, drive, t + h, to_q, to_v)
-        after = energies(body, state, mass, gravity_x, gravity_y, to_q, to_v, parts)
+        after = energies(body, state, mass, to_q, to_v, parts)
         if (
             after <= before
             and max_abs(to_q) <= integrator.limits[0]

@@ -1,0 +1,52 @@
+"""Whether tables that are saved have decimal commas: one choice of a page, shown where tables are saved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import viser
+
+
+class CommaSwitch:
+    """The choice.
+
+    Args:
+        act: passes on that its user has chosen, as ("commas", whether they want commas).
+
+    Attributes:
+        on: whether tables have decimal commas, and semicolons between their columns.
+    """
+
+    def __init__(self, act: Callable[[str, Any], None]) -> None:
+        self.on = False
+        self._act = act
+        self._shown: list[viser.GuiCheckboxHandle] = []
+
+    def clear(self) -> None:
+        """Forget the switches of a panel that is gone."""
+        self._shown.clear()
+
+    def add(self, gui: viser.GuiApi, order: float | None = None) -> viser.GuiCheckboxHandle:
+        """Show it, where the next control would stand."""
+        switch = gui.add_checkbox(
+            "Decimal commas",
+            initial_value=self.on,
+            hint="tables that are saved have 0,5 for 0.5, and semicolons between the columns",
+            order=order,
+        )
+        self._shown.append(switch)
+
+        @switch.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                self._act("commas", bool(switch.value))
+
+        return switch
+
+    def show(self, on: bool) -> None:
+        """Choose, and show it everywhere."""
+        self.on = on
+        for switch in self._shown:
+            if switch.value != on:
+                switch.value = on

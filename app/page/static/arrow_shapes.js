@@ -1,0 +1,63 @@
+// @ts-check
+/** Outlines of straight arrows on the screen. Arithmetic only, without a page. */
+
+/** Pixels below which an arrow is not drawn; of a head at most, along and to either side. */
+const [SHORTEST, HEAD, SIDE] = [3, 10, 4.2];
+
+/** @param {number} value */
+const text = (value) => value.toFixed(1);
+
+/** Pixels of the head of an arrow that is as long. @param {number} length */
+export const headOf = (length) => Math.min(HEAD, length);
+
+/**
+ * A head with its tip at a place.
+ *
+ * @param {number} x
+ * @param {number} y
+ * @param {number} angle radians on the screen, to which it points
+ * @param {number} length
+ * @param {boolean} open of two strokes
+ */
+export function head(x, y, angle, length, open) {
+  const [u, v] = [Math.cos(angle), Math.sin(angle)];
+  const side = (length * SIDE) / HEAD;
+  const [bx, by] = [x - length * u, y - length * v];
+  const [left, right] = [`${text(bx - side * v)} ${text(by + side * u)}`, `${text(bx + side * v)} ${text(by - side * u)}`];
+  const tip = `${text(x)} ${text(y)}`;
+  return open ? `M${left}L${tip}L${right}` : `M${left}L${tip}L${right}Z`;
+}
+
+/**
+ * An arrow; nothing if it is too short to be seen.
+ *
+ * @param {number} x where it begins, pixels
+ * @param {number} y
+ * @param {number} dx
+ * @param {number} dy
+ * @param {boolean} open whether its head is of two strokes
+ */
+export function arrow(x, y, dx, dy, open = false) {
+  const length = Math.hypot(dx, dy);
+  if (!(length >= SHORTEST)) return "";
+  const size = headOf(0.6 * length);
+  const part = open ? 1 : (length - size) / length;
+  const shaft = `M${text(x)} ${text(y)}L${text(x + part * dx)} ${text(y + part * dy)}`;
+  return shaft + head(x + dx, y + dy, Math.atan2(dy, dx), size, open);
+}
+
+/**
+ * The arrows of the constant forces on masses.
+ *
+ * @param {import("./plan.js").Plan} plan
+ * @param {Float64Array | Float32Array} places of all masses on the screen
+ * @param {number} step pixels of a unit of the world
+ */
+export function loadArrows({ loads }, places, step) {
+  let path = "";
+  for (let i = 0; i < loads.length; i += 3) {
+    const [mass, x, y] = loads.subarray(i, i + 3);
+    path += arrow(places[2 * mass], places[2 * mass + 1], x * step, -y * step);
+  }
+  return path;
+}

@@ -1,0 +1,51 @@
+// Keys by what is printed on them, on keyboards of several countries.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { keyOf, ONCE, printed, TOOLS } from "../../app/page/static/key_table.js";
+
+/** What a key at a place of the keyboard does, by what is printed on it. */
+const does = (key, code) => ONCE[printed({ key, code })];
+
+test("letters act where they are printed", () => {
+  // Dvorak: P is where R is on an American keyboard, R where O is, O where S is, and the comma where W is.
+  assert.equal(does("p", "KeyR"), "project");
+  assert.equal(does("r", "KeyO"), "reset");
+  assert.equal(does("o", "KeyS"), "gallery");
+  assert.equal(does(",", "KeyW"), "back");
+  assert.equal(does(".", "KeyE"), "forward");
+  assert.equal(does("w", "Comma"), undefined);
+  // AZERTY: the comma is where M is, the point is above the semicolon, and zero above à.
+  assert.equal(does(",", "KeyM"), "back");
+  assert.equal(does(".", "Comma"), "forward");
+  assert.equal(does(";", "Comma"), undefined);
+  assert.equal(does("à", "Digit0"), "fit");
+  assert.equal(does("0", "Digit0"), "fit");
+});
+
+test("capitals are letters, and the numbers beside the letters are numbers", () => {
+  assert.equal(does("R", "KeyR"), "reset");
+  assert.equal(does("0", "Numpad0"), "fit");
+  assert.equal(does(" ", "Space"), "play");
+  assert.equal(does("\u202f", "Space"), "play");
+  assert.equal(does("Escape", "CapsLock"), "pause");
+});
+
+test("where no Latin letter is printed, the place counts", () => {
+  assert.equal(does("к", "KeyR"), "reset");
+  assert.equal(does("К", "KeyR"), "reset");
+  assert.equal(does("б", "Comma"), "back");
+  assert.equal(does("ρ", "KeyR"), "reset");
+  assert.equal(does("ı", "KeyI"), "picture");
+  assert.equal(does("Process", "KeyN"), "step");
+  assert.equal(TOOLS[printed({ key: "и", code: "KeyB" })], "build");
+  // These have names, wherever they are.
+  assert.equal(printed({ key: "ArrowLeft", code: "KeyJ" }), "ArrowLeft");
+  assert.equal(printed({ key: "ш", code: "IntlBackslash" }), "ш");
+});
+
+test("tooltips name the keys of the table", () => {
+  assert.equal(keyOf("play"), "Space");
+  assert.equal(keyOf("reset"), "R");
+  assert.equal(keyOf("back"), ",");
+  assert.equal(keyOf("cut"), "C");
+});
