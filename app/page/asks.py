@@ -30,6 +30,12 @@ class Offer(Ask, frozen=True):
     what: Literal["gallery"]
 
 
+class Unread(Ask, frozen=True):
+    """A text was typed into a number box that is no number; its user is to be told."""
+
+    text: Annotated[str, Meta(min_length=1, max_length=40)]
+
+
 class Scenes(Ask, frozen=True):
     """All scenes, and pictures of the user's own."""
 
@@ -143,7 +149,7 @@ class Do(Gesture, frozen=True):
 
 
 _decode = msgspec.json.Decoder(
-    Share | Offer | Scenes | OpenScene | Change
+    Share | Offer | Unread | Scenes | OpenScene | Change
     | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Do
 ).decode  # fmt: skip
 
