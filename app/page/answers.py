@@ -17,6 +17,7 @@ from .controls import Controls
 from .edits import Edits
 from .gallery import Gallery
 from .sharing import Sharing
+from .shelf import Shelf
 
 _log = logging.getLogger(__name__)
 
@@ -36,6 +37,7 @@ class Answers:
         letters: to the page's script.
         notify: tells the user something.
         resume: goes on with what the page had kept.
+        scenes: those of the page.
 
     Attributes:
         sharing, gallery, edits: what it asks about.
@@ -47,9 +49,11 @@ class Answers:
         letters: mail.Mail,
         notify: Callable[[Notice], None],
         resume: Callable[[keeping.Kept], None],
+        scenes: Shelf,
     ) -> None:
+        self._shelf = scenes
         self.sharing = Sharing(session, letters, notify)
-        self.gallery = Gallery(session, letters, notify)
+        self.gallery = Gallery(session, letters, notify, scenes)
         self.edits = Edits(session, letters, notify)
         self._notify, self._resume = notify, resume
         self._parts = {"resume": keeping.Parts(), "link": keeping.Parts(), "paste": keeping.Parts()}
@@ -92,6 +96,8 @@ class Answers:
         match ask:
             case asks.Share():
                 self.sharing.share(ask)
+            case asks.Who():
+                self._shelf.introduce(ask)
             case asks.Unread(text):
                 self._notify(unread(text))
             case asks.Scenes():

@@ -27,7 +27,7 @@ from ..session import commands
 from ..session.pacing import is_large
 from ..session.plots import Wish
 from ..session.session import Notice, Session
-from . import controls, keeping, mail, readouts, script, shelf
+from . import controls, keeping, mail, readouts, script
 from .answers import Answers
 from .controls import Controls
 from .export_panel import ExportPanel
@@ -35,6 +35,7 @@ from .files_panel import FilesPanel
 from .lesson_card import begin_step
 from .measure_panel import MeasurePanel
 from .panel import Panel, set_theme
+from .shelf import Shelf
 from .tools_panel import ToolsPanel
 from .view import Canvas, Touch, picture_of
 
@@ -67,10 +68,16 @@ class Tab:
         scene: what it shows first.
         compiler: makes kernels ready in the background.
         query: of the page's address, which may say which controls there are.
+        owned: whether it is known to be the page of this computer's owner.
     """
 
     def __init__(
-        self, client: viser.ClientHandle, scene: sim.Scene, compiler: Compiler, query: str = ""
+        self,
+        client: viser.ClientHandle,
+        scene: sim.Scene,
+        compiler: Compiler,
+        query: str = "",
+        owned: bool = False,
     ) -> None:
         self.client = client
         self._compiler = compiler
@@ -82,7 +89,8 @@ class Tab:
         self._fits = 0
         self._planned = -1
         self._kept: tuple[Any, ...] = ()
-        self._shelf = shelf.stamp()
+        self._shelf = Shelf(owned)
+        self._shelf_stamp = self._shelf.stamp()
         self._shelf_due = 0.0
         self._runaway: viser.NotificationHandle | None = None
         self._keep_due = 0.0
@@ -198,7 +206,9 @@ class Tab:
 
     def _begin(self, session: Session) -> Session:
         """What is made after the first picture has been sent."""
-        self._answers = Answers(session, self._mail, self.notify, lambda kept: self.request("resume", kept))
+        self._answers = Answers(
+            session, self._mail, self.notify, lambda kept: self.request("resume", kept), self._shelf
+        )
         self._controls = self._wanted_controls(session.scene)
         self._make_panel(session)
         self._session = session
@@ -231,7 +241,9 @@ class Tab:
                 self._panel.outlined += self._tools.outlined
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
-                files = FilesPanel(self.client, session, self.notify, self._answers.sharing.offer)
+                files = FilesPanel(
+                    self.client, session, self.notify, self._answers.sharing.offer, self._shelf
+                )
                 take_home = ExportPanel(self.client, session, lambda: self._dark, self.request)
             self._panel.outlined += [*files.outlined, *take_home.outlined]
 
@@ -373,9 +385,9 @@ class Tab:
         if now < self._shelf_due:
             return
         self._shelf_due = now + SHELF_EVERY
-        stamp = shelf.stamp()
-        if stamp != self._shelf:
-            self._shelf = stamp
+        stamp = self._shelf.stamp()
+        if stamp != self._shelf_stamp:
+            self._shelf_stamp = stamp
             self._answers.gallery.changed()
 
     def _serve_requests(self, session: Session) -> None:
