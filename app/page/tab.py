@@ -42,8 +42,9 @@ from .view import Canvas, Touch, picture_of
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
 
-KEEP_EVERY, KEEP_SHARE = 1.0, 0.001
-"""Seconds between two keepsakes, at least; and the share of time that making them may take."""
+KEEP_EVERY, KEEP_SHARE, KEEP_LATEST = 1.0, 0.001, 3.0
+"""Seconds between two keepsakes, at least; the share of processor time that making them may take; and seconds
+between two, at most, whatever they take."""
 
 SHELF_EVERY = 0.3
 """Seconds between two looks whether scenes were saved or deleted, in whatever page."""
@@ -94,6 +95,7 @@ class Tab:
         self._shelf_due = 0.0
         self._runaway: viser.NotificationHandle | None = None
         self._keep_due = 0.0
+        self._kept_opening = -1
         self._readouts_due = 0.0
         self._moved_at = 0.0
         self._was_at_rest = False
@@ -206,9 +208,13 @@ class Tab:
 
     def _begin(self, session: Session) -> Session:
         """What is made after the first picture has been sent."""
-        self._answers = Answers(
-            session, self._mail, self.notify, lambda kept: self.request("resume", kept), self._shelf
-        )
+
+        def resume(kept: keeping.Kept) -> None:
+            # At once: a link that the page sends after it goes before it.
+            session.post(commands.Resume(bytes(kept.session)))
+            self.request("resume", kept)
+
+        self._answers = Answers(session, self._mail, self.notify, resume, self._shelf)
         self._controls = self._wanted_controls(session.scene)
         self._make_panel(session)
         self._session = session
@@ -365,21 +371,24 @@ class Tab:
         state = (session.revision, session.simulation.time, self._dark, self._gizmos, plots)
         # At rest only the clock goes on: that is not worth a message.
         resting = self._was_at_rest and (state[0], plots) == (*self._kept[:1], *self._kept[4:])
-        if now < self._keep_due or state == self._kept or resting or session.replay is not None:
+        due = now >= self._keep_due or session.openings != self._kept_opening  # another scene is kept at once
+        if not due or state == self._kept or resting or session.replay is not None:
             return
-        began = time.perf_counter()
+        began = time.thread_time()  # that others have the processor is no reason to keep less often
         self._view.keep(keeping.encode(session.keepsake(), self._dark, self._gizmos, plots))
         self._kept = state
-        self._keep_due = now + max(KEEP_EVERY, (time.perf_counter() - began) / KEEP_SHARE)
+        self._kept_opening = session.openings
+        wait = (time.thread_time() - began) / KEEP_SHARE
+        self._keep_due = now + min(max(KEEP_EVERY, wait), KEEP_LATEST)
 
-    def _resume(self, session: Session, kept: keeping.Kept) -> None:
+    def _resume_looks(self, kept: keeping.Kept) -> None:
+        """Have the page look as it did when that was kept."""
         self._plots_kept = kept.plots
         if self._measure is not None:
             self._measure.remember(kept.plots)
         self.request("gizmos", kept.gizmos)
         if kept.dark:
             self.request("theme", True)
-        session.post(commands.Resume(bytes(kept.session)))
 
     def _look_at_shelf(self, now: float) -> None:
         if now < self._shelf_due:
@@ -403,7 +412,7 @@ class Tab:
                 self._view.show_gizmos(argument)
                 self._panel.show_looks(self._dark, self._gizmos)
             elif what == "resume":
-                self._resume(session, argument)
+                self._resume_looks(argument)
             elif what == "fit":
                 self._fits += 1
             elif what == "picture":
