@@ -80,8 +80,8 @@ def exposure(host: str) -> str | None:
             return None
     return (
         f"With host {host}, anyone who can reach this machine can open the page, run simulations on this "
-        "machine, and save to and delete from your preset folder. There is no password, and the traffic is "
-        "not encrypted."
+        "machine, open your saved scenes, and save scenes of their own here. There is no password, and the "
+        "traffic is not encrypted. Only pages with #owner= in their address can change your scenes."
     )
 
 

@@ -14,6 +14,7 @@ import contextlib
 import dataclasses
 import functools
 import gzip
+import ipaddress
 import logging
 import socket
 import threading
@@ -169,8 +170,18 @@ class Connection(ServerConnection):
         self._gate.forget(self)
 
 
+PROXY_HEADERS = (
+    "Forwarded", "X-Forwarded-For", "X-Forwarded-Host", "X-Forwarded-Proto", "X-Real-IP", "Via",
+)  # fmt: skip
+"""What proxies add to the requests that they hand on."""
+
+
 class Gate:
-    """Decides what reaches a viser server, and counts what does not."""
+    """Decides what reaches a viser server, and counts what does not.
+
+    Attributes:
+        loopback: whether only this machine can connect, and nothing else is known to lead here.
+    """
 
     def __init__(
         self,
@@ -178,8 +189,10 @@ class Gate:
         on_oversized: Callable[[int, str], None],
         files: Mapping[str, StaticFile],
         embed: Sequence[str] = (),
+        loopback: bool = False,
     ) -> None:
         self.refused: Counter[Reason] = Counter()
+        self.loopback = loopback
         self._files = files
         self._headers = safety_headers(embed)
         self._hosts = hosts
@@ -244,6 +257,17 @@ class Gate:
         connection = self._server._websock_server._live_connections.get(client_id)  # viser 1.1.1
         request = getattr(connection, "request", None)
         return request.path.partition("?")[2] if request is not None else ""
+
+    def is_local(self, client_id: int) -> bool:
+        """Whether a page is certainly of this machine: nobody else can connect, and no proxy says that it did
+        for somebody else.
+
+        Behind a proxy every connection comes from this machine, so that its address alone proves nothing.
+        """
+        assert self._server is not None
+        connection = self._server._websock_server._live_connections.get(client_id)  # viser 1.1.1
+        request = getattr(connection, "request", None)
+        return self.loopback and request is not None and not any(map(request.headers.get_all, PROXY_HEADERS))
 
     def _is_own(self, host: str, connection: Connection) -> bool:
         # The address the request came in at is this machine's, whichever network it belongs to.
@@ -369,7 +393,8 @@ def open_server(
     listener = listen(host, port)
     address, port = listener.getsockname()[:2]
     hosts = own_authorities(address, host, port, extra_hosts)
-    gate = Gate(hosts, on_oversized or (lambda client_id, filename: None), files or {}, embed)
+    loopback = ipaddress.ip_address(address).is_loopback and not extra_hosts
+    gate = Gate(hosts, on_oversized or (lambda client_id, filename: None), files or {}, embed, loopback)
     # The server gets a duplicate of the socket. This one holds the port until then, and is closed whatever
     # happens.
     with listener, _in_front_of_viser(gate, listener) as calls:

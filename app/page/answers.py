@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import re
 import threading
 from collections import deque
 from collections.abc import Callable
@@ -16,6 +17,7 @@ from .controls import Controls
 from .edits import Edits
 from .gallery import Gallery
 from .sharing import Sharing
+from .shelf import Shelf
 
 _log = logging.getLogger(__name__)
 
@@ -35,6 +37,7 @@ class Answers:
         letters: to the page's script.
         notify: tells the user something.
         resume: goes on with what the page had kept.
+        scenes: those of the page.
 
     Attributes:
         sharing, gallery, edits: what it asks about.
@@ -46,11 +49,13 @@ class Answers:
         letters: mail.Mail,
         notify: Callable[[Notice], None],
         resume: Callable[[keeping.Kept], None],
+        scenes: Shelf,
     ) -> None:
+        self._shelf = scenes
         self.sharing = Sharing(session, letters, notify)
-        self.gallery = Gallery(session, letters, notify)
+        self.gallery = Gallery(session, letters, notify, scenes)
         self.edits = Edits(session, letters, notify)
-        self._resume = resume
+        self._notify, self._resume = notify, resume
         self._parts = {"resume": keeping.Parts(), "link": keeping.Parts(), "paste": keeping.Parts()}
         self._line = InOrder()
 
@@ -91,12 +96,29 @@ class Answers:
         match ask:
             case asks.Share():
                 self.sharing.share(ask)
+            case asks.Who():
+                self._shelf.introduce(ask)
+            case asks.Unread(text):
+                self._notify(unread(text))
             case asks.Scenes():
                 self.gallery.list(ask)
             case asks.OpenScene():
                 self.gallery.open(ask)
             case asks.Change():
                 self.gallery.change(ask)
+
+
+def unread(text: str) -> Notice:
+    """Says of a text that was typed into a number box that it is no number, and how one is written."""
+    if _EITHER.fullmatch(text):
+        told = f"{text} could be {text.replace(',', '.')} or {text.replace(',', '')}. Write one of these."
+    else:
+        told = f"“{text}” is not a number. Write one as 20000, 2e4 or 0.05."
+    return Notice("warning", "That cannot be read", told)
+
+
+_EITHER = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}", re.ASCII)
+"""A comma that could be a decimal one, or part thousands; the page's script reads neither."""
 
 
 class InOrder:

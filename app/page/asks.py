@@ -30,6 +30,19 @@ class Offer(Ask, frozen=True):
     what: Literal["gallery"]
 
 
+class Unread(Ask, frozen=True):
+    """A text was typed into a number box that is no number; its user is to be told."""
+
+    text: Annotated[str, Meta(min_length=1, max_length=40)]
+
+
+class Who(Ask, frozen=True):
+    """Whose the page is: a secret of its browser, and the owner's key if it was opened with that."""
+
+    visitor: Annotated[str, Meta(pattern=r"^[0-9a-f]{32}$")]
+    owner: Annotated[str, Meta(max_length=100)] = ""
+
+
 class Scenes(Ask, frozen=True):
     """All scenes, and pictures of the user's own."""
 
@@ -43,7 +56,10 @@ class OpenScene(Ask, frozen=True, tag="open"):
 
 
 class Change(Ask, frozen=True):
-    """Do something with one of the user's own scenes; `name` is that of a deleted one for "restore"."""
+    """Do something with one of the page's own scenes; `name` is that of a deleted one for "restore".
+
+    Others may be duplicated, too.
+    """
 
     how: Literal["rename", "duplicate", "delete", "restore"]
     name: _SceneName
@@ -143,7 +159,7 @@ class Do(Gesture, frozen=True):
 
 
 _decode = msgspec.json.Decoder(
-    Share | Offer | Scenes | OpenScene | Change
+    Share | Offer | Unread | Who | Scenes | OpenScene | Change
     | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Do
 ).decode  # fmt: skip
 

@@ -26,6 +26,9 @@ from .mail import Mail
 ASIDE = 0.3
 """By how much a copy lies to the right and below of what it was made of, in the page's world."""
 
+NUDGES = 1.0
+"""Seconds between two moves by keys that are one step of undo, at most."""
+
 _PASTE = re.compile(r"(-?\d{1,7}(?:\.\d{1,6})?),(-?\d{1,7}(?:\.\d{1,6})?),([A-Za-z0-9+/=]+)")
 
 
@@ -59,7 +62,8 @@ class Edits:
             case asks.Do(what="redo"):
                 self._session.post(commands.Redo())
             case asks.Move(keys=True):
-                self._session.post(commands.Change(lambda *now: edited(ask, *now), key="moved by keys"))
+                move = commands.Change(lambda *now: edited(ask, *now), "moved by keys", within=NUDGES)
+                self._session.post(move)
             case _:
                 self._session.post(commands.Change(lambda *now: edited(ask, *now)))
 

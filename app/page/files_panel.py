@@ -19,6 +19,7 @@ from sim.scene.places import as_utf8
 
 from ..session import commands, log
 from ..session.session import Notice, Session
+from .shelf import Shelf
 
 ABOUT_LOGS = (
     '<div class="softrod-text">A log is all that was done since the start or the last reset; opened as a '
@@ -34,6 +35,7 @@ class FilesPanel:
         session: its simulation.
         notify: tells the user something.
         share: has the page offer a link to the scene.
+        shelf: the page's scenes.
 
     Attributes:
         outlined: buttons that are not the first thing to press.
@@ -45,7 +47,9 @@ class FilesPanel:
         session: Session,
         notify: Callable[[Notice], None],
         share: Callable[[], None],
+        shelf: Shelf,
     ) -> None:
+        self._shelf = shelf
         self._client = client
         self._session = session
         self._notify = notify
@@ -90,13 +94,13 @@ class FilesPanel:
     def _save(self) -> None:
         name = files.safe_name(self._name.value)
         scene = self._session.snapshot(name, self._with_pose.value)
-        if files.user_path(name).exists():
+        if files.user_path(name, self._shelf.folder).exists():
             self._confirm(f"Replace the saved scene {name!r}?", "Replace", lambda: self._write(scene, name))
         else:
             self._write(scene, name)
 
     def _write(self, scene: sim.Scene, name: str) -> None:
-        name = files.save_user_scene(scene, name)
+        name = self._shelf.save(scene, name)
         self._notify(Notice("info", "Saved", f"The scene is saved as {name!r}."))
 
     def _download(self) -> None:

@@ -1,4 +1,4 @@
-"""The gallery: all scenes on cards, to open one; the user's own are renamed, copied and deleted there.
+"""The gallery: all scenes on cards, to open one; the page's own are renamed, copied and deleted there.
 
 What it does takes a while: call it in a thread.
 """
@@ -10,7 +10,6 @@ import functools
 from collections.abc import Callable
 from pathlib import Path
 
-import sim
 from sim.errors import SceneError
 from sim.scene import own_scenes
 from sim.scene.files import read_scene
@@ -20,9 +19,10 @@ from ..session.session import Notice, Session
 from . import shelf, thumbnails
 from .asks import Change, OpenScene, Scenes
 from .mail import Mail
+from .shelf import Shelf
 
 MOST_PAINTED = 200
-"""Own scenes that get a picture; the others have their names."""
+"""Saved scenes that get a picture; the others have their names."""
 
 PAINTED_AT_ONCE = 8
 """Pictures after which those that are ready are sent."""
@@ -35,9 +35,11 @@ class Gallery:
         session: the page's simulation.
         mail: to the page's script.
         notify: tells the user something.
+        scenes: those of the page.
     """
 
-    def __init__(self, session: Session, mail: Mail, notify: Callable[[Notice], None]) -> None:
+    def __init__(self, session: Session, mail: Mail, notify: Callable[[Notice], None], scenes: Shelf) -> None:
+        self._shelf = scenes
         self._session = session
         self._mail = mail
         self._notify = notify
@@ -54,40 +56,41 @@ class Gallery:
         """Open a scene; if it cannot be read, nothing changes."""
         try:
             # Only what is listed: a name could be the path of any file.
-            if shelf.find(ask.name) is None:
+            if (info := self._shelf.find(ask.name)) is None:
                 raise SceneError(f"there is no scene called {ask.name!r} any more")
-            scene = sim.load_scene(ask.name)
+            scene = read_scene(info.path)
         except SceneError as error:
             self._notify(Notice("error", "That scene cannot be opened", str(error)))
         else:
             self._session.post(commands.Open(scene))
 
     def list(self, ask: Scenes) -> None:
-        """Send the page all scenes, then the pictures of the user's own as they get ready."""
-        scenes = shelf.scenes()
+        """Send the page all scenes, then the pictures of those that are saved as they get ready."""
+        scenes = self._shelf.scenes()
         self._mail.send("scenes", scenes=shelf.entries(scenes), present=self._session.scene.name)
         pictures: dict[str, str] = {}
-        own = [info for info in scenes if not info.built_in][:MOST_PAINTED]
-        for count, info in enumerate(own, start=1):
+        saved = [info for info in scenes if not info.built_in][:MOST_PAINTED]
+        for count, info in enumerate(saved, start=1):
             if picture := _picture(info.path, ask.dark):
                 pictures[info.name] = picture
-            if count % PAINTED_AT_ONCE == 0 or count == len(own):
+            if count % PAINTED_AT_ONCE == 0 or count == len(saved):
                 self._mail.send("pictures", pictures=pictures)
 
     def change(self, ask: Change) -> None:
-        """Rename, copy, delete or bring back one of the user's own scenes, and say what was done."""
+        """Rename, copy, delete or bring back one of the page's own scenes, and say what was done."""
         trashed = ""
         try:
+            folder = self._shelf.folder
             match ask.how:
                 case "rename":
-                    said = f"It is called {own_scenes.rename_user_scene(ask.name, ask.to)!r} now."
+                    said = f"It is called {own_scenes.rename_user_scene(ask.name, ask.to, folder)!r} now."
                 case "duplicate":
-                    said = f"The copy is called {own_scenes.duplicate_user_scene(ask.name)!r}."
+                    said = f"The copy is called {self._shelf.duplicate(ask.name)!r}."
                 case "delete":
-                    trashed = own_scenes.trash_user_scene(ask.name)
+                    trashed = own_scenes.trash_user_scene(ask.name, folder)
                     said = f"{ask.name!r} is deleted."
                 case "restore":
-                    said = f"{own_scenes.restore_user_scene(ask.name)!r} is back."
+                    said = f"{own_scenes.restore_user_scene(ask.name, folder)!r} is back."
         except SceneError as error:
             said = str(error)
         self._mail.send("said", text=said, undo=trashed)

@@ -318,7 +318,7 @@ class Panel:
     def unsettled(self) -> bool:
         """Whether a control shows what is not set, or there will be more to show."""
         waits = self._solver is not None and self._solver.waits
-        return waits or any(slider_box.refused for slider_box in self._sliders)
+        return waits or not all(slider_box.settled for slider_box in self._sliders)
 
     def show_selection(self) -> None:
         """Show what is selected, if it may be edited."""

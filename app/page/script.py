@@ -39,6 +39,7 @@ ONCE: dict[str, Command] = {
     "forward": commands.GoForward(),
     "before": commands.BackBeforeDivergence(),
     "forget": commands.ForgetFuture(),
+    "visit": commands.Visit(),
 }
 """Commands that the script sends by a word; those in `_ASKED` are no commands, but words besides."""
 

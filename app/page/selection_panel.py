@@ -31,8 +31,7 @@ from sim.edit.values import (
 from ..session import commands
 from ..session.notices import Notice
 from ..session.session import Session
-from . import readouts
-from .slider_box import DECIMALS, TOUCHED, TYPED, alike, rounded
+from .slider_box import DECIMALS, TOUCHED, Limits, alike, rounded
 
 EVERY = 0.1
 """Seconds between two looks at the numbers; held arrow keys change some of them all the time."""
@@ -212,11 +211,7 @@ class SelectionPanel:
 
 
 class _Row:
-    """A number box for one number.
-
-    Half a number, as "0" of "0.5", may be out of range: it is not taken. What is still out of range when its
-    user is done is not taken either, and they are told so.
-    """
+    """A number box for one number; what is out of range is not taken, and its user is told so."""
 
     def __init__(
         self,
@@ -226,27 +221,24 @@ class _Row:
         tell: Callable[[Notice], None],
     ) -> None:
         self.of = of
-        self.refused = False
-        self._tell = tell
+        self._limits = Limits(of, tell)
         self._shown: Shown | None = None
-        self._touched, self._known = -math.inf, 0.0
-        low, high = map(readouts.grouped, (of.low, of.high))
-        self._range = f"{low} to {high} {of.unit}".rstrip()
+        self._touched = -math.inf
         self._box = client.gui.add_number(
-            of.label, initial_value=0.0, step=0.1, hint=self._range, visible=False
+            of.label, initial_value=0.0, step=0.1, hint=self._limits.range, visible=False
         )
-        self._box.precision = DECIMALS  # viser takes the point out of any number with more than the step has
+        self._box.precision = DECIMALS
 
         @self._box.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is None:
                 return
             value = self._box.value
-            self._touched = time.monotonic()
-            self.refused = not self.of.low <= value <= self.of.high
-            if not self.refused:
-                self._known = value
+            if self._limits.allow(value):
+                self._touched = time.monotonic()
                 post(self.of, value)
+            elif self._shown is not None:
+                self._box.value = rounded(self._shown.value)
 
     def take(self, shown: Shown | None, another: bool) -> None:
         """Have other numbers to show, or none; of other parts, whatever is being typed."""
@@ -256,7 +248,7 @@ class _Row:
             return
         _set(self._box, "label", f"{self.of.label} ({shown.note})" if shown.note else self.of.label)
         if another:
-            self._touched, self.refused = -math.inf, False
+            self._touched = -math.inf
             size = abs(shown.value)
             _set(self._box, "step", 10.0 ** (math.floor(math.log10(size)) - 1) if size > 1e-6 else 0.1)
 
@@ -264,14 +256,8 @@ class _Row:
         """Show what is set, if that is not what its user is just typing."""
         if self._shown is None:
             return
-        value, idle = self._shown.value, time.monotonic() - self._touched
-        if idle < TOUCHED or (alike(value, self._known) and idle < TYPED):
-            return
-        self._known = value
-        if self.refused:
-            self.refused = False
-            self._tell(Notice("warning", "Out of range", f"{self.of.label}: {self._range}"))
-        if not alike(value, self._box.value):
+        value = self._shown.value
+        if time.monotonic() - self._touched >= TOUCHED and not alike(value, self._box.value):
             self._box.value = rounded(value)
 
 

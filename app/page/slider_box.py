@@ -9,6 +9,7 @@ from typing import Any
 
 import viser
 
+from sim.edit.values import Number
 from sim.settings import Setting
 
 from ..session.notices import Notice
@@ -17,20 +18,18 @@ from . import readouts
 TOUCHED = 0.4
 """Seconds for which a slider that its user moved is left alone by the server."""
 
-TYPED = 3.0
-"""Seconds after which a box that was left with a number that cannot be set shows what is set."""
+TOLD = 3.0
+"""Seconds for which a user is told only once that numbers of a box are out of range."""
 
-
-DECIMALS = 9
-"""Decimals that can be typed."""
+DECIMALS = 15
+"""Decimals that a box shows; viser takes those of its step, and the point out of any other number."""
 
 
 class SliderBox:
     """A slider and a number box for one setting; the slider of a logarithmic one is over powers of ten.
 
-    The slider covers the useful range, the box all that is allowed. While its user types, the box is left
-    alone: half a number ("0." of "0.001") may be out of range, and is then not taken. What is still out of
-    range when they are done is not taken either, and they are told so.
+    The slider covers the useful range, the box all that is allowed. What is out of range is not taken, and
+    its user is told so. The page's script sends whole numbers only, see `static/numbers.js`.
 
     Args:
         client: the page.
@@ -41,7 +40,7 @@ class SliderBox:
         order: where it stands in its tab; at the end if not given.
 
     Attributes:
-        refused: whether what was typed last was out of range, and still stands there.
+        settled: whether it shows what is set, and not still what its user has set.
     """
 
     def __init__(
@@ -54,15 +53,14 @@ class SliderBox:
         order: float | None = None,
     ) -> None:
         self.setting = setting
-        self._post, self._tell = post, tell
-        self.refused = False
+        self._post = post
+        self._limits = Limits(setting, tell)
+        self.settled = True
         self._touched = -math.inf
         self._known = value  # what the solver has, as far as this page knows
         self._retired = False
         low, high = setting.slider
         self._low, self._high = self._to_slider(low), self._to_slider(high)
-        # On its way to 25, a number of masses passes 2, which would be a rope without any joint.
-        self._least = low if setting.integer else setting.low
         if setting.integer:
             slider_step = box_step = 1.0
         elif setting.logarithmic:
@@ -77,7 +75,7 @@ class SliderBox:
             step=slider_step,
             initial_value=self._place(value),
             marks=((self._low, readouts.short(low)), (self._high, readouts.short(high))),
-            hint=self._range,
+            hint=self._limits.range,
             order=order,
         )
         self.box = client.gui.add_number(
@@ -86,9 +84,7 @@ class SliderBox:
             step=box_step,  # and no limits: viser would take the sign out of a number, or put in another one
             order=None if order is None else order + 0.5,
         )
-        if not setting.integer:
-            # viser allows as many decimals as the step has, and takes the point out of any other number.
-            self.box.precision = DECIMALS
+        self.box.precision = DECIMALS
 
         @self.slider.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
@@ -101,9 +97,10 @@ class SliderBox:
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is not None:
                 value = self.box.value
-                self.refused = not self._send(value)
-                if not self.refused:
+                if self._send(value):
                     self.slider.value = self._place(value)
+                else:
+                    self.box.value = rounded(self._known)
 
     def retire(self) -> None:
         """It is about to be taken out of the page: what its user still sends is ignored."""
@@ -111,32 +108,19 @@ class SliderBox:
 
     def show(self, value: float) -> None:
         """Show what the solver has, if that is not what this page's user is just setting."""
-        idle = time.monotonic() - self._touched
-        if idle < TOUCHED or (alike(value, self._known) and idle < TYPED):
+        if time.monotonic() - self._touched < TOUCHED:
             return
-        self._known = value
-        if self.refused:
-            self.refused = False
-            self._say_range()
+        self._known, self.settled = value, True
         if not alike(value, self.box.value):
             self.box.value = rounded(value)
         place = self._place(value)
         if abs(place - self.slider.value) >= 0.5 * self._slider_step:
             self.slider.value = place
 
-    @property
-    def _range(self) -> str:
-        """What can be set, in words."""
-        low, high = map(readouts.grouped, (self._least, self.setting.high))
-        return f"{low} to {high} {self.setting.unit}".rstrip()
-
-    def _say_range(self) -> None:
-        self._tell(Notice("warning", "Out of range", f"{self.setting.label}: {self._range}"))
-
     def _send(self, value: float) -> bool:
         """Hand a value on, if it is one that can be set."""
-        self._touched = time.monotonic()
-        if self._retired or not self._least <= value <= self.setting.high:
+        self._touched, self.settled = time.monotonic(), False
+        if self._retired or not self._limits.allow(value):
             return False
         self._known = value
         self._post(value)
@@ -153,6 +137,33 @@ class SliderBox:
         place = min(max(place, self._low), self._high)
         # Three digits are as fine as a hand can move it.
         return float(f"{10.0**place:.3g}") if self.setting.logarithmic else float(place)
+
+
+class Limits:
+    """What can be set in a box; tells its user if a number cannot.
+
+    Args:
+        of: the number, with its label, unit and limits.
+        tell: says something to the user.
+
+    Attributes:
+        range: what can be set, in words.
+    """
+
+    def __init__(self, of: Setting | Number, tell: Callable[[Notice], None]) -> None:
+        self._of, self._tell = of, tell
+        self._told = -math.inf
+        self.range = f"{readouts.grouped(of.low)} to {readouts.grouped(of.high)} {of.unit}".rstrip()
+
+    def allow(self, value: float) -> bool:
+        """Whether a number can be set; if not, its user is told."""
+        if self._of.low <= value <= self._of.high:
+            return True
+        now = time.monotonic()
+        if now - self._told > TOLD:  # a button that counts down may be held
+            self._told = now
+            self._tell(Notice("warning", "Out of range", f"{self._of.label}: {self.range}"))
+        return False
 
 
 def alike(a: float, b: float) -> bool:

@@ -30,7 +30,7 @@ from ..session.hand import GIZMO
 from ..session.pacing import is_large
 from ..session.plots import Wish
 from ..session.session import Notice, Session
-from . import controls, keeping, mail, readouts, script, shelf
+from . import controls, keeping, mail, readouts, script
 from .answers import Answers
 from .comma_switch import CommaSwitch
 from .controls import Controls
@@ -38,14 +38,16 @@ from .export_panel import ExportPanel
 from .files_panel import FilesPanel
 from .measure_panel import MeasurePanel
 from .panel import Panel, set_theme
+from .shelf import Shelf
 from .tools_panel import ToolsPanel
 from .view import Canvas, Touch, picture_of
 
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
 
-KEEP_EVERY, KEEP_SHARE = 1.0, 0.001
-"""Seconds between two keepsakes, at least; and the share of time that making them may take."""
+KEEP_EVERY, KEEP_SHARE, KEEP_LATEST = 1.0, 0.001, 3.0
+"""Seconds between two keepsakes, at least; the share of processor time that making them may take; and seconds
+between two, at most, whatever they take."""
 
 SHELF_EVERY = 0.3
 """Seconds between two looks whether scenes were saved or deleted, in whatever page."""
@@ -79,10 +81,16 @@ class Tab:
         scene: what it shows first.
         compiler: makes kernels ready in the background.
         query: of the page's address, which may say which controls there are.
+        owned: whether it is known to be the page of this computer's owner.
     """
 
     def __init__(
-        self, client: viser.ClientHandle, scene: sim.Scene, compiler: Compiler, query: str = ""
+        self,
+        client: viser.ClientHandle,
+        scene: sim.Scene,
+        compiler: Compiler,
+        query: str = "",
+        owned: bool = False,
     ) -> None:
         self.client = client
         self._compiler = compiler
@@ -95,10 +103,12 @@ class Tab:
         self._fits = 0
         self._planned = -1
         self._kept: tuple[Any, ...] = ()
-        self._shelf = shelf.stamp()
+        self._shelf = Shelf(owned)
+        self._shelf_stamp = self._shelf.stamp()
         self._shelf_due = 0.0
         self._runaway: viser.NotificationHandle | None = None
         self._keep_due = 0.0
+        self._kept_opening = -1
         self._readouts_due = 0.0
         self._moved_at = 0.0
         self._was_at_rest = False
@@ -215,7 +225,13 @@ class Tab:
 
     def _begin(self, session: Session) -> Session:
         """What is made after the first picture has been sent."""
-        self._answers = Answers(session, self._mail, self.notify, lambda kept: self.request("resume", kept))
+
+        def resume(kept: keeping.Kept) -> None:
+            # At once: a link that the page sends after it goes before it.
+            session.post(commands.Resume(bytes(kept.session)))
+            self.request("resume", kept)
+
+        self._answers = Answers(session, self._mail, self.notify, resume, self._shelf)
         self._controls = self._wanted_controls(session.scene)
         self._make_panel(session)
         self._session = session
@@ -250,7 +266,9 @@ class Tab:
                 self._panel.outlined += self._tools.outlined
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
-                files = FilesPanel(self.client, session, self.notify, self._answers.sharing.offer)
+                files = FilesPanel(
+                    self.client, session, self.notify, self._answers.sharing.offer, self._shelf
+                )
                 take_home = ExportPanel(
                     self.client, session, lambda: self._looks.dark, self.request, self._commas
                 )
@@ -411,29 +429,32 @@ class Tab:
         state = (session.simulation.time, session.revision, self._looks, plots)
         # At rest only the clock goes on: that is not worth a message.
         resting = self._was_at_rest and state[1:] == self._kept[1:]
-        if now < self._keep_due or state == self._kept or resting or session.replay is not None:
+        due = now >= self._keep_due or session.openings != self._kept_opening  # another scene is kept at once
+        if not due or state == self._kept or resting or session.replay is not None:
             return
-        began = time.perf_counter()
+        began = time.thread_time()  # that others have the processor is no reason to keep less often
         self._view.keep(keeping.encode(session.keepsake(), self._looks, plots))
         self._kept = state
-        self._keep_due = now + max(KEEP_EVERY, (time.perf_counter() - began) / KEEP_SHARE)
+        self._kept_opening = session.openings
+        wait = (time.thread_time() - began) / KEEP_SHARE
+        self._keep_due = now + min(max(KEEP_EVERY, wait), KEEP_LATEST)
 
-    def _resume(self, session: Session, kept: keeping.Kept) -> None:
+    def _resume_looks(self, kept: keeping.Kept) -> None:
+        """Have the page look as it did when that was kept."""
         self._plots_kept = kept.plots
         if self._measure is not None:
             self._measure.plots.remember(kept.plots)
         for what in ("gizmos", "meter", "commas", "dark"):
             if getattr(kept.looks, what):
                 self.request(what, True)
-        session.post(commands.Resume(bytes(kept.session)))
 
     def _look_at_shelf(self, now: float) -> None:
         if now < self._shelf_due:
             return
         self._shelf_due = now + SHELF_EVERY
-        stamp = shelf.stamp()
-        if stamp != self._shelf:
-            self._shelf = stamp
+        stamp = self._shelf.stamp()
+        if stamp != self._shelf_stamp:
+            self._shelf_stamp = stamp
             self._answers.gallery.changed()
 
     def _serve_requests(self, session: Session) -> None:
@@ -450,7 +471,7 @@ class Tab:
                 elif what == "commas":
                     self._commas.show(argument)
             elif what == "resume":
-                self._resume(session, argument)
+                self._resume_looks(argument)
             elif what == "fit":
                 self._fits += 1
             elif what == "picture":

@@ -21,7 +21,8 @@ from sim.compiling.compiler import Compiler, needed_by
 from sim.scene.types import is_surrounded
 
 from ..drawing.colors import LIGHT_GAIN
-from ..gate.gate import exposure, open_server, page_addresses
+from ..gate.gate import GatedServer, exposure, open_server, page_addresses
+from ..page import owner
 from ..page.assets import page_files
 from ..page.panel import set_theme
 from ..page.tab import Tab
@@ -32,7 +33,7 @@ from .ticker import Ticker
 @contextlib.contextmanager
 def serving(
     scene: sim.Scene, host: str, port: int, embed: Sequence[str] = ()
-) -> Iterator[tuple[viser.ViserServer, Ticker, Compiler]]:
+) -> Iterator[tuple[GatedServer, Ticker, Compiler]]:
     """The server behind its gate, ticking, for as long as the context lasts; the compiler is not started.
 
     Args:
@@ -47,7 +48,8 @@ def serving(
     compiler = Compiler()
 
     def make_tab(client: viser.ClientHandle) -> Tab:
-        return Tab(client, scene, compiler, server.gate.query_of(client.client_id))
+        gate, client_id = server.gate, client.client_id
+        return Tab(client, scene, compiler, gate.query_of(client_id), gate.is_local(client_id))
 
     ticker = Ticker(make_tab)
 
@@ -99,6 +101,8 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool, embed: Seq
         signal.signal(number, lambda number, _: signals.append(number))
     with serving(scene, host, port, embed) as (server, ticker, compiler):
         address, *others = page_addresses(host, server.get_port())
+        if not server.gate.loopback:
+            address = f"{address}/{owner.FRAGMENT}{owner.key()}"
         console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
         for other in others:
             console.print(f"and, from other machines, at [bold]{other}[/bold]", highlight=False)

@@ -6,6 +6,7 @@ checks every number when it applies the command.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
@@ -82,6 +83,11 @@ class SetValue:
 
 
 @dataclass(frozen=True)
+class Visit:
+    """A slider was pressed, or a number box entered: what is changed from here on is another step of undo."""
+
+
+@dataclass(frozen=True)
 class SetChoice:
     """Something of a list was chosen, by its key in `sim.settings.CHOICES`."""
 
@@ -138,10 +144,17 @@ edit; None for another body.
 
 @dataclass(frozen=True)
 class Change:
-    """The body is to be edited; edits with the same key that follow each other are one step of undo."""
+    """The body is to be edited; edits with the same key that follow each other are one step of undo.
+
+    Attributes:
+        make: makes the edit.
+        key: of those that are one step.
+        within: seconds between two of them, at most; or until the next `Visit`.
+    """
 
     make: MakeEdit
     key: str = ""
+    within: float = math.inf
 
 
 @dataclass(frozen=True)
@@ -275,7 +288,8 @@ class Resume:
 
 
 Command = (
-    HoldKeys | Point | Points | Follow | DragStart | DragTo | DragEnd | SetValue | SetChoice | OwnValues
+    HoldKeys | Point | Points | Follow | DragStart | DragTo | DragEnd | SetValue | Visit | SetChoice
+    | OwnValues
     | Compare | Foretell | KeepBooks | Change | Select | Undo | Redo | Open | Play | DoSteps | Reset | Speed
     | SelectJoint | Snapshot | Recent
     | GoTo | GoBack | GoForward | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume

@@ -19,13 +19,15 @@ class Editing(Timeline):
     def _apply_to_scene(self, command: Command) -> bool:
         """Apply a command that edits the body, or takes an edit back; whether it is one."""
         match command:
-            case commands.Change(make, key):
+            case commands.Change(make, key, within):
                 before = self.simulation.capture()
                 edit = make(before, self.selection)
                 if edit.scene is not before.scene:
                     self._branch()
-                    self.versions.add_edit(edit, before, key, self.now())
+                    self.versions.add_edit(edit, before, key, self.now(), within)
                     self._go_on_as(carried(edit, before), edit)
+            case commands.Visit():
+                self.versions.end_step()
             case commands.Select(find):
                 moment = self.simulation.capture()
                 self.selection = existing(find(moment, self.selection), moment.scene)

@@ -139,16 +139,16 @@ class Running:
         Args:
             change: changes them.
             label: what they are called.
-            key: of a number, whose changes one after the other are one for undo.
+            key: of a number, whose changes are one for undo until another control is used.
         """
         before = self.simulation.capture()
         change()
         scene, after = self.simulation.scene, self.simulation.capture()
         rebuilt = not same_topology(before.scene, scene)
         if rebuilt:
-            self.versions.add_leap(label, before, after)
+            self.versions.add_leap(label, before, after, key)
         elif after.scene is not before.scene:
-            self.versions.add_change(label, before, after, key, self.now())
+            self.versions.add_change(label, before, after, key)
         if rebuilt:
             # Another body, whose time begins anew: what is past belongs to the other one.
             self.hands.drop()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -14,9 +15,6 @@ from sim.edit.edit import Edit, carried, inverse
 MOST_STEPS = 1000
 MOST_BYTES = 64_000_000
 """What is kept; beyond either the oldest is forgotten."""
-
-COALESCE = 1.0
-"""Seconds within which changes of one number are one step."""
 
 _PER_PART = 16
 """Bytes of a part of a list that changed, about: the parts themselves are shared."""
@@ -34,7 +32,8 @@ class Step:
         before, after: the moments to be at instead, where it is another body's.
         scale, shift: by what the change multiplied the rest length scale, and what it added to all rest
             angles, beside the scene: settings take in what keys have done.
-        key, at: of a number that is being changed, and when it was last, s.
+        key: changes with the same one that follow each other are one step; empty for a step that has ended.
+        until: after this time, s, they are not.
     """
 
     label: str
@@ -45,7 +44,7 @@ class Step:
     scale: float = 1.0
     shift: float = 0.0
     key: str = ""
-    at: float = 0.0
+    until: float = math.inf
 
     @property
     def bytes(self) -> int:
@@ -94,7 +93,9 @@ class Versions:
     def __len__(self) -> int:
         return len(self._steps)
 
-    def add_edit(self, edit: Edit, before: Moment, key: str = "", now: float = 0.0) -> None:
+    def add_edit(
+        self, edit: Edit, before: Moment, key: str = "", now: float = 0.0, within: float = math.inf
+    ) -> None:
         """An edit was made.
 
         Args:
@@ -102,8 +103,9 @@ class Versions:
             before: the moment at which it was made.
             key: edits with the same one that follow each other are one step.
             now: s.
+            within: seconds between two of them, at most.
         """
-        step = Step(edit.label, edit, inverse(edit, before.scene, before), key=key, at=now)
+        step = Step(edit.label, edit, inverse(edit, before.scene, before), key=key, until=now + within)
         last = self._last_of(key, now)
         if last is not None and not (edit.moves_parts or last.forward.moves_parts):
             self._drop_last()
@@ -112,28 +114,36 @@ class Versions:
             step = replace(step, forward=forward, backward=backward)
         self._add(step)
 
-    def add_change(self, label: str, before: Moment, after: Moment, key: str = "", now: float = 0.0) -> None:
+    def add_change(self, label: str, before: Moment, after: Moment, key: str = "") -> None:
         """A number or a choice was changed, and the motion goes on.
 
         Args:
             label: what was changed.
             before, after: just before and after.
             key: which number it was; changes of one number that follow each other are one step.
-            now: s.
         """
         scale = after.rest_length_scale / before.rest_length_scale
         shift = after.rest_angle_shift - before.rest_angle_shift
         step = Step(label, Edit(label, after.scene), Edit(label, before.scene), scale=scale, shift=shift)
-        step = replace(step, key=key, at=now)
-        last = self._last_of(key, now)
-        if last is not None:
+        step = replace(step, key=key)
+        last = self._last_of(key)
+        if last is not None and last.before is None:
             self._drop_last()
             step = replace(step, backward=last.backward, scale=scale * last.scale, shift=shift + last.shift)
         self._add(step)
 
-    def add_leap(self, label: str, before: Moment, after: Moment) -> None:
-        """Another body took the place of the one before."""
-        self._add(Step(label, Edit(label, after.scene), Edit(label, before.scene), before, after))
+    def add_leap(self, label: str, before: Moment, after: Moment, key: str = "") -> None:
+        """Another body took the place of the one before; `key` as for a change."""
+        last = self._last_of(key)
+        if last is not None and last.before is not None:
+            self._drop_last()
+            before = last.before
+        self._add(Step(label, Edit(label, after.scene), Edit(label, before.scene), before, after, key=key))
+
+    def end_step(self) -> None:
+        """What is changed from here on is another step."""
+        if self._at:
+            self._steps[self._at - 1] = replace(self._steps[self._at - 1], key="")
 
     def undo(self, moment: Moment) -> tuple[Moment, Edit | None] | None:
         """How the present motion goes on without the last change; None if there is none to take back.
@@ -184,10 +194,10 @@ class Versions:
                 return
 
     # --------------------------------------------------------------------- inside
-    def _last_of(self, key: str, now: float) -> Step | None:
+    def _last_of(self, key: str, now: float = 0.0) -> Step | None:
         """The last step, if one with that key goes on with it."""
         last = self._steps[self._at - 1] if self._at else None
-        goes_on = key and last is not None and last.key == key and now - last.at <= COALESCE
+        goes_on = key and last is not None and last.key == key and now <= last.until
         return last if goes_on and not self.redoable else None
 
     def _drop_last(self) -> None:

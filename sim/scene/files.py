@@ -305,21 +305,28 @@ def list_scenes() -> list[SceneInfo]:
 
     A file that is not a valid scene is left out; `softrod check` says what is wrong with it.
     """
-    presets, own = built_in_files(), user_folder()
-    saved = (
-        [path for path in sorted(own.glob("*.json")) if not is_built_in(path.stem)] if own.is_dir() else []
-    )
+    presets = built_in_files()
     found = []
-    for path in (*presets, *saved):
-        try:
-            scene = read_scene(path)
-        except SceneError:
-            continue
-        built_in = path in presets
-        group = path.parent.name if built_in and path.parent != built_in_folder() else ""
-        about = scene.description, path, built_in, group, scene.title, is_surrounded(scene)
-        found.append(SceneInfo(path.stem, *about))
-    return found
+    for path in presets:
+        group = path.parent.name if path.parent != built_in_folder() else ""
+        found += _info(path, True, group)
+    return found + list_saved(user_folder())
+
+
+def list_saved(folder: Path) -> list[SceneInfo]:
+    """The scenes that are saved in a folder, which need not exist; see `list_scenes`."""
+    paths = sorted(folder.glob("*.json")) if folder.is_dir() else []
+    return [info for path in paths if not is_built_in(path.stem) for info in _info(path, False)]
+
+
+def _info(path: Path, built_in: bool, group: str = "") -> list[SceneInfo]:
+    """What there is to tell of a scene's file; nothing if it is not valid."""
+    try:
+        scene = read_scene(path)
+    except SceneError:
+        return []
+    about = scene.description, path, built_in, group, scene.title, is_surrounded(scene)
+    return [SceneInfo(path.stem, *about)]
 
 
 # ------------------------------------------------------------------------- the user's own scenes
@@ -345,24 +352,28 @@ def is_built_in(name: str) -> bool:
     return any(path.stem.casefold() == name.casefold() for path in built_in_files())
 
 
-def user_path(name: str) -> Path:
-    """The path of the user's scene of that name, whether it exists or not.
+def user_path(name: str, folder: Path | None = None) -> Path:
+    """The path of the saved scene of that name, whether it exists or not.
+
+    Args:
+        name: of the scene.
+        folder: where it is saved; the user's own folder if not given.
 
     Raises:
         SceneError: as `safe_name`.
     """
-    return user_folder() / f"{safe_name(name)}.json"
+    return (folder or user_folder()) / f"{safe_name(name)}.json"
 
 
-def save_user_scene(scene: Scene, name: str) -> str:
-    """Save a scene in the user's folder, and return the name used, see `safe_name`.
+def save_user_scene(scene: Scene, name: str, folder: Path | None = None) -> str:
+    """Save a scene, and return the name used, see `safe_name`; `folder` as for `user_path`.
 
     The title is left out: it is that of the scene from which this one was made.
 
     Raises:
         SceneError: the name is not usable, the scene not valid, or the file cannot be written.
     """
-    path = user_path(name)
+    path = user_path(name, folder)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -1,6 +1,7 @@
-"""What can be done with the user's own scenes besides saving: none is overwritten, and none lost at once.
+"""What can be done with saved scenes besides saving: none is overwritten, and none lost at once.
 
-A scene that is deleted goes to a folder of its own, where the last ones stay.
+A scene that is deleted goes to a folder of its own, where the last ones stay. Where no folder is given, the
+scenes are those in the user's own.
 """
 
 from __future__ import annotations
@@ -23,91 +24,96 @@ _TRASHED = re.compile(r"\d{20}-(.+)\.json")
 _one_at_a_time = threading.RLock()
 
 
-def trash_folder() -> Path:
-    """Where deleted scenes are; it need not exist yet."""
-    return user_folder() / "trash"
+def trash_folder(folder: Path | None = None) -> Path:
+    """Where the deleted scenes of a folder are; it need not exist yet."""
+    return (folder or user_folder()) / "trash"
 
 
-def rename_user_scene(name: str, wanted: str) -> str:
+def rename_user_scene(name: str, wanted: str, folder: Path | None = None) -> str:
     """Give a scene another name, and return the one used, see `sim.scene.files.safe_name`.
 
     Raises:
         SceneError: it does not exist, the name is not usable or taken, or a file cannot be written.
     """
     with _one_at_a_time:
-        old, new = user_path(name), user_path(wanted)
+        old, new = user_path(name, folder), user_path(wanted, folder)
         if new == old:
             return old.stem
         if new.exists():
             raise SceneError(f"there is a scene called {new.stem!r} already; choose another name")
-        used = save_user_scene(read_scene(old), wanted)
+        used = save_user_scene(read_scene(old), wanted, folder)
         _remove(old)
         return used
 
 
-def duplicate_user_scene(name: str) -> str:
+def duplicate_user_scene(name: str, folder: Path | None = None, source: Path | None = None) -> str:
     """Save a scene once more, and return the name of the copy.
+
+    Args:
+        name: of the scene.
+        folder: where the copy is saved.
+        source: the folder from which it is copied; the same if not given.
 
     Raises:
         SceneError: it does not exist, or the copy cannot be written.
     """
     with _one_at_a_time:
-        path = user_path(name)
-        return save_user_scene(read_scene(path), _free_name(path.stem))
+        path = user_path(name, source or folder)
+        return save_user_scene(read_scene(path), _free_name(path.stem, folder), folder)
 
 
-def trash_user_scene(name: str) -> str:
+def trash_user_scene(name: str, folder: Path | None = None) -> str:
     """Delete a scene, and return by what `restore_user_scene` finds it.
 
     Raises:
         SceneError: it does not exist, or cannot be deleted.
     """
     with _one_at_a_time:
-        path, folder = user_path(name), trash_folder()
-        trashed = folder / f"{time.time_ns():020d}-{path.stem}.json"
+        path, trash = user_path(name, folder), trash_folder(folder)
+        trashed = trash / f"{time.time_ns():020d}-{path.stem}.json"
         try:
-            folder.mkdir(parents=True, exist_ok=True)
+            trash.mkdir(parents=True, exist_ok=True)
             path.rename(trashed)
         except OSError as error:
             raise SceneError(f"{name!r} cannot be deleted ({error.strerror or error})") from None
-        _take_out()
+        _take_out(trash)
         return trashed.name
 
 
-def restore_user_scene(trashed: str) -> str:
+def restore_user_scene(trashed: str, folder: Path | None = None) -> str:
     """Bring a deleted scene back, and return its name: another one if its own has been taken meanwhile.
 
     Raises:
         SceneError: it is no longer there, or cannot be moved.
     """
     match = _TRASHED.fullmatch(trashed)
-    path = trash_folder() / trashed
+    path = trash_folder(folder) / trashed
     with _one_at_a_time:
         if match is None or path.name != trashed or not path.is_file():
             raise SceneError("that scene is no longer in the trash")
-        name = _free_name(match[1])
+        name = _free_name(match[1], folder)
         if name == match[1]:
             try:
-                path.rename(user_path(name))
+                path.rename(user_path(name, folder))
             except OSError as error:
                 raise SceneError(f"{name!r} cannot be brought back ({error.strerror or error})") from None
             return name
-        used = save_user_scene(read_scene(path), name)
+        used = save_user_scene(read_scene(path), name, folder)
         _remove(path)
         return used
 
 
-def _free_name(name: str) -> str:
+def _free_name(name: str, folder: Path | None) -> str:
     """The name itself, or the first of "name 2", "name 3", ... that no scene has."""
     base = re.sub(r" \d{1,4}$", "", name)
     others = (f"{base[:54].rstrip(' .-_')} {number}" for number in itertools.count(2))
-    return next(each for each in itertools.chain((name,), others) if not user_path(each).exists())
+    return next(each for each in itertools.chain((name,), others) if not user_path(each, folder).exists())
 
 
-def _take_out() -> None:
+def _take_out(trash: Path) -> None:
     """Delete for good what is too much in the trash, the oldest first."""
     # Their names begin with the time.
-    newest, *others = sorted(trash_folder().glob("*.json"), reverse=True)
+    newest, *others = sorted(trash.glob("*.json"), reverse=True)
     size = newest.stat().st_size
     for count, path in enumerate(others, start=2):
         size += path.stat().st_size

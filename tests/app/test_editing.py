@@ -105,13 +105,28 @@ def test_moving_a_slider_is_one_step(page: SessionPage) -> None:
     for value in range(100, 200):
         page.frames(1, commands.SetValue("gravity", float(value)))
     assert len(page.session.versions) == 1
-    page.frames(100)  # a pause of more than a second begins another
-    page.frames(1, commands.SetValue("gravity", 5.0))
+    page.frames(100)  # however long it rests in between
+    page.frames(1, commands.SetValue("gravity", 199.0))
+    assert len(page.session.versions) == 1
+    page.frames(1, commands.Visit(), commands.SetValue("gravity", 5.0))  # the next press is another one
     assert len(page.session.versions) == 2
     page.frames(1, commands.Undo())
     assert page.session.scene.gravity[1] == 199.0
     page.frames(1, commands.Undo())
     assert page.session.scene.gravity[1] == 2000.0
+
+
+def test_one_press_of_a_slider_is_one_step_though_each_value_is_another_body(page: SessionPage) -> None:
+    page.frames(5)
+    for count in (13, 14, 15):
+        page.frames(100, commands.SetValue("masses", float(count)))
+    page.frames(1, commands.Visit())
+    page.frames(1, commands.SetValue("masses", 16.0))
+    assert len(page.session.versions) == 2
+    page.frames(1, commands.Undo())
+    assert masses(page) == 15
+    page.frames(1, commands.Undo())
+    assert masses(page) == 12
 
 
 def test_what_keys_did_before_a_slider_was_moved_stays(page: SessionPage) -> None:
@@ -238,11 +253,11 @@ def test_edits_with_the_same_key_are_one_step(page: SessionPage) -> None:
     page.frames(1, commands.Play(False))
     before = session.simulation.positions.copy()
     for _ in range(5):
-        page.frames(5, commands.Change(nudged, key="nudge"))
+        page.frames(5, commands.Change(nudged, "nudge", within=1.0))
     assert len(session.versions) == 1
     np.testing.assert_allclose(session.simulation.positions[4], before[4] + (15.0, 5.0))
     page.frames(100)  # more than a second later it is another one
-    page.frames(1, commands.Change(nudged, key="nudge"))
+    page.frames(1, commands.Change(nudged, "nudge", within=1.0))
     page.frames(1, commands.Change(stiffer, key="other"))
     page.frames(1, commands.Change(nudged), commands.Change(nudged))
     assert len(session.versions) == 5

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Callable
 from pathlib import Path
+from typing import Literal
 
 import msgspec
 import numpy as np
@@ -12,10 +13,11 @@ import pytest
 from PIL import Image
 
 import sim
-from app.page import gallery, thumbnails
-from app.page.asks import Change, OpenScene, Scenes
+from app.page import gallery, owner, shelf, thumbnails
+from app.page.asks import Change, OpenScene, Scenes, Who
 from app.page.assets import page_files
 from app.page.gallery import Gallery
+from app.page.shelf import Shelf
 from app.session.notices import Notice
 from sim.scene import files
 from tests.app.pages import SessionPage
@@ -27,10 +29,10 @@ MOST_BYTES = 300_000
 class Page(SessionPage):
     """A session with its gallery."""
 
-    def __init__(self) -> None:
+    def __init__(self, owned: bool = True) -> None:
         super().__init__(sim.load_scene("ring"))
         self.letters, self.notices = Letters(), list[Notice]()
-        self.gallery = Gallery(self.session, self.letters, self.notices.append)
+        self.gallery = Gallery(self.session, self.letters, self.notices.append, Shelf(owned))
 
 
 @pytest.fixture
@@ -140,3 +142,83 @@ def test_what_is_done_is_said_and_can_be_undone(home: Path) -> None:
     page.gallery.change(Change(how="delete", name="ring"))
     assert "built-in" in page.letters.sent[-1]["text"]
     assert files.load_scene("ring")
+
+
+# ------------------------------------------------------------------------- whose scenes they are
+def visitor(digit: str, key: str = "") -> Page:
+    """The gallery of somebody else's browser."""
+    page = Page(owned=False)
+    page.gallery._shelf.introduce(Who(visitor=32 * digit, owner=key))
+    return page
+
+
+def listed(page: Page) -> dict[str, tuple[str, str, bool]]:
+    """Title, group and whether it is its own, of each scene that is saved."""
+    page.gallery.list(Scenes(dark=False))
+    letter = next(letter for letter in page.letters.sent if "scenes" in letter)
+    page.letters.sent.clear()
+    return {e.name: (e.title, e.group, e.own) for e in letter["scenes"] if e.saved}
+
+
+def said(page: Page, how: Literal["rename", "duplicate", "delete", "restore"], name: str) -> str:
+    page.gallery.change(Change(how=how, name=name, to="other"))
+    return str(page.letters.sent[-1]["text"])
+
+
+def test_a_visitor_opens_and_copies_the_owner_s_scenes_and_changes_none(home: Path) -> None:
+    files.save_user_scene(sim.rope(masses=5), "mine")
+    page = visitor("a")
+    assert listed(page) == {"shared/mine": ("mine", "Saved on this computer", False)}
+    before = (home / "mine.json").read_bytes()
+    for name in ("mine", "shared/mine"):
+        said(page, "rename", name)
+        said(page, "delete", name)
+    assert sorted(path.name for path in home.iterdir()) == ["mine.json"]
+    assert (home / "mine.json").read_bytes() == before
+    page.gallery.open(OpenScene(name="shared/mine"))
+    page.frames(1)
+    assert len(page.session.scene.masses) == 5
+    assert said(page, "duplicate", "shared/mine") == "The copy is called 'mine'."
+    assert listed(page)["mine"] == ("mine", "Your own", True)
+    assert said(page, "delete", "mine") == "'mine' is deleted."
+    page.gallery.change(Change(how="restore", name=page.letters.sent[-1]["undo"]))
+    assert "mine" in listed(page)
+    assert len(sim.load_scene("mine").masses) == 5
+    # Neither another visitor nor the owner has it.
+    assert list(listed(visitor("b"))) == ["shared/mine"]
+    assert list(listed(Page())) == ["mine"]
+    assert listed(visitor("a")).keys() == {"shared/mine", "mine"}
+
+
+def test_a_page_with_the_owner_s_key_is_the_owner_s(home: Path) -> None:
+    files.save_user_scene(sim.rope(), "mine")
+    page = visitor("a", owner.key())
+    assert listed(page)["mine"] == ("mine", "Your own", True)
+    assert said(page, "delete", "mine") == "'mine' is deleted."
+    assert not list(home.glob("*.json"))
+    assert owner.key_path().stat().st_mode & 0o077 == 0
+    assert not visitor("a", "guess").gallery._shelf.owned
+    owner._key.cache_clear()
+    assert visitor("b", owner.key_path().read_text()).gallery._shelf.owned
+
+
+def test_a_page_that_has_not_said_whose_it_is_changes_nothing(home: Path) -> None:
+    files.save_user_scene(sim.rope(), "mine")
+    page = Page(owned=False)
+    assert "has not said" in said(page, "delete", "mine")
+    assert list(listed(page)) == ["shared/mine"]
+    assert (home / "mine.json").exists()
+
+
+def test_what_visitors_save_is_bounded(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shelf, "MOST_SCENES", 2)
+    one = visitor("a").gallery._shelf
+    for name in ("x", "y", "y"):
+        one.save(sim.rope(), name)
+    with pytest.raises(sim.SceneError, match="you have 2 scenes here"):
+        one.save(sim.rope(), "z")
+    monkeypatch.setattr(shelf, "MOST_BYTES", files.MAX_FILE_BYTES + 100)
+    with pytest.raises(sim.SceneError, match="no room"):
+        visitor("b").gallery._shelf.save(sim.rope(), "x")
+    Shelf(owned=True).save(sim.rope(), "z")
+    assert [path.name for path in home.glob("*.json")] == ["z.json"]

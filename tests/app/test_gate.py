@@ -16,7 +16,7 @@ from websockets.exceptions import InvalidStatus
 
 from app.gate import gate
 from app.gate.address import own_authorities
-from app.gate.gate import GateError, PortBusy, exposure, open_server, page_addresses
+from app.gate.gate import Gate, GateError, PortBusy, exposure, open_server, page_addresses
 from tests.app.hostile import HANDSHAKE, Sandbox, answer, eventually, status
 
 
@@ -315,3 +315,25 @@ def test_a_stopped_server_leaves_its_port(sandbox: Sandbox) -> None:
     assert is_listening(sandbox.port)
     sandbox.server.stop()
     assert not is_listening(sandbox.port)
+
+
+def test_a_page_is_of_this_machine_only_if_no_other_can_connect_and_no_proxy_is_between() -> None:
+    for extra, loopback in (([], True), (["school.example"], False)):
+        server = open_server("127.0.0.1", 0, extra_hosts=extra)
+        try:
+            assert server.gate.loopback == loopback
+        finally:
+            server.stop()
+
+    def is_local(loopback: bool, *headers: tuple[str, str]) -> bool:
+        gate = Gate(frozenset(), lambda *_: None, {}, loopback=loopback)
+        request = SimpleNamespace(headers=websockets.datastructures.Headers(headers))
+        live = {7: SimpleNamespace(request=request)}
+        gate._server = SimpleNamespace(_websock_server=SimpleNamespace(_live_connections=live))  # type: ignore
+        assert not gate.is_local(8)  # it has gone
+        return gate.is_local(7)
+
+    assert is_local(True, ("Host", "127.0.0.1:8080"))
+    assert not is_local(False, ("Host", "127.0.0.1:8080"))
+    for name in ("X-Forwarded-For", "forwarded", "X-Real-IP", "Via"):
+        assert not is_local(True, ("Host", "127.0.0.1:8080"), (name, ""))

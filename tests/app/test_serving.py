@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import base64
+import math
 import time
+import zlib
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -12,6 +15,8 @@ import viser
 
 import sim
 from app.bench.client import Page
+from app.page import keeping
+from app.page import tab as tab_module
 from app.page.tab import Tab
 from app.page.view import FRAME
 from app.server.serve import serving
@@ -20,6 +25,7 @@ from app.session import commands
 from app.session.commands import DragStart, Open
 from app.session.session import Session
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
+from sim.scene.link import pack_scene
 
 PATIENCE = 30.0
 
@@ -135,13 +141,55 @@ def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
         assert frames[-1][-positions.size :] == pytest.approx(positions.ravel(), abs=1e-3)
 
 
+def kept_letters(session: Session) -> str:
+    """What a page's script gives back of what it kept of a session."""
+    kept = keeping.encode(session.keepsake(), dark=True, gizmos=False)
+    return base64.b64encode(zlib.compress(kept)).decode()
+
+
+def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    letters, link = kept_letters(Session(sim.load_scene("rod"))), pack_scene(sim.load_scene("box"))
+    serve = Tab._serve_requests
+    monkeypatch.setattr(Tab, "_serve_requests", lambda *_: None)  # the ticker is late
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        say(page, tab, f"resume|1/1|{letters}", f"link|1/1|{link}")
+        eventually(lambda: session_of(tab).scene.name == "box")
+        monkeypatch.setattr(Tab, "_serve_requests", serve)
+        eventually(lambda: tab._dark)  # the page looks as it did
+        eventually(lambda: not session_of(tab)._queue)
+        assert session_of(tab).scene.name == "box"
+
+
+def test_another_scene_is_kept_at_once_however_long_the_last_keepsake_took(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used = [0.0]
+
+    def thread_time() -> float:
+        used[0] += 0.5  # of the processor: that alone would put the next keepsake off by 500 s
+        return used[0]
+
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        monkeypatch.setattr(tab_module.time, "thread_time", thread_time)
+        eventually(lambda: used[0] and tab._kept)
+        assert tab._keep_due <= session_of(tab).now() + tab_module.KEEP_LATEST
+        monkeypatch.setattr(tab_module, "KEEP_LATEST", 1e9)
+        tab._keep_due = math.inf
+        say(page, tab, 'ask|{"do":"open","name":"box"}')
+        eventually(lambda: session_of(tab).scene.name == "box")
+        eventually(lambda: tab._kept[0] == session_of(tab).revision)
+
+
 def test_nothing_is_sent_while_paused(stage: Stage) -> None:
     with stage.page() as page:
         tab = stage.new_tab(set())
         page.read_for(1.0)
         say(page, tab, "do|pause")
         eventually(lambda: not session_of(tab).playing)
-        page.read_for(1.0)
+        eventually(lambda: tab._kept[0] == session_of(tab).revision and page.read_for(0.1) is None)
+        page.read_for(0.5)
         before = page.messages
         page.read_for(1.5)
         assert page.messages == before

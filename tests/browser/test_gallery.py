@@ -5,9 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import msgspec
+import pytest
 
 import sim
-from sim.scene import files
+from app.gate.gate import Gate
+from app.page import owner
+from sim.scene import files, own_scenes
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -144,3 +147,39 @@ def test_a_scene_that_is_saved_as_the_gallery_opens_does_not_keep_it_shut(open_p
         gallery.offer()
         gallery.changed()
     desk.page.get_by_role("dialog", name="Scenes").locator(".softrod-card").first.wait_for()
+
+
+def test_a_visitor_copies_the_owner_s_scenes_and_the_owner_s_key_makes_them_one_s_own(
+    open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Gate, "is_local", lambda *_: False)
+    files.save_user_scene(sim.load_scene("ring"), "theirs")
+    desk = open_page()
+    desk.gallery()
+    card = desk.card("shared/theirs")
+    card.wait_for()
+    assert card.locator(".softrod-actions button").all_inner_texts() == ["Copy"]
+    desk.until(lambda: card.locator("img").get_attribute("src"), "it has a picture")
+    desk.page.get_by_text("Saved on this computer").wait_for()
+    card.locator(".softrod-open").focus()
+    desk.page.keyboard.press("Delete")
+    card.get_by_role("button", name="Copy theirs").click()
+    desk.page.get_by_text("The copy is called 'theirs'.").wait_for()
+    copy = desk.card("theirs")
+    copy.get_by_role("button", name="Delete theirs").click()
+    desk.page.get_by_text("'theirs' is deleted.").wait_for()
+    desk.until(lambda: copy.count() == 0, "the copy is gone")
+    card.locator(".softrod-open").click()
+    desk.until(lambda: desk.session.scene.name == "theirs", "it is opened")
+    # The address that the terminal prints; the key does not stay in it.
+    desk.open(f"/#owner={owner.key()}")
+    assert "owner" not in desk.page.url
+    desk.until(lambda: desk.tab._shelf.owned, "the page is the owner's")
+    for _ in range(2):
+        desk.gallery()
+        assert desk.card("theirs").locator(".softrod-actions button").all_inner_texts() == [
+            "Rename", "Copy", "Delete",
+        ]  # fmt: skip
+        desk.open()  # the browser remembers it
+        desk.until(lambda: desk.tab._shelf.owned, "the page is still the owner's")
+    own_scenes.trash_user_scene("theirs")

@@ -1,11 +1,27 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { withPoint } from "../../app/page/static/numbers.js";
+import { plainText, readNumber } from "../../app/page/static/numbers.js";
 
-test("a decimal comma becomes a point, and commas that part thousands stay", () => {
-  assert.equal(withPoint(","), ".");
-  assert.equal(withPoint("9,81"), "9.81");
-  assert.equal(withPoint("9.81"), "9.81");
-  assert.equal(withPoint("1,234.5"), "1,234.5");
-  assert.equal(withPoint("1,234,567"), "1,234,567");
+const READ = {
+  "9.81": 9.81, "9,81": 9.81, " -350 ": -350, "\u2212350": -350, "+7": 7, ".5": 0.5, ",5": 0.5, "5.": 5,
+  "2e4": 20000, "2E+4": 20000, "1,5e-3": 0.0015, "1e-12": 1e-12,
+  "1,234.5": 1234.5, "1.234,5": 1234.5, "1,234,567": 1234567, "1.234.567": 1234567, "1.234.567,8": 1234567.8,
+  "1 234,5": 1234.5, "1\u202f234\u202f567": 1234567, "1'234.5": 1234.5, "0,125": 0.125, "1234,567": 1234.567,
+  "1.234": 1.234,
+};
+
+test("numbers are read with a decimal point or comma, an exponent, and groups of three digits", () => {
+  for (const [text, number] of Object.entries(READ)) assert.equal(readNumber(text), number, text);
+});
+
+test("what is no number is not read, nor a comma that may mean either", () => {
+  const bad = ["", " ", "-", "e4", "2e", "1.2.3", "1,23,456.7", "1.2,3.4", "12 34", "2x4", "1e999", "NaN", "Infinity", "0x10", "1,234", "-20,000", "12,34,5"];
+  for (const text of bad) assert.ok(Number.isNaN(readNumber(text)), text);
+});
+
+test("a box gets no exponent, and all digits", () => {
+  assert.equal(plainText(1e-12), "0.000000000001");
+  assert.equal(plainText(2.5e21), "2500000000000000000000");
+  assert.equal(plainText(-0.1), "-0.1");
+  assert.equal(plainText(1234.5678901234), "1234.5678901234");
 });

@@ -3,7 +3,7 @@
  * The gallery: a dialog with a card for each scene. Arrows go from card to card, letters search, Enter opens. What a
  * user named is text here, never HTML.
  *
- * @typedef {{name: string, title: string, line: string, text: string, group: string, own: boolean}} Entry
+ * @typedef {{name: string, title: string, line: string, text: string, group: string, own: boolean, saved: boolean}} Entry
  */
 import { make, makeButton, makeDialog } from "./dialog.js";
 import { ask, onMail } from "./mail.js";
@@ -65,7 +65,7 @@ export function addGallery() {
   /** @type {Entry[]} */
   let entries = [];
   let present = "";
-  /** Of the user's own scenes, by name. @type {Record<string, string>} */
+  /** Of scenes that are saved, by name. @type {Record<string, string>} */
   let pictures = {};
   /** The scene whose card has the focus, or had it last. */
   let chosen = "";
@@ -140,7 +140,7 @@ export function addGallery() {
 
   /** @param {Entry} entry */
   const card = (entry) => {
-    const { name, title, line, own } = entry;
+    const { name, title, line, own, saved } = entry;
     const row = make("div", "softrod-card");
     row.dataset.name = name;
     row.setAttribute("role", "row");
@@ -151,25 +151,25 @@ export function addGallery() {
     const image = make("img", "");
     image.alt = "";
     image.loading = "lazy";
-    const source = own ? pictures[name] : new URL(`${name}${isDark() ? "-dark" : ""}.webp`, IMAGES).href;
+    const source = saved ? pictures[name] : new URL(`${name}${isDark() ? "-dark" : ""}.webp`, IMAGES).href;
     if (source) image.src = source;
     image.addEventListener("error", () => image.removeAttribute("src"));
     button.append(image, make("b", "", title), make("span", "", line));
     button.addEventListener("focus", () => choose(name));
     cell.append(button);
     row.append(cell);
-    if (own) {
+    if (saved) {
       const actions = make("div", "softrod-actions");
       actions.setAttribute("role", "gridcell");
       /** @param {string} text @param {() => void} press */
       const action = (text, press) => {
         const one = makeButton(text, press);
-        one.ariaLabel = `${text} ${name}`;
+        one.ariaLabel = `${text} ${title}`;
         actions.append(one);
       };
-      action("Rename", () => askForName(entry));
+      if (own) action("Rename", () => askForName(entry));
       action("Copy", () => ask({ do: "change", how: "duplicate", name }));
-      action("Delete", () => ask({ do: "change", how: "delete", name }));
+      if (own) action("Delete", () => ask({ do: "change", how: "delete", name }));
       row.append(actions);
     }
     return row;

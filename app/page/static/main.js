@@ -28,6 +28,7 @@ import { nameControls } from "./names.js";
 import { quietNotices } from "./notices.js";
 import { mindNumbers } from "./numbers.js";
 import { addOverlay } from "./overlay.js";
+import { sayWhose } from "./owner.js";
 import { mindPictures } from "./picture.js";
 import { readPhases } from "./phase.js";
 import { listenToPointer } from "./pointer.js";
@@ -55,6 +56,7 @@ function complain(text) {
 }
 
 const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
+sayWhose();
 takeLink();
 const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
 watchConnection(showConnection());

@@ -16,6 +16,8 @@ function name() {
     const box = row?.nextElementSibling?.querySelector("input");
     if (box instanceof HTMLInputElement && label) {
       if (thumb.ariaValueText !== box.value) thumb.ariaValueText = box.value;
+      const bubble = thumb.querySelector(".mantine-Slider-label");
+      if (bubble && bubble.textContent !== box.value) bubble.textContent = box.value;
       if (!box.ariaLabel) box.ariaLabel = label;
     }
   }

@@ -1,0 +1,45 @@
+"""Whose a page is: this computer's owner has a key, which the terminal prints in the page's address."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import os
+import secrets
+from pathlib import Path
+
+from sim.scene import files
+
+FRAGMENT = "#owner="
+"""Before the key in an address; a browser keeps to itself what stands after a #."""
+
+
+def key_path() -> Path:
+    """The file with the key, which only its owner can read."""
+    return files.user_folder().parent / "owner-key"
+
+
+def key() -> str:
+    """The owner's key: the same at every start, where it can be kept."""
+    return _key(key_path())
+
+
+def is_key(text: str) -> bool:
+    """Whether a page has the owner's key."""
+    return secrets.compare_digest(text.encode(), key().encode())
+
+
+@functools.lru_cache(maxsize=4)
+def _key(path: Path) -> str:
+    made = secrets.token_urlsafe(16)
+    with contextlib.suppress(OSError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with contextlib.suppress(FileExistsError), open(path, "x", opener=_private) as file:
+            file.write(made)
+        kept = path.read_text().strip()
+        return kept if len(kept) >= len(made) else made
+    return made
+
+
+def _private(path: str, flags: int) -> int:
+    return os.open(path, flags, 0o600)

@@ -1,0 +1,161 @@
+"""Number boxes and sliders: what is typed is set whole, and one visit is one step of undo."""
+
+from __future__ import annotations
+
+import pytest
+
+from app.session import commands
+from sim.settings import setting_of
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk
+
+
+def value(desk: Desk, key: str) -> float:
+    """A setting as the solver has it."""
+    scene = desk.session.scene
+    return setting_of(scene, key).read(scene)
+
+
+def begin(desk: Desk, label: str) -> None:
+    """Click into a box, and select what is in it."""
+    box = desk.box(label)
+    box.click()
+    box.press("Control+a")
+
+
+def steps(desk: Desk) -> int:
+    """Steps of undo."""
+    return len(desk.session.versions)
+
+
+def test_a_number_is_set_whole_however_it_is_typed(open_page: OpenPage) -> None:
+    desk = open_page("bridge")
+    desk.show("Body")
+    seen: set[float] = set()
+    setting, old = "linear_stiffness", value(desk, "linear_stiffness")
+    take = desk.session.post
+
+    def note(command: commands.Command) -> None:
+        if isinstance(command, commands.SetValue):
+            seen.add(command.value)
+        take(command)
+
+    desk.session.post = note  # type: ignore[method-assign]
+    begin(desk, "Linear stiffness")
+    for letter in "150000":
+        desk.page.keyboard.press(letter)
+        desk.pause(0.2)
+    assert value(desk, setting) == old
+    assert desk.box("Linear stiffness").input_value() == "150000"
+    desk.page.keyboard.press("Enter")
+    desk.until(lambda: value(desk, setting) == 150_000.0, "Enter sets it")
+    assert desk.session.simulation.damage is None or not desk.session.simulation.damage.broken
+    # Left for another control.
+    begin(desk, "Linear stiffness")
+    desk.page.keyboard.type("2e5", delay=100)
+    desk.page.keyboard.press("Tab")
+    desk.until(lambda: value(desk, setting) == 200_000.0, "leaving the box sets it")
+    desk.until(lambda: desk.box("Linear stiffness").input_value() == "200000", "the box shows it")
+    # Left for the canvas, which does not take the focus.
+    begin(desk, "Linear stiffness")
+    desk.page.keyboard.type("1.234.567,5", delay=50)
+    desk.page.mouse.click(*desk.at([(10.0, 10.0)])[0])
+    desk.until(lambda: value(desk, setting) == 1_234_567.5, "so does a press elsewhere")
+    begin(desk, "Linear stiffness")
+    desk.page.keyboard.type("160000")
+    desk.until(lambda: value(desk, setting) == 160_000.0, "and so does a pause")
+    desk.page.keyboard.type("0")
+    desk.page.keyboard.press("Enter")
+    desk.until(lambda: value(desk, setting) == 1_600_000.0, "after which the text goes on")
+    assert seen == {150e3, 200e3, 1_234_567.5, 160e3, 1600e3}
+    # A button that counts, after a number that is not set yet.
+    begin(desk, "Gravity")
+    desk.page.keyboard.type("500")
+    desk.page.keyboard.press("ArrowUp")
+    desk.until(lambda: 500.0 < value(desk, "gravity") < 600.0, "an arrow counts on from what was typed")
+
+
+def test_a_text_that_is_no_number_is_told_and_changes_nothing(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    desk.show("Body")
+    box = desk.box("Gravity")
+    for text, told in (("2x4", "“2x4” is not a number"), ("1,234", "1,234 could be 1.234 or 1234")):
+        desk.type_in("Gravity", text)
+        desk.notice(told)
+        assert box.input_value() == "2000"
+    begin(desk, "Gravity")
+    desk.page.keyboard.type("77")
+    desk.page.keyboard.press("Escape")
+    assert box.input_value() == "2000"
+    # What others set meanwhile is shown once the box is left.
+    begin(desk, "Gravity")
+    desk.page.keyboard.type("7")
+    desk.tell(commands.SetValue("gravity", 900.0))
+    desk.pause(0.6)
+    assert box.input_value() == "7"
+    desk.page.keyboard.press("Escape")
+    desk.until(lambda: box.input_value() == "900", "the box shows what is set")
+    assert value(desk, "gravity") == 900.0
+
+
+def test_one_visit_to_a_box_and_one_press_of_a_slider_are_one_step_of_undo(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    desk.show("Body")
+    begin(desk, "Gravity")
+    for text in ("500", "600"):
+        desk.page.keyboard.press("Control+a")
+        desk.page.keyboard.type(text)
+        desk.page.keyboard.press("Enter")
+        desk.until(lambda text=text: value(desk, "gravity") == float(text), "it is set")
+        desk.pause(1.2)
+    assert steps(desk) == 1
+    begin(desk, "Air friction")
+    begin(desk, "Gravity")
+    desk.page.keyboard.type("700")
+    desk.page.keyboard.press("Enter")
+    desk.until(lambda: value(desk, "gravity") == 700.0, "it is set")
+    assert steps(desk) == 2
+    desk.tell(commands.Undo(), commands.Undo())
+    assert value(desk, "gravity") == 2000.0
+
+    for label, key in (("Gravity", "gravity"), ("Number of masses", "masses")):
+        before = value(desk, key)
+        thumb = desk.thumb(label).bounding_box()
+        assert thumb is not None
+        x, y = thumb["x"] + thumb["width"] / 2, thumb["y"] + thumb["height"] / 2
+        for _ in range(2):
+            desk.page.mouse.move(x, y)
+            desk.page.mouse.down()
+            for to in (x + 20.0, x + 40.0):
+                was = value(desk, key)
+                desk.page.mouse.move(to, y, steps=3)
+                desk.until(lambda key=key, was=was: value(desk, key) != was, "it is moved")
+                desk.pause(1.6)
+            desk.page.mouse.up()
+            x += 40.0
+        assert steps(desk) == 2
+        desk.tell(commands.Undo(), commands.Undo())
+        assert value(desk, key) == before
+
+
+def test_the_bubble_of_a_slider_has_the_value(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    desk.show("Body")
+    thumb = desk.thumb("Angular stiffness").bounding_box()
+    assert thumb is not None
+    x, y = thumb["x"] + thumb["width"] / 2, thumb["y"] + thumb["height"] / 2
+    desk.page.mouse.move(x, y)
+    desk.page.mouse.down()
+    desk.page.mouse.move(x - 30.0, y, steps=4)
+    label = desk.page.locator(".mantine-Slider-label:visible")
+    desk.until(
+        lambda: label.count() and float(label.inner_text()) == value(desk, "angular_stiffness"),
+        "the bubble shows the value",
+    )
+    assert value(desk, "angular_stiffness") == pytest.approx(
+        10.0 ** desk.slider_value("Angular stiffness"), rel=0.02
+    )
+    desk.page.mouse.up()
