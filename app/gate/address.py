@@ -8,8 +8,25 @@ import socket
 from collections.abc import Sequence
 from typing import Any
 
-PAGE_QUERY = re.compile(r"controls=[\w.,%\[\]-]{0,2000}", re.ASCII)
-"""The one query that a page's address may have; see `app.page.controls`."""
+_FIELDS = {
+    "controls": re.compile(r"[\w.,%\[\]-]{0,2000}", re.ASCII),
+}
+"""What the query of a page's address may say: which controls there are (`app.page.controls`)."""
+
+_PAGE = re.compile(r".*/at/([0-9a-f]{32})", re.ASCII)
+
+
+def page_query(query: str) -> dict[str, str] | None:
+    """The fields of the query of a page's address, each as it stands there; None if it is none."""
+    fields = [field.partition("=")[::2] for field in query.split("&")] if query else []
+    known = all(name in _FIELDS and _FIELDS[name].fullmatch(text) for name, text in fields)
+    return dict(fields) if known and len(dict(fields)) == len(fields) else None
+
+
+def page_name(path: str) -> str:
+    """The name that a page has chosen for itself, by the path at which it connects; empty if it has none."""
+    match = _PAGE.fullmatch(path)
+    return match[1] if match else ""
 
 
 class GateError(RuntimeError):

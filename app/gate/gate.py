@@ -23,9 +23,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from http import HTTPStatus
 from typing import Any
 
+import msgspec
 import viser
 import viser._messages
 import websockets.asyncio.server
+import zstandard
 from websockets.asyncio.server import Server, ServerConnection
 from websockets.datastructures import Headers
 from websockets.frames import Frame, Opcode
@@ -34,7 +36,6 @@ from websockets.protocol import Event
 from websockets.server import ServerProtocol
 
 from app.gate.address import (
-    PAGE_QUERY,
     GateError,
     PortBusy,
     authorities,
@@ -43,8 +44,11 @@ from app.gate.address import (
     origin,
     own_authorities,
     page_addresses,
+    page_name,
+    page_query,
 )
 from app.gate.messages import (
+    BEAT,
     MAX_FRAME_BYTES,
     FileTransferPart,
     FileTransferStartUpload,
@@ -137,6 +141,7 @@ class Connection(ServerConnection):
     def __init__(self, gate: "Gate", protocol: ServerProtocol, server: Server, **options: Any) -> None:
         super().__init__(protocol, server, **options)
         self.client: viser.ClientHandle | None = None
+        self.page = ""
         self._gate = gate
         self._messages = _Budget(MESSAGES_PER_SECOND, MESSAGE_BURST)
         self._extra_frames = _Budget(EXTRA_FRAMES_PER_SECOND, EXTRA_FRAME_BURST)
@@ -151,8 +156,15 @@ class Connection(ServerConnection):
             data = await super().recv(decode)
             self._pause = self._messages.spend(1 + len(data) // BYTES_PER_MESSAGE)
             admitted = self._gate.admit(self, data)
-            if admitted is not None:
+            if admitted == BEAT:
+                await self._answer_beat()
+            elif admitted is not None:
                 return admitted
+
+    async def _answer_beat(self) -> None:
+        # What is still on its way is a sign of life, too; to wait behind it would hold up the page's messages.
+        if not self.transport.get_write_buffer_size():
+            await self.send(_no_messages())
 
     def process_event(self, event: Event) -> None:
         """Cut the connection if it sends endless frames that are no messages."""
@@ -208,6 +220,9 @@ class Gate:
         else:
             response = viser_answer(connection, request)
         if response is None:
+            for former in self._former(request):
+                former.transport.abort()
+            connection.page = page_name(request.path.partition("?")[0])
             self._tabs.add(connection)
         else:
             response.headers.update(self._headers)
@@ -224,7 +239,7 @@ class Gate:
         if not upgrade:
             path, _, query = request.path.partition("?")
             # viser's page would connect to whatever server a query names and run its scripts.
-            if query and not (path in PAGE_PATHS and PAGE_QUERY.fullmatch(query)):
+            if query and (path not in PAGE_PATHS or page_query(query) is None):
                 return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no such parameters."
             if path not in PAGE_PATHS and path not in self._files:
                 return "path", HTTPStatus.NOT_FOUND, "There is no such page."
@@ -234,9 +249,14 @@ class Gate:
         origins = [origin.lower() for origin in request.headers.get_all("Origin")]
         if origins != [f"http://{hosts[0]}"]:
             return "origin", HTTPStatus.FORBIDDEN, "Only this server's own page may connect."
-        if len(self._tabs) >= MAX_TABS:
+        if len(self._tabs - self._former(request)) >= MAX_TABS:
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, "Too many tabs are open."
         return None
+
+    def _former(self, request: Request) -> set[Connection]:
+        """Connections of the page that connects: their path has died, of which this end was not told."""
+        name = page_name(request.path.partition("?")[0])
+        return {tab for tab in self._tabs if name and tab.page == name}
 
     def query_of(self, client_id: int) -> str:
         """The query with which a page connected, which may be anything; empty if it is gone."""
@@ -314,6 +334,16 @@ class Gate:
         if shared is not None or tab.client is None:
             return shared
         return tab.client.gui._gui_input_handle_from_uuid.get(uuid)
+
+
+def _no_messages() -> bytes:
+    """A batch of no messages, as viser's page reads it (viser 1.1.1, infra/_infra.py, `_message_producer`)."""
+    inner = msgspec.msgpack.encode(
+        {"messages": (), "timestampSec": time.perf_counter(), "binaryBufferLengths": ()}
+    )
+    packed = zstandard.compress(inner, 1)
+    head = len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little")
+    return (head + packed).ljust(-(-(len(head) + len(packed)) // 8) * 8, b"\0")
 
 
 def _respond(file: StaticFile, request: Request) -> Response:

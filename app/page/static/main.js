@@ -1,12 +1,13 @@
 // @ts-check
 /** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
 import { addArrows } from "./arrow_marks.js";
+import { mindAbsence } from "./away.js";
 import { addBodyKeys } from "./body_keys.js";
 import { fitted, keepFlat } from "./camera.js";
 import { listenToClipboard } from "./clipboard.js";
 import { drawBody, shown } from "./canvas.js";
 import { hear } from "./channel.js";
-import { showConnection, watchConnection } from "./connection.js";
+import { watchConnection } from "./connection.js";
 import { addCoordinates } from "./coordinates.js";
 import { mindDialogs } from "./dialogs.js";
 import { listenToEdits } from "./edit.js";
@@ -54,7 +55,7 @@ function complain(text) {
 const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
 takeLink();
 const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
-watchConnection(showConnection());
+watchConnection(mindAbsence());
 whenViser((viser) => {
   clearTimeout(late);
   if (!isKnown(viser)) {
