@@ -6,6 +6,7 @@ import ipaddress
 import re
 import socket
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 _FIELDS = {
@@ -53,8 +54,8 @@ def own_authorities(bound: str, host: str, port: int, extra_hosts: Sequence[str]
 def authorities(name: str, port: int) -> set[str]:
     """What a browser sends as Host for a name or address, which may carry a port of its own."""
     name = name.lower()
-    if re.fullmatch(r"(\[.+\]|[^:]+):\d+", name):
-        return {name}
+    if own := re.fullmatch(r"(\[.+\]|[^:]+):(\d+)", name):
+        return {name, own[1]} if own[2] == "80" else {name}
     if ":" in name and not name.startswith("["):
         name = f"[{name}]"
     # Browsers leave out HTTP's own port.
@@ -63,6 +64,76 @@ def authorities(name: str, port: int) -> set[str]:
 
 _ORIGIN = re.compile(r"(https?)://([a-z0-9.-]+|\[[0-9a-f:.]+\])(?::(\d{1,5}))?/?")
 _OWN_PORTS = {"http": 80, "https": 443}
+
+
+_HOST = r"[a-z0-9_.-]+|\[[0-9a-f:.]+\]"
+_AUTHORITY = re.compile(rf"({_HOST})(?::(\d{{1,5}}))?")
+_PUBLIC = re.compile(rf"(https?)://({_HOST})(?::(\d{{1,5}}))?((?:/[A-Za-z0-9_~-][A-Za-z0-9._~-]*)*)/?")
+_LOOPBACK = re.compile(r"(localhost|127\.0\.0\.1|\[::1\])(:\d{1,5})?")
+
+
+def is_loopback(host: str) -> bool:
+    """Whether a Host is this machine's name for itself, with any port.
+
+    Such a name needs no list of ports, so that a tunnel may end at any (``ssh -L 9000:localhost:8080``). A
+    page that attacks by DNS rebinding has a name of its own, which it points here, and sends that: nobody can
+    own `localhost` or 127.0.0.1. A page of another program on this machine sends our port as Host and its
+    own as Origin, and the gate wants them to be equal.
+    """
+    return _LOOPBACK.fullmatch(host) is not None
+
+
+def host_name(text: str) -> str:
+    """A further name of this server, with a port or without.
+
+    Raises:
+        GateError: it is no such name.
+    """
+    match = _AUTHORITY.fullmatch(text.strip().lower())
+    if match is None or not match[1].strip(".-") or not 1 <= int(match[2] or 1) <= 65535:
+        raise GateError(
+            f"--allow-host: {text!r} is not a name of this server; one is written as laptop.local or "
+            "laptop.local:9000, without http:// and without a path."
+        )
+    return match[0]
+
+
+@dataclass(frozen=True)
+class Public:
+    """The address by which others reach the page, through whatever stands before the server.
+
+    Attributes:
+        url: with a slash at its end.
+        origin: what browsers send as Origin.
+        hosts: what a proxy may pass on as Host.
+        folder: path under which the page is, with a slash at either end.
+    """
+
+    url: str
+    origin: str
+    hosts: frozenset[str]
+    folder: str
+
+
+def public_address(text: str) -> Public:
+    """The address that others see.
+
+    Raises:
+        GateError: it is not the address of a page.
+    """
+    scheme, separator, rest = text.strip().partition("://")
+    host, slash, path = rest.partition("/")
+    match = _PUBLIC.fullmatch(f"{scheme.lower()}{separator}{host.lower()}{slash}{path}")
+    if match is None or not match[2].strip(".-") or not 1 <= int(match[3] or 1) <= 65535:
+        raise GateError(
+            f"--public-url: {text!r} is not the address of a page; one is written as "
+            "https://school.example/lab/, without ? and #."
+        )
+    site = origin(match[0].removesuffix("/").removesuffix(match[4]))
+    folder = f"{match[4]}/"
+    # Some proxies pass on the name without its port.
+    hosts = frozenset((match[2], f"{match[2]}:{match[3] or _OWN_PORTS[match[1]]}"))
+    return Public(site + folder, site, hosts, folder)
 
 
 OF_THIS_MACHINE = ("http://localhost:*", "http://127.0.0.1:*")

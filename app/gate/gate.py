@@ -15,6 +15,7 @@ import dataclasses
 import functools
 import gzip
 import logging
+import re
 import socket
 import threading
 import time
@@ -38,14 +39,18 @@ from websockets.server import ServerProtocol
 from app.gate.address import (
     GateError,
     PortBusy,
+    Public,
     authorities,
     exposure,
+    host_name,
+    is_loopback,
     listen,
     origin,
     own_authorities,
     page_addresses,
     page_name,
     page_query,
+    public_address,
 )
 from app.gate.messages import (
     BEAT,
@@ -85,6 +90,9 @@ EXTRA_FRAME_BURST = 2000.0
 MAX_QUEUED_FRAMES = 4
 
 PAGE_PATHS = ("/", "/index.html", "/s")
+
+REACH = "/reach"
+"""A page that gets no connection asks here why: a browser does not tell it what a refusal says."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -162,7 +170,7 @@ class Connection(ServerConnection):
                 return admitted
 
     async def _answer_beat(self) -> None:
-        # What is still on its way is a sign of life, too; to wait behind it would hold up the page's messages.
+        # What is on its way is a sign of life, too; to wait behind it would hold up the page's messages.
         if not self.transport.get_write_buffer_size():
             await self.send(_no_messages())
 
@@ -190,8 +198,10 @@ class Gate:
         on_oversized: Callable[[int, str], None],
         files: Mapping[str, StaticFile],
         embed: Sequence[str] = (),
+        public: Public | None = None,
     ) -> None:
         self.refused: Counter[Reason] = Counter()
+        self._public = public
         self._files = files
         self._headers = safety_headers(embed)
         self._hosts = hosts
@@ -208,13 +218,16 @@ class Gate:
         self, viser_answer: Callable[..., Response | None], connection: Connection, request: Request
     ) -> Response | None:
         """Answer an HTTP request; None accepts a WebSocket connection."""
+        request = self._without_folder(request)
         refusal = self._refusal(connection, request)
         if refusal is not None:
             reason, status, sentence = refusal
             self.refused[reason] += 1
             response = connection.respond(status, sentence + "\n")
             if status is HTTPStatus.TEMPORARY_REDIRECT:
-                response.headers["Location"] = PAGE_PATHS[0]
+                response.headers["Location"] = "./"
+        elif "Upgrade" not in request.headers and request.path == REACH:
+            response = connection.respond(HTTPStatus.OK, "")
         elif "Upgrade" not in request.headers and (file := self._files.get(request.path.partition("?")[0])):
             response = _respond(file, request)
         else:
@@ -233,10 +246,14 @@ class Gate:
             return "starting", HTTPStatus.SERVICE_UNAVAILABLE, "The server is starting."
         hosts = [host.lower() for host in request.headers.get_all("Host")]
         # A page of another site that points its own name at this machine sends that name.
-        if len(hosts) != 1 or not self._is_own(hosts[0], connection):
-            return "host", HTTPStatus.MISDIRECTED_REQUEST, "This is not the address of this page."
+        behind = self._public.hosts if self._public else frozenset()
+        own = len(hosts) == 1 and self._is_own(hosts[0], connection)
+        if not own and (len(hosts) != 1 or hosts[0] not in behind):
+            return "host", HTTPStatus.MISDIRECTED_REQUEST, _not_this_host(*hosts[:1])
         upgrade = request.headers.get_all("Upgrade")
         if not upgrade:
+            if request.path == REACH:
+                return self._refusal_of_page(hosts[0], own, request, "X-Softrod-Origin")
             path, _, query = request.path.partition("?")
             # viser's page would connect to whatever server a query names and run its scripts.
             if query and (path not in PAGE_PATHS or page_query(query) is None):
@@ -246,9 +263,19 @@ class Gate:
             return None
         if upgrade != ["websocket"]:
             return "upgrade", HTTPStatus.BAD_REQUEST, "Only a WebSocket is served here."
-        origins = [origin.lower() for origin in request.headers.get_all("Origin")]
-        if origins != [f"http://{hosts[0]}"]:
-            return "origin", HTTPStatus.FORBIDDEN, "Only this server's own page may connect."
+        return self._refusal_of_page(hosts[0], own, request, "Origin")
+
+    def _refusal_of_page(
+        self, host: str, own: bool, request: Request, header: str
+    ) -> tuple[Reason, HTTPStatus, str] | None:
+        """Why a page may not connect that names its origin in a header; `own`: the host needs no proxy."""
+        origins = [origin.lower() for origin in request.headers.get_all(header)]
+        # By the public address only as it is: nobody's page at http:// is to pass for the one at https://.
+        known = {f"http://{host}"} if own else set()
+        if self._public is not None:
+            known.add(self._public.origin)
+        if len(origins) != 1 or origins[0] not in known:
+            return "origin", HTTPStatus.FORBIDDEN, _not_this_origin(*origins[:1])
         if len(self._tabs - self._former(request)) >= MAX_TABS:
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, "Too many tabs are open."
         return None
@@ -268,7 +295,14 @@ class Gate:
     def _is_own(self, host: str, connection: Connection) -> bool:
         # The address the request came in at is this machine's, whichever network it belongs to.
         address, port, *_ = connection.local_address
-        return host in self._hosts or host in authorities(address, port)
+        return host in self._hosts or is_loopback(host) or host in authorities(address, port)
+
+    def _without_folder(self, request: Request) -> Request:
+        """The request without the folder of the public address, which a proxy takes away or leaves."""
+        folder = self._public.folder if self._public else "/"
+        if folder == "/" or not request.path.startswith(folder):
+            return request
+        return dataclasses.replace(request, path=request.path[len(folder) - 1 :])
 
     def forget(self, tab: Connection) -> None:
         """Drop everything held for a tab that is gone."""
@@ -337,13 +371,38 @@ class Gate:
 
 
 def _no_messages() -> bytes:
-    """A batch of no messages, as viser's page reads it (viser 1.1.1, infra/_infra.py, `_message_producer`)."""
+    """A batch of no messages, as viser's page reads it (viser 1.1.1, infra, `_message_producer`)."""
     inner = msgspec.msgpack.encode(
         {"messages": (), "timestampSec": time.perf_counter(), "binaryBufferLengths": ()}
     )
     packed = zstandard.compress(inner, 1)
     head = len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little")
     return (head + packed).ljust(-(-(len(head) + len(packed)) // 8) * 8, b"\0")
+
+
+_SHOWN = re.compile(r"(https?://)?[\w.\[\]:-]{1,250}", re.ASCII)
+
+
+def _not_this_host(host: str = "") -> str:
+    """What to do about a Host that is not this server's."""
+    if not _SHOWN.fullmatch(host):
+        return "softrod does not answer to this address."
+    return (
+        f"softrod does not answer to the address {host}.\n\nIf that is to be its address, start it with "
+        f"--allow-host {host}, or, behind a proxy that speaks TLS, with --public-url https://{host}/ (and "
+        "the folder, if the page is in one)."
+    )
+
+
+def _not_this_origin(origin: str = "") -> str:
+    """What to do about an Origin whose pages may not connect."""
+    said = "Only this server's own page may connect."
+    if not _SHOWN.fullmatch(origin):
+        return said
+    return (
+        f"{said} If a proxy leads from {origin} to this server, start softrod with --public-url {origin}/ "
+        "(and the folder, if the page is in one)."
+    )
 
 
 def _respond(file: StaticFile, request: Request) -> Response:
@@ -381,6 +440,7 @@ def open_server(
     extra_hosts: Sequence[str] = (),
     files: Mapping[str, StaticFile] | None = None,
     embed: Sequence[str] = (),
+    public_url: str | None = None,
 ) -> GatedServer:
     """Serve viser's page on `host` and `port` (0 for any free port) behind the gate.
 
@@ -389,17 +449,21 @@ def open_server(
     `extra_hosts` are further names the page is reached by, with their port if it is not `port`
     (``"localhost:9000"`` for a forwarded one). `files` are served by their paths, before viser's own.
     `embed` are the origins of the sites that may show the page in a frame (``"https://school.example"``).
+    `public_url` is the address by which others reach the page, through a proxy
+    (``"https://school.example/lab/"``).
 
-    Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place or an origin makes
-    no sense.
+    Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place or an origin, a
+    name or an address makes no sense.
     """
     if viser.__version__ != VISER_VERSION:
         raise GateError(f"viser {VISER_VERSION} is needed, but {viser.__version__} is installed.")
     embed = [origin(site) for site in embed]
+    extra_hosts = [host_name(name) for name in extra_hosts]
+    public = None if public_url is None else public_address(public_url)
     listener = listen(host, port)
     address, port = listener.getsockname()[:2]
     hosts = own_authorities(address, host, port, extra_hosts)
-    gate = Gate(hosts, on_oversized or (lambda client_id, filename: None), files or {}, embed)
+    gate = Gate(hosts, on_oversized or (lambda client_id, filename: None), files or {}, embed, public)
     # The server gets a duplicate of the socket. This one holds the port until then, and is closed whatever
     # happens.
     with listener, _in_front_of_viser(gate, listener) as calls:

@@ -178,7 +178,7 @@ class FileTransferPart(PageMessage):
 
 
 class BeatMessage(PageMessage):
-    """The page has heard nothing for a while, and wants a sign of life; the gate gives it, viser knows nothing of it."""
+    """The page has heard nothing for a while, and wants a sign of life. The gate gives it, not viser."""
 
 
 PAGE_MESSAGES: tuple[type[PageMessage], ...] = tuple(PageMessage.__subclasses__())

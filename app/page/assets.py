@@ -45,9 +45,10 @@ def page_files() -> dict[str, StaticFile]:
     paths = (path for path in sorted(_FOLDER.rglob("*")) if path.suffix in _TYPES)
     sources = {path.relative_to(_FOLDER).as_posix(): path.read_bytes() for path in paths}
     digest = hashlib.sha256(b"".join(sources.values())).hexdigest()[:12]
-    folder = f"/softrod/{digest}/"
+    # Without a slash before it, since the page may be in a folder of another site.
+    folder = f"softrod/{digest}/"
     files = {
-        folder + name: StaticFile(gzip.compress(text, mtime=0), _TYPES[Path(name).suffix], _FOREVER)
+        f"/{folder}{name}": StaticFile(gzip.compress(text, mtime=0), _TYPES[Path(name).suffix], _FOREVER)
         for name, text in sources.items()
     }
     index = StaticFile(gzip.compress(_index(folder).encode(), mtime=0), "text/html", "no-cache")

@@ -21,6 +21,7 @@ from sim.compiling.compiler import Compiler, needed_by
 from sim.scene.types import is_surrounded
 
 from ..drawing.colors import LIGHT_GAIN
+from ..gate.address import public_address
 from ..gate.gate import exposure, open_server, page_addresses
 from ..page.assets import page_files
 from ..page.panel import set_theme
@@ -31,7 +32,12 @@ from .ticker import Ticker
 
 @contextlib.contextmanager
 def serving(
-    scene: sim.Scene, host: str, port: int, embed: Sequence[str] = ()
+    scene: sim.Scene,
+    host: str,
+    port: int,
+    embed: Sequence[str] = (),
+    allow_hosts: Sequence[str] = (),
+    public_url: str | None = None,
 ) -> Iterator[tuple[viser.ViserServer, Ticker, Compiler]]:
     """The server behind its gate, ticking, for as long as the context lasts; the compiler is not started.
 
@@ -39,9 +45,11 @@ def serving(
         scene: what a page shows first.
         host, port: where to listen; port 0 for any free one.
         embed: origins of the sites that may show the page in a frame, as in "https://school.example".
+        allow_hosts: further names by which a browser may reach the server, as in "laptop.local".
+        public_url: the address by which others reach the page, as in "https://school.example/lab/".
 
     Raises:
-        GateError: the gate could not be put in place, or an origin is none; nothing is served.
+        GateError: the gate could not be put in place, or an origin or address is none; nothing is served.
         PortBusy: something else listens on the port.
     """
     compiler = Compiler()
@@ -62,7 +70,14 @@ def serving(
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     with _viser_is_quiet():
         server = open_server(
-            host, port, label="softrod", on_oversized=oversized, files=page_files(), embed=embed
+            host,
+            port,
+            label="softrod",
+            on_oversized=oversized,
+            extra_hosts=allow_hosts,
+            files=page_files(),
+            embed=embed,
+            public_url=public_url,
         )
     try:
         _set_stage(server)
@@ -86,8 +101,16 @@ def _viser_is_quiet() -> Iterator[None]:
         console.quiet = before
 
 
-def serve(scene: sim.Scene, host: str, port: int, open_browser: bool, embed: Sequence[str] = ()) -> None:
-    """Serve until Ctrl-C or SIGTERM; `embed` as in `serving`.
+def serve(
+    scene: sim.Scene,
+    host: str,
+    port: int,
+    open_browser: bool,
+    embed: Sequence[str] = (),
+    allow_hosts: Sequence[str] = (),
+    public_url: str | None = None,
+) -> None:
+    """Serve until Ctrl-C or SIGTERM; the other arguments as of `serving`.
 
     Raises:
         GateError, PortBusy: as `serving`.
@@ -97,11 +120,15 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool, embed: Seq
     for number in (signal.SIGINT, signal.SIGTERM):
         # Only an append: a second signal can come in the middle of this handler, and must find no lock.
         signal.signal(number, lambda number, _: signals.append(number))
-    with serving(scene, host, port, embed) as (server, ticker, compiler):
+    with serving(scene, host, port, embed, allow_hosts, public_url) as (server, ticker, compiler):
         address, *others = page_addresses(host, server.get_port())
         console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
         for other in others:
             console.print(f"and, from other machines, at [bold]{other}[/bold]", highlight=False)
+        if public_url is not None:
+            console.print(
+                f"and, for others, at [bold]{public_address(public_url).url}[/bold]", highlight=False
+            )
         warning = exposure(host)
         if warning:
             console.print(f"[yellow]{warning}[/yellow]", highlight=False)

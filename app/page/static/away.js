@@ -6,6 +6,8 @@
 import { lost } from "./keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
+/** Where nothing says why the first connection does not come about. */
+const BLOCKED = "The page is here, but its live connection does not come about: something on the way lets no WebSockets through.";
 /** What would begin something. Moves and releases go on, so that whatever is pressed can be let go. */
 const BEGINNINGS = ["pointerdown", "mousedown", "touchstart", "click", "dblclick", "keydown", "paste", "cut", "drop"];
 /** Keys that are the browser's: they go from one control to the next, and close a dialog. */
@@ -29,6 +31,16 @@ function swallow(event) {
   if (since === Infinity || isBrowsers(event)) return;
   event.preventDefault();
   event.stopImmediatePropagation();
+}
+
+/** Why the server takes no connection from this page: a browser does not tell what a refusal says. */
+async function whyRefused() {
+  try {
+    const answer = await fetch("reach", { headers: { "X-Softrod-Origin": location.origin }, cache: "no-store" });
+    return answer.ok ? BLOCKED : await answer.text();
+  } catch {
+    return TEXT; // it is the server that is gone
+  }
 }
 
 /** Ends every drag and lets go of every key, as if the window had been left. */
@@ -63,8 +75,10 @@ export function mindAbsence() {
   banner.className = "softrod-banner";
   banner.setAttribute("role", "status");
   document.body.append(banner);
+  let everThere = false;
   return (line) => {
     const away = line !== "connected";
+    everThere ||= !away;
     if (away && since === Infinity) {
       endAll();
       since = performance.now();
@@ -73,5 +87,6 @@ export function mindAbsence() {
     if (!away) since = Infinity;
     document.documentElement.toggleAttribute("data-softrod-away", away);
     banner.textContent = away ? TEXT : "";
+    if (!everThere) whyRefused().then((text) => everThere || (banner.textContent = text));
   };
 }

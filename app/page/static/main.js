@@ -20,7 +20,7 @@ import { addInstruments } from "./instruments.js";
 import { resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { addLesson, hearLesson } from "./lesson.js";
-import { listenToLinks, openLink, takeLink } from "./links.js";
+import { keepAddress, listenToLinks, openLink, takeLink } from "./links.js";
 import { restoreLooks } from "./looks.js";
 import { showMeasures } from "./measure.js";
 import { nameControls } from "./names.js";
@@ -54,6 +54,7 @@ function complain(text) {
 
 const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
 takeLink();
+keepAddress();
 const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
 watchConnection(mindAbsence());
 whenViser((viser) => {
