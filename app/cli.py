@@ -54,6 +54,8 @@ class Serve:
     laptop.local or laptop.local:9000; may be repeated."""
     public_url: Annotated[str | None, arg(metavar="URL")] = None
     """The address by which others reach the page through a proxy, as in https://school.example/lab/."""
+    qr: bool = False
+    """Print the QR code of the address by which others reach the page."""
     settings: Settings = ()
 
     def run(self) -> int:
@@ -64,7 +66,9 @@ class Serve:
 
         try:
             scene = scene_of(self.scene, self.settings)
-            serve(scene, self.host, self.port, self.open, self.embed, self.allow_host, self.public_url)
+            serve(
+                scene, self.host, self.port, self.open, self.embed, self.allow_host, self.public_url, self.qr
+            )
         except (GateError, PortBusy) as error:
             return fail(error)
         return 0

@@ -11,17 +11,24 @@ from typing import Any
 
 _FIELDS = {
     "controls": re.compile(r"[\w.,%\[\]-]{0,2000}", re.ASCII),
+    "scene": re.compile(r"[!-%'-~]{0,300}"),
+    "s": re.compile(r"[!-%'-~]{0,40}"),
 }
-"""What the query of a page's address may say: which controls there are (`app.page.controls`)."""
+"""What the query of a page's address may say: which controls there are (`app.page.controls`), and which scene
+(`app.page.opening`)."""
 
 _PAGE = re.compile(r".*/at/([0-9a-f]{32})", re.ASCII)
 
 
 def page_query(query: str) -> dict[str, str] | None:
     """The fields of the query of a page's address, each as it stands there; None if it is none."""
-    fields = [field.partition("=")[::2] for field in query.split("&")] if query else []
-    known = all(name in _FIELDS and _FIELDS[name].fullmatch(text) for name, text in fields)
-    return dict(fields) if known and len(dict(fields)) == len(fields) else None
+    fields: dict[str, str] = {}
+    for field in query.split("&") if query else ():
+        name, _, text = field.partition("=")
+        if name in fields or name not in _FIELDS or not _FIELDS[name].fullmatch(text):
+            return None
+        fields[name] = text
+    return fields
 
 
 def page_name(path: str) -> str:
@@ -219,6 +226,21 @@ def local_addresses() -> list[str]:
     with contextlib.suppress(OSError):
         found += [str(i[4][0]) for i in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)]
     return [a for a in dict.fromkeys(found) if not ipaddress.ip_address(a).is_loopback]
+
+
+def address_for_others(page: str, host: str, port: int, public: Public | None) -> str:
+    """The address by which others reach a page that was itself reached by the address `page`.
+
+    Args:
+        page: with a slash at its end.
+        host, port: where the server listens.
+        public: the address that it was told, if any.
+    """
+    if public is not None:
+        return public.url
+    if not is_loopback(page.split("/")[2].lower()) or host not in ("0.0.0.0", "::"):
+        return page
+    return next((f"http://{address}:{port}/" for address in local_addresses()), page)
 
 
 def page_addresses(host: str, port: int) -> list[str]:

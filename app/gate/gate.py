@@ -13,9 +13,7 @@ import asyncio
 import contextlib
 import dataclasses
 import functools
-import gzip
 import logging
-import re
 import socket
 import threading
 import time
@@ -30,7 +28,6 @@ import viser._messages
 import websockets.asyncio.server
 import zstandard
 from websockets.asyncio.server import Server, ServerConnection
-from websockets.datastructures import Headers
 from websockets.frames import Frame, Opcode
 from websockets.http11 import Request, Response
 from websockets.protocol import Event
@@ -65,6 +62,7 @@ from app.gate.messages import (
 )
 
 from . import messages as gate_messages
+from .replies import StaticFile, not_this_host, not_this_origin, respond, safety_headers
 from .uploads import Uploads
 
 __all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server", "page_addresses"]
@@ -95,37 +93,6 @@ REACH = "/reach"
 """A page that gets no connection asks here why: a browser does not tell it what a refusal says."""
 
 
-@dataclasses.dataclass(frozen=True)
-class StaticFile:
-    """A file that is served in place of viser's.
-
-    Attributes:
-        content: compressed with gzip.
-        content_type: MIME type.
-        cache_control: the header of that name.
-    """
-
-    content: bytes
-    content_type: str
-    cache_control: str
-
-
-def safety_headers(embed: Sequence[str]) -> dict[str, str]:
-    """What every answer has besides.
-
-    Args:
-        embed: origins of sites that may show the page in a frame, as `origin` gives them. No other site may,
-            since it could steer clicks on the page.
-    """
-    headers = {
-        "Content-Security-Policy": "frame-ancestors " + (" ".join(embed) or "'none'"),
-        "X-Content-Type-Options": "nosniff",
-        "Cross-Origin-Resource-Policy": "same-origin",
-    }
-    # The older header knows no list of sites, and would turn all of them away.
-    return headers if embed else {**headers, "X-Frame-Options": "DENY"}
-
-
 class _Budget:
     """A token bucket: `burst` at first, then `rate` a second."""
 
@@ -141,6 +108,16 @@ class _Budget:
         self._left = min(self._burst, self._left + (now - self._updated) * self._rate) - amount
         self._updated = now
         return max(0.0, -self._left / self._rate)
+
+
+def _no_messages() -> bytes:
+    """A batch of no messages, as viser's page reads it (viser 1.1.1, infra, `_message_producer`)."""
+    inner = msgspec.msgpack.encode(
+        {"messages": (), "timestampSec": time.perf_counter(), "binaryBufferLengths": ()}
+    )
+    packed = zstandard.compress(inner, 1)
+    head = len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little")
+    return (head + packed).ljust(-(-(len(head) + len(packed)) // 8) * 8, b"\0")
 
 
 class Connection(ServerConnection):
@@ -229,7 +206,7 @@ class Gate:
         elif "Upgrade" not in request.headers and request.path == REACH:
             response = connection.respond(HTTPStatus.OK, "")
         elif "Upgrade" not in request.headers and (file := self._files.get(request.path.partition("?")[0])):
-            response = _respond(file, request)
+            response = respond(file, request)
         else:
             response = viser_answer(connection, request)
         if response is None:
@@ -249,7 +226,7 @@ class Gate:
         behind = self._public.hosts if self._public else frozenset()
         own = len(hosts) == 1 and self._is_own(hosts[0], connection)
         if not own and (len(hosts) != 1 or hosts[0] not in behind):
-            return "host", HTTPStatus.MISDIRECTED_REQUEST, _not_this_host(*hosts[:1])
+            return "host", HTTPStatus.MISDIRECTED_REQUEST, not_this_host(*hosts[:1])
         upgrade = request.headers.get_all("Upgrade")
         if not upgrade:
             if request.path == REACH:
@@ -275,7 +252,7 @@ class Gate:
         if self._public is not None:
             known.add(self._public.origin)
         if len(origins) != 1 or origins[0] not in known:
-            return "origin", HTTPStatus.FORBIDDEN, _not_this_origin(*origins[:1])
+            return "origin", HTTPStatus.FORBIDDEN, not_this_origin(*origins[:1])
         if len(self._tabs - self._former(request)) >= MAX_TABS:
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, "Too many tabs are open."
         return None
@@ -368,56 +345,6 @@ class Gate:
         if shared is not None or tab.client is None:
             return shared
         return tab.client.gui._gui_input_handle_from_uuid.get(uuid)
-
-
-def _no_messages() -> bytes:
-    """A batch of no messages, as viser's page reads it (viser 1.1.1, infra, `_message_producer`)."""
-    inner = msgspec.msgpack.encode(
-        {"messages": (), "timestampSec": time.perf_counter(), "binaryBufferLengths": ()}
-    )
-    packed = zstandard.compress(inner, 1)
-    head = len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little")
-    return (head + packed).ljust(-(-(len(head) + len(packed)) // 8) * 8, b"\0")
-
-
-_SHOWN = re.compile(r"(https?://)?[\w.\[\]:-]{1,250}", re.ASCII)
-
-
-def _not_this_host(host: str = "") -> str:
-    """What to do about a Host that is not this server's."""
-    if not _SHOWN.fullmatch(host):
-        return "softrod does not answer to this address."
-    return (
-        f"softrod does not answer to the address {host}.\n\nIf that is to be its address, start it with "
-        f"--allow-host {host}, or, behind a proxy that speaks TLS, with --public-url https://{host}/ (and "
-        "the folder, if the page is in one)."
-    )
-
-
-def _not_this_origin(origin: str = "") -> str:
-    """What to do about an Origin whose pages may not connect."""
-    said = "Only this server's own page may connect."
-    if not _SHOWN.fullmatch(origin):
-        return said
-    return (
-        f"{said} If a proxy leads from {origin} to this server, start softrod with --public-url {origin}/ "
-        "(and the folder, if the page is in one)."
-    )
-
-
-def _respond(file: StaticFile, request: Request) -> Response:
-    compressed = "gzip" in request.headers.get("Accept-Encoding", "")
-    body = file.content if compressed else gzip.decompress(file.content)
-    headers = Headers(
-        {
-            "Content-Type": f"{file.content_type}; charset=utf-8",
-            "Content-Length": str(len(body)),
-            "Content-Encoding": "gzip" if compressed else "identity",
-            "Cache-Control": file.cache_control,
-            "Connection": "close",
-        }
-    )
-    return Response(HTTPStatus.OK.value, HTTPStatus.OK.phrase, headers, body)
 
 
 class GatedServer(viser.ViserServer):

@@ -35,6 +35,7 @@ class Answers:
         letters: to the page's script.
         notify: tells the user something.
         resume: goes on with what the page had kept.
+        for_others: the address by which others reach the page, from that by which it was reached itself.
 
     Attributes:
         sharing, gallery, edits: what it asks about.
@@ -46,8 +47,9 @@ class Answers:
         letters: mail.Mail,
         notify: Callable[[Notice], None],
         resume: Callable[[keeping.Kept], None],
+        for_others: Callable[[str], str] = str,
     ) -> None:
-        self.sharing = Sharing(session, letters, notify)
+        self.sharing = Sharing(session, letters, notify, for_others)
         self.gallery = Gallery(session, letters, notify)
         self.edits = Edits(session, letters, notify)
         self._resume = resume

@@ -21,8 +21,9 @@ from sim.compiling.compiler import Compiler, needed_by
 from sim.scene.types import is_surrounded
 
 from ..drawing.colors import LIGHT_GAIN
-from ..gate.address import public_address
+from ..gate.address import address_for_others, public_address
 from ..gate.gate import exposure, open_server, page_addresses
+from ..linking import print_qr_code
 from ..page.assets import page_files
 from ..page.panel import set_theme
 from ..page.tab import Tab
@@ -54,8 +55,13 @@ def serving(
     """
     compiler = Compiler()
 
+    public = None if public_url is None else public_address(public_url)
+
+    def for_others(page: str) -> str:
+        return address_for_others(page, host, server.get_port(), public)
+
     def make_tab(client: viser.ClientHandle) -> Tab:
-        return Tab(client, scene, compiler, server.gate.query_of(client.client_id))
+        return Tab(client, scene, compiler, server.gate.query_of(client.client_id), for_others)
 
     ticker = Ticker(make_tab)
 
@@ -109,8 +115,14 @@ def serve(
     embed: Sequence[str] = (),
     allow_hosts: Sequence[str] = (),
     public_url: str | None = None,
+    qr: bool = False,
 ) -> None:
-    """Serve until Ctrl-C or SIGTERM; the other arguments as of `serving`.
+    """Serve until Ctrl-C or SIGTERM.
+
+    Args:
+        open_browser: whether to open the page in a browser.
+        qr: whether to print the QR code of the address by which others reach the page.
+        scene, host, port, embed, allow_hosts, public_url: as of `serving`.
 
     Raises:
         GateError, PortBusy: as `serving`.
@@ -125,10 +137,12 @@ def serve(
         console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
         for other in others:
             console.print(f"and, from other machines, at [bold]{other}[/bold]", highlight=False)
-        if public_url is not None:
-            console.print(
-                f"and, for others, at [bold]{public_address(public_url).url}[/bold]", highlight=False
-            )
+        public = None if public_url is None else public_address(public_url)
+        for_others = address_for_others(f"{address}/", host, server.get_port(), public)
+        if public is not None:
+            console.print(f"and, for others, at [bold]{public.url}[/bold]", highlight=False)
+        if qr:
+            print_qr_code(for_others)
         warning = exposure(host)
         if warning:
             console.print(f"[yellow]{warning}[/yellow]", highlight=False)

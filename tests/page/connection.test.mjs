@@ -1,7 +1,7 @@
 // When an attempt to connect is made, and when a connection counts as dead.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Attempts, Pulse, serverPath } from "../../app/page/static/connection.js";
+import { Attempts, askedScene, Pulse, serverPath } from "../../app/page/static/connection.js";
 
 test("an attempt to connect has its time, and another begins when it has failed", () => {
   const attempts = new Attempts();
@@ -60,7 +60,10 @@ test("a path that is slow, and not dead, gets more time from one connection to t
   assert.ok(between[1] > 1.5 * between[0] && between.at(-1) < 60, String(between));
 });
 
-test("the server's address has the page's name and its controls", () => {
-  assert.equal(serverPath("ab", ""), "/at/ab");
-  assert.equal(serverPath("ab", "?fixedDpr=1&controls=play,keys"), "/at/ab?controls=play%2Ckeys");
+test("the server's address has the page's name, its controls, and at first its scene", () => {
+  assert.equal(serverPath("ab", "", true), "/at/ab");
+  assert.equal(serverPath("ab", "?fixedDpr=1&controls=play,keys", true), "/at/ab?controls=play%2Ckeys");
+  assert.equal(serverPath("ab", "?s=AB12&controls=", true), "/at/ab?s=AB12&controls=");
+  assert.equal(serverPath("ab", "?s=AB12&controls=", false), "/at/ab?controls=");
+  assert.equal(askedScene("?controls=play&scene=lesson-hooke"), "scene=lesson-hooke");
 });

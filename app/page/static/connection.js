@@ -89,25 +89,40 @@ function newName() {
 }
 
 /**
+ * What of the page's address says which scene it shows; empty if nothing does.
+ *
+ * @param {string} search the query of the page's address
+ */
+export function askedScene(search) {
+  const found = [...new URLSearchParams(search)].find(([field]) => field === "s" || field === "scene");
+  return found ? `${found[0]}=${encodeURIComponent(found[1])}` : "";
+}
+
+/**
  * What is added to the server's address: the page's name, and what the page's own address asks for.
  *
  * @param {string} name
  * @param {string} search the query of the page's address
+ * @param {boolean} isNew whether the page has nothing to go on with, and gets the scene that its address asks for
  */
-export function serverPath(name, search) {
+export function serverPath(name, search, isNew) {
   const controls = new URLSearchParams(search).get("controls");
-  return `/at/${name}${controls === null ? "" : `?controls=${encodeURIComponent(controls)}`}`;
+  const scene = isNew ? askedScene(search) : "";
+  const fields = [scene, controls === null ? "" : `controls=${encodeURIComponent(controls)}`].filter(Boolean);
+  return `/at/${name}${fields.length ? "?" : ""}${fields.join("&")}`;
 }
 
 /**
  * Watches every worker that the page makes from now on.
  *
  * @param {(line: Line) => void} changed called while messages can still be sent, where they ever can
+ * @param {() => boolean} isNew whether the page has nothing to go on with
  */
-export function watchConnection(changed) {
+export function watchConnection(changed, isNew) {
   const attempts = new Attempts();
   const pulse = new Pulse();
   const name = newName();
+  let server = "";
   /** @type {Line | null} */
   let line = null;
   /** @param {Line} now */
@@ -147,11 +162,15 @@ export function watchConnection(changed) {
 
     /** @param {any} message @param {any} [transfer] */
     postMessage(message, transfer) {
-      if (message?.type === "retry" && !attempts.begin(performance.now())) return;
       // Whatever is sent into a silent path would be done late, when nobody expects it.
       if (message?.type === "send" && line === "silent") return;
-      const named = message?.type === "set_server" && { ...message, server: message.server + serverPath(name, location.search) };
-      super.postMessage(named || message, transfer);
+      if (message?.type === "set_server") server = message.server;
+      if (message?.type === "set_server" || message?.type === "retry") {
+        if (!attempts.begin(performance.now())) return;
+        super.postMessage({ type: "set_server", server: server + serverPath(name, location.search, isNew()) });
+        return;
+      }
+      super.postMessage(message, transfer);
     }
   }
   window.Worker = Watched;

@@ -7,7 +7,7 @@ import { fitted, keepFlat } from "./camera.js";
 import { listenToClipboard } from "./clipboard.js";
 import { drawBody, shown } from "./canvas.js";
 import { hear } from "./channel.js";
-import { watchConnection } from "./connection.js";
+import { askedScene, watchConnection } from "./connection.js";
 import { addCoordinates } from "./coordinates.js";
 import { mindDialogs } from "./dialogs.js";
 import { listenToEdits } from "./edit.js";
@@ -17,7 +17,7 @@ import { addEditStrip } from "./edit_strip.js";
 import { addGallery } from "./gallery.js";
 import { showHud } from "./hud.js";
 import { addInstruments } from "./instruments.js";
-import { resume } from "./keep.js";
+import { hasKept, keepOnlyOf, resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { addLesson, hearLesson } from "./lesson.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "./links.js";
@@ -56,7 +56,8 @@ const FAULT = "This page cannot draw: the viser page that it stands on is not th
 takeLink();
 keepAddress();
 const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
-watchConnection(mindAbsence());
+keepOnlyOf(askedScene(location.search));
+watchConnection(mindAbsence(), () => !hasKept());
 whenViser((viser) => {
   clearTimeout(late);
   if (!isKnown(viser)) {
