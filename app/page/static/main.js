@@ -21,6 +21,7 @@ import { hasKept, keepOnlyOf, resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { addLesson, hearLesson } from "./lesson.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "./links.js";
+import { beginViser, canDraw, complain, endLoading } from "./loading.js";
 import { restoreLooks } from "./looks.js";
 import { showMeasures } from "./measure.js";
 import { nameControls } from "./names.js";
@@ -43,27 +44,22 @@ import { isKnown, whenViser } from "./viser.js";
 /** Seconds after which viser's page has made its hook, or never will. */
 const PATIENCE = 20;
 
-/** Says over the page that it cannot work. @param {string} text */
-function complain(text) {
-  const box = document.createElement("div");
-  box.className = "softrod-fault";
-  box.setAttribute("role", "alert");
-  box.textContent = text;
-  document.body.append(box);
-}
-
 const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
+const NO_WEBGL =
+  "softrod draws with WebGL 2, which this browser does not have or has switched off: allow hardware acceleration in its settings, or use another browser.";
 takeLink();
 keepAddress();
-const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
 keepOnlyOf(askedScene(location.search));
 watchConnection(mindAbsence(), () => !hasKept());
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let late;
 whenViser((viser) => {
   clearTimeout(late);
   if (!isKnown(viser)) {
     complain(FAULT);
     return;
   }
+  endLoading();
   drawBody(viser, [hear, hearLesson, showHud, hearTools, keepStyles]);
   keepFlat();
   mindDialogs();
@@ -99,3 +95,9 @@ whenViser((viser) => {
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted } });
 });
+if (canDraw()) {
+  late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
+  beginViser();
+} else {
+  complain(NO_WEBGL);
+}
