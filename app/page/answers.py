@@ -10,6 +10,8 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any
 
+from sim.scene.types import Scene
+
 from ..session.session import Notice, Session
 from . import asks, keeping, mail, script
 from .controls import Controls
@@ -35,6 +37,7 @@ class Answers:
         letters: to the page's script.
         notify: tells the user something.
         resume: goes on with what the page had kept.
+        show: opens the scene of a link, after what the page had kept.
         for_others: the address by which others reach the page, from that by which it was reached itself.
 
     Attributes:
@@ -47,9 +50,10 @@ class Answers:
         letters: mail.Mail,
         notify: Callable[[Notice], None],
         resume: Callable[[keeping.Kept], None],
+        show: Callable[[Scene], None],
         for_others: Callable[[str], str] = str,
     ) -> None:
-        self.sharing = Sharing(session, letters, notify, for_others)
+        self.sharing = Sharing(session, letters, notify, show, for_others)
         self.gallery = Gallery(session, letters, notify)
         self.edits = Edits(session, letters, notify)
         self._resume = resume

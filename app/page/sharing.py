@@ -14,7 +14,6 @@ from sim.scene.types import Scene
 from sim.settings import settings_of
 
 from ..linking import short_address
-from ..session import commands
 from ..session.session import Notice, Session
 from .asks import Share
 from .mail import Mail
@@ -32,6 +31,7 @@ class Sharing:
         session: the page's simulation.
         mail: to the page's script.
         notify: tells the user something.
+        show: opens a scene.
         for_others: the address by which others reach the page, from that by which it was reached itself.
     """
 
@@ -40,11 +40,13 @@ class Sharing:
         session: Session,
         mail: Mail,
         notify: Callable[[Notice], None],
+        show: Callable[[Scene], None],
         for_others: Callable[[str], str] = str,
     ) -> None:
         self._session = session
         self._mail = mail
         self._notify = notify
+        self._show = show
         self._for_others = for_others
 
     def offer(self) -> None:
@@ -74,7 +76,7 @@ class Sharing:
         except SceneError as error:
             self._notify(Notice("error", "That link cannot be opened", str(error)))
         else:
-            self._session.post(commands.Open(scene))
+            self._show(scene)
 
 
 def _controls(scene: Scene, which: Literal["all", "play", "sliders"]) -> str:

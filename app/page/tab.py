@@ -207,7 +207,13 @@ class Tab:
     def _begin(self, session: Session) -> Session:
         """What is made after the first picture has been sent."""
         self._answers = Answers(
-            session, self._mail, self.notify, lambda kept: self.request("resume", kept), self._for_others
+            session,
+            self._mail,
+            self.notify,
+            resume=lambda kept: self.request("resume", kept),
+            # In the same line, or what the page had kept could come after it.
+            show=lambda scene: self.request("open", scene),
+            for_others=self._for_others,
         )
         self._controls = self._wanted_controls(session.scene)
         self._make_panel(session)
@@ -411,6 +417,8 @@ class Tab:
                 self._panel.show_looks(self._dark, self._gizmos)
             elif what == "resume":
                 self._resume(session, argument)
+            elif what == "open":
+                session.post(commands.Open(argument))
             elif what == "fit":
                 self._fits += 1
             elif what == "picture":

@@ -66,6 +66,17 @@ def test_a_link_made_in_one_page_opens_in_another(open_page: OpenPage) -> None:
     assert other.page.evaluate("location.hash") == ""
 
 
+def test_a_link_goes_before_what_the_tab_had_kept(open_page: OpenPage) -> None:
+    desk = open_page("ring", size=SMALL)
+    for scene in (sim.load_scene("rod"), sim.load_scene("tutorial-3.1")):
+        desk.until(lambda: desk.tab._kept, "something is kept")
+        desk.until(lambda: desk.page.evaluate(KEPT), "by the page")
+        desk.open("/s#" + pack_scene(scene))
+        desk.until(lambda: desk.session.scene == scene, "the link's scene is there")  # noqa: B023
+        desk.pause(0.3)
+        assert desk.session.scene == scene
+
+
 def test_a_bad_link_is_one_sentence_and_changes_nothing(open_page: OpenPage) -> None:
     desk = open_page("ring", size=SMALL)
     desk.tell(commands.SetValue("gravity", 77.0))
