@@ -107,7 +107,8 @@ export function addShareDialog() {
   });
   onMail("link", ({ link = "", qr = "", problem = "" }) => {
     field.value = link;
-    field.rows = link.length > 80 ? 4 : 1;
+    field.rows = kind.isShort() ? 2 : 4;
+    field.classList.toggle("softrod-short", kind.isShort());
     copy.disabled = !link;
     warning.textContent = problem || caution(link);
     local.textContent = link && isOwnMachine(new URL(link).hostname) ? OWN_MACHINE : "";
