@@ -50,6 +50,13 @@ class Serve:
     """Open the page in a browser."""
     embed: Annotated[UseAppendAction[tuple[str, ...]], arg(metavar="ORIGIN")] = ()
     """A site that may show the page in a frame, as in https://school.example; may be repeated."""
+    allow_host: Annotated[UseAppendAction[tuple[str, ...]], arg(metavar="NAME")] = ()
+    """A further name by which browsers may reach the page, with its port if that is another, as in
+    laptop.local or laptop.local:9000; may be repeated."""
+    public_url: Annotated[str | None, arg(metavar="URL")] = None
+    """The address by which others reach the page through a proxy, as in https://school.example/lab/."""
+    qr: bool = False
+    """Print the QR code of the address by which others reach the page."""
     settings: Settings = ()
 
     def run(self) -> int:
@@ -59,7 +66,10 @@ class Serve:
         from .server.serve import serve
 
         try:
-            serve(scene_of(self.scene, self.settings), self.host, self.port, self.open, self.embed)
+            scene = scene_of(self.scene, self.settings)
+            serve(
+                scene, self.host, self.port, self.open, self.embed, self.allow_host, self.public_url, self.qr
+            )
         except (GateError, PortBusy) as error:
             return fail(error)
         return 0

@@ -11,7 +11,10 @@ import msgspec
 import segno
 from tyro.conf import Positional, arg
 
+from sim.scene.files import built_in_files, read_scene
 from sim.scene.link import PATH, pack_scene
+from sim.scene.shared import share_scene
+from sim.scene.types import Scene
 
 from .command import Settings, fail, scene_of
 
@@ -26,6 +29,9 @@ class Link:
     """Keep the pose that was saved with the scene."""
     address: str = "http://127.0.0.1:8080"
     """Of the page that is to open it."""
+    short: bool = False
+    """Print a short address instead, for pages of this machine: of a preset by its name, of any other scene
+    by a code under which this machine keeps it."""
     qr: bool = False
     """Print its QR code, too."""
     settings: Settings = ()
@@ -36,11 +42,11 @@ class Link:
         if not self.pose:
             scene = msgspec.structs.replace(scene, pose=None)
         address = self.address.rstrip("/")
-        if not re.fullmatch(r"https?://[^\s/?#]+", address):
+        if not re.fullmatch(r"https?://[^\s/?#]+(/[^\s/?#]+)*", address):
             return fail(
                 f"--address: {self.address!r} is not the address of a page, as in http://127.0.0.1:8080"
             )
-        text = f"{address}{PATH}#{pack_scene(scene)}"
+        text = short_address(f"{address}/", scene) if self.short else f"{address}{PATH}#{pack_scene(scene)}"
         print(text)
         if self.qr:
             encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
@@ -49,7 +55,37 @@ class Link:
             except UnicodeEncodeError:
                 return fail(f"--qr: the terminal's encoding, {encoding}, lacks the blocks of a QR code")
             try:
-                segno.make(text, error="l", micro=False).terminal(compact=True)
+                print_qr_code(text)
             except segno.DataOverflowError:
-                return fail(f"--qr: a link of {len(text)} characters is too long for a QR code")
+                size = f"a link of {len(text)} characters is too long for a QR code"
+                return fail(f"--qr: {size}; --short makes a short address")
         return 0
+
+
+def short_address(base: str, scene: Scene) -> str:
+    """An address of a scene that this machine keeps: a preset by its name, any other by a code.
+
+    Args:
+        base: the page's address, with a slash at its end.
+
+    Raises:
+        SceneError: the scene cannot be kept.
+    """
+    if _is_preset(scene):
+        return f"{base}?scene={scene.name}"
+    return f"{base}?s={share_scene(scene)}"
+
+
+def _is_preset(scene: Scene) -> bool:
+    """Whether a scene is a preset as it is."""
+    path = next((path for path in built_in_files() if path.stem == scene.name), None)
+    return path is not None and read_scene(path) == scene
+
+
+def print_qr_code(text: str) -> None:
+    """Print a QR code in the terminal.
+
+    Raises:
+        segno.DataOverflowError: the text is too long for one.
+    """
+    segno.make(text, error="l", micro=False).terminal(compact=True)

@@ -6,10 +6,35 @@ import ipaddress
 import re
 import socket
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
-PAGE_QUERY = re.compile(r"controls=[\w.,%\[\]-]{0,2000}", re.ASCII)
-"""The one query that a page's address may have; see `app.page.controls`."""
+_FIELDS = {
+    "controls": re.compile(r"[\w.,%\[\]-]{0,2000}", re.ASCII),
+    "scene": re.compile(r"[!-%'-~]{0,300}"),
+    "s": re.compile(r"[!-%'-~]{0,40}"),
+}
+"""What the query of a page's address may say: which controls there are (`app.page.controls`), and which scene
+(`app.page.opening`)."""
+
+_PAGE = re.compile(r".*/at/([0-9a-f]{32})", re.ASCII)
+
+
+def page_query(query: str) -> dict[str, str] | None:
+    """The fields of the query of a page's address, each as it stands there; None if it is none."""
+    fields: dict[str, str] = {}
+    for field in query.split("&") if query else ():
+        name, _, text = field.partition("=")
+        if name in fields or name not in _FIELDS or not _FIELDS[name].fullmatch(text):
+            return None
+        fields[name] = text
+    return fields
+
+
+def page_name(path: str) -> str:
+    """The name that a page has chosen for itself, by the path at which it connects; empty if it has none."""
+    match = _PAGE.fullmatch(path)
+    return match[1] if match else ""
 
 
 class GateError(RuntimeError):
@@ -36,8 +61,8 @@ def own_authorities(bound: str, host: str, port: int, extra_hosts: Sequence[str]
 def authorities(name: str, port: int) -> set[str]:
     """What a browser sends as Host for a name or address, which may carry a port of its own."""
     name = name.lower()
-    if re.fullmatch(r"(\[.+\]|[^:]+):\d+", name):
-        return {name}
+    if own := re.fullmatch(r"(\[.+\]|[^:]+):(\d+)", name):
+        return {name, own[1]} if own[2] == "80" else {name}
     if ":" in name and not name.startswith("["):
         name = f"[{name}]"
     # Browsers leave out HTTP's own port.
@@ -46,6 +71,76 @@ def authorities(name: str, port: int) -> set[str]:
 
 _ORIGIN = re.compile(r"(https?)://([a-z0-9.-]+|\[[0-9a-f:.]+\])(?::(\d{1,5}))?/?")
 _OWN_PORTS = {"http": 80, "https": 443}
+
+
+_HOST = r"[a-z0-9_.-]+|\[[0-9a-f:.]+\]"
+_AUTHORITY = re.compile(rf"({_HOST})(?::(\d{{1,5}}))?")
+_PUBLIC = re.compile(rf"(https?)://({_HOST})(?::(\d{{1,5}}))?((?:/[A-Za-z0-9_~-][A-Za-z0-9._~-]*)*)/?")
+_LOOPBACK = re.compile(r"(localhost|127\.0\.0\.1|\[::1\])(:\d{1,5})?")
+
+
+def is_loopback(host: str) -> bool:
+    """Whether a Host is this machine's name for itself, with any port.
+
+    Such a name needs no list of ports, so that a tunnel may end at any (``ssh -L 9000:localhost:8080``). A
+    page that attacks by DNS rebinding has a name of its own, which it points here, and sends that: nobody can
+    own `localhost` or 127.0.0.1. A page of another program on this machine sends our port as Host and its
+    own as Origin, and the gate wants them to be equal.
+    """
+    return _LOOPBACK.fullmatch(host) is not None
+
+
+def host_name(text: str) -> str:
+    """A further name of this server, with a port or without.
+
+    Raises:
+        GateError: it is no such name.
+    """
+    match = _AUTHORITY.fullmatch(text.strip().lower())
+    if match is None or not match[1].strip(".-") or not 1 <= int(match[2] or 1) <= 65535:
+        raise GateError(
+            f"--allow-host: {text!r} is not a name of this server; one is written as laptop.local or "
+            "laptop.local:9000, without http:// and without a path."
+        )
+    return match[0]
+
+
+@dataclass(frozen=True)
+class Public:
+    """The address by which others reach the page, through whatever stands before the server.
+
+    Attributes:
+        url: with a slash at its end.
+        origin: what browsers send as Origin.
+        hosts: what a proxy may pass on as Host.
+        folder: path under which the page is, with a slash at either end.
+    """
+
+    url: str
+    origin: str
+    hosts: frozenset[str]
+    folder: str
+
+
+def public_address(text: str) -> Public:
+    """The address that others see.
+
+    Raises:
+        GateError: it is not the address of a page.
+    """
+    scheme, separator, rest = text.strip().partition("://")
+    host, slash, path = rest.partition("/")
+    match = _PUBLIC.fullmatch(f"{scheme.lower()}{separator}{host.lower()}{slash}{path}")
+    if match is None or not match[2].strip(".-") or not 1 <= int(match[3] or 1) <= 65535:
+        raise GateError(
+            f"--public-url: {text!r} is not the address of a page; one is written as "
+            "https://school.example/lab/, without ? and #."
+        )
+    site = origin(match[0].removesuffix("/").removesuffix(match[4]))
+    folder = f"{match[4]}/"
+    # Some proxies pass on the name without its port.
+    hosts = frozenset((match[2], f"{match[2]}:{match[3] or _OWN_PORTS[match[1]]}"))
+    return Public(site + folder, site, hosts, folder)
 
 
 OF_THIS_MACHINE = ("http://localhost:*", "http://127.0.0.1:*")
@@ -131,6 +226,21 @@ def local_addresses() -> list[str]:
     with contextlib.suppress(OSError):
         found += [str(i[4][0]) for i in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)]
     return [a for a in dict.fromkeys(found) if not ipaddress.ip_address(a).is_loopback]
+
+
+def address_for_others(page: str, host: str, port: int, public: Public | None) -> str:
+    """The address by which others reach a page that was itself reached by the address `page`.
+
+    Args:
+        page: with a slash at its end.
+        host, port: where the server listens.
+        public: the address that it was told, if any.
+    """
+    if public is not None:
+        return public.url
+    if not is_loopback(page.split("/")[2].lower()) or host not in ("0.0.0.0", "::"):
+        return page
+    return next((f"http://{address}:{port}/" for address in local_addresses()), page)
 
 
 def page_addresses(host: str, port: int) -> list[str]:

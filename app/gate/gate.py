@@ -13,7 +13,6 @@ import asyncio
 import contextlib
 import dataclasses
 import functools
-import gzip
 import ipaddress
 import logging
 import socket
@@ -24,28 +23,35 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from http import HTTPStatus
 from typing import Any
 
+import msgspec
 import viser
 import viser._messages
 import websockets.asyncio.server
+import zstandard
 from websockets.asyncio.server import Server, ServerConnection
-from websockets.datastructures import Headers
 from websockets.frames import Frame, Opcode
 from websockets.http11 import Request, Response
 from websockets.protocol import Event
 from websockets.server import ServerProtocol
 
 from app.gate.address import (
-    PAGE_QUERY,
     GateError,
     PortBusy,
+    Public,
     authorities,
     exposure,
+    host_name,
+    is_loopback,
     listen,
     origin,
     own_authorities,
     page_addresses,
+    page_name,
+    page_query,
+    public_address,
 )
 from app.gate.messages import (
+    BEAT,
     MAX_FRAME_BYTES,
     FileTransferPart,
     FileTransferStartUpload,
@@ -57,6 +63,7 @@ from app.gate.messages import (
 )
 
 from . import messages as gate_messages
+from .replies import StaticFile, not_this_host, not_this_origin, respond, safety_headers
 from .uploads import Uploads
 
 __all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server", "page_addresses"]
@@ -83,36 +90,8 @@ MAX_QUEUED_FRAMES = 4
 
 PAGE_PATHS = ("/", "/index.html", "/s")
 
-
-@dataclasses.dataclass(frozen=True)
-class StaticFile:
-    """A file that is served in place of viser's.
-
-    Attributes:
-        content: compressed with gzip.
-        content_type: MIME type.
-        cache_control: the header of that name.
-    """
-
-    content: bytes
-    content_type: str
-    cache_control: str
-
-
-def safety_headers(embed: Sequence[str]) -> dict[str, str]:
-    """What every answer has besides.
-
-    Args:
-        embed: origins of sites that may show the page in a frame, as `origin` gives them. No other site may,
-            since it could steer clicks on the page.
-    """
-    headers = {
-        "Content-Security-Policy": "frame-ancestors " + (" ".join(embed) or "'none'"),
-        "X-Content-Type-Options": "nosniff",
-        "Cross-Origin-Resource-Policy": "same-origin",
-    }
-    # The older header knows no list of sites, and would turn all of them away.
-    return headers if embed else {**headers, "X-Frame-Options": "DENY"}
+REACH = "/reach"
+"""A page that gets no connection asks here why: a browser does not tell it what a refusal says."""
 
 
 class _Budget:
@@ -132,12 +111,23 @@ class _Budget:
         return max(0.0, -self._left / self._rate)
 
 
+def _no_messages() -> bytes:
+    """A batch of no messages, as viser's page reads it (viser 1.1.1, infra, `_message_producer`)."""
+    inner = msgspec.msgpack.encode(
+        {"messages": (), "timestampSec": time.perf_counter(), "binaryBufferLengths": ()}
+    )
+    packed = zstandard.compress(inner, 1)
+    head = len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little")
+    return (head + packed).ljust(-(-(len(head) + len(packed)) // 8) * 8, b"\0")
+
+
 class Connection(ServerConnection):
     """A page's connection, from which viser receives only what the gate admits."""
 
     def __init__(self, gate: "Gate", protocol: ServerProtocol, server: Server, **options: Any) -> None:
         super().__init__(protocol, server, **options)
         self.client: viser.ClientHandle | None = None
+        self.page = ""
         self._gate = gate
         self._messages = _Budget(MESSAGES_PER_SECOND, MESSAGE_BURST)
         self._extra_frames = _Budget(EXTRA_FRAMES_PER_SECOND, EXTRA_FRAME_BURST)
@@ -152,8 +142,15 @@ class Connection(ServerConnection):
             data = await super().recv(decode)
             self._pause = self._messages.spend(1 + len(data) // BYTES_PER_MESSAGE)
             admitted = self._gate.admit(self, data)
-            if admitted is not None:
+            if admitted == BEAT:
+                await self._answer_beat()
+            elif admitted is not None:
                 return admitted
+
+    async def _answer_beat(self) -> None:
+        # What is on its way is a sign of life, too; to wait behind it would hold up the page's messages.
+        if not self.transport.get_write_buffer_size():
+            await self.send(_no_messages())
 
     def process_event(self, event: Event) -> None:
         """Cut the connection if it sends endless frames that are no messages."""
@@ -189,10 +186,12 @@ class Gate:
         on_oversized: Callable[[int, str], None],
         files: Mapping[str, StaticFile],
         embed: Sequence[str] = (),
+        public: Public | None = None,
         loopback: bool = False,
     ) -> None:
         self.refused: Counter[Reason] = Counter()
         self.loopback = loopback
+        self._public = public
         self._files = files
         self._headers = safety_headers(embed)
         self._hosts = hosts
@@ -209,18 +208,24 @@ class Gate:
         self, viser_answer: Callable[..., Response | None], connection: Connection, request: Request
     ) -> Response | None:
         """Answer an HTTP request; None accepts a WebSocket connection."""
+        request = self._without_folder(request)
         refusal = self._refusal(connection, request)
         if refusal is not None:
             reason, status, sentence = refusal
             self.refused[reason] += 1
             response = connection.respond(status, sentence + "\n")
             if status is HTTPStatus.TEMPORARY_REDIRECT:
-                response.headers["Location"] = PAGE_PATHS[0]
+                response.headers["Location"] = "./"
+        elif "Upgrade" not in request.headers and request.path == REACH:
+            response = connection.respond(HTTPStatus.OK, "")
         elif "Upgrade" not in request.headers and (file := self._files.get(request.path.partition("?")[0])):
-            response = _respond(file, request)
+            response = respond(file, request)
         else:
             response = viser_answer(connection, request)
         if response is None:
+            for former in self._former(request):
+                former.transport.abort()
+            connection.page = page_name(request.path.partition("?")[0])
             self._tabs.add(connection)
         else:
             response.headers.update(self._headers)
@@ -231,25 +236,44 @@ class Gate:
             return "starting", HTTPStatus.SERVICE_UNAVAILABLE, "The server is starting."
         hosts = [host.lower() for host in request.headers.get_all("Host")]
         # A page of another site that points its own name at this machine sends that name.
-        if len(hosts) != 1 or not self._is_own(hosts[0], connection):
-            return "host", HTTPStatus.MISDIRECTED_REQUEST, "This is not the address of this page."
+        behind = self._public.hosts if self._public else frozenset()
+        own = len(hosts) == 1 and self._is_own(hosts[0], connection)
+        if not own and (len(hosts) != 1 or hosts[0] not in behind):
+            return "host", HTTPStatus.MISDIRECTED_REQUEST, not_this_host(*hosts[:1])
         upgrade = request.headers.get_all("Upgrade")
         if not upgrade:
+            if request.path == REACH:
+                return self._refusal_of_page(hosts[0], own, request, "X-Softrod-Origin")
             path, _, query = request.path.partition("?")
             # viser's page would connect to whatever server a query names and run its scripts.
-            if query and not (path in PAGE_PATHS and PAGE_QUERY.fullmatch(query)):
+            if query and (path not in PAGE_PATHS or page_query(query) is None):
                 return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no such parameters."
             if path not in PAGE_PATHS and path not in self._files:
                 return "path", HTTPStatus.NOT_FOUND, "There is no such page."
             return None
         if upgrade != ["websocket"]:
             return "upgrade", HTTPStatus.BAD_REQUEST, "Only a WebSocket is served here."
-        origins = [origin.lower() for origin in request.headers.get_all("Origin")]
-        if origins != [f"http://{hosts[0]}"]:
-            return "origin", HTTPStatus.FORBIDDEN, "Only this server's own page may connect."
-        if len(self._tabs) >= MAX_TABS:
+        return self._refusal_of_page(hosts[0], own, request, "Origin")
+
+    def _refusal_of_page(
+        self, host: str, own: bool, request: Request, header: str
+    ) -> tuple[Reason, HTTPStatus, str] | None:
+        """Why a page may not connect that names its origin in a header; `own`: the host needs no proxy."""
+        origins = [origin.lower() for origin in request.headers.get_all(header)]
+        # By the public address only as it is: nobody's page at http:// is to pass for the one at https://.
+        known = {f"http://{host}"} if own else set()
+        if self._public is not None:
+            known.add(self._public.origin)
+        if len(origins) != 1 or origins[0] not in known:
+            return "origin", HTTPStatus.FORBIDDEN, not_this_origin(*origins[:1])
+        if len(self._tabs - self._former(request)) >= MAX_TABS:
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, "Too many tabs are open."
         return None
+
+    def _former(self, request: Request) -> set[Connection]:
+        """Connections of the page that connects: their path has died, of which this end was not told."""
+        name = page_name(request.path.partition("?")[0])
+        return {tab for tab in self._tabs if name and tab.page == name}
 
     def query_of(self, client_id: int) -> str:
         """The query with which a page connected, which may be anything; empty if it is gone."""
@@ -272,7 +296,14 @@ class Gate:
     def _is_own(self, host: str, connection: Connection) -> bool:
         # The address the request came in at is this machine's, whichever network it belongs to.
         address, port, *_ = connection.local_address
-        return host in self._hosts or host in authorities(address, port)
+        return host in self._hosts or is_loopback(host) or host in authorities(address, port)
+
+    def _without_folder(self, request: Request) -> Request:
+        """The request without the folder of the public address, which a proxy takes away or leaves."""
+        folder = self._public.folder if self._public else "/"
+        if folder == "/" or not request.path.startswith(folder):
+            return request
+        return dataclasses.replace(request, path=request.path[len(folder) - 1 :])
 
     def forget(self, tab: Connection) -> None:
         """Drop everything held for a tab that is gone."""
@@ -340,21 +371,6 @@ class Gate:
         return tab.client.gui._gui_input_handle_from_uuid.get(uuid)
 
 
-def _respond(file: StaticFile, request: Request) -> Response:
-    compressed = "gzip" in request.headers.get("Accept-Encoding", "")
-    body = file.content if compressed else gzip.decompress(file.content)
-    headers = Headers(
-        {
-            "Content-Type": f"{file.content_type}; charset=utf-8",
-            "Content-Length": str(len(body)),
-            "Content-Encoding": "gzip" if compressed else "identity",
-            "Cache-Control": file.cache_control,
-            "Connection": "close",
-        }
-    )
-    return Response(HTTPStatus.OK.value, HTTPStatus.OK.phrase, headers, body)
-
-
 class GatedServer(viser.ViserServer):
     """A viser server behind its gate."""
 
@@ -375,6 +391,7 @@ def open_server(
     extra_hosts: Sequence[str] = (),
     files: Mapping[str, StaticFile] | None = None,
     embed: Sequence[str] = (),
+    public_url: str | None = None,
 ) -> GatedServer:
     """Serve viser's page on `host` and `port` (0 for any free port) behind the gate.
 
@@ -383,18 +400,23 @@ def open_server(
     `extra_hosts` are further names the page is reached by, with their port if it is not `port`
     (``"localhost:9000"`` for a forwarded one). `files` are served by their paths, before viser's own.
     `embed` are the origins of the sites that may show the page in a frame (``"https://school.example"``).
+    `public_url` is the address by which others reach the page, through a proxy
+    (``"https://school.example/lab/"``).
 
-    Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place or an origin makes
-    no sense.
+    Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place or an origin, a
+    name or an address makes no sense.
     """
     if viser.__version__ != VISER_VERSION:
         raise GateError(f"viser {VISER_VERSION} is needed, but {viser.__version__} is installed.")
     embed = [origin(site) for site in embed]
+    extra_hosts = [host_name(name) for name in extra_hosts]
+    public = None if public_url is None else public_address(public_url)
     listener = listen(host, port)
     address, port = listener.getsockname()[:2]
     hosts = own_authorities(address, host, port, extra_hosts)
-    loopback = ipaddress.ip_address(address).is_loopback and not extra_hosts
-    gate = Gate(hosts, on_oversized or (lambda client_id, filename: None), files or {}, embed, loopback)
+    loopback = ipaddress.ip_address(address).is_loopback and not extra_hosts and public is None
+    on_large = on_oversized or (lambda client_id, filename: None)
+    gate = Gate(hosts, on_large, files or {}, embed, public, loopback)
     # The server gets a duplicate of the socket. This one holds the port until then, and is closed whatever
     # happens.
     with listener, _in_front_of_viser(gate, listener) as calls:

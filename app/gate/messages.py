@@ -177,6 +177,10 @@ class FileTransferPart(PageMessage):
     content: bytes
 
 
+class BeatMessage(PageMessage):
+    """The page has heard nothing for a while, and wants a sign of life. The gate gives it, not viser."""
+
+
 PAGE_MESSAGES: tuple[type[PageMessage], ...] = tuple(PageMessage.__subclasses__())
 """Every message a page may send."""
 
@@ -200,6 +204,7 @@ _any_message = msgspec.msgpack.Decoder(
     | TransformControlsDragEndMessage
     | FileTransferStartUpload
     | FileTransferPart
+    | BeatMessage
 )
 _upload_part = msgspec.msgpack.Decoder(FileTransferPart)
 _head = msgspec.msgpack.Decoder(_Head)
@@ -225,6 +230,9 @@ def read(data: bytes) -> PageMessage:
 def write(message: PageMessage) -> bytes:
     """Encode a message for viser."""
     return _encode(message)
+
+
+BEAT = write(BeatMessage())
 
 
 def is_alike(current: Any, new: Any) -> bool:

@@ -11,6 +11,8 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any
 
+from sim.scene.types import Scene
+
 from ..session.session import Notice, Session
 from . import asks, keeping, mail, script
 from .controls import Controls
@@ -37,6 +39,8 @@ class Answers:
         letters: to the page's script.
         notify: tells the user something.
         resume: goes on with what the page had kept.
+        show: opens the scene of a link, after what the page had kept.
+        for_others: the address by which others reach the page, from that by which it was reached itself.
         scenes: those of the page.
 
     Attributes:
@@ -49,10 +53,12 @@ class Answers:
         letters: mail.Mail,
         notify: Callable[[Notice], None],
         resume: Callable[[keeping.Kept], None],
+        show: Callable[[Scene], None],
+        for_others: Callable[[str], str],
         scenes: Shelf,
     ) -> None:
         self._shelf = scenes
-        self.sharing = Sharing(session, letters, notify)
+        self.sharing = Sharing(session, letters, notify, show, for_others)
         self.gallery = Gallery(session, letters, notify, scenes)
         self.edits = Edits(session, letters, notify)
         self._notify, self._resume = notify, resume

@@ -18,10 +18,21 @@ class Ask(Struct, frozen=True, forbid_unknown_fields=True, tag_field="do", tag=s
 
 
 class Share(Ask, frozen=True):
-    """A link to the scene, with the present pose or without; `origin` is the page's, for the QR code."""
+    """A link to the scene, with the present pose or without.
+
+    Attributes:
+        page: the page's own address, without what stands after its folder.
+        short: as an address that the server keeps, instead of a link that holds the scene.
+        controls: which there are for whoever opens it: as they are anyway, the bar of time alone, or that and
+            the sliders that make most of the scene.
+    """
 
     pose: bool
-    origin: Annotated[str, Meta(pattern=r"^https?://[A-Za-z0-9.\[\]:-]{1,250}$")]
+    page: Annotated[
+        str, Meta(pattern=r"^https?://[A-Za-z0-9._\[\]:-]{1,250}/([A-Za-z0-9._~-]{1,80}/){0,20}$")
+    ]
+    short: bool = False
+    controls: Literal["all", "play", "sliders"] = "all"
 
 
 class Offer(Ask, frozen=True):

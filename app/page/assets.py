@@ -1,4 +1,4 @@
-"""The files that a browser gets: viser's page with softrod's script and styles in its head, and these."""
+"""The files that a browser gets: viser's page with softrod's own script and styles, and these."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import viser
 from ..gate.gate import PAGE_PATHS, GateError, StaticFile
 
 _FOLDER = Path(__file__).parent / "static"
-_TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".webp": "image/webp"}
+_TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp"}
 _FOREVER = "public, max-age=31536000, immutable"
 _STYLES = (
     "page.css",
@@ -27,11 +27,10 @@ _STYLES = (
     "looks.css",
 )
 """Later ones win."""
-_TITLE = "<title>Viser</title>"
-_VISERS_SCRIPT = {
-    "<script data-p=": '<script type="module" data-p=',
-    "document.currentScript": 'document.querySelector("script[data-p]")',
-}
+_ROOT = '<div id="root"></div>'
+_SCRIPT = "<script data-p="
+_ITSELF = "document.currentScript"
+"""How viser's script finds its data, which stand in its own element."""
 
 
 @cache
@@ -46,39 +45,47 @@ def page_files() -> dict[str, StaticFile]:
     paths = (path for path in sorted(_FOLDER.rglob("*")) if path.suffix in _TYPES)
     sources = {path.relative_to(_FOLDER).as_posix(): path.read_bytes() for path in paths}
     digest = hashlib.sha256(b"".join(sources.values())).hexdigest()[:12]
-    folder = f"/softrod/{digest}/"
+    # Without a slash before it, since the page may be in a folder of another site.
+    folder = f"softrod/{digest}/"
     files = {
-        folder + name: StaticFile(gzip.compress(text, mtime=0), _TYPES[Path(name).suffix], _FOREVER)
+        f"/{folder}{name}": StaticFile(gzip.compress(text, mtime=0), _TYPES[Path(name).suffix], _FOREVER)
         for name, text in sources.items()
     }
-    index = StaticFile(gzip.compress(_index(folder).encode(), mtime=0), "text/html", "no-cache")
+    scripts = [folder + name for name in sources if name.endswith(".js")]
+    page = _index(folder, scripts).encode()
+    index = StaticFile(gzip.compress(page, mtime=0), "text/html", "no-cache")
     return {**files, **dict.fromkeys(PAGE_PATHS, index)}
 
 
-def _index(folder: str) -> str:
-    """viser's page, which is one HTML file, with what is softrod's in its head.
+def _index(folder: str, scripts: list[str]) -> str:
+    """The page: at once a picture that says that it is loading, then viser's, which is one long script.
 
-    softrod's script has to be there before viser's begins, or it would miss the first messages. Modules run
-    in the order of the document, so viser's is made one as well.
+    softrod's script has to be there before viser's begins, or it would miss the first messages. So viser's is
+    not run as it stands; softrod's begins it.
     """
     path = Path(viser.__file__).parent / "client" / "build" / "index.html"
     try:
         text = path.read_text(encoding="utf-8")
     except OSError as error:
         raise GateError(f"viser's page cannot be read: {error}") from None
-    icon_begin, icon_end = text.find("<link"), text.find("/>", text.find("<link"))
-    known = 'rel="icon"' in text[icon_begin:icon_end]
-    if not known or any(text.count(part) != 1 for part in (_TITLE, *_VISERS_SCRIPT)):
+    if any(text.count(part) != 1 for part in (_SCRIPT, _ITSELF, _ROOT)):
         raise GateError("viser's page is not the one that softrod knows.")
-    own = "\n".join(
+    begin = text.index(_SCRIPT)
+    script = text[begin : text.index("</script>", begin)].replace(
+        _ITSELF, 'document.querySelector("script[data-p]")'
+    )
+    styles = "\n".join((_FOLDER / name).read_text(encoding="utf-8") for name in _STYLES)
+    return "\n".join(
         (
+            '<!doctype html><html lang="en"><head><meta charset="utf-8" />',
+            '<meta name="viewport" content="width=device-width, initial-scale=1" />',
             "<title>softrod</title>",
             f'<link rel="icon" href="{folder}icon.svg" />',
-            *(f'<link rel="stylesheet" href="{folder}{name}" />' for name in _STYLES),
+            *(f'<link rel="modulepreload" href="{name}" />' for name in scripts),
+            f"<style>{styles}</style></head><body>",
+            (_FOLDER / "loading.html").read_text(encoding="utf-8"),
+            _ROOT,
             f'<script type="module" src="{folder}main.js"></script>',
+            f'<script type="text/plain"{script.removeprefix("<script")}</script></body></html>',
         )
     )
-    text = (text[:icon_begin] + text[icon_end + 2 :]).replace(_TITLE, own)
-    for part, instead in _VISERS_SCRIPT.items():
-        text = text.replace(part, instead)
-    return text

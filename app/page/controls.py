@@ -14,7 +14,7 @@ from sim.errors import InputError
 from sim.scene.types import Scene
 from sim.settings import Setting, setting_keys
 
-from ..gate.address import PAGE_QUERY
+from ..gate.address import page_query
 
 PARTS = {
     "play": "the bar of time under the body",
@@ -105,8 +105,9 @@ def of_query(query: str) -> Controls | None:
     Raises:
         InputError: as `checked`.
     """
-    if not PAGE_QUERY.fullmatch(query):
+    fields = page_query(query)
+    if not fields or "controls" not in fields:
         return None
-    text = urllib.parse.unquote(query.partition("=")[2])
+    text = urllib.parse.unquote(fields["controls"])
     names = tuple(name for part in text.split(",") if (name := part.strip()[:80]))
     return checked(names, "the address, controls")

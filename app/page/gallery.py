@@ -44,9 +44,9 @@ class Gallery:
         self._mail = mail
         self._notify = notify
 
-    def offer(self) -> None:
-        """Have the page show it."""
-        self._mail.send("gallery")
+    def offer(self, why: str = "") -> None:
+        """Have the page show it, with a sentence that says why, if there is one."""
+        self._mail.send("gallery", why=why)
 
     def changed(self) -> None:
         """Have the page ask anew, if it shows it."""

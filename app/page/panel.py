@@ -51,6 +51,12 @@ SOLVER_DIALS = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""
 
 
+def foremost(applicable: list[Setting]) -> list[Setting]:
+    """Of the settings that a scene has, the two that make most of it."""
+    known = (setting for setting in applicable if setting.key in FOREMOST)
+    return sorted(known, key=lambda setting: FOREMOST.index(setting.key))[:2]
+
+
 def _has_dial(setting: Setting, scene: Scene) -> bool:
     """Whether a setting that a scene has a use for is shown: some are set by others."""
     if setting.key == "rest_angle":
@@ -272,10 +278,7 @@ class Panel:
     def _foremost(self, applicable: list[Setting]) -> list[Setting]:
         """The settings of the Play tab: those that are named, or those that make most of the scene."""
         named = self._controls.foremost(applicable)
-        if named is not None:
-            return named
-        known = (setting for setting in applicable if setting.key in FOREMOST)
-        return sorted(known, key=lambda setting: FOREMOST.index(setting.key))[:2]
+        return foremost(applicable) if named is None else named
 
     def _add_controls(self, tab: viser.GuiTabHandle | None, settings: list[Setting]) -> None:
         """Sliders in a tab, if there is that tab; what stays in it stands before or after them."""

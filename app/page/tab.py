@@ -19,7 +19,7 @@ import viser
 
 import sim
 from sim.compiling.compiler import Compiler, needed_by
-from sim.errors import InputError
+from sim.errors import InputError, SceneError
 from sim.methods.registry import METHODS
 from sim.scene.types import is_surrounded
 
@@ -37,6 +37,7 @@ from .controls import Controls
 from .export_panel import ExportPanel
 from .files_panel import FilesPanel
 from .measure_panel import MeasurePanel
+from .opening import asked_scene
 from .panel import Panel, set_theme
 from .shelf import Shelf
 from .tools_panel import ToolsPanel
@@ -80,8 +81,9 @@ class Tab:
         client: viser's handle of it.
         scene: what it shows first.
         compiler: makes kernels ready in the background.
-        query: of the page's address, which may say which controls there are.
+        query: of the page's address, which may say which controls there are, and which scene comes first.
         owned: whether it is known to be the page of this computer's owner.
+        for_others: the address by which others reach the page, from that by which it was reached itself.
     """
 
     def __init__(
@@ -91,6 +93,7 @@ class Tab:
         compiler: Compiler,
         query: str = "",
         owned: bool = False,
+        for_others: Callable[[str], str] = str,
     ) -> None:
         self.client = client
         self._compiler = compiler
@@ -117,7 +120,8 @@ class Tab:
         self._was_playing = True
         self._wanted = ""
         self._all_ready = False
-        self._first = scene
+        self._for_others = for_others
+        self._first = scene = self._asked_scene(query) or scene
         self._view = Canvas(client, self._touched)
         self._mail = mail.Mail(client)
         self._asked_controls = self._checked(controls.of_query, query)
@@ -231,11 +235,23 @@ class Tab:
             session.post(commands.Resume(bytes(kept.session)))
             self.request("resume", kept)
 
-        self._answers = Answers(session, self._mail, self.notify, resume, self._shelf)
+        def show(scene: sim.Scene) -> None:
+            session.post(commands.Open(scene))
+
+        self._answers = Answers(session, self._mail, self.notify, resume, show, self._for_others, self._shelf)
         self._controls = self._wanted_controls(session.scene)
         self._make_panel(session)
         self._session = session
         return session
+
+    def _asked_scene(self, query: str) -> sim.Scene | None:
+        """The scene that the page's address asks for; if there is none, its user is told and may choose."""
+        try:
+            return asked_scene(query)
+        except SceneError as error:
+            # Later, when the page knows how to ask for the scenes that there are.
+            self._requests.append(("not found", f"{str(error)[:1].upper()}{str(error)[1:]}."))
+            return None
 
     def _wanted_controls(self, scene: sim.Scene) -> Controls:
         """Those that the page's address names, or else the scene."""
@@ -505,6 +521,11 @@ class Tab:
                     self._measure.plot_angle()
             elif what == "help":
                 self._panel.show_help()
+            elif what == "not found":
+                if "chooser" in self._controls:
+                    self._answers.gallery.offer(argument)
+                else:
+                    self.notify(Notice("error", "That address has no scene", argument))
 
     def _tell(self, session: Session) -> None:
         self._notices.extend(session.notices)

@@ -21,7 +21,9 @@ from sim.compiling.compiler import Compiler, needed_by
 from sim.scene.types import is_surrounded
 
 from ..drawing.colors import LIGHT_GAIN
+from ..gate.address import address_for_others, public_address
 from ..gate.gate import GatedServer, exposure, open_server, page_addresses
+from ..linking import print_qr_code
 from ..page import owner
 from ..page.assets import page_files
 from ..page.panel import set_theme
@@ -32,7 +34,12 @@ from .ticker import Ticker
 
 @contextlib.contextmanager
 def serving(
-    scene: sim.Scene, host: str, port: int, embed: Sequence[str] = ()
+    scene: sim.Scene,
+    host: str,
+    port: int,
+    embed: Sequence[str] = (),
+    allow_hosts: Sequence[str] = (),
+    public_url: str | None = None,
 ) -> Iterator[tuple[GatedServer, Ticker, Compiler]]:
     """The server behind its gate, ticking, for as long as the context lasts; the compiler is not started.
 
@@ -40,16 +47,24 @@ def serving(
         scene: what a page shows first.
         host, port: where to listen; port 0 for any free one.
         embed: origins of the sites that may show the page in a frame, as in "https://school.example".
+        allow_hosts: further names by which a browser may reach the server, as in "laptop.local".
+        public_url: the address by which others reach the page, as in "https://school.example/lab/".
 
     Raises:
-        GateError: the gate could not be put in place, or an origin is none; nothing is served.
+        GateError: the gate could not be put in place, or an origin or address is none; nothing is served.
         PortBusy: something else listens on the port.
     """
     compiler = Compiler()
 
+    public = None if public_url is None else public_address(public_url)
+
+    def for_others(page: str) -> str:
+        return address_for_others(page, host, server.get_port(), public)
+
     def make_tab(client: viser.ClientHandle) -> Tab:
         gate, client_id = server.gate, client.client_id
-        return Tab(client, scene, compiler, gate.query_of(client_id), gate.is_local(client_id))
+        query, owned = gate.query_of(client_id), gate.is_local(client_id)
+        return Tab(client, scene, compiler, query, owned, for_others)
 
     ticker = Ticker(make_tab)
 
@@ -64,7 +79,14 @@ def serving(
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     with _viser_is_quiet():
         server = open_server(
-            host, port, label="softrod", on_oversized=oversized, files=page_files(), embed=embed
+            host,
+            port,
+            label="softrod",
+            on_oversized=oversized,
+            extra_hosts=allow_hosts,
+            files=page_files(),
+            embed=embed,
+            public_url=public_url,
         )
     try:
         _set_stage(server)
@@ -88,8 +110,22 @@ def _viser_is_quiet() -> Iterator[None]:
         console.quiet = before
 
 
-def serve(scene: sim.Scene, host: str, port: int, open_browser: bool, embed: Sequence[str] = ()) -> None:
-    """Serve until Ctrl-C or SIGTERM; `embed` as in `serving`.
+def serve(
+    scene: sim.Scene,
+    host: str,
+    port: int,
+    open_browser: bool,
+    embed: Sequence[str] = (),
+    allow_hosts: Sequence[str] = (),
+    public_url: str | None = None,
+    qr: bool = False,
+) -> None:
+    """Serve until Ctrl-C or SIGTERM.
+
+    Args:
+        open_browser: whether to open the page in a browser.
+        qr: whether to print the QR code of the address by which others reach the page.
+        scene, host, port, embed, allow_hosts, public_url: as of `serving`.
 
     Raises:
         GateError, PortBusy: as `serving`.
@@ -99,13 +135,19 @@ def serve(scene: sim.Scene, host: str, port: int, open_browser: bool, embed: Seq
     for number in (signal.SIGINT, signal.SIGTERM):
         # Only an append: a second signal can come in the middle of this handler, and must find no lock.
         signal.signal(number, lambda number, _: signals.append(number))
-    with serving(scene, host, port, embed) as (server, ticker, compiler):
+    with serving(scene, host, port, embed, allow_hosts, public_url) as (server, ticker, compiler):
         address, *others = page_addresses(host, server.get_port())
         if not server.gate.loopback:
             address = f"{address}/{owner.FRAGMENT}{owner.key()}"
         console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
         for other in others:
             console.print(f"and, from other machines, at [bold]{other}[/bold]", highlight=False)
+        public = None if public_url is None else public_address(public_url)
+        for_others = address_for_others(f"{address}/", host, server.get_port(), public)
+        if public is not None:
+            console.print(f"and, for others, at [bold]{public.url}[/bold]", highlight=False)
+        if qr:
+            print_qr_code(for_others)
         warning = exposure(host)
         if warning:
             console.print(f"[yellow]{warning}[/yellow]", highlight=False)

@@ -91,10 +91,11 @@ def answer(
 class HostilePage:
     """A connection such as viser's page makes, and what the server has for it."""
 
-    def __init__(self, port: int) -> None:
+    def __init__(self, port: int, path: str = "") -> None:
         self.messages: list[dict[str, Any]] = []
+        self.batches = 0
         self.socket = connect(
-            f"ws://127.0.0.1:{port}",
+            f"ws://127.0.0.1:{port}{path}",
             origin=Origin(f"http://127.0.0.1:{port}"),
             subprotocols=[Subprotocol(HANDSHAKE[-1][1])],
             compression=None,
@@ -112,6 +113,7 @@ class HostilePage:
                 size, compressed = struct.unpack_from("<QQ", data)
                 packed = zstandard.decompress(data[16 : 16 + compressed], max_output_size=size)
                 self.messages += msgpack.unpackb(packed)["messages"]
+                self.batches += 1
         except (ConnectionClosed, OSError):
             pass
 

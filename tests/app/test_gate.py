@@ -1,5 +1,6 @@
 """Who may connect, and that nothing is served without the gate."""
 
+import http.client
 import socket
 import sys
 from collections.abc import Iterator
@@ -15,8 +16,9 @@ import websockets.exceptions
 from websockets.exceptions import InvalidStatus
 
 from app.gate import gate
-from app.gate.address import own_authorities
-from app.gate.gate import Gate, GateError, PortBusy, exposure, open_server, page_addresses
+from app.gate.address import authorities, own_authorities, public_address
+from app.gate.gate import Gate, GatedServer, GateError, PortBusy, exposure, open_server, page_addresses
+from app.page.assets import page_files
 from tests.app.hostile import HANDSHAKE, Sandbox, answer, eventually, status
 
 
@@ -33,6 +35,16 @@ def is_listening(port: int) -> bool:
     except ConnectionRefusedError:
         return False
     return True
+
+
+def body(port: int, headers: dict[str, str], path: str = "/") -> tuple[int, str]:
+    """The status of an answer, and its text."""
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=20)
+    connection.request("GET", path, headers=headers)
+    response = connection.getresponse()
+    text = response.read().decode()
+    connection.close()
+    return response.status, text
 
 
 def own(port: int, host: str = "127.0.0.1") -> list[tuple[str, str]]:
@@ -57,8 +69,7 @@ def test_the_page_may_connect_by_every_name_of_this_machine(sandbox: Sandbox, ho
     [
         ["evil.example:{port}"],
         ["evil.example"],
-        ["127.0.0.1"],
-        ["127.0.0.1:{wrong}"],
+        ["127.0.0.2:{port}"],
         ["localhost.evil.example:{port}"],
         ["127.0.0.1:{port}", "127.0.0.1:{port}"],
         ["127.0.0.1:{port}", "evil.example"],
@@ -116,7 +127,7 @@ def test_a_muddled_upgrade_is_refused(sandbox: Sandbox, upgrade: list[str]) -> N
 @pytest.mark.parametrize("path", ["/", "/index.html", "//evil.example/"])
 def test_a_link_cannot_make_the_page_obey_another_server(sandbox: Sandbox, query: str, path: str) -> None:
     code, headers = answer(sandbox.port, [("Host", f"127.0.0.1:{sandbox.port}")], f"{path}?{query}")
-    assert (code, headers["Location"]) == (307, "/")
+    assert (code, headers["Location"]) == (307, "./")
 
 
 @pytest.mark.parametrize(
@@ -214,6 +225,105 @@ def test_every_address_of_the_machine_is_served_by_its_own_names_only() -> None:
             assert status(port, [("Host", host)]) == 421
     finally:
         server.stop()
+
+
+@pytest.mark.parametrize("host", ["localhost:9000", "127.0.0.1:9000", "[::1]:9000", "localhost"])
+def test_a_tunnel_may_end_at_any_port_of_this_machine(sandbox: Sandbox, host: str) -> None:
+    origin = ("Origin", f"http://{host}")
+    assert status(sandbox.port, [("Host", host)]) == 200
+    assert status(sandbox.port, [("Host", host), origin, *HANDSHAKE]) == 101
+    # Another program's page on this machine has another port.
+    assert status(sandbox.port, [("Host", host), ("Origin", "http://localhost:3000"), *HANDSHAKE]) == 403
+    assert status(sandbox.port, [("Host", f"localhost:{sandbox.port}"), origin, *HANDSHAKE]) == 403
+
+
+SCHOOL = "https://school.example/lab/"
+
+
+@pytest.fixture
+def behind() -> Iterator[GatedServer]:
+    """A server that is reached through a proxy."""
+    server = open_server("127.0.0.1", 0, public_url="HTTPS://School.example/lab", files=page_files())
+    yield server
+    server.stop()
+
+
+def test_a_proxy_may_pass_on_its_own_name_or_the_server_s(behind: GatedServer) -> None:
+    port = behind.get_port()
+    for host in ("school.example", "school.example:443", f"127.0.0.1:{port}", "localhost:8080"):
+        for path in ("/", "/lab/", "/lab/index.html", "/s", "/lab/s"):
+            assert status(port, [("Host", host)], path) == 200
+        headers = [("Host", host), ("Origin", "https://school.example"), *HANDSHAKE]
+        assert status(port, headers, "/lab/at/" + 32 * "a") == 101
+
+
+@pytest.mark.parametrize(
+    ("host", "origin"),
+    [
+        ("school.example", "http://school.example"),
+        ("school.example", "https://school.example:8443"),
+        ("school.example", "https://evil.example"),
+        ("school.example", "null"),
+        ("127.0.0.1", "http://school.example"),
+    ],
+)
+def test_a_proxy_s_page_is_taken_at_its_word(behind: GatedServer, host: str, origin: str) -> None:
+    assert status(behind.get_port(), [("Host", host), ("Origin", origin), *HANDSHAKE]) == 403
+    assert status(behind.get_port(), [("Host", "evil.example"), ("Origin", origin), *HANDSHAKE]) == 421
+    assert status(behind.get_port(), [("Host", "school.example:8443")]) == 421
+
+
+def test_a_refusal_names_the_remedy(sandbox: Sandbox) -> None:
+    code, text = body(sandbox.port, {"Host": "school.example"})
+    assert code == 421
+    assert "start it with --allow-host school.example" in text
+    assert "--public-url https://school.example/" in text
+    here = f"127.0.0.1:{sandbox.port}"
+    code, text = body(sandbox.port, {"Host": here, "X-Softrod-Origin": "https://school.example"}, "/reach")
+    assert code == 403
+    assert "start softrod with --public-url https://school.example/" in text
+    assert body(sandbox.port, {"Host": here, "X-Softrod-Origin": f"http://{here}"}, "/reach") == (200, "")
+    # What is no address is not repeated.
+    for name in ("<script>", "a b", "x" * 300):
+        code, text = body(sandbox.port, {"Host": name})
+        assert (code, name in text) == (421, False)
+        code, text = body(sandbox.port, {"Host": here, "X-Softrod-Origin": name}, "/reach")
+        assert (code, name in text) == (403, False)
+
+
+@pytest.mark.parametrize(
+    "url",
+    [
+        "school.example",
+        "ftp://school.example",
+        "https://",
+        "https://.../",
+        "https://a/?b",
+        "https://a/#b",
+        "https://a/../b/",
+        "https://a//b",
+        "https://a:0/",
+        "https://a:99999/",
+        "https://user:word@a/",
+    ],
+)
+def test_what_is_no_public_address_is_one_sentence(url: str) -> None:
+    with pytest.raises(GateError, match=r"^--public-url: [^\n]+\.$"):
+        open_server("127.0.0.1", 0, public_url=url)
+
+
+@pytest.mark.parametrize("name", ["http://laptop.local", "a/b", "", "a:0", "a:99999", "*", "a b", "..."])
+def test_what_is_no_name_is_one_sentence(name: str) -> None:
+    with pytest.raises(GateError, match=r"^--allow-host: [^\n]+\.$"):
+        open_server("127.0.0.1", 0, extra_hosts=[name])
+
+
+def test_public_addresses_are_as_browsers_write_them() -> None:
+    found = public_address("https://School.example:443/lab")
+    assert (found.url, found.origin, found.folder) == (SCHOOL, "https://school.example", "/lab/")
+    assert public_address("http://[2001:db8::1]:8080").url == "http://[2001:db8::1]:8080/"
+    # Browsers leave out HTTP's own port.
+    assert authorities("laptop.local:80", 8080) == {"laptop.local", "laptop.local:80"}
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux has 127.0.0.2 from the start")

@@ -6,11 +6,12 @@ from collections.abc import Iterator
 
 import pytest
 from viser import UploadedFile
+from websockets.exceptions import InvalidStatus
 
 from app.gate import gate, uploads
 from app.gate.messages import UPLOAD_PART_BYTES
 from app.gate.uploads import MAX_UPLOAD_BYTES
-from tests.app.hostile import Sandbox, User, eventually, pack, uuid_of
+from tests.app.hostile import HostilePage, Sandbox, User, eventually, pack, uuid_of
 
 PART = UPLOAD_PART_BYTES
 
@@ -241,3 +242,25 @@ def test_a_message_in_pieces_is_put_together(sandbox: Sandbox) -> None:
     data = pack(user.upload_part(0, content))
     user.page.socket.send(data[start : start + 4096] for start in range(0, len(data), 4096))
     assert user.next_event() == ("upload", UploadedFile("scene.json", content))
+
+
+def test_a_page_that_comes_back_takes_the_place_of_its_dead_connection(
+    sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(gate, "MAX_TABS", 2)
+    other = sandbox.user()
+    old = HostilePage(sandbox.port, "/at/" + 32 * "a")
+    sandbox.pages.append(old)
+    # There is no room for a third, but the same page may come once more.
+    with pytest.raises(InvalidStatus):
+        HostilePage(sandbox.port, "/at/" + 32 * "b")
+    new = HostilePage(sandbox.port, "/at/" + 32 * "a")
+    sandbox.pages.append(new)
+    assert old.is_cut()
+    assert other.works()
+    # Pages without a name, or with one that is none, are nobody's former selves.
+    monkeypatch.setattr(gate, "MAX_TABS", 20)
+    for path in ("", "/at/", "/at/AAAA", "/at/" + 33 * "a"):
+        sandbox.pages.append(HostilePage(sandbox.port, path))
+        sandbox.pages.append(HostilePage(sandbox.port, path))
+    assert len(sandbox.server.gate._tabs) == 10

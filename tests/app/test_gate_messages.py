@@ -10,7 +10,14 @@ import pytest
 import viser._messages
 from viser.infra._messages import wire_field_names
 
-from app.gate.messages import MAX_FRAME_BYTES, MAX_MESSAGE_BYTES, PAGE_MESSAGES, PageMessage
+from app.gate.messages import (
+    BEAT,
+    MAX_FRAME_BYTES,
+    MAX_MESSAGE_BYTES,
+    PAGE_MESSAGES,
+    BeatMessage,
+    PageMessage,
+)
 from tests.app.hostile import CAMERA, Sandbox, User, eventually, pack, uuid_of
 
 VECTOR = [0.5, 1, 2.5]
@@ -130,7 +137,11 @@ def test_the_camera_is_followed(sandbox: Sandbox) -> None:
     assert eventually(lambda: list(user.client.camera.position) == VECTOR)
 
 
-@pytest.mark.parametrize("message", PAGE_MESSAGES, ids=lambda message: message.__name__)
+@pytest.mark.parametrize(
+    "message",
+    [kind for kind in PAGE_MESSAGES if kind is not BeatMessage],
+    ids=lambda message: message.__name__,
+)
 def test_messages_have_the_fields_of_visers_own(message: type[PageMessage]) -> None:
     assert message.__struct_fields__ == wire_field_names(getattr(viser._messages, message.__name__))
 
@@ -323,3 +334,17 @@ def test_a_page_that_has_not_reported_its_camera_harms_nobody(sandbox: Sandbox) 
     assert eventually(lambda: sandbox.server.gate.refused["handle"] == 2)
     assert not sandbox.oversized
     assert honest.is_quiet()
+
+
+def test_a_page_that_asks_for_a_sign_of_life_gets_one(sandbox: Sandbox) -> None:
+    user = sandbox.user()
+    assert user.works()
+    before, told = user.page.batches, len(user.page.messages)
+    user.page.send({"type": "BeatMessage"})
+    assert eventually(lambda: user.page.batches == before + 1)
+    assert len(user.page.messages) == told, "it says nothing"
+    assert pack({"type": "BeatMessage"}) == BEAT
+    assert not sandbox.server.gate.refused
+    assert user.works()
+    user.page.send({"type": "BeatMessage", "more": 1})
+    assert sandbox.refuses("content")

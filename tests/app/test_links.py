@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import threading
 from pathlib import Path
 from typing import Any
@@ -11,19 +12,33 @@ import pytest
 
 import sim
 from app.cli import main
-from app.page import script
+from app.gate import address
+from app.gate.address import address_for_others, public_address
+from app.page import controls, script
 from app.page.asks import Ask, Share, parse_ask
+from app.page.controls import Controls
 from app.page.keeping import Parts
 from app.page.mail import Mail
+from app.page.opening import asked_scene
 from app.page.sharing import Sharing
 from app.session import commands
 from app.session.notices import Notice
-from sim.scene.files import decode_link
+from sim.errors import SceneError
+from sim.scene.files import decode_link, save_user_scene
 from sim.scene.link import pack_scene
+from sim.scene.shared import shared_folder, shared_scene
 from tests.app.hostile import Sandbox, answer
 from tests.app.pages import SessionPage
 
-ORIGIN = "http://127.0.0.1:8080"
+PAGE = "http://127.0.0.1:8080/"
+
+
+@pytest.fixture
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A data folder of the test's own."""
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    if tmp_path not in shared_folder().parents:
+        pytest.skip("this platform keeps data elsewhere than XDG_DATA_HOME says")
 
 
 class Letters(Mail):
@@ -42,11 +57,16 @@ class Page(SessionPage):
     def __init__(self, name: str) -> None:
         super().__init__(sim.load_scene(name))
         self.letters, self.notices = Letters(), list[Notice]()
-        self.sharing = Sharing(self.session, self.letters, self.notices.append)
+        self.sharing = Sharing(self.session, self.letters, self.notices.append, self.open)
 
-    def link(self, pose: bool) -> dict[str, Any]:
+    def open(self, scene: sim.Scene) -> None:
+        """Open a scene."""
+        self.session.post(commands.Open(scene))
+
+    def link(self, pose: bool = False, **wishes: Any) -> dict[str, Any]:
         """What comes back when a link is asked for."""
-        asking = threading.Thread(target=self.sharing.share, args=(Share(pose=pose, origin=ORIGIN),))
+        ask = Share(pose=pose, page=PAGE, **wishes)
+        asking = threading.Thread(target=self.sharing.share, args=(ask,))
         asking.start()
         while asking.is_alive():
             self.session.drain()
@@ -58,15 +78,85 @@ def test_a_link_has_the_scene_as_it_is_now() -> None:
     page = Page("tutorial-3.3")
     page.frames(30, commands.SetValue("gravity", 321.0))
     plain, posed = page.link(pose=False), page.link(pose=True)
-    scene = decode_link(plain["link"].removeprefix(f"{ORIGIN}/s#"))
+    scene = decode_link(plain["link"].removeprefix(f"{PAGE}s#"))
     assert scene == page.session.scene
     assert plain["qr"].startswith("data:image/svg+xml")
-    there = decode_link(posed["link"].removeprefix(f"{ORIGIN}/s#"))
+    there = decode_link(posed["link"].removeprefix(f"{PAGE}s#"))
     assert (sim.Simulation(there).positions == page.session.simulation.positions).all()
 
 
 def test_a_long_link_has_no_qr_code() -> None:
     assert not Page("tree").link(pose=True)["qr"]
+
+
+def test_a_preset_s_short_address_is_its_name(home: None) -> None:
+    letter = Page("lesson-hooke").link(short=True)
+    assert letter["link"] == f"{PAGE}?scene=lesson-hooke"
+    assert letter["qr"].startswith("data:image/svg+xml")
+    assert not shared_folder().exists()
+
+
+def test_any_other_scene_s_short_address_is_a_code_that_outlives_the_server(home: None) -> None:
+    page = Page("ring")
+    page.frames(1, commands.SetValue("gravity", 321.0))
+    link = page.link(short=True)["link"]
+    assert page.link(short=True)["link"] == link
+    match = re.fullmatch(rf"{re.escape(PAGE)}\?(s=\w{{4}})", link)
+    assert match is not None
+    assert asked_scene(match[1]) == page.session.scene
+    assert asked_scene(match[1].lower()) == page.session.scene
+    assert page.link(pose=True, short=True)["link"] != link
+
+
+def test_an_address_says_which_controls_a_phone_gets(home: None) -> None:
+    page = Page("tutorial-3.3")
+    short = page.link(short=True, controls="sliders")["link"]
+    assert short == f"{PAGE}?scene=tutorial-3.3&controls=play,rest_angle,angular_stiffness"
+    assert controls.of_query(short.partition("?")[2]) == Controls(("play", "rest_angle", "angular_stiffness"))
+    long = page.link(controls="play")["link"]
+    assert long.startswith(f"{PAGE}s?controls=play#1.")
+
+
+@pytest.mark.parametrize(
+    ("query", "said"),
+    [
+        ("scene=nothing", "there is no preset called 'nothing'"),
+        ("scene=..%2F..%2Fetc%2Fpasswd", "there is no preset called '../../etc/passwd'"),
+        ("scene=mine", "there is no preset called 'mine'"),
+        ("scene=", "there is no preset called ''"),
+        ("s=ZZZZ", "no scene is kept under 'ZZZZ' here"),
+        ("s=../scenes/mine", "no scene is kept under '../SCENES/MINE' here"),
+        ("s=", "no scene is kept under '' here"),
+    ],
+)
+def test_an_address_without_a_scene_is_one_sentence(home: None, query: str, said: str) -> None:
+    save_user_scene(sim.rope(), "mine")  # its owner's own, which no address opens
+    with pytest.raises(SceneError) as caught:
+        asked_scene(query)
+    assert said in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_other_addresses_ask_for_no_scene() -> None:
+    assert asked_scene("") is None
+    assert asked_scene("controls=play") is None
+    assert asked_scene("scene=ring&websocket=ws://evil.example") is None
+    assert asked_scene("scene=ring&scene=rod") is None
+    assert asked_scene("scene=Lesson-Hooke") == sim.load_scene("lesson-hooke")
+
+
+def test_others_get_an_address_that_they_can_reach(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(address, "local_addresses", lambda: ["192.168.1.7"])
+    here = "http://127.0.0.1:8080/"
+    assert address_for_others(here, "127.0.0.1", 8080, None) == here
+    assert address_for_others(here, "0.0.0.0", 8080, None) == "http://192.168.1.7:8080/"
+    assert address_for_others("http://localhost:9000/", "0.0.0.0", 8080, None) == "http://192.168.1.7:8080/"
+    # Reached by an address that others can use, it is that.
+    assert address_for_others("http://10.0.0.4:8080/", "0.0.0.0", 8080, None) == "http://10.0.0.4:8080/"
+    public = public_address("https://school.example/lab/")
+    assert address_for_others(here, "127.0.0.1", 8080, public) == "https://school.example/lab/"
+    monkeypatch.setattr(address, "local_addresses", list)
+    assert address_for_others(here, "0.0.0.0", 8080, None) == here
 
 
 def test_a_link_opens_and_a_bad_one_is_one_sentence() -> None:
@@ -87,13 +177,13 @@ def test_a_link_opens_and_a_bad_one_is_one_sentence() -> None:
     "message",
     [
         "1|ask|", "1|ask|{}", "1|ask|{", '1|ask|{"do":"share"}', '1|ask|{"do":"format"}', "1|ask|[]", None, 7,
-        '1|ask|{"do":"share","pose":1,"origin":"http://x"}',
-        '1|ask|{"do":"share","pose":true,"origin":"javascript:alert(1)"}',
-        '1|ask|{"do":"share","pose":true,"origin":"http://x/\\"><script>"}',
-        '1|ask|{"do":"share","pose":true,"origin":"http://x","more":1}',
-        '1|ask|{"do":"share","pose":true,"origin":"http://' + "x" * 2000 + '"}',
-        "1|ask|" + "{" * 900 + "}", '1|ask|{"do":"share","pose":true,"origin":"http://x"}\n',
-        'x|ask|{"do":"share","pose":true,"origin":"http://x"}', "1|ask|{\ud800}}",
+        '1|ask|{"do":"share","pose":1,"page":"http://x/"}',
+        '1|ask|{"do":"share","pose":true,"page":"javascript:alert(1)"}',
+        '1|ask|{"do":"share","pose":true,"page":"http://x/\\"><script>"}',
+        '1|ask|{"do":"share","pose":true,"page":"http://x/","more":1}',
+        '1|ask|{"do":"share","pose":true,"page":"http://' + "x" * 2000 + '/"}',
+        "1|ask|" + "{" * 900 + "}", '1|ask|{"do":"share","pose":true,"page":"http://x/"}\n',
+        'x|ask|{"do":"share","pose":true,"page":"http://x/"}', "1|ask|{\ud800}}",
     ],
 )  # fmt: skip
 def test_what_makes_no_sense_is_not_answered(message: object) -> None:
@@ -101,8 +191,8 @@ def test_what_makes_no_sense_is_not_answered(message: object) -> None:
 
 
 def test_what_the_page_asks_for_is_understood() -> None:
-    message = '12|ask|{"do":"share","pose":true,"origin":"http://[::1]:8080"}'
-    assert parse_ask(message) == Share(pose=True, origin="http://[::1]:8080")
+    message = '12|ask|{"do":"share","pose":true,"page":"http://[::1]:8080/lab/"}'
+    assert parse_ask(message) == Share(pose=True, page="http://[::1]:8080/lab/")
     assert issubclass(Share, Ask)
 
 
@@ -147,6 +237,15 @@ def test_the_command_prints_a_link_that_every_command_takes(capsys: pytest.Captu
     assert ran(capsys, "link", link, "--address", "http://10.0.0.4:8080")[1] == out
     status, out, _ = ran(capsys, "link", "ring", "--qr")
     assert len(out.splitlines()) > 20
+
+
+def test_the_command_prints_a_short_address(capsys: pytest.CaptureFixture[str], home: None) -> None:
+    where = ("--address", "https://school.example/lab/", "--short")
+    assert ran(capsys, "link", "ring", *where)[1] == "https://school.example/lab/?scene=ring\n"
+    _, out, _ = ran(capsys, "link", "ring", "--set", "gravity=321", *where)
+    code = out.strip().removeprefix("https://school.example/lab/?s=")
+    assert shared_scene(code) == sim.set_value(sim.load_scene("ring"), "gravity", 321.0)
+    assert len(ran(capsys, "link", "study-cloth", "--short", "--qr")[1].splitlines()) > 10
 
 
 def test_the_command_keeps_a_pose_where_it_is_told_to(

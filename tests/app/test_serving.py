@@ -143,7 +143,7 @@ def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
 
 def kept_letters(session: Session) -> str:
     """What a page's script gives back of what it kept of a session."""
-    kept = keeping.encode(session.keepsake(), dark=True, gizmos=False)
+    kept = keeping.encode(session.keepsake(), keeping.Looks(dark=True))
     return base64.b64encode(zlib.compress(kept)).decode()
 
 
@@ -156,7 +156,7 @@ def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest
         say(page, tab, f"resume|1/1|{letters}", f"link|1/1|{link}")
         eventually(lambda: session_of(tab).scene.name == "box")
         monkeypatch.setattr(Tab, "_serve_requests", serve)
-        eventually(lambda: tab._dark)  # the page looks as it did
+        eventually(lambda: tab._looks.dark)  # the page looks as it did
         eventually(lambda: not session_of(tab)._queue)
         assert session_of(tab).scene.name == "box"
 

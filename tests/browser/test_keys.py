@@ -194,7 +194,7 @@ def test_space_pauses_after_a_click_wherever_the_focus_is(open_page: OpenPage) -
         desk.page.keyboard.press("Space")
         desk.until(lambda: desk.session.playing is not playing, f"Space acts after a click on {what}")
 
-    desk.show("Body")
+    desk.show("Play")
     plays("a tab")
     box = desk.box("Linear damping")
     box.click()
@@ -221,7 +221,7 @@ def test_space_pauses_after_a_click_wherever_the_focus_is(open_page: OpenPage) -
     desk.until(lambda: switch.is_checked() is not was, "Space switches")
     assert desk.session.playing is playing
     # Texts have spaces.
-    desk.show("Files")
+    desk.show("Share")
     name = desk.control("Name")
     name.click()
     desk.page.keyboard.press("Space")

@@ -147,7 +147,7 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     desk.dismiss("Software WebGL")
     desk.page.keyboard.press("g")
     desk.page.locator(".u-legend").wait_for()
-    for tab in ("Play", "Body", "Solver", "Measure", "Files", "View"):
+    for tab in ("Play", "Measure", "Solver", "Share"):
         desk.show(tab)
         desk.rest(3)
         assert not desk.page.evaluate(SMALL, 23.9), tab
@@ -156,7 +156,7 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     assert panel is not None and canvas is not None
     assert panel["width"] >= 560.0
     assert canvas["x"] + canvas["width"] == pytest.approx(panel["x"], abs=1.0)
-    desk.show("Body")
+    desk.show("Play")
     desk.click_track("Gravity", 0.5)
     desk.until(
         lambda: abs(desk.slider_value("Gravity") - 2500.0) < 60.0, "the slider is where it was clicked"

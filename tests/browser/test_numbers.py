@@ -30,7 +30,7 @@ def steps(desk: Desk) -> int:
 
 def test_a_number_is_set_whole_however_it_is_typed(open_page: OpenPage) -> None:
     desk = open_page("bridge")
-    desk.show("Body")
+    desk.show("Play")
     seen: set[float] = set()
     setting, old = "linear_stiffness", value(desk, "linear_stiffness")
     take = desk.session.post
@@ -78,7 +78,7 @@ def test_a_number_is_set_whole_however_it_is_typed(open_page: OpenPage) -> None:
 def test_a_text_that_is_no_number_is_told_and_changes_nothing(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False))
-    desk.show("Body")
+    desk.show("Play")
     box = desk.box("Gravity")
     for text, told in (("2x4", "“2x4” is not a number"), ("1,234", "1,234 could be 1.234 or 1234")):
         desk.type_in("Gravity", text)
@@ -102,7 +102,7 @@ def test_a_text_that_is_no_number_is_told_and_changes_nothing(open_page: OpenPag
 def test_one_visit_to_a_box_and_one_press_of_a_slider_are_one_step_of_undo(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False))
-    desk.show("Body")
+    desk.show("Play")
     begin(desk, "Gravity")
     for text in ("500", "600"):
         desk.page.keyboard.press("Control+a")
@@ -143,7 +143,7 @@ def test_one_visit_to_a_box_and_one_press_of_a_slider_are_one_step_of_undo(open_
 def test_the_bubble_of_a_slider_has_the_value(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False))
-    desk.show("Body")
+    desk.show("Play")
     thumb = desk.thumb("Angular stiffness").bounding_box()
     assert thumb is not None
     x, y = thumb["x"] + thumb["width"] / 2, thumb["y"] + thumb["height"] / 2

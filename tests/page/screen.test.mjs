@@ -1,7 +1,6 @@
 // What is under the pointer, what is marked, and when the page tries to connect.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Attempts } from "../../app/page/static/connection.js";
 import { edgeArrow } from "../../app/page/static/edge.js";
 import { degrees, jointAngles, roundUp } from "../../app/page/static/overlay.js";
 import { nearest, onScreen, worldAt } from "../../app/page/static/screen.js";
@@ -43,16 +42,6 @@ test("a joint's arc turns as the joint does", () => {
 
 test("scale bars are round", () => {
   assert.deepEqual([0.7, 1, 1.2, 30, 51, 4e5].map(roundUp), [1, 1, 2, 50, 100, 500000]);
-});
-
-test("an attempt to connect has its time, and another begins when it has failed", () => {
-  const attempts = new Attempts();
-  assert.equal(attempts.begin(0), true);
-  assert.equal(attempts.begin(1000), false);
-  assert.equal(attempts.begin(7000), false);
-  assert.equal(attempts.begin(9000), true);
-  attempts.end();
-  assert.equal(attempts.begin(9001), true);
 });
 
 test("an arrow at the edge points to a body that is out of view, and there is none while a mass is in view", () => {

@@ -14,7 +14,7 @@ import sim
 
 ROOT = Path(sim.__file__).parent.parent
 SOURCES = sorted((ROOT / "sim").rglob("*.py"))
-LONGEST = 450
+LONGEST = 500
 """Lines of a module: some 400 are what one can still read in one go."""
 
 

@@ -135,11 +135,10 @@ def test_catenary() -> None:
     parabola = np.abs(y[0] * (x / 150.0) ** 2 - y).max()
     assert worst < 1.0
     assert parabola > 10.0, "which can be seen"
-    marks = sim.load_scene("lesson-catenary").masses[chain:]
-    for mass in marks:
-        x, y = mass.position  # px
-        assert at[:, 1].max() - y == pytest.approx(
-            (at[:, 1].max() - 110.0) * ((x - 300.0) / 150.0) ** 2, abs=1.0
+    for mass in sim.load_scene("lesson-catenary").masses[chain:]:
+        px, py = mass.position
+        assert at[:, 1].max() - py == pytest.approx(
+            (at[:, 1].max() - 110.0) * ((px - 300.0) / 150.0) ** 2, abs=1.0
         )
     # It comes to rest while one waits.
     simulation = sim.Simulation(step_of("lesson-catenary", 0))

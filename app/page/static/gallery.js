@@ -236,7 +236,10 @@ export function addGallery() {
       search.focus(); // which takes the letter
     }
   });
-  onMail("gallery", show);
+  onMail("gallery", ({ why }) => {
+    show();
+    if (why) say(why);
+  });
   onMail("shelf", () => dialog.open && list());
   onMail("scenes", (letter) => {
     ({ scenes: entries, present } = letter);

@@ -8,12 +8,30 @@ import { sendParts } from "./links.js";
 import { kept, store } from "./storage.js";
 
 const NAME = "softrod";
+/** The scene that the page's address asked for. */
+const ASKED = "softrod-asked";
 
 /** What the next connection is to be given, if anything: what was kept before this page began to be kept. */
 let due = kept(NAME);
 
 /** The connection is lost: the next one is to be given what is kept now. */
 export const lost = () => (due = kept(NAME));
+
+/** Whether the next connection is to be given something. */
+export const hasKept = () => Boolean(due);
+
+/**
+ * Forgets what is kept of another scene than the one that the page's address asks for.
+ *
+ * @param {string} asked empty if it asks for none
+ */
+export function keepOnlyOf(asked) {
+  if (asked && asked !== kept(ASKED)) {
+    store(NAME, "");
+    due = null;
+  }
+  store(ASKED, asked);
+}
 
 /** Keeps what the server said. @param {Uint8Array} data JSON */
 export const keep = (data) => store(NAME, new TextDecoder().decode(data));

@@ -5,7 +5,8 @@
  */
 import { send, told } from "./channel.js";
 
-const PATH = "/s";
+/** The end of such a link's path; the page itself may be in a folder. */
+const PATH = /\/s$/;
 /** How the data begins: the number of its way of packing, and a dot. */
 const BEGIN = /^#\d+\./;
 /** Characters of a message; the gate takes 64 KiB. */
@@ -17,8 +18,17 @@ let due = "";
 /** Takes a link out of the page's address; before viser's page begins, which would connect to all of that. */
 export function takeLink() {
   const { hash, pathname, search } = location;
-  if (pathname === PATH || BEGIN.test(hash)) due = hash.slice(1);
-  if (hash || pathname === PATH) history.replaceState(null, "", `/${search}`);
+  if (PATH.test(pathname) || BEGIN.test(hash)) due = hash.slice(1);
+  if (hash || PATH.test(pathname)) history.replaceState(null, "", `${pathname.replace(PATH, "/")}${search}`);
+}
+
+/**
+ * Has viser's page leave the page's address alone: for a page in a folder it would write the address of its WebSocket
+ * there, which the server takes for an attack at the next reload.
+ */
+export function keepAddress() {
+  const replace = history.replaceState.bind(history);
+  history.replaceState = (state, title, url) => title !== "Viser" && replace(state, title, url);
 }
 
 /**

@@ -1,12 +1,13 @@
 // @ts-check
 /** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
 import { addArrows } from "./arrow_marks.js";
+import { mindAbsence } from "./away.js";
 import { addBodyKeys } from "./body_keys.js";
 import { fitted, keepFlat } from "./camera.js";
 import { listenToClipboard } from "./clipboard.js";
 import { drawBody, shown } from "./canvas.js";
 import { hear } from "./channel.js";
-import { showConnection, watchConnection } from "./connection.js";
+import { askedScene, watchConnection } from "./connection.js";
 import { addCoordinates } from "./coordinates.js";
 import { mindDialogs } from "./dialogs.js";
 import { listenToEdits } from "./edit.js";
@@ -16,11 +17,12 @@ import { addEditStrip } from "./edit_strip.js";
 import { addGallery } from "./gallery.js";
 import { showHud } from "./hud.js";
 import { addInstruments } from "./instruments.js";
-import { resume } from "./keep.js";
+import { hasKept, keepOnlyOf, resume } from "./keep.js";
 import { listenToKeys } from "./keys.js";
 import { addLesson, hearLesson } from "./lesson.js";
-import { listenToLinks, openLink, takeLink } from "./links.js";
+import { keepAddress, listenToLinks, openLink, takeLink } from "./links.js";
 import { addLoads } from "./load_marks.js";
+import { beginViser, canDraw, complain, endLoading } from "./loading.js";
 import { restoreLooks } from "./looks.js";
 import { showMeasures } from "./measure.js";
 import { addMenu } from "./menu.js";
@@ -46,26 +48,23 @@ import { isKnown, whenViser } from "./viser.js";
 /** Seconds after which viser's page has made its hook, or never will. */
 const PATIENCE = 20;
 
-/** Says over the page that it cannot work. @param {string} text */
-function complain(text) {
-  const box = document.createElement("div");
-  box.className = "softrod-fault";
-  box.setAttribute("role", "alert");
-  box.textContent = text;
-  document.body.append(box);
-}
-
 const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
+const NO_WEBGL =
+  "softrod draws with WebGL 2, which this browser does not have or has switched off: allow hardware acceleration in its settings, or use another browser.";
 sayWhose();
 takeLink();
-const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
-watchConnection(showConnection());
+keepAddress();
+keepOnlyOf(askedScene(location.search));
+watchConnection(mindAbsence(), () => !hasKept());
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let late;
 whenViser((viser) => {
   clearTimeout(late);
   if (!isKnown(viser)) {
     complain(FAULT);
     return;
   }
+  endLoading();
   drawBody(viser, [hear, hearLesson, showHud, hearTools, keepStyles]);
   keepFlat();
   mindDialogs();
@@ -104,3 +103,9 @@ whenViser((viser) => {
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted } });
 });
+if (canDraw()) {
+  late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
+  beginViser();
+} else {
+  complain(NO_WEBGL);
+}

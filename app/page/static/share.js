@@ -1,11 +1,23 @@
 // @ts-check
-/** The dialog with a link that holds the scene, and its QR code. */
+/** The dialog with an address of the scene, and its QR code. */
 import { make, makeButton, makeDialog } from "./dialog.js";
 import { ask, onMail } from "./mail.js";
 
 /** Characters from which on a link may be cut: by some e-mail programs, and by messengers. */
 const LONG = 2000;
 const TOO_LONG = 8000;
+
+/** What can be shared, and what it is good for. */
+const KINDS = {
+  short: ["A short address", "To type or to photograph: for a class. This server keeps the scene, and has to run when it is opened."],
+  long: ["A link that holds the scene", "To send and to keep: any softrod opens it, also next year. Nothing is kept on the server."],
+};
+/** Which controls there are for whoever opens it. */
+const CONTROLS = {
+  all: "All controls",
+  play: "For a phone: play and drag only",
+  sliders: "For a phone: with the scene's two main sliders",
+};
 
 /** What is to be known of a link. @param {string} link @returns {string} */
 export function caution(link) {
@@ -17,6 +29,8 @@ export function caution(link) {
 
 /** Whether an address is that of the visitor's own machine. @param {string} host */
 export const isOwnMachine = (host) => /^(localhost|127\..*|\[::1\])$/.test(host);
+const OWN_MACHINE =
+  "This address is of this machine alone. For others to open it, start softrod with --host 0.0.0.0, or with --public-url behind a proxy.";
 
 /** Copies what stands in a field. @param {HTMLTextAreaElement} field @returns {Promise<boolean>} whether it could */
 async function copied(field) {
@@ -30,17 +44,45 @@ async function copied(field) {
   }
 }
 
+/**
+ * A choice of what is shared, with a sentence for each.
+ *
+ * @param {() => void} changed
+ */
+function kindChoice(changed) {
+  const element = make("fieldset", "softrod-kinds");
+  element.append(make("legend", "softrod-tell", "What to share"));
+  for (const [value, [title, about]] of Object.entries(KINDS)) {
+    const label = make("label", "softrod-check");
+    const radio = make("input", "");
+    Object.assign(radio, { type: "radio", name: "softrod-kind", value, checked: value === "short" });
+    radio.addEventListener("change", changed);
+    const text = make("span", "");
+    text.append(make("b", "", title), make("small", "", about));
+    label.append(radio, text);
+    element.append(label);
+  }
+  return { element, isShort: () => element.querySelector("input:checked")?.getAttribute("value") === "short" };
+}
+
 /** Puts up the dialog, which opens when the server says so. */
 export function addShareDialog() {
   const { dialog, body } = makeDialog("Share this scene", "softrod-share");
-  const about = make("p", "", "The link itself holds the scene with its present settings. Nothing is kept on the server, and whoever opens it gets a copy.");
+  const renew = () => {
+    said.textContent = "";
+    const page = new URL(".", location.href).href;
+    ask({ do: "share", pose: withPose.checked, page, short: kind.isShort(), controls: controls.value });
+  };
+  const kind = kindChoice(renew);
   const label = make("label", "softrod-check");
   const withPose = make("input", "");
   withPose.type = "checkbox";
   label.append(withPose, "With the present pose");
+  const controls = make("select", "");
+  controls.ariaLabel = "Controls for whoever opens it";
+  for (const [value, text] of Object.entries(CONTROLS)) controls.add(new Option(text, value));
   const field = make("textarea", "");
   field.readOnly = true;
-  field.rows = 4;
   field.ariaLabel = "Link to this scene";
   field.spellcheck = false;
   const said = make("span", "softrod-said");
@@ -53,16 +95,10 @@ export function addShareDialog() {
   const local = make("p", "softrod-caution");
   const code = make("img", "softrod-qr");
   code.alt = "QR code of the link";
-  body.append(about, label, field, line, warning, local, code);
-  if (isOwnMachine(location.hostname)) {
-    local.textContent = "This address is of this machine alone. For others to open the link, start softrod with --host 0.0.0.0 and open the page by the address that it prints.";
-  }
+  body.append(kind.element, label, controls, field, line, warning, local, code);
 
-  const renew = () => {
-    said.textContent = "";
-    ask({ do: "share", pose: withPose.checked, origin: location.origin });
-  };
   withPose.addEventListener("change", renew);
+  controls.addEventListener("change", renew);
   field.addEventListener("focus", () => field.select());
   onMail("share", () => {
     if (!dialog.open) dialog.showModal();
@@ -71,8 +107,11 @@ export function addShareDialog() {
   });
   onMail("link", ({ link = "", qr = "", problem = "" }) => {
     field.value = link;
+    field.rows = kind.isShort() ? 2 : 4;
+    field.classList.toggle("softrod-short", kind.isShort());
     copy.disabled = !link;
     warning.textContent = problem || caution(link);
+    local.textContent = link && isOwnMachine(new URL(link).hostname) ? OWN_MACHINE : "";
     if (qr) code.src = qr;
     code.hidden = !qr;
   });

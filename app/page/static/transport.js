@@ -1,5 +1,6 @@
 // @ts-check
 /** The bar under the body: play and pause, steps, going back in time, speed and the clock. */
+import { awaySince } from "./away.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
 import { keyOf } from "./key_table.js";
@@ -70,10 +71,10 @@ function offerButton(text, command) {
 /** What the step button does: in the past, go on to the next frame; else make a step. */
 export const nextStep = () => (told().scrubbed === "1" ? "forward" : "step");
 
-/** The simulated time. A body at rest sends no pictures, but its clock goes on. */
+/** The simulated time. A body at rest sends no pictures, but its clock goes on, while there is a connection. */
 export function timeNow() {
   const { frame, since } = shown();
-  const passed = told().rest === "1" ? ((performance.now() - since) / 1e3) * Number(told().speed ?? 1) : 0;
+  const passed = told().rest === "1" ? (Math.max(0, Math.min(performance.now(), awaySince()) - since) / 1e3) * Number(told().speed ?? 1) : 0;
   return (frame?.time ?? 0) + passed;
 }
 

@@ -1,0 +1,31 @@
+"""Which scene a page's address asks for: ``?scene=`` a preset's name, or ``?s=`` a shared scene's code."""
+
+from __future__ import annotations
+
+import urllib.parse
+
+import sim
+from sim.errors import SceneError
+from sim.scene.files import built_in_files, read_scene
+from sim.scene.shared import shared_scene
+
+from ..gate.address import page_query
+
+
+def asked_scene(query: str) -> sim.Scene | None:
+    """The scene that the query of a page's address asks for; None if it asks for none.
+
+    Raises:
+        SceneError: there is none; one sentence.
+    """
+    fields = page_query(query) or {}
+    if "s" in fields:
+        return shared_scene(fields["s"])
+    if "scene" not in fields:
+        return None
+    # Only presets: a name could be the path of any file, and saved scenes are their owner's to show.
+    name = urllib.parse.unquote(fields["scene"])
+    path = next((path for path in built_in_files() if path.stem.casefold() == name.casefold()), None)
+    if path is None:
+        raise SceneError(f"there is no preset called {name[:80]!r}; choose one in the gallery")
+    return read_scene(path)

@@ -1,0 +1,108 @@
+"""Scenes that are kept under a short code, for addresses that can be typed and shown as a QR code.
+
+The code comes from what is kept, so the same scene has the same code whenever it is shared.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import re
+import threading
+from pathlib import Path
+
+from ..errors import SceneError
+from .files import encode_scene, read_scene, user_folder, write_atomically
+from .types import Scene
+
+LETTERS = "23456789BCDFGHJKMNPQRSTVWXZ"
+"""Letters of codes: none can be mistaken for another, and without vowels they make no words."""
+
+SHORTEST = 4
+"""Letters of a code, unless two scenes would share it."""
+
+MOST_KEPT = 1000
+"""Scenes that are kept; beyond that the one goes that was neither shared nor opened for the longest time."""
+
+MOST_BYTES = 500_000
+"""Bytes of a scene's file; a larger one is sent as a file."""
+
+_CODE = re.compile(rf"[{LETTERS}]{{{SHORTEST},12}}")
+
+# Pages of one server may share at the same moment.
+_one_at_a_time = threading.Lock()
+
+
+def shared_folder() -> Path:
+    """Where they are kept; it need not exist yet."""
+    return user_folder().parent / "shared"
+
+
+def share_scene(scene: Scene) -> str:
+    """Keep a scene, and return its code.
+
+    Raises:
+        SceneError: it is not valid or too large, or the file cannot be written.
+    """
+    data = encode_scene(scene)
+    if len(data) > MOST_BYTES:
+        raise SceneError(
+            f"{scene.name!r} takes {len(data)} bytes, more than the {MOST_BYTES} that are kept for a short "
+            "address; send the scene as a file"
+        )
+    letters = _letters(hashlib.sha256(data).digest())
+    try:
+        with _one_at_a_time:
+            shared_folder().mkdir(parents=True, exist_ok=True)
+            for length in range(SHORTEST, len(letters)):
+                path = _path(letters[:length])
+                if not path.exists():
+                    write_atomically(path, data)
+                    _take_out()
+                elif path.read_bytes() != data:
+                    continue
+                os.utime(path)
+                return letters[:length]
+    except OSError as error:
+        reason = error.strerror or error
+        raise SceneError(f"{shared_folder()}: the scene cannot be kept there ({reason})") from None
+    raise SceneError(f"{shared_folder()}: no short code is left")
+
+
+def shared_scene(code: str) -> Scene:
+    """The scene that is kept under a code; capitals and small letters are the same.
+
+    Raises:
+        SceneError: there is none, or its file is not a valid scene.
+    """
+    code = code.upper()
+    path = _path(code)
+    if not _CODE.fullmatch(code) or not path.is_file():
+        raise SceneError(
+            f"no scene is kept under {code[:20]!r} here: it was mistyped, is another server's, or was taken "
+            f"out after {MOST_KEPT} others"
+        )
+    scene = read_scene(path)
+    with contextlib.suppress(OSError):
+        os.utime(path)
+    return scene
+
+
+def _path(code: str) -> Path:
+    return shared_folder() / f"{code}.json"
+
+
+def _letters(digest: bytes) -> str:
+    number, letters = int.from_bytes(digest), ""
+    for _ in range(12):
+        number, digit = divmod(number, len(LETTERS))
+        letters += LETTERS[digit]
+    return letters
+
+
+def _take_out() -> None:
+    """Delete what is too much."""
+    paths = sorted(shared_folder().glob("*.json"), key=lambda path: path.stat().st_mtime_ns, reverse=True)
+    for path in paths[MOST_KEPT:]:
+        path.unlink(missing_ok=True)

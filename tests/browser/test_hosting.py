@@ -1,0 +1,89 @@
+"""The page behind a proxy: by TLS, in a folder of another site, at the end of a tunnel."""
+
+from __future__ import annotations
+
+import ssl
+from collections.abc import Iterator
+from contextlib import ExitStack
+
+import pytest
+from playwright.sync_api import Browser
+
+import sim
+from app.server.serve import serving
+from sim.scene.link import pack_scene
+from tests.browser.conftest import DESKTOP
+from tests.browser.driver import Desk, Served
+from tests.browser.wires import self_signed, wire
+
+
+@pytest.fixture(scope="module")
+def signed(tmp_path_factory: pytest.TempPathFactory) -> ssl.SSLContext:
+    """TLS for this machine."""
+    return self_signed(tmp_path_factory.mktemp("tls"))
+
+
+def begin(rest: ExitStack, browser: Browser, tls: ssl.SSLContext, folder: str, known: bool) -> Desk:
+    """A page by https, in a folder, whose server may know of that or not."""
+    listener = rest.enter_context(wire(0, tls, folder))
+    url = f"https://localhost:{listener.port}{folder}"
+    server, ticker, compiler = rest.enter_context(
+        serving(sim.load_scene("tutorial-3.3"), "127.0.0.1", 0, public_url=url if known else None)
+    )
+    compiler.start()
+    compiler.wait()
+    listener.to = server.get_port()
+    context = browser.new_context(
+        viewport={"width": DESKTOP[0], "height": DESKTOP[1]}, ignore_https_errors=True
+    )
+    rest.callback(context.close)
+    return Desk(Served(url, ticker), context)
+
+
+@pytest.fixture
+def rest() -> Iterator[ExitStack]:
+    """What ends with the test."""
+    with ExitStack() as stack:
+        yield stack
+
+
+def test_the_page_works_by_tls_in_a_folder(rest: ExitStack, browser: Browser, signed: ssl.SSLContext) -> None:
+    desk = begin(rest, browser, signed, "/lab/", known=True)
+    desk.open("")
+    desk.until(lambda: desk.simulation.time > 0.2, "the body moves")
+    start = desk.place(0)
+    desk.drag(start, (start[0] + 90.0, start[1] + 20.0))
+    desk.until(lambda: desk.simulation.positions[0, 0] > 340.0, "a drag works")
+    # viser would have added the address of its WebSocket, and a reload would be turned away.
+    assert desk.page.evaluate("location.pathname + location.search.replace(/^.fixedDpr=\\d/, '')") == "/lab/"
+    gallery = desk.gallery()
+    picture = gallery.locator(".softrod-card img").first
+    desk.until(lambda: picture.evaluate("image => image.naturalWidth") > 0, "its pictures are there, too")
+    desk.page.keyboard.press("Escape")
+    # A link that holds a scene, in the same folder.
+    desk.open("s#" + pack_scene(sim.load_scene("ring")))
+    desk.until(lambda: desk.session.scene.name == "ring", "the scene of the link is there")
+    assert desk.page.evaluate("location.pathname") == "/lab/"
+    assert not desk.errors
+
+
+def test_a_page_that_is_refused_says_what_to_do(
+    rest: ExitStack, browser: Browser, signed: ssl.SSLContext
+) -> None:
+    desk = begin(rest, browser, signed, "/lab/", known=False)
+    desk.page.goto(desk.served.url)
+    site = desk.served.url.removesuffix("/lab/")
+    desk.page.get_by_text(f"start softrod with --public-url {site}/").wait_for()
+
+
+def test_the_page_works_at_the_end_of_a_tunnel(rest: ExitStack, browser: Browser) -> None:
+    server, ticker, compiler = rest.enter_context(serving(sim.load_scene("ring"), "127.0.0.1", 0))
+    compiler.start()
+    compiler.wait()
+    tunnel = rest.enter_context(wire(server.get_port()))
+    context = browser.new_context(viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
+    rest.callback(context.close)
+    desk = Desk(Served(f"http://localhost:{tunnel.port}", ticker), context)
+    desk.open()
+    desk.until(lambda: desk.simulation.time > 0.2, "the body moves")
+    assert not desk.errors

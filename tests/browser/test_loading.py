@@ -1,0 +1,67 @@
+"""The first seconds of a page, and pages that cannot work: nothing of viser's own is to be seen."""
+
+from __future__ import annotations
+
+from playwright.sync_api import Browser, Route, expect
+
+from tests.browser.conftest import Serve
+
+NOTES = """
+  new MutationObserver((changes, observer) => {
+    const goes = ({ removedNodes: [node] }) => node?.className === "softrod-loading";
+    if (!changes.some(goes)) return;
+    observer.disconnect();
+    const seen = (selector) => document.querySelector(selector) !== null;
+    window.atTheEnd = ["[role=tab]", ".softrod-transport", "canvas"].map(seen);
+  }).observe(document, { childList: true, subtree: true });
+"""
+"""Notes what there is when the loading page goes."""
+
+NO_WEBGL = """
+  const real = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, options) {
+    return kind.startsWith("webgl") ? null : real.call(this, kind, options);
+  };
+"""
+
+
+def test_a_page_says_that_it_is_loading_until_body_and_panel_are_there(
+    browser: Browser, serve: Serve
+) -> None:
+    context = browser.new_context()
+    page = context.new_page()
+    page.add_init_script(NOTES)
+    held: list[Route] = []
+    # Its script does not come yet.
+    page.route("**/main.js", lambda route: held.append(route))
+
+    page.goto(serve("ring").url, wait_until="commit")
+    expect(page.get_by_role("status").get_by_text("Loading…")).to_be_visible()
+    expect(page.get_by_role("heading", name="softrod")).to_be_visible()
+    assert page.title() == "softrod"
+    assert page.locator("#root *").count() == 0
+    page.wait_for_timeout(300)
+    held[0].continue_()
+    expect(page.locator(".softrod-loading")).to_have_count(0, timeout=30_000)
+    assert page.evaluate("window.atTheEnd") == [True, True, True]
+    context.close()
+
+
+def test_without_webgl_a_page_says_so_and_nothing_else(browser: Browser, serve: Serve) -> None:
+    context = browser.new_context()
+    page = context.new_page()
+    errors: list[str] = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.add_init_script(NO_WEBGL)
+    served = serve("ring")
+    tabs = len(served.ticker.tabs)
+    page.goto(served.url)
+    expect(page.get_by_role("alert")).to_contain_text(
+        "softrod draws with WebGL 2, which this browser does not"
+    )
+    page.wait_for_timeout(300)
+    assert page.locator("#root *").count() == 0
+    assert page.get_by_text("Loading…").is_hidden()
+    assert len(served.ticker.tabs) == tabs
+    assert not errors
+    context.close()

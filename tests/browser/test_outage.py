@@ -1,0 +1,151 @@
+"""A connection that dies without a word: the page says so, takes nothing meanwhile, and comes back."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from app.session import commands
+from tests.browser.conftest import DESKTOP, OpenPage, Serve
+from tests.browser.driver import Desk, Served, until
+from tests.browser.wires import Wire, wire
+
+NOT_CONNECTED = "Not connected: your body waits."
+WITHIN = 20.0
+"""Seconds within which the page must have noticed; it is ten, and more on a busy machine."""
+
+
+@pytest.fixture
+def led(serve: Serve, browser: Browser) -> Iterator[tuple[Desk, Wire]]:
+    """A page whose server is at the other end of a wire."""
+    served = serve("tutorial-3.3")
+    context = browser.new_context(viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
+    with wire(int(served.url.rpartition(":")[2])) as between:
+        desk = Desk(Served(f"http://127.0.0.1:{between.port}", served.ticker), context)
+        desk.open()
+        yield desk, between
+        context.close()
+    assert not desk.errors
+
+
+def is_away(desk: Desk) -> bool:
+    """Whether the page says that it has no connection."""
+    return desk.page.get_by_text(NOT_CONNECTED).is_visible()
+
+
+def take_up(desk: Desk, known: int) -> None:
+    """Look at the tab of the connection that came after a known one."""
+    new = desk.until(
+        lambda: [c for c in list(desk.served.ticker.tabs) if c > known], "the page connects anew"
+    )
+    desk._client = new[-1]
+    desk.until(lambda: desk.tab._session is not None, "the tab has its session")
+
+
+def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> None:
+    desk, between = led
+    desk.tell(commands.SetValue("gravity", 900.0))
+    desk.until(lambda: desk.tab._kept and desk.tab._kept[0] == desk.session.revision, "it is kept")
+    desk.until(
+        lambda: desk.page.evaluate("sessionStorage.getItem('softrod')?.includes('900')"), "by the page"
+    )
+    # In the middle of a drag.
+    start = desk.place(0)
+    desk.take(start)
+    desk.until(lambda: desk.session.dragged == 0, "the mass is in hand")
+    old = desk._client
+    between.mute = True
+    desk.until(lambda: is_away(desk), "the page says so", limit=WITHIN)
+    # Its clock stands, and what is pressed now is not done, neither now nor later.
+    clock = desk.clock()
+    for key in ("Space", "r", "o"):
+        desk.page.keyboard.press(key)
+    desk.page.get_by_role("button", name="Reset").dispatch_event("click")
+    desk.pause(1.0)
+    assert desk.clock() == clock
+    assert not desk.page.get_by_role("dialog").is_visible()
+    between.mute = False
+    take_up(desk, old)
+    desk.until(lambda: not is_away(desk), "the page is back")
+    desk.until(lambda: desk.session.scene.gravity == (0.0, 900.0), "with what it had kept")
+    assert desk.session.dragged is None
+    assert desk.session.playing
+    # The server has not kept the dead connection, of which nobody told it.
+    desk.until(lambda: old not in desk.served.ticker.tabs, "the dead connection is gone")
+    desk.let_go()
+    desk.wait_drawn()
+    start = desk.place(0)
+    desk.drag(start, (start[0] + 90.0, start[1] + 20.0))
+    desk.until(lambda: desk.simulation.positions[0, 0] > 340.0, "a drag works")
+
+
+def test_a_stall_ends_the_drag_and_keeps_the_connection(led: tuple[Desk, Wire]) -> None:
+    desk, between = led
+    old = desk._client
+    desk.page.keyboard.down("ArrowRight")
+    start = desk.place(0)
+    desk.take(start)
+    desk.until(lambda: desk.session.dragged == 0, "the mass is in hand")
+    between.held = True
+    desk.until(lambda: is_away(desk), "the page says so", limit=WITHIN)
+    desk.page.mouse.move(start[0] + 200.0, start[1])
+    desk.page.keyboard.press("r")
+    between.held = False
+    desk.until(lambda: not is_away(desk), "the page is back")
+    assert desk._client == old
+    desk.until(lambda: desk.session.dragged is None, "the drag has ended")
+    desk.page.mouse.move(start[0] + 250.0, start[1])
+    desk.pause(0.5)
+    assert abs(desk.place(0)[0] - start[0]) < 20.0
+    assert desk.simulation.time > 0.5, "it was not reset"
+
+
+def test_a_page_at_rest_or_in_the_background_raises_no_alarm(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    # A page that did not run for an hour, as a hidden one may: the clock leaps, the looks come late.
+    desk.page.evaluate(
+        "() => { const real = performance.now.bind(performance); performance.now = () => real() + 3.6e6 }"
+    )
+    desk.frames = 0
+    desk.until(lambda: desk.frames >= 4, "it hears from the server although nothing happens", limit=30.0)
+    assert not is_away(desk)
+    assert max(desk.served.ticker.tabs) == desk._client
+    assert desk.page.evaluate("!document.documentElement.hasAttribute('data-softrod-away')")
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="no process can be stopped here")
+def test_a_server_that_stands_still_is_noticed_and_taken_up_again(browser: Browser) -> None:
+    command = [sys.executable, "-u", "-m", "app", "tutorial-3.3", "--port", "0", "--no-open"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env={**os.environ}) as server:
+        try:
+            assert server.stdout is not None
+            url = next(word for word in server.stdout.readline().split() if word.startswith("http://"))
+            context = browser.new_context(viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
+            page = context.new_page()
+            page.goto(url)
+            page.wait_for_function("window.__softrod?.fitted() > 0")
+            clock = page.locator(".softrod-clock")
+            until(page, lambda: float(clock.inner_text().split()[0]) > 0.3, "its clock runs")
+            os.kill(server.pid, signal.SIGSTOP)
+            page.get_by_text(NOT_CONNECTED).wait_for(timeout=1e3 * WITHIN)
+            stood = clock.inner_text()
+            page.keyboard.press("Space")
+            page.wait_for_timeout(1000)
+            assert clock.inner_text() == stood
+            os.kill(server.pid, signal.SIGCONT)
+            expect(page.get_by_text(NOT_CONNECTED)).to_be_hidden()
+            until(page, lambda: clock.inner_text() != stood, "its clock runs again")
+            # It was not paused, and can be.
+            page.get_by_role("button", name="Pause").click()
+            expect(page.get_by_role("button", name="Play", exact=True)).to_be_visible()
+            context.close()
+        finally:
+            os.kill(server.pid, signal.SIGCONT)
+            server.terminate()

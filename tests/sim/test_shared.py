@@ -1,0 +1,77 @@
+"""Scenes that are kept under a short code: found again, told apart, few, and never half written."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+import sim
+from sim.errors import SceneError
+from sim.scene import shared
+from sim.scene.shared import LETTERS, share_scene, shared_folder, shared_scene
+
+
+@pytest.fixture
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A data folder of the test's own."""
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    if tmp_path not in shared_folder().parents:
+        pytest.skip("this platform keeps data elsewhere than XDG_DATA_HOME says")
+
+
+def test_a_scene_is_found_by_its_code(home: None) -> None:
+    scene = sim.rope(masses=7)
+    code = share_scene(scene)
+    assert len(code) == 4
+    assert set(code) <= set(LETTERS)
+    assert shared_scene(code) == shared_scene(code.lower()) == scene
+    assert share_scene(scene) == code
+    assert share_scene(sim.rope(masses=8)) != code
+    assert {path.suffix for path in shared_folder().iterdir()} == {".json"}
+
+
+def test_two_scenes_that_would_share_a_code_do_not(home: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shared, "_letters", lambda digest: "BCDF" + f"{digest[0] % 8 + 2}" * 8)
+    scenes = [sim.rope(masses=n) for n in range(3, 8)]
+    codes = [share_scene(scene) for scene in scenes]
+    assert len(set(codes)) == len(codes)
+    assert codes[0] == "BCDF"
+    assert [shared_scene(code) for code in codes] == scenes
+    assert [share_scene(scene) for scene in scenes] == codes
+
+
+def test_what_nobody_opened_for_long_makes_room(home: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shared, "MOST_KEPT", 3)
+    codes = [share_scene(sim.rope(masses=n)) for n in (3, 4, 5)]
+    for age, code in enumerate(codes):
+        os.utime(shared_folder() / f"{code}.json", (1e9 + age, 1e9 + age))
+    shared_scene(codes[0])
+    share_scene(sim.rope(masses=6))
+    shared_scene(codes[0])
+    shared_scene(codes[2])
+    with pytest.raises(SceneError, match="no scene is kept under"):
+        shared_scene(codes[1])
+
+
+def test_what_cannot_be_kept_is_one_sentence(home: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(SceneError, match=r"takes \d+ bytes, more than the 300 that are kept") as caught:
+        monkeypatch.setattr(shared, "MOST_BYTES", 300)
+        share_scene(sim.rope())
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("code", ["", "AB", "../x", "ZZZZ", "0000", "x" * 500, "BCDF\n", "BC.F", "B\0DF"])
+def test_what_is_no_code_is_one_sentence(home: None, code: str) -> None:
+    with pytest.raises(SceneError, match="no scene is kept under") as caught:
+        shared_scene(code)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_folder_that_cannot_be_written_is_one_sentence(home: None) -> None:
+    shared_folder().parent.mkdir(parents=True)
+    shared_folder().write_text("a file where the folder should be")
+    with pytest.raises(SceneError, match="the scene cannot be kept there") as caught:
+        share_scene(sim.rope())
+    assert "\n" not in str(caught.value)
