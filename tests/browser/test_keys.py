@@ -207,7 +207,7 @@ def test_space_pauses_after_a_click_wherever_the_focus_is(open_page: OpenPage) -
     desk.page.get_by_role("option", name=before, exact=True).click()
     plays("a choice")
     assert chooser.input_value() == before
-    desk.show("View")
+    desk.show("Play")
     switch = desk.page.locator("input[type=checkbox]:visible").first
     switch.click()
     was = switch.is_checked()
