@@ -179,7 +179,7 @@ class Panel:
             ("Back one frame", ",", commands.GoBack()),
             ("Forward one frame", ".", commands.GoForward()),
             ("Back one second", "J", commands.GoBack(1.0)),
-            ("Back to before it ran away", "", commands.BackBeforeDivergence()),
+            ("Back to before it exploded", "", commands.BackBeforeDivergence()),
             ("Reset", "R", commands.Reset()),
             ("Pause", "Esc", commands.Play(False)),
             ("Follow the pointer, or stop", "F", "follow"),

@@ -261,7 +261,7 @@ def ghost_table(session: Session) -> str:
     if session.foresight is not None and session.foresight.growth is not None:
         rows["any error grows"] = f"× {factor_of(session.foresight.growth):.2g} in a second"
     if ghost.simulation.divergence is not None:
-        rows["ghost stopped"] = "it ran away"
+        rows["ghost stopped"] = "it exploded"
     return table(rows)
 
 
@@ -358,6 +358,34 @@ PAD = (
 )
 """The arrow keys as buttons, for touch screens; the page's script holds them."""
 
+HELP_PICTURES = (
+    (
+        "Drag",
+        '<path class="softrod-help-line" d="M30 12 38 34 52 54 72 68 96 74"/>'
+        '<g class="softrod-help-mass"><circle cx="30" cy="12" r="6"/><circle cx="52" cy="54" r="6"/>'
+        '<circle cx="96" cy="74" r="8"/></g>'
+        '<path class="softrod-help-hand" d="M96 74l4 20 5-6 8 0z"/>'
+        '<path class="softrod-help-way" d="M108 66q14-12 20-32m-8 6 8-6 3 9"/>',
+        "any mass. Held ones stay where you leave them, free ones fall. Drag the paper to move it, scroll or "
+        "pinch to zoom.",
+    ),
+    (
+        "Change",
+        '<path class="softrod-help-rail" d="M16 28h118M16 66h118"/>'
+        '<path class="softrod-help-way" d="M16 28h72M16 66h34"/>'
+        '<g class="softrod-help-mass"><circle cx="88" cy="28" r="8"/><circle cx="50" cy="66" r="8"/></g>'
+        '<path class="softrod-help-way" d="M96 44h26m-8-6 8 6-8 6"/>',
+        "stiffness, damping, lengths and angles in the Play tab, or draw a body of your own with Build.",
+    ),
+    (
+        "Measure",
+        '<path class="softrod-help-rail" d="M18 8v78h122"/>'
+        '<path class="softrod-help-way" d="M18 60C30 0 40 0 52 50S72 92 84 54 104 20 114 50 126 66 138 52"/>',
+        "with plots that read off period and damping, with arrows, a ruler, a protractor and a stopwatch.",
+    ),
+)
+"""What can be done: a word, a picture of 150 by 96, and the rest of the sentence."""
+
 KEYS_HELP = (
     ("Space", "play or pause"),
     ("N", "one step; with Shift ten"),
@@ -383,14 +411,15 @@ KEYS_HELP = (
 
 def help_html() -> str:
     """The help panel."""
+    figures = "".join(
+        f'<figure><svg viewBox="0 0 150 96" aria-hidden="true">{picture}</svg>'
+        f"<figcaption><b>{title}</b> {text}</figcaption></figure>"
+        for title, picture, text in HELP_PICTURES
+    )
     rows = "".join(f"<tr><td><kbd>{key}</kbd></td><td>{what}</td></tr>" for key, what in KEYS_HELP)
     return (
-        '<div class="softrod-text"><p><b>Drag any mass</b>. Held masses stay '
-        "where you leave them; free ones fall. Drag the paper to move it, scroll or pinch to zoom. Click a "
-        f"mass to read the angle of its joint.</p><table>{rows}</table>"
-        "<p>A coil turns red where it is stretched and blue where it is squeezed. A wedge shows how far a "
-        "joint is from its rest angle. The bar at the top left compares the time step with the largest "
-        "stable one of the body as it is shaped now; a violent pull can still be too much.</p>"
-        "<p>The bar below goes back in time, about a minute. Play goes on from the moment that it shows; "
-        "what happened before you went back stays as a thin line.</p></div>"
+        f'<div class="softrod-text"><div class="softrod-help">{figures}</div>'
+        "<p>The bar below the body goes back in time, about a minute. Play goes on from the moment that it "
+        "shows; what happened before you went back stays as a thin line. Click a mass to read the angle of "
+        f"its joint.</p><table>{rows}</table></div>"
     )

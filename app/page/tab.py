@@ -442,9 +442,9 @@ class Tab:
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
         now, plots = session.now(), self._measure.plots.wishes if self._measure is not None else ()
-        state = (session.simulation.time, session.revision, self._looks, plots)
+        state = (session.revision, self._looks, plots, session.simulation.time)
         # At rest only the clock goes on: that is not worth a message.
-        resting = self._was_at_rest and state[1:] == self._kept[1:]
+        resting = self._was_at_rest and state[:-1] == self._kept[:-1]
         due = now >= self._keep_due or session.openings != self._kept_opening  # another scene is kept at once
         if not due or state == self._kept or resting or session.replay is not None:
             return

@@ -42,7 +42,7 @@ def runaway(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
             f"{str(divergence)[:1].upper()}{str(divergence)[1:]}. The last good state is shown. Go back to "
             f"just before it, {_remedy(divergence)}, and go on; or press Reset."
         )
-    return Notice("error", "The simulation ran away", text, runaway=True)
+    return Notice("error", "The body exploded", text, runaway=True)
 
 
 def _remedy(divergence: sim.Divergence) -> str:

@@ -250,7 +250,7 @@ def test_a_body_that_runs_away_is_stopped_and_explained(open_page: OpenPage) -> 
 
 def test_there_is_one_notice_of_a_runaway_and_none_once_it_is_over(open_page: OpenPage) -> None:
     desk = open_page()
-    title = "The simulation ran away"
+    title = "The body exploded"
     for _ in range(2):
         desk.tell(
             commands.SetValue("angular_stiffness", 1e8),

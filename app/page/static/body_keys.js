@@ -109,7 +109,7 @@ export function addBodyKeys() {
       last = -1;
     }
     const news = [];
-    if (now.offer === "1" && before.offer !== "1") news.push("The simulation ran away and is stopped");
+    if (now.offer === "1" && before.offer !== "1") news.push("The body exploded and is stopped");
     else if (before.playing !== undefined && now.playing !== before.playing) news.push(now.playing === "1" ? "Running" : "Paused");
     if (before.scene === now.scene && now.broken !== before.broken) news.push(brokenText(Number(now.broken ?? 0)));
     if (news.length) say(news.join(". "));
