@@ -224,7 +224,8 @@ class Dampers:
         w[system.mass_index] = shape[:, 0] + 1j * shape[:, 1]
         x = state.x + 1j * state.y
         slow = self._creep / max(float(np.abs(w).max()), 1e-300)
-        change = (physics.forces(x, -slow * w) - physics.forces(x, slow * w)) / (2.0 * slow)
+        v = (slow * w).astype(complex)
+        change = (physics.forces(x, -v) - physics.forces(x, v)) / (2.0 * slow)
         power = max(
             0.0, float((w.conj() * change).real.sum())
         )  # of nothing but rounding it may be below zero
