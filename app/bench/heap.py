@@ -98,5 +98,5 @@ def bench_heap(console: Console, repeats: int) -> None:
                 f"{sum(best) / (FRAME * FRAMES):.3f}",
                 f"{max(parts) / (FRAME * quarter):.3f}",
             )
-    console.print("processor time / simulated time, falling and at rest, 3 s")
+    console.print("processor time / simulated time, falling and settling, 3 s")
     console.print(table)

@@ -12,9 +12,10 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from sim import Integrator, Scene, Simulation
+from sim import Integrator, Scene, Simulation, physics
 from sim.analysis.ensemble import Member, Track, marks, run_ensemble
 from sim.body.system import joint_stiffness
+from sim.kernels.forces.laws import LAWS
 from sim.motion.stability import largest_step
 
 from .stability_axes import Axis, extent, in_cell
@@ -171,11 +172,9 @@ class Energies:
         lengths = np.hypot(along[..., 0], along[..., 1])
         elastic = 0.5 * (self._stiffness * (lengths - self._rest) ** 2).sum(1)
         a, b = along[:, self._joints[:, 0]], along[:, self._joints[:, 1]]
-        angle = np.arctan2(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0], (a * b).sum(-1)) - self._angle
-        angle = np.remainder(angle + math.pi, 2.0 * math.pi) - math.pi
-        bent = 0.5 * angle**2 if self._scene.force_law == "angle" else 1.0 - np.cos(angle)
-        product = lengths[:, self._joints[:, 0]] * lengths[:, self._joints[:, 1]]
-        return elastic + (self._couple * product * bent).sum(1)
+        s = (a[..., 0] - 1j * a[..., 1]) * (b[..., 0] + 1j * b[..., 1]) * np.exp(-1j * self._angle)
+        bent = physics.LAWS[LAWS[self._scene.force_law].code](s)[1]
+        return elastic + (self._couple * bent).sum(1)
 
 
 def compute(

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import msgspec
 import numpy as np
@@ -44,6 +44,8 @@ _SWING = 0.5
 _SAMPLE = 1.0 / 60.0
 """Seconds between two samples."""
 _LONGEST_RUN = 1e4
+_MASS_STEPS = 20_000_000
+"""Steps that `predictability` may try unless it is told otherwise, times masses."""
 
 
 class Shadow:
@@ -132,6 +134,8 @@ class Predictability:
             exponent.
         verdict: what this means for the scene's tolerance or time step, in words.
         divergence: why the body stopped, or None.
+        complete: whether it has run for its duration, or until it stopped. If not, its attempts were used up,
+            and the verdict says so.
     """
 
     times: NDArray[np.float64]
@@ -139,6 +143,14 @@ class Predictability:
     rate: float
     verdict: str
     divergence: Divergence | None = None
+    complete: bool = True
+
+    def stopped(self, scene: Scene, attempts: int, duration: float) -> Predictability:
+        """The same, of a run whose attempts were used up before its duration, s."""
+        until = float(self.times[-1])
+        ended = f"the {attempts} steps that it may try were used up before {duration:g} s"
+        what = f"until {until:.3g} s, {self.verdict}" if until > 0.0 else "how fast errors grow is not known"
+        return replace(self, verdict=f"{what}; {ended}", complete=False)
 
     @property
     def per_second(self) -> float:
@@ -151,32 +163,46 @@ class Predictability:
         return 1.0 / self.rate if self.rate > 0.0 else math.inf
 
 
-def predictability(scene: Scene, duration: float) -> Predictability:
+def predictability(scene: Scene, duration: float, attempts: int | None = None) -> Predictability:
     """Run a scene, and see how fast small errors grow in its motion.
 
-    It takes some ten times as long as the run itself. Held masses stay where the scene has them.
+    It takes some ten times as long as the run itself, and more where the motion is violent, since two bodies
+    are computed nearly exactly. It ends when the steps that it may try are used up, and says so. Held masses
+    stay where the scene has them, or go round on their circles.
 
     Args:
         scene: a valid scene.
         duration: simulated time, up to 1e4 s; a second or more says most.
+        attempts: steps that the body and the two beside it may try together, at least 1; None for twenty
+            million divided by the number of masses, which take some ten seconds.
 
     Raises:
         SceneError: the scene is not valid.
-        InputError: the duration is not in its range, or every mass of the scene is held.
+        InputError: the duration or the attempts are not in their range, or every mass of the scene is held.
     """
     if not 0.0 < duration <= _LONGEST_RUN:
         raise InputError(
             f"predictability: a duration of {duration:g} s is not in the range 0..{_LONGEST_RUN:g} s"
         )
+    if attempts is None:
+        attempts = max(1, _MASS_STEPS // max(1, len(scene.masses)))
+    if isinstance(attempts, bool) or not isinstance(attempts, int) or attempts < 1:
+        raise InputError(f"predictability: attempts is {attempts}, but must be a whole number from 1")
     body = Simulation(scene)
     meter = GrowthMeter(body)
     if meter.held:
         raise InputError("predictability: every mass of the scene is held")
     steps, sample = max(1, round(duration / body.dt)), max(1, round(_SAMPLE / body.dt))
-    while body.step_count < steps and body.divergence is None:
-        body.step(min(sample, steps - body.step_count))
-        meter.look(body)
-    return meter.result(body)
+    left = attempts
+    while body.step_count < steps and body.divergence is None and left > 0:
+        body.step(min(sample, steps - body.step_count), left)
+        left -= _tried(body)
+        if left > 0:
+            left -= meter.look(body, left)
+    found = meter.result(body)
+    if body.step_count >= steps or body.divergence is not None:
+        return found
+    return found.stopped(scene, attempts, duration)
 
 
 class GrowthMeter:
@@ -196,21 +222,36 @@ class GrowthMeter:
         """Whether no mass is free, so that there is nothing to measure."""
         return self._shadow.held
 
-    def look(self, body: Simulation) -> None:
-        """Go on by what the body has done since the last look; what leads or drives it is not seen."""
+    def look(self, body: Simulation, attempts: int | None = None) -> int:
+        """Go on by what the body has done since the last look; what leads or drives it is not seen.
+
+        Args:
+            body: the body.
+            attempts: steps that each of the two may try; None for any number.
+
+        Returns:
+            The steps that both have tried.
+        """
         steps, self._steps = body.step_count - self._steps, body.step_count
-        arrived = steps > 0 and self._shadow.step(steps)
+        arrived = steps > 0 and self._shadow.step(steps, attempts)
         if arrived:
             self._times.append(body.time)
             self._levels.append(self._shadow.level)
         if not arrived or self._shadow.due:
             self._shadow.place(body)
+        return sum(map(_tried, self._shadow.pair))
 
     def result(self, body: Simulation) -> Predictability:
         """What was found until now."""
         times, levels = np.array(self._times), np.array(self._levels)
         rate = _slope(times, levels)
         return Predictability(times, levels, rate, verdict(body.scene, factor_of(rate)), body.divergence)
+
+
+def _tried(simulation: Simulation) -> int:
+    """The steps that a simulation has tried since this was last asked of it."""
+    stats = simulation.stats()
+    return stats.steps + stats.rejected
 
 
 def growth_within(times: Sequence[float], levels: Sequence[float], span: float) -> float | None:

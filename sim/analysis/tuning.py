@@ -24,6 +24,8 @@ from .vibrations import MOST_MASSES, Vibrations, free_vibrations
 
 _UPDATES = 4
 """Updates of the estimate of the fastest vibration."""
+_CREEP = 1e-3
+"""Speed at which friction is looked at, as a part of the smallest slip speed."""
 MOST_VIBRATIONS = 100
 """How many vibrations are looked at, the slowest first."""
 
@@ -193,6 +195,10 @@ class Dampers:
         self.damping = np.array([s.damping for s in scene.linear_springs], float)
         self.joint_damping = np.array([j.damping for j in scene.angular_springs], float)
         self._broken, self._loose = broken_parts(scene)
+        # Friction is in proportion to speeds only far below those at which things slip.
+        slips = [wall.slip_speed for wall in scene.walls]
+        slips += [scene.contact.slip_speed] if scene.contact is not None else []
+        self._creep = _CREEP * min(slips, default=1.0 / _CREEP)
 
     def ratio(
         self, omega: float, shape: Floats, springs: Floats | None = None, joints: Floats | None = None
@@ -217,7 +223,9 @@ class Dampers:
         w = np.zeros(state.slots, complex)
         w[system.mass_index] = shape[:, 0] + 1j * shape[:, 1]
         x = state.x + 1j * state.y
-        change = (physics.forces(x, -w) - physics.forces(x, w)) / 2.0
+        slow = self._creep / max(float(np.abs(w).max()), 1e-300)
+        v = (slow * w).astype(complex)
+        change = (physics.forces(x, -v) - physics.forces(x, v)) / (2.0 * slow)
         power = max(
             0.0, float((w.conj() * change).real.sum())
         )  # of nothing but rounding it may be below zero

@@ -72,6 +72,9 @@ def joint_ends(body: Body) -> np.ndarray:
 def joint_softness(body: Body, free: Floats) -> Floats:
     """(J,) the square of the angular frequency of each joint alone, of springs in line, per stiffness, 1/kg.
 
+    In line means that both springs, as they leave the mass that they share, are 180 degrees apart. At any
+    other angle it is lower.
+
     Args:
         body: the tables.
         free: (n + 1,) 1/kg, by slot; zero where a mass is held.
@@ -79,8 +82,10 @@ def joint_softness(body: Body, free: Floats) -> Floats:
     ends = joint_ends(body)
     lengths = np.maximum(body.rest_length, 1e-9)
     la, lb = lengths[body.joint_a], lengths[body.joint_b]
-    # The derivative of the angle by the position of each end, for springs in line; the shared mass adds two.
-    slopes = np.stack((-1.0 / la, 1.0 / la, 1.0 / lb, -1.0 / lb), 1)
+    # How fast the angle changes with the position of each end, for springs in line. What the shared mass does
+    # to one spring adds to what it does to the other. The signs go by the directions of the springs, and are
+    # left out.
+    slopes = np.stack((1.0 / la, 1.0 / la, 1.0 / lb, 1.0 / lb), 1)
     softness = np.zeros(len(ends))
     for i in range(4):
         together = (slopes * (ends == ends[:, i : i + 1])).sum(1)

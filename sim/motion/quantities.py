@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ..errors import InputError
 from ..kernels.core.tables import CONTROL_SCALE
-from ..kernels.forces.laws import ANGLE
+from ..kernels.forces.laws import SINE_LAWS
 from ..physics import LAWS, SHORTEST
 from ..scene.types import Scene
 from .energy import ENERGY_FIELDS
@@ -173,7 +173,7 @@ def _torques(simulation: Simulation, joints: Indices) -> Floats:
     a, b = (_vectors(simulation, springs[rows])[0] for springs in (body.joint_a, body.joint_b))
     soft = np.sqrt(_soft_square(simulation, a) * _soft_square(simulation, b))
     torque, _ = LAWS[body.law](a.conj() * b * np.exp(-1j * state.torque_rest[rows + 1]))
-    if body.law == ANGLE:
+    if body.law not in SINE_LAWS:
         torque = torque * abs(a) * abs(b) / soft
     braking = body.torque_damping[rows + 1] * soft * _bending(simulation, joints)
     return body.torque_size[rows + 1] * torque + braking

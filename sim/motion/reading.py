@@ -129,6 +129,10 @@ class Reading:
         ends = system.mass_order[springs - 1]  # of the springs of the tables, as the scene counts masses
         self._joint_ends = ends[self._body.joint_a[joints]], ends[self._body.joint_b[joints]]
 
+    def _lacks_room_for(self, damage: Damage | None) -> bool:
+        """Whether the tables are those of a body that can have no damage."""
+        return damage is not None and not self._body.strength.present
+
     def _rows(self) -> NDArray[np.float64]:
         """(4, n) x, y, vx and vy of the scene's masses; a copy."""
         state, index = self._state, self._system.mass_index

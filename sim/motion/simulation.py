@@ -392,10 +392,6 @@ class Simulation(Reading):
         self._weigher: Weigher | None = None
         self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
 
-    def _lacks_room_for(self, damage: Damage | None) -> bool:
-        """Whether the tables are those of a body that can have no damage."""
-        return damage is not None and not self._body.strength.present
-
     @property
     def _needed(self) -> tuple[str, ...]:
         """Names of the compiled entry points without which NumPy moves the body."""

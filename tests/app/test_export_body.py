@@ -10,6 +10,7 @@ import sys
 import zipfile
 from dataclasses import replace
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -20,10 +21,11 @@ from app.cli import main
 from app.export.body.body import Body
 from app.export.body.c import c_program
 from app.export.body.data import body_csv, body_json
-from app.export.body.program import plain
+from app.export.body.program import LAWS_IN_PROGRAMS, plain
 from app.export.body.python import python_program
 from sim.errors import InputError
-from sim.scene.types import Circle, Damage
+from sim.kernels.forces.laws import LAWS, Law
+from sim.scene.types import Circle, Damage, ForceLaw
 from tests.app.compiling_c import compiled
 
 EULER = sim.Integrator(method="symplectic_euler")
@@ -407,3 +409,16 @@ def test_a_filling_that_has_got_out_is_not_in_the_body() -> None:
     moment = replace(sim.Simulation(scene).capture(), damage=Damage(broken=(3,)))
     assert not Body.of(moment).loops
     assert b"fillings" not in body_json(Body.of(moment))
+
+
+def test_a_program_refuses_a_law_that_it_does_not_know(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(LAWS, "made-up", Law(LAWS["angle"].code, "Made up"))
+    body = body_of(BENT)
+    scene = changed(body.scene, force_law="made-up")
+    other = replace(body, moment=replace(body.moment, scene=scene))
+    for program in (python_program, c_program):
+        with pytest.raises(InputError, match="a program cannot do the force law 'made-up', but tut"):
+            program(other)
+    # Without joints it does not matter.
+    assert python_program(replace(body_of(LOOSE), moment=replace(body_of(LOOSE).moment)))[0]
+    assert set(LAWS_IN_PROGRAMS) == set(get_args(ForceLaw))

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import get_args
 
+import msgspec
 import numba
 import numpy as np
 import pytest
 
+import sim
 from sim import Simulation
 from sim.kernels.energy.energies import angular_energy
 from sim.kernels.forces import laws
@@ -94,3 +97,45 @@ def test_an_unknown_law_is_an_error_and_not_a_body_without_joints(shape: str) ->
     assert np.isnan(spring_forces(simulation)).any()
     with pytest.raises(KeyError):
         Physics(simulation._body, simulation._state)
+
+
+# ------------------------------------------------------------------------- a law that is not there yet
+@numba.njit
+def deflection_at(law, torque, most):
+    """A way in from Python."""
+    return laws.deflection_at(law, torque, most)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_yielding_finds_the_deflection_of_a_torque_from_the_terms(name: ForceLaw) -> None:
+    code = LAWS[name].code
+    for angle in (0.01, 0.3, 1.2):
+        assert deflection_at(code, terms(code, angle)[0], 1.5) == pytest.approx(angle, abs=1e-12)
+
+
+def made_up(s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The torque 4 |A||B| tan((V - r) / 4), and its energy."""
+    quarter = np.angle(s) / 4.0
+    return 4.0 * abs(s) * np.tan(quarter), -16.0 * abs(s) * np.log(np.cos(quarter))
+
+
+def test_what_is_measured_follows_from_a_law_that_is_new(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(LAWS, "made-up", laws.Law(99, "Made up"))
+    monkeypatch.setitem(IN_NUMPY, 99, made_up)
+    scene = msgspec.structs.replace(
+        body("hub", "angle", 3), integrator=sim.Integrator(method="rodas5p", tolerance=1.0)
+    )
+    simulation = Simulation(scene)
+    simulation._body = simulation._body.replaced(law=99)
+    simulation._system = dataclasses.replace(simulation._system, body=simulation._body)
+    angles = np.radians(simulation.angles - simulation.rest_angles)
+    by_hand = np.tan((angles - 2.0 * np.pi * np.round(angles / (2.0 * np.pi))) / 4.0)
+    for j, joint in enumerate(scene.angular_springs):
+        found = sim.quantity(f"joint{j}.torque", scene).read(simulation)
+        still = simulation.loads.torques[j]
+        assert found == pytest.approx(still, rel=1e-3)
+        quantity = simulation._body.torque_damping[1 + simulation._system.joint_order[j]]
+        lengths = [sim.quantity(f"spring{s}.length", scene).read(simulation) for s in (joint.a, joint.b)]
+        rate = np.radians(sim.quantity(f"joint{j}.rate", scene).read(simulation))
+        wanted = lengths[0] * lengths[1] * (4.0 * joint.stiffness * by_hand[j] + quantity * rate)
+        assert found == pytest.approx(wanted, rel=1e-3)

@@ -129,6 +129,9 @@ def test_a_shadow_without_time_says_so() -> None:
 def test_what_cannot_be_told_is_refused() -> None:
     with pytest.raises(InputError, match="every mass of the scene is held"):
         sim.predictability(chain([(0.0, 0.0), (10.0, 0.0)], held=(0, 1)), 1.0)
+    for attempts in (0, -1, 1.5, True):
+        with pytest.raises(sim.InputError, match="attempts"):
+            sim.predictability(bouncing(0.0), 1.0, attempts)  # type: ignore[arg-type]
     for duration in (0.0, -1.0, math.nan, 1e5):
         with pytest.raises(InputError, match=r"is not in the range 0\.\.10000 s"):
             sim.predictability(bouncing(0.0), duration)
@@ -154,3 +157,16 @@ def test_what_is_said_of_it() -> None:
     euler = sim.set_choice(scene, "method", "symplectic_euler")
     assert "no time step can promise" in verdict(euler, 4000.0)
     assert verdict(euler, 3.0) == "errors grow × 3 in a second: a shorter time step makes them smaller"
+
+
+def test_a_run_that_is_too_hard_ends_with_what_is_known_and_says_so() -> None:
+    whole = sim.predictability(swinging(180.0), 3.0)
+    assert whole.complete and "used up" not in whole.verdict
+    part = sim.predictability(swinging(180.0), 3.0, 2000)
+    assert not part.complete and 0.0 < part.times[-1] < 3.0
+    assert part.growth == pytest.approx(whole.growth[: len(part.growth)])
+    assert part.verdict.startswith(f"until {part.times[-1]:.3g} s, errors")
+    assert part.verdict.endswith("; the 2000 steps that it may try were used up before 3 s")
+    none = sim.predictability(swinging(180.0), 3.0, 1)
+    assert not none.complete and len(none.times) == 1 and none.rate == 0.0
+    assert none.verdict.startswith("how fast errors grow is not known; the 1 steps")

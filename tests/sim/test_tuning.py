@@ -409,3 +409,24 @@ def test_held_springs_and_too_stiff_ones_are_refused() -> None:
         sim.damp_vibration(held)
     with pytest.raises(InputError, match=r"take a damping of 6.32e\+09 kg/s, and 1e\+06 is the most"):
         sim.damp_vibration(weight(1e15, 0.0, 1e4), spring=0)
+
+
+@pytest.mark.parametrize("slip", [10.0, 1.0, 0.1])
+def test_friction_damps_a_small_vibration_as_at_a_creep(slip: float) -> None:
+    """A mass that lies on a rough floor, on a spring along it: c = mu N / slip speed."""
+    floor = sim.Wall(
+        point=(0.0, 0.0), normal=(0.0, -1.0), hardness=1e4, friction=0.02, slip_speed=slip, bounciness=1.0
+    )
+    depth = math.sqrt(1000.0 / 1e4)
+    scene = sim.Scene(
+        name="lying",
+        masses=(sim.Mass(position=(0.0, depth)), sim.Mass(position=(50.0, depth), mass=2.0)),
+        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=100.0, rest_length=50.0),),
+        anchors=(sim.Anchor(mass=0),),
+        gravity=(0.0, 1000.0),
+        walls=(floor,),
+    )
+    found = sim.tuning(scene).slowest
+    assert found is not None
+    omega = math.tau * found.frequency
+    assert found.damping_ratio == pytest.approx(0.02 * 1000.0 / slip / (2.0 * omega), rel=0.01)

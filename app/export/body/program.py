@@ -13,7 +13,7 @@ import numpy as np
 import sim
 from sim.errors import InputError
 from sim.methods.registry import METHODS
-from sim.scene.types import Method, is_damageable
+from sim.scene.types import ForceLaw, Method, is_damageable
 
 from .body import Body, Floats
 
@@ -25,6 +25,10 @@ WIDTH = 100
 
 _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .,:;()+-^/")
 """What is left of a user's text in a comment: nothing that could end the comment or mean anything in it."""
+
+
+LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
+"""The force laws that the programs in Python and C are written for."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -50,6 +54,9 @@ class Plan:
         lacks = {"turbulence": "gusts of wind"} if body.gusts else {}
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
+        law = body.scene.force_law
+        if len(body.joints) and law not in LAWS_IN_PROGRAMS:
+            raise InputError(f"a program cannot do the force law {law!r}, but {', '.join(LAWS_IN_PROGRAMS)}")
         if lacks:
             raise InputError(
                 f"a program cannot do {' and '.join(lacks.values())}; set {' and '.join(lacks)} to 0 to have "

@@ -22,6 +22,10 @@ NO_JOINTS, TUTORIAL, CONSERVATIVE, ANGLE = 0, 1, 2, 3
 """Values of `Body.law`: a body without joints, and the three force laws."""
 
 
+_HALVINGS = 50
+"""Number of halvings in `deflection_at`: to rounding."""
+
+
 class Law(NamedTuple):
     """Properties of a law, apart from its terms."""
 
@@ -52,7 +56,27 @@ def terms(law, deflection):
     return np.nan, np.nan, np.nan
 
 
+SINE_LAWS = (TUTORIAL, CONSERVATIVE, NO_JOINTS)
+"""The laws whose torque is the sine of the deflection; and a body without joints."""
+
+
 @kernel(forceinline=True)
 def is_sine(law):
     """Whether a law's torque is the sine of the deflection, or there are no joints."""
-    return law in (TUTORIAL, CONSERVATIVE, NO_JOINTS)
+    return law in SINE_LAWS
+
+
+@kernel(fastmath=FAST)
+def deflection_at(law, torque, most):
+    """The deflection between 0 and `most` (radians) at which a law reaches a torque, for K |A||B| = 1.
+
+    By bisection, from the law's terms. The torque must be passed between 0 and `most`.
+    """
+    low, high = 0.0, most
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (low + high)
+        if abs(terms(law, middle)[0]) < torque:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)

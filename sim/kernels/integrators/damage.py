@@ -18,7 +18,7 @@ from ..core.tables import COUNT_FRESH, COUNT_WHAT, WORK_BROKEN, WORK_PLASTIC
 from ..core.vectors import deflection, from_to, length_of
 from ..energy.energies import angular_energy
 from ..forces.drive import wrap
-from ..forces.laws import is_sine
+from ..forces.laws import deflection_at, is_sine, terms
 from .guard import CHANGED
 
 _OVER_STRENGTH = 1e-3
@@ -96,12 +96,13 @@ def _settle_joint(problem, q, j):
         return True
     limit = body.strength.bending[j] / (size * length_of(ax, ay, soft) * length_of(bx, by, soft))
     off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])
-    torque = abs(math.sin(off)) if is_sine(body.law) else abs(off)
+    torque = abs(terms(body.law, off)[0])
     if is_sine(body.law) and abs(off) > 0.5 * math.pi:
         torque = 1.0  # bent beyond its largest torque, it has yielded on the way
     if not torque > limit:
         return False
-    kept = math.asin(min(limit, _STEEPEST)) if is_sine(body.law) else limit
+    sine = is_sine(body.law)
+    kept = math.asin(min(limit, _STEEPEST)) if sine else deflection_at(body.law, limit, abs(off))
     moved = off - math.copysign(kept, off)
     if abs(moved) < 1e-12:
         return False

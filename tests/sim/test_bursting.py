@@ -1,0 +1,124 @@
+"""A gas or a liquid gets out of a loop whose springs break."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+import sim
+from sim import Integrator, LinearSpring, Mass, Pose, Scene, Simulation
+from sim.body.damage import leaking
+from sim.body.system import build_system, start_of
+from sim.methods.registry import METHODS
+from sim.physics import Physics
+from sim.scene.types import Damage, Method
+
+REPLACE = msgspec.structs.replace
+
+
+def burst(method: Method = "auto", filling: Any = None, weak: int = 5, joined: bool = True) -> Scene:
+    """A blown-up ring of 12 masses, of which one spring is weaker than the others."""
+    count, radius = 12, 50.0
+    turns = [math.tau * i / count for i in range(count)]
+    edge = 2.0 * radius * math.sin(math.pi / count)
+    rim = tuple(range(count))
+    return Scene(
+        name="burst",
+        masses=tuple(Mass(position=(radius * math.cos(v), radius * math.sin(v)), mass=0.5) for v in turns),
+        linear_springs=tuple(
+            LinearSpring(
+                a=i,
+                b=(i + 1) % count,
+                stiffness=2000.0,
+                damping=1.0,
+                rest_length=edge,
+                strength=8000.0 if i == weak else 1e9,
+            )
+            for i in range(count if joined else count - 1)
+        ),
+        gravity=(0.0, 0.0),
+        fillings=(filling or sim.Gas(masses=rim, pressure=400.0, outside=100.0),),
+        integrator=Integrator(method=method, dt=1e-4, tolerance=1e-3),
+    )
+
+
+FILLINGS = {
+    "gas": None,
+    "liquid": sim.Liquid(masses=tuple(range(12)), bulk_modulus=2000.0, area=12000.0),
+}
+
+
+@pytest.mark.parametrize("kind", FILLINGS)
+@pytest.mark.parametrize("method", METHODS)
+def test_a_filling_gets_out_of_a_burst_skin(method: Method, kind: str) -> None:
+    scene = burst(method, FILLINGS[kind])
+    simulation = Simulation(scene)
+    start = simulation.energy().total
+    whole = simulation.capture()
+    before = simulation.energy()
+    while simulation.damage is None:
+        before = simulation.energy()
+        assert simulation.step() == 1 and simulation.time < 1.0
+    book = simulation.energy()
+    assert simulation.damage.broken == (5,)
+    # Its energy is gone with it, and the balance says where.
+    assert before.fillings != 0.0 and book.fillings == 0.0
+    assert book.broken == pytest.approx(-before.fillings - 8000.0**2 / (2.0 * 2000.0), rel=0.1)
+    assert abs(book.residual) <= (1e-2 if METHODS[method].order == 1 else 1e-3) * max(
+        abs(start), book.kinetic
+    )
+    # From then on it moves as a body without it.
+    empty = REPLACE(scene, fillings=(), pose=simulation.pose())
+    other, again = Simulation(empty), Simulation(REPLACE(scene, pose=simulation.pose()))
+    for each in (simulation, other, again):
+        each.advance(0.05)
+    for each in (simulation, again):
+        assert np.abs(each.positions - other.positions).max() <= 2e-2
+    # Going back makes the skin tight again, and so does a reset.
+    simulation.restore(whole)
+    assert simulation.energy().fillings == pytest.approx(start - simulation.energy().linear, rel=1e-9)
+    first = Simulation(scene)
+    simulation.advance(0.01)
+    simulation.reset()
+    for each in (simulation, first):
+        each.advance(0.02)
+    assert np.abs(simulation.positions - first.positions).max() <= 1e-6
+
+
+def test_numpy_moves_a_burst_balloon_without_its_filling() -> None:
+    scene = burst("velocity_verlet")
+    pose = Pose(
+        positions=tuple(m.position for m in scene.masses),
+        velocities=((0.0, 0.0),) * 12,
+        damage=Damage(broken=(5,)),
+    )
+    system, state = start_of(REPLACE(scene, pose=pose), build_system(REPLACE(scene, pose=pose)))
+    x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
+    empty = REPLACE(scene, pose=pose, fillings=())
+    without, other = start_of(empty, build_system(empty))
+    forces = Physics(system.body, state).forces(x, v)[system.mass_index]
+    assert forces == pytest.approx(Physics(without.body, other).forces(x, v)[without.mass_index])
+    assert sim.equilibrium(REPLACE(scene, pose=pose)).damage == Damage(broken=(5,))
+
+
+def test_a_loop_leaks_where_all_springs_of_an_edge_are_broken_and_only_there() -> None:
+    loop = [np.array([0, 1, 2])]
+    ends = np.array([(0, 1), (2, 1), (2, 0), (1, 0), (3, 0)])
+    assert leaking(loop, ends, np.array([], int)) == []
+    assert leaking(loop, ends, np.array([0])) == []  # another spring joins the same masses
+    assert leaking(loop, ends, np.array([0, 3])) == [0]
+    assert leaking(loop, ends, np.array([1])) == [0]
+    assert leaking(loop, ends, np.array([2])) == [0]
+    assert leaking(loop, ends, np.array([4])) == []  # not a part of it
+    # Where there never was a spring, the scene says that it is tight.
+    assert leaking(loop, ends[:2], np.array([], int)) == []
+
+
+def test_a_loop_with_a_gap_from_the_start_is_tight() -> None:
+    simulation = Simulation(burst(joined=False))
+    simulation.advance(0.02)
+    assert simulation.damage is None and simulation.energy().fillings != 0.0
