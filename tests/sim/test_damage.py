@@ -16,11 +16,8 @@ from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Sce
 from sim.body.damage import leaking
 from sim.body.system import build_system, start_of
 from sim.methods.registry import METHODS
-<<<<<<< HEAD
 from sim.physics import Physics
-=======
 from sim.scene.surroundings import Contact
->>>>>>> 7aa3bbc (What touches a spring that breaks is in the energy balance; a yielding joint is under error control; a spring that cannot yield any further does not shorten steps)
 from sim.scene.types import Damage, ForceLaw, Method
 from tests.sim.bodies import LAWS, body
 from tests.sim.inside import same_state, solver_of
@@ -348,7 +345,6 @@ def test_a_broken_spring_is_no_obstacle() -> None:
     broken.step(1)
 
 
-<<<<<<< HEAD
 # ------------------------------------------------------------------------- what else knows of it
 def without_limits(scene: Scene) -> Scene:
     """The scene with nothing that could still break or yield."""
@@ -572,7 +568,8 @@ def test_a_loop_with_a_gap_from_the_start_is_tight() -> None:
     simulation = Simulation(burst(joined=False))
     simulation.advance(0.02)
     assert simulation.damage is None and simulation.energy().fillings != 0.0
-=======
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_the_energy_of_what_touches_a_spring_goes_with_it(method: Method) -> None:
     # A mass is pressed against a spring that is stretched beyond its strength, and breaks in the first step.
@@ -597,4 +594,3 @@ def test_the_energy_of_what_touches_a_spring_goes_with_it(method: Method) -> Non
     assert book.contact == 0.0
     assert book.broken == pytest.approx(-before.contact - 500.0, rel=1e-3)
     assert abs(book.residual) <= 1e-3 * before.contact
->>>>>>> 7aa3bbc (What touches a spring that breaks is in the energy balance; a yielding joint is under error control; a spring that cannot yield any further does not shorten steps)
