@@ -11,6 +11,7 @@ import itertools
 import numpy as np
 from numpy.typing import NDArray
 
+from .kernels.around.bounce import CALMING
 from .kernels.around.fillings import SMALLEST
 from .kernels.core.surroundings import Surroundings
 from .near import near_pairs, nearest_points
@@ -46,9 +47,11 @@ def _push_and_friction(
 ) -> tuple[Floats, Floats]:
     """See `kernels.around.bounce`; the speed is outwards + i along."""
     elastic = stiffness * depth**2
-    push = np.maximum(elastic * (1.0 - loss * speed.real), 0.0)
-    push = push / (1.0 + h * across * (loss * elastic + 2.0 * h * stiffness * depth))
-    return push, rough * push * np.tanh(speed.imag / (slip + h * around * rough * push))
+    power = (h * across * (loss * elastic + 4.0 * h * stiffness * depth)) ** 4
+    calming = CALMING * h / np.maximum(depth, 1e-300) * (power / (1.0 + power))
+    push = np.maximum(elastic * (1.0 - (loss + calming) * speed.real), 0.0) / (1.0 + power) ** 0.25
+    slips = (slip**4 + (h * around * rough * push) ** 4) ** 0.25
+    return push, rough * push * np.tanh(speed.imag / slips)
 
 
 def wall_energy(around: Surroundings, x: Vectors, mass: Floats) -> float:
@@ -117,7 +120,7 @@ class Touching:
 
     Args:
         around: what surrounds the body.
-        inverse_mass: (slots,) 1/kg, zero for a mass that is held; for methods of first order.
+        inverse_mass: (slots,) 1/kg, zero for a mass that is held; for explicit methods.
         masses: number of masses.
         ends: (S, 2) slots of the masses at the ends of each spring.
     """
@@ -132,7 +135,7 @@ class Touching:
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """What contact does to masses at positions x (px) with velocities v (px/s), kg px/s²."""
-        contact, h, total = self._around.contact, self._around.step, np.zeros_like(x)
+        contact, total = self._around.contact, np.zeros_like(x)
         pairs, t, gap = self._touching(x)
         m, a, b = pairs
         spring, turning = x[b] - x[a], v[b] - v[a]
@@ -150,7 +153,7 @@ class Touching:
         rough = contact.friction * np.minimum(square / contact.distance**2, 1.0)
         push, friction = _push_and_friction(
             contact.stiffness, contact.loss, rough, contact.slip,
-            h, across, around, contact.distance - abs(gap), speed,
+            self._around.step, across, around, contact.distance - abs(gap), speed,
         )  # fmt: skip
         force, couple = (push - 1j * friction) * normal, friction * lever
         np.add.at(total, m, force)

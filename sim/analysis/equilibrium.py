@@ -121,9 +121,9 @@ class Resting:
     """
 
     def __init__(self, scene: Scene, balanced: bool) -> None:
-        # A method with a fixed step, for which springs are not softened, and not of first order, for which
-        # walls are.
-        exact = Integrator(method="rk4")
+        # A method with a fixed step, for which springs are not softened, and an implicit one, for which walls
+        # are not.
+        exact = Integrator(method="generalized_alpha")
         wind = scene.wind and msgspec.structs.replace(scene.wind, turbulence=0.0)
         scene = msgspec.structs.replace(validate(scene), integrator=exact, wind=wind)
         self.scene = scene

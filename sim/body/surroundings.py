@@ -39,11 +39,12 @@ def new_surroundings(scene: Scene, mass_index: Indices, ends: Indices, slots: in
     start = np.cumsum([0, *(len(filling.masses) for filling in scene.fillings)])
     loops = [_loop(scene, filling.masses) for filling in scene.fillings]
     method = METHODS[scene.integrator.method]
+    softened = not (method.adaptive or method.implicit)
     wind = scene.wind if scene.air_friction > 0.0 else None
     around = Surroundings(
         mass=mass,
         present=is_surrounded(scene),
-        step=scene.integrator.dt if method.order == 1 else 0.0,
+        step=scene.integrator.dt if softened else 0.0,
         walls=np.array([_wall(wall) for wall in scene.walls], float).reshape(-1, WALL_ROW),
         air_friction=scene.air_friction if wind else 0.0,
         wind_x=wind.velocity[0] if wind else 0.0,

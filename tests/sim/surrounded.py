@@ -35,6 +35,6 @@ KINDS["all"] = {**KINDS["walls"], **KINDS["gusts"], **KINDS["fillings"]}
 
 def surrounded(kind: str, shape: str = "girder", seed: int = 0, **changes: Any) -> Scene:
     """A body of `tests.sim.bodies` in surroundings of a kind; `changes` are arguments of `body`."""
-    # Not the method of first order that bodies have: for that, walls are softened.
-    exact = Integrator(method="rk4", dt=1e-4)
+    # Not an explicit method with a fixed step: for that, walls are softened.
+    exact = Integrator(method="generalized_alpha", dt=1e-4)
     return msgspec.structs.replace(body(shape, seed=seed, **changes), integrator=exact, **KINDS[kind])

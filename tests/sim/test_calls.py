@@ -127,7 +127,7 @@ def test_a_mass_that_was_led_before_a_reset_starts_with_its_own_velocity() -> No
 
 
 # ------------------------------------------------------------------------- steps that are refused
-@pytest.mark.parametrize("method", FIXED)
+@pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet", "rk4"])
 def test_the_last_good_state_has_the_keys_of_its_own_steps(method: Method) -> None:
     scene = REPLACE(
         body("girder", "conservative", 1),
@@ -139,8 +139,6 @@ def test_the_last_good_state_has_the_keys_of_its_own_steps(method: Method) -> No
     simulation, once = Simulation(scene), Simulation(scene)
     simulation.keys = once.keys = {"up", "right"}
     simulation.step(2000)
-    if METHODS[method].implicit or method == "stable_spring":
-        return  # they do not run away
     assert simulation.divergence is not None
     once.step(simulation.step_count)
     assert once.divergence is None

@@ -112,7 +112,7 @@ def test_friction_is_still_where_everything_turns_as_a_whole() -> None:
     masses = tuple(Mass(position=(x, y), velocity=(-3.0 * y, 3.0 * x)) for x, y in at.tolist())
     body = line((0.0, 0.0), (100.0, 0.0), 2, ())
     scene = REPLACE(body, masses=masses, contact=REPLACE(SOFT, friction=10.0, bounciness=0.0))
-    scene = REPLACE(scene, integrator=Integrator(method="rk4"))
+    scene = REPLACE(scene, integrator=Integrator(method="generalized_alpha"))
     _, rough = contact_force(scene)
     _, smooth = contact_force(REPLACE(scene, contact=SMOOTH))
     assert np.abs(smooth).max() > 100.0

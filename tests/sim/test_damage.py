@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene, SceneError, Simulation
 from sim.methods.registry import METHODS
+from sim.scene.surroundings import Contact
 from sim.scene.types import Damage, ForceLaw, Method
 from tests.sim.bodies import LAWS, body
 from tests.sim.inside import same_state, solver_of
@@ -167,6 +168,27 @@ def test_a_squeezed_spring_keeps_some_length() -> None:
     assert np.isfinite(simulation.positions).all()
 
 
+@pytest.mark.parametrize("method", ADAPTIVE)
+def test_a_spring_that_cannot_yield_any_further_does_not_shorten_steps(method: Method) -> None:
+    # Squeezed to the least rest length there is, by a mass that comes back from the other side.
+    scene = flung(speed=-1500.0, yield_force=100.0)
+    simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=0.1, tolerance=0.1)))
+    assert simulation.step(attempts=20_000) == 1
+
+
+@pytest.mark.parametrize("method", ADAPTIVE)
+def test_errors_of_a_yielding_joint_fall_with_the_tolerance(method: Method) -> None:
+    ends = []
+    for tolerance in (0.1, 0.01, 2e-3):
+        scene = bent("conservative", yield_torque=2e6, damping=2.0)
+        scene = REPLACE(scene, integrator=Integrator(method=method, dt=0.01, tolerance=tolerance))
+        simulation = Simulation(scene)
+        simulation.step(15)
+        ends.append(simulation.positions[2])
+    assert np.hypot(*(ends[0] - ends[2])) <= 10.0 * 0.1
+    assert np.hypot(*(ends[1] - ends[2])) <= 10.0 * 0.01
+
+
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("method", METHODS)
 def test_a_joint_yields_and_stays_bent(method: Method, law: ForceLaw) -> None:
@@ -318,3 +340,29 @@ def test_a_broken_spring_is_no_obstacle() -> None:
     assert broken.positions[2, 1] > 50.0
     broken.reset()
     broken.step(1)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_energy_of_what_touches_a_spring_goes_with_it(method: Method) -> None:
+    # A mass is pressed against a spring that is stretched beyond its strength, and breaks in the first step.
+    scene = Scene(
+        name="pressed",
+        masses=tuple(Mass(position=p) for p in ((-100.0, 0.0), (100.0, 0.0), (0.0, -5.0), (0.0, -105.0))),
+        linear_springs=(
+            LinearSpring(a=0, b=1, stiffness=10.0, rest_length=190.0, strength=50.0),
+            LinearSpring(a=2, b=3, stiffness=10.0, rest_length=100.0),
+        ),
+        anchors=(Anchor(mass=0), Anchor(mass=1)),
+        gravity=(0.0, 0.0),
+        contact=Contact(distance=12.0, stiffness=300.0, friction=0.0),
+        integrator=Integrator(method=method, dt=1e-5, tolerance=1e-6),
+    )
+    simulation = Simulation(scene)
+    before = simulation.energy()
+    assert before.contact == pytest.approx(300.0 * 7.0**3 / 3.0)
+    simulation.step(20)
+    book = simulation.energy()
+    assert simulation.damage is not None and simulation.damage.broken == (0,)
+    assert book.contact == 0.0
+    assert book.broken == pytest.approx(-before.contact - 500.0, rel=1e-3)
+    assert abs(book.residual) <= 1e-3 * before.contact

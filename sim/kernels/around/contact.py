@@ -40,7 +40,7 @@ def pair_terms(body, w, m, a, b, line, motion, met, vx, vy):
     The lever is the vector by which the speed of sliding decreases with the rate of e.
 
     Args:
-        w: inverse masses, which matter for methods of first order only.
+        w: inverse masses, which matter for explicit methods with a fixed step only.
         m, a, b: slots of the masses.
         line, motion: of `segment` and `moving`.
         met: of `meeting`.
@@ -116,17 +116,25 @@ def push_apart(body, w, x, y, vx, vy, fx, fy):
 @kernel(internal=True, fastmath=FUSED)
 def energy_of_contact(body, x, y):
     """The energy of all pairs that touch, kg px²/s²."""
-    contact, energy = body.surroundings.contact, 0.0
+    energy = 0.0
     update_pairs(body, x, y)
     for s in range(body.springs):
-        first, behind = pairs_of(body, s)
-        line = segment(x, y, body.spring_a[s], body.spring_b[s])
-        for p in range(first, behind):
-            m = contact.member[p]
-            _, dx, dy = meeting(line, x[m], y[m])
-            depth = contact.distance - math.sqrt(dx * dx + dy * dy)
-            if depth > 0.0:
-                energy += contact.stiffness * depth * depth * depth / 3.0
+        energy += energy_on_spring(body, x, y, s)
+    return energy
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def energy_on_spring(body, x, y, s):
+    """The energy of the masses that touch a spring, kg px²/s²; the list of pairs must be up to date."""
+    contact, energy = body.surroundings.contact, 0.0
+    first, behind = pairs_of(body, s)
+    line = segment(x, y, body.spring_a[s], body.spring_b[s])
+    for p in range(first, behind):
+        m = contact.member[p]
+        _, dx, dy = meeting(line, x[m], y[m])
+        depth = contact.distance - math.sqrt(dx * dx + dy * dy)
+        if depth > 0.0:
+            energy += contact.stiffness * depth * depth * depth / 3.0
     return energy
 
 

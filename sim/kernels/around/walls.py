@@ -63,6 +63,30 @@ def push_from_walls(body, inverse_mass, x, y, vx, vy, ax, ay):
 
 
 @kernel(fastmath=FAST)
+def shortest_impact(body, inverse_mass, q, v, a, h):
+    """The shortest time, s, in which a mass gets as deep into a wall as its speed leads.
+
+    It is that of masses that are in a wall, or enter one within h seconds, and infinite where there are none.
+
+    Args:
+        a: flat accelerations, px/s². A mass that rests in a wall has none, and counts as slow.
+    """
+    around, shortest, slots = body.surroundings, math.inf, q.size // 2
+    for k in range(around.walls.shape[0]):
+        wall = around.walls[k]
+        nx, ny, hardness = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y], wall[WALL_HARDNESS]
+        for i in range(1, body.masses + 1):
+            depth = depth_in(wall, q[i], q[slots + i])
+            speed = nx * v[i] + ny * v[slots + i]
+            if inverse_mass[i] > 0.0 and max(depth, depth - h * speed) > 0.0:
+                # As fast as it is, and as it will be when the wall has thrown it out.
+                out = math.sqrt(2.0 / 3.0 * hardness * max(depth, 0.0) ** 3)
+                fastest = abs(speed) + min(h * abs(nx * a[i] + ny * a[slots + i]), out)
+                shortest = min(shortest, (1.5 / (hardness * fastest + 1e-300)) ** (1.0 / 3.0))
+    return shortest
+
+
+@kernel(fastmath=FAST)
 def energy_in_walls(body, inverse_mass, x, y):
     """The energy of all free masses inside walls, kg px²/s²."""
     around, energy = body.surroundings, 0.0
@@ -94,7 +118,7 @@ def power_of_walls(body, inverse_mass, x, y, vx, vy):
 def derivatives_at_wall(wall, depth, vx, vy, definite):
     """The derivatives of a wall's acceleration of a mass inside it by position and by velocity, two blocks.
 
-    They are those without the softening for methods of first order, which use no derivatives. `definite`
+    They are those without the softening for explicit methods, which use no derivatives. `definite`
     leaves out what could make the matrix of an implicit step indefinite.
     """
     nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]

@@ -10,7 +10,7 @@ class Surroundings(Table):
     """Read-only. W walls, K waves of gusts, L loops with a filling."""
 
     present: bool  # anything is in this table
-    step: float  # s, of a method of first order, for which walls are softened; 0 for all others
+    step: float  # s, of an explicit method with a fixed step, for which walls are softened; 0 for others
     mass: Floats  # (slots,) kg
     # Walls
     walls: Rows  # (W, 8), see the WALL_ constants

@@ -45,7 +45,7 @@ def run_euler(problem, drive, end, tolerance, attempts):
         scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
         _copy(q, v, kept_q, kept_v)
         if balance.active:
-            _step_with_balance(problem, drive, fixed_time(problem, first + done))
+            _step_with_balance(problem, drive, first + done)
         else:
             for step in range(done + 1, done + batch + 1):
                 at = fixed_time(problem, first + step)
@@ -73,22 +73,22 @@ def run_euler(problem, drive, end, tolerance, attempts):
 
 
 @kernel(fastmath=FUSED)
-def _step_with_balance(problem, drive, t):
-    """One step, adding its work to the energy balance, which needs the accelerations at both ends."""
+def _step_with_balance(problem, drive, number):
+    """The step with that number, adding its work to the energy balance, which needs both ends' forces."""
     body, state, integrator, h = problem.body, problem.state, problem.integrator, problem.fixed
-    q, v = state.q, state.v
+    q, v, t, end = state.q, state.v, fixed_time(problem, number), fixed_time(problem, number + 1)
     to_q, to_v, to_a = integrator.rows[2], integrator.rows[3], integrator.rows[4]
     lead_to(drive, t, q, v)
     accelerate(problem, q, v, integrator.a)
     _copy(q, v, to_q, to_v)
     press(body, state, drive, h)
     if drive.gusty:
-        state.clock[0] = t + h
+        state.clock[0] = end
     scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
-    lead_to(drive, t + h, to_q, to_v)
+    lead_to(drive, end, to_q, to_v)
     accelerate(problem, to_q, to_v, to_a)
     _kick_and_drift(to_q, to_v, to_a, h)
-    lead_to(drive, t + h, to_q, to_v)
+    lead_to(drive, end, to_q, to_v)
     accelerate(problem, to_q, to_v, to_a)
     accumulate(problem, drive, t, to_q, to_v, to_a, h)
     _copy(to_q, to_v, q, v)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 
+from ..around.walls import shortest_impact
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate, accumulate, bears, factorise, keeps_apart, settle, solve
 from ..core.tables import (
@@ -85,6 +86,10 @@ _RAISE = 1.06
 _RAISE_FIXED = 1.3
 """The same for a fixed step."""
 
+_IMPACT = 0.3
+"""Largest fixed step in which something hits a wall, relative to the time until it is deepest: in longer ones
+it may leave faster than it came."""
+
 _ERROR = 0.1
 """Error of a step as a fraction of the distance between prediction and solution, found by experiment."""
 
@@ -125,9 +130,12 @@ def run_alpha(problem, drive, end, tolerance, attempts):
             break
         # Equal steps up to the end: where steps change, what is kept from the last one is only of first
         # order. A fixed step is divided by itself, so that a run does not depend on how it is cut into calls.
+        most = h
         if fixed > 0.0:
             goal = fixed_time(problem, fixed_steps(problem, t) + 1)
-        step = (goal - t) / max(math.ceil((goal - t) / h - 1e-6), 1)
+            if body.surroundings.present:
+                most = min(h, _IMPACT * shortest_impact(body, state.inverse_mass, q, v, integrator.a, h))
+        step = (goal - t) / max(math.ceil((goal - t) / most - 1e-6), 1)
         # Motions that are too fast for the coming steps show up in the accelerations: discard those.
         calming = fixed == 0.0 and controller[CONTROLLER_BEGUN] < _CALMING
         am, af, gamma, beta, kept = _EULER if calming else _ALPHA

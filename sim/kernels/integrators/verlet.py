@@ -155,7 +155,6 @@ def run_verlet(problem, drive, end, tolerance, attempts):
             t = fixed_time(problem, first + steps)
         else:
             t = end if step == end - t else t + step
-        if fixed == 0.0:
             cap *= _RAISE
             if failures == 0 and error * cap * cap < _ROOMY * step * step and cap < 2.0 * step:
                 # The limit determines the next step, which therefore need not wait for the error.

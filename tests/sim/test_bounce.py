@@ -1,0 +1,108 @@
+"""Bounces: no method leaves a wall, or another body, with more than it came with, however long its steps."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import msgspec
+import numpy as np
+import pytest
+
+from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.methods.registry import METHODS
+from sim.scene.surroundings import Contact, Wall
+from sim.scene.types import Method
+
+REPLACE = msgspec.structs.replace
+FIXED = [name for name, info in METHODS.items() if not info.adaptive]
+FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0))
+
+
+def falling(height: float, speed: float, wall: Wall, method: Method, dt: float) -> Scene:
+    """Two masses on a spring, side by side, whose stability limit is 32 ms at least."""
+    return Scene(
+        name="two masses",
+        masses=tuple(Mass(position=(x, -height), velocity=(0.0, speed)) for x in (0.0, 30.0)),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=2000.0, rest_length=30.0),),
+        gravity=(0.0, 0.0),
+        air_friction=0.0,
+        walls=(wall,),
+        integrator=Integrator(method=method, dt=dt),
+    )
+
+
+def left_with(simulation: Simulation, mass: int, surface: float) -> float:
+    """The speed, px/s, with which a mass that falls from above leaves what is at that height."""
+    for _ in range(3000):
+        simulation.step()
+        assert simulation.divergence is None
+        x, v = simulation.positions[mass], simulation.velocities[mass]
+        if x[1] < surface and v[1] < 0.0:
+            return float(np.hypot(*v))
+    raise AssertionError("it stays inside")
+
+
+@pytest.mark.parametrize("method", FIXED)
+@pytest.mark.parametrize(("bounciness", "most"), [(0.3, 1.0), (0.5, 1.0), (0.8, 1.0), (1.0, 1.005)])
+def test_no_fixed_step_makes_a_floor_give_energy(method: Method, bounciness: float, most: float) -> None:
+    wall = REPLACE(FLOOR, bounciness=bounciness)
+    for speed, dt, part in itertools.product(
+        (10.0, 100.0, 500.0, 4000.0, 20000.0), (0.001, 0.0025, 1.0 / 60.0), (0.1, 0.45, 0.8)
+    ):
+        scene = falling(part * speed * dt, speed, wall, method, dt)
+        assert left_with(Simulation(scene), 0, 0.0) <= most * speed
+
+
+@pytest.mark.parametrize("method", FIXED)
+def test_short_steps_leave_as_the_bounciness_says(method: Method) -> None:
+    # A mass that comes with 1000 px/s leaves with that part of it.
+    for bounciness in (0.3, 0.8, 1.0):
+        scene = falling(1.0, 1000.0, REPLACE(FLOOR, bounciness=bounciness), method, 1e-5)
+        assert left_with(Simulation(scene), 0, 0.0) == pytest.approx(1000.0 * bounciness, rel=2e-3)
+
+
+@pytest.mark.parametrize("method", FIXED)
+@pytest.mark.parametrize(("bounciness", "friction"), [(1.0, 0.5), (0.9, 100.0)])
+def test_nor_does_friction(method: Method, bounciness: float, friction: float) -> None:
+    wall = REPLACE(FLOOR, bounciness=bounciness, friction=friction)
+    for speed, dt, part in itertools.product((10.0, 500.0, 4000.0), (0.001, 1.0 / 60.0), (0.1, 0.45, 0.8)):
+        scene = falling(part * speed * dt, speed, wall, method, dt)
+        aslant = tuple(REPLACE(mass, velocity=(0.7 * speed, speed)) for mass in scene.masses)
+        assert left_with(Simulation(REPLACE(scene, masses=aslant)), 0, 0.0) <= math.hypot(0.7, 1.0) * speed
+
+
+@pytest.mark.parametrize("method", FIXED)
+def test_nor_does_another_body(method: Method) -> None:
+    # As fast as half of the distance of contact in a step: what is faster may pass.
+    contact = Contact(distance=12.0, stiffness=500.0, friction=0.0, bounciness=0.5)
+    for speed, dt, part in itertools.product((10.0, 100.0, 360.0), (0.001, 1.0 / 60.0), (0.1, 0.45, 0.8)):
+        height = contact.distance + part * speed * dt
+        scene = Scene(
+            name="a mass above a spring",
+            masses=(
+                Mass(position=(-200.0, 0.0)),
+                Mass(position=(200.0, 0.0)),
+                Mass(position=(0.0, -height), velocity=(0.0, speed)),
+                Mass(position=(0.0, -height - 1000.0), velocity=(0.0, speed)),
+            ),
+            linear_springs=(
+                LinearSpring(a=0, b=1, stiffness=1.0, rest_length=400.0),
+                LinearSpring(a=2, b=3, stiffness=0.0, rest_length=1000.0),
+            ),
+            anchors=(Anchor(mass=0), Anchor(mass=1)),
+            gravity=(0.0, 0.0),
+            air_friction=0.0,
+            contact=contact,
+            integrator=Integrator(method=method, dt=dt),
+        )
+        assert left_with(Simulation(scene), 2, -contact.distance) <= speed
+
+
+def test_a_body_at_rest_on_a_floor_needs_no_shorter_steps() -> None:
+    scene = falling(0.0, 0.0, FLOOR, "generalized_alpha", 1.0 / 60.0)
+    simulation = Simulation(REPLACE(scene, gravity=(0.0, 2000.0), air_friction=0.1))
+    simulation.advance(20.0)
+    simulation.stats()
+    simulation.step(20)
+    assert simulation.stats().steps == 20
