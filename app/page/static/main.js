@@ -1,6 +1,7 @@
 // @ts-check
 /** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
 import { addArrows } from "./arrow_marks.js";
+import { tellApart } from "./axis_numbers.js";
 import { addBodyKeys } from "./body_keys.js";
 import { fitted, keepFlat } from "./camera.js";
 import { listenToClipboard } from "./clipboard.js";
@@ -57,8 +58,10 @@ sayWhose();
 takeLink();
 const late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
 watchConnection(showConnection());
+const plotsAreLoaded = tellApart();
 whenViser((viser) => {
   clearTimeout(late);
+  plotsAreLoaded();
   if (!isKnown(viser)) {
     complain(FAULT);
     return;
