@@ -48,9 +48,10 @@ def begin_step(
     lesson = session.scene.lesson
     if lesson is None:
         return
-    session.post(commands.Open(scene_of_step(session.opened, begin.step), begun=True))
     step = lesson.steps[begin.step]
-    session.post(commands.Play(begin.run or step.question is None))
+    waits = step.question is not None and not begin.run
+    session.post(commands.Open(scene_of_step(session.opened, begin.step), begun=True, waits=waits))
+    session.post(commands.Play(not waits))
     if step.plots is not None and measure is not None:
         measure.remember(tuple(map(wish_of, step.plots)), show=bool(step.plots))
     if step.arrows is not None and tools is not None:

@@ -169,10 +169,12 @@ class Open:
 
     Attributes:
         begun: whether it is as a step of its lesson begins; otherwise the page is to begin one.
+        waits: whether it is to stand until a question of its lesson is answered.
     """
 
     scene: Scene
     begun: bool = False
+    waits: bool = False
 
 
 @dataclass(frozen=True)

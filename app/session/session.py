@@ -72,7 +72,7 @@ class Session(Editing):
     @property
     def heavy(self) -> bool:
         """Whether the next frame may take longer than others can wait for."""
-        waiting = [command for _, command in list(self._queue)]
+        waiting = self._waiting()
         beside = self.ghost, self.foresight
         opened = [command.scene for command in waiting if isinstance(command, commands.Open)]
         return (
@@ -90,13 +90,18 @@ class Session(Editing):
     def will_play(self) -> bool:
         """Whether the clock runs once the commands that wait are applied."""
         playing = self.playing
-        for _, command in list(self._queue):
+        for command in self._waiting():
             match command:
                 case commands.Play(on):
                     playing = not playing if on is None else on
                 case commands.DoSteps():
                     playing = False
         return playing
+
+    def _waiting(self) -> list[Command]:
+        """The commands that wait; handlers may be adding to them."""
+        with self._lock:
+            return [command for _, command in self._queue]
 
     # --------------------------------------------------------------------- any thread
     def post(self, command: Command) -> None:
@@ -157,6 +162,7 @@ class Session(Editing):
         elif running:
             self._step(now, budget)
         # While the clock stands, only what its user changes can move the limit.
+        running = running and self.playing  # it may have ended just now
         due = now >= self._stability_due and (running or self._estimated != self.revision)
         if self._look is None and due:
             self._estimated, self._looked = self.revision, 0.0
@@ -188,7 +194,7 @@ class Session(Editing):
                     break
                 at, command = self._queue.popleft()
             try:
-                if self.replay is not None and _is_input(command):
+                if self.replay is not None and self._is_input(command):
                     self._end_replay("You have taken over from the replay.")
                 if not (self._apply_to_time(command) or self._apply_to_scene(command)):
                     self._apply(command, at)
@@ -255,15 +261,17 @@ class Session(Editing):
                 self.books = on
                 self.recorder.keep_books(on)
                 self.revision += 1
-            case commands.Open(scene, begun):
-                stopped = self.simulation.divergence is not None
+            case commands.Open(scene, begun, waits):
+                # What stopped the clock was the other body's.
+                stopped = self.simulation.divergence is not None or self.waits
                 before = self.simulation.capture()
                 self._open(scene)
                 self.lesson_begun = begun
                 opened = self.simulation.capture()
                 self.versions.add_leap(f"opening {scene.title or scene.name}", before, opened)
-                if stopped:
-                    self.play(True)  # it was the other body that ended the run
+                if stopped or waits:
+                    self.play(not waits)
+                self.waits = waits
             case commands.Play(on):
                 self.play(not self.playing if on is None else on)
             case commands.DoSteps(steps):
@@ -320,6 +328,28 @@ class Session(Editing):
         self._follow(done, led, budget - seconds)
         self._after_steps()
 
+    def _is_input(self, command: Command) -> bool:
+        """Whether a command does something to the body."""
+        match command:
+            case commands.HoldKeys(keys):
+                return bool(keys)
+            case commands.Follow(on):
+                return on
+            case commands.DragStart() | commands.SetValue() | commands.SetChoice() | commands.DoSteps():
+                return True
+            case commands.Change():
+                return True
+            case commands.Undo():
+                return self.versions.has_undo(self.simulation.capture().scene)
+            case commands.Redo():
+                return self.versions.has_redo(self.simulation.capture().scene)
+            case commands.Reset() | commands.KeepBooks() | commands.Compare() | commands.Foretell():
+                return True
+            case commands.OwnValues():
+                return True
+            case _:
+                return False
+
     # --------------------------------------------------------------------- logs and keepsakes
     def _save_log(self, result: Future[bytes]) -> None:
         try:
@@ -355,6 +385,9 @@ class Session(Editing):
         if self.simulation.divergence is not None:
             self.play(False)
             self.offer_back = True
+            # The limit that is told is that of the body when it ran away, not of what is left of it.
+            self.stability = self.simulation.divergence.stability
+            self._look, self._estimated = None, self.revision
             self.notices.append(runaway(self.simulation.divergence, self.simulation.scene))
 
 
@@ -368,22 +401,3 @@ def _answer(result: Future[T]) -> T:
         return result.result(timeout=5.0)
     except TimeoutError:
         raise InputError("the scene is busy; try again") from None
-
-
-def _is_input(command: Command) -> bool:
-    """Whether a command does something to the body."""
-    match command:
-        case commands.HoldKeys(keys):
-            return bool(keys)
-        case commands.Follow(on):
-            return on
-        case commands.DragStart() | commands.SetValue() | commands.SetChoice() | commands.DoSteps():
-            return True
-        case commands.Change() | commands.Undo() | commands.Redo():
-            return True
-        case commands.Reset() | commands.KeepBooks() | commands.Compare() | commands.Foretell():
-            return True
-        case commands.OwnValues():
-            return True
-        case _:
-            return False
