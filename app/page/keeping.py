@@ -5,8 +5,10 @@ from __future__ import annotations
 import base64
 import binascii
 import zlib
+from typing import Annotated
 
 import msgspec
+from msgspec import Meta
 
 from ..session.plots import Wish
 
@@ -15,17 +17,21 @@ MOST_BYTES = 8_000_000
 
 
 class Kept(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A keepsake of the session, how the page looked, and which plots were open."""
+    """A keepsake of the session, how the page looked, which plots were open, and a secret by which the server
+    knows what there was to undo; empty if there was nothing.
+    """
 
     session: msgspec.Raw
     dark: bool = False
     gizmos: bool = False
     plots: tuple[Wish, ...] = ()
+    undo: Annotated[str, Meta(pattern="^([0-9a-f]{32})?$")] = ""
 
 
-def encode(session: bytes, dark: bool, gizmos: bool, plots: tuple[Wish, ...] = ()) -> bytes:
+def encode(session: bytes, dark: bool, gizmos: bool, plots: tuple[Wish, ...] = (), undo: str = "") -> bytes:
     """What the browser is to keep, JSON."""
-    return msgspec.json.encode(Kept(session=msgspec.Raw(session), dark=dark, gizmos=gizmos, plots=plots))
+    kept = Kept(session=msgspec.Raw(session), dark=dark, gizmos=gizmos, plots=plots, undo=undo)
+    return msgspec.json.encode(kept)
 
 
 def decode(letters: str) -> Kept | None:

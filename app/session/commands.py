@@ -16,6 +16,7 @@ from sim import Moment, Scene
 from sim.edit.edit import Edit, Selection
 
 from .log import Log
+from .versions import Versions
 
 
 @dataclass(frozen=True)
@@ -273,9 +274,15 @@ class Replay:
 
 @dataclass(frozen=True)
 class Resume:
-    """A page is to go on where a keepsake was made, see `Session.keepsake`."""
+    """A page is to go on where a keepsake was made, see `Session.keepsake`.
+
+    Attributes:
+        keepsake: as above.
+        versions: what it had to undo, if that is known; the session's own from then on.
+    """
 
     keepsake: bytes
+    versions: Versions | None = None
 
 
 Command = (

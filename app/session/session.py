@@ -11,6 +11,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
+from dataclasses import replace
 from typing import TypeVar
 
 import msgspec
@@ -31,6 +32,7 @@ from .notices import Notice, runaway
 from .pacing import HEAVY_UNIT, is_large
 from .shadow import Foresight
 from .timeline import MOST_SECONDS
+from .versions import Versions
 
 __all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "SPEEDS", "Notice", "Session"]
 
@@ -307,8 +309,8 @@ class Session(Editing):
                 self._save_log(result)
             case commands.Replay(record):
                 self._begin_replay(record)
-            case commands.Resume(keepsake):
-                self._resume(keepsake)
+            case commands.Resume(keepsake, versions):
+                self._resume(keepsake, versions)
             case commands.SelectJoint(joint):
                 if 0 <= joint < len(self.simulation.scene.angular_springs):
                     self.joint = joint
@@ -359,14 +361,17 @@ class Session(Editing):
         except (InputError, SceneError) as error:
             result.set_exception(error)
 
-    def _resume(self, data: bytes) -> None:
+    def _resume(self, data: bytes, versions: Versions | None) -> None:
         try:
             kept = keepsakes.decode(data)
         except SceneError as error:
             raise SceneError(f"could not be resumed: {error}") from None
         moment, wishes = kept.moment, kept.wishes
+        known = versions.return_to(moment.scene) if versions is not None else None
+        if known is not None:
+            moment = replace(moment, scene=known)  # by which the versions know it
         self._open(moment.scene)
-        self.versions.clear()
+        self.versions = versions if versions is not None and known is not None else Versions()
         self.opened = kept.opened
         self.recorder.restore(moment)
         self._begin_history()

@@ -75,6 +75,12 @@ class Versions:
         self._bytes = 0
         self._at = 0  # so many steps lead to the present version
 
+    def copy(self) -> Versions:
+        """The same, to go on from here in another way."""
+        other = Versions()
+        other._steps, other._bytes, other._at = list(self._steps), self._bytes, self._at
+        return other
+
     @property
     def undoable(self) -> str:
         """What the next undo takes back; empty if there is nothing."""
@@ -200,6 +206,14 @@ class Versions:
             if self._scene(at) is scene:
                 self._at = at
                 return
+
+    def return_to(self, scene: Scene) -> Scene | None:
+        """Be at the version that equals a scene, and return that version; None if no version does."""
+        for at in sorted(range(len(self._steps) + 1), key=lambda at: abs(at - self._at)):
+            if (known := self._scene(at)) == scene:
+                self._at = at
+                return known
+        return None
 
     # --------------------------------------------------------------------- inside
     def _last_of(self, key: str, now: float = 0.0) -> Step | None:
