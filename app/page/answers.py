@@ -106,12 +106,18 @@ class Answers:
                 self._shelf.introduce(ask)
             case asks.Unread(text):
                 self._notify(unread(text))
+            case asks.Unsent(what):
+                self._notify(Notice("error", f"That cannot be {_DONE[what]}", UNSENT))
             case asks.Scenes():
                 self.gallery.list(ask)
             case asks.OpenScene():
                 self.gallery.open(ask)
             case asks.Change():
                 self.gallery.change(ask)
+
+
+UNSENT = "It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses."
+_DONE = {"resume": "resumed", "link": "opened", "paste": "pasted"}
 
 
 def unread(text: str) -> Notice:

@@ -47,6 +47,12 @@ class Unread(Ask, frozen=True):
     text: Annotated[str, Meta(min_length=1, max_length=40)]
 
 
+class Unsent(Ask, frozen=True):
+    """Something was too long to be sent; its user is to be told."""
+
+    what: Literal["resume", "link", "paste"]
+
+
 class Who(Ask, frozen=True):
     """Whose the page is: a secret of its browser, and the owner's key if it was opened with that."""
 
@@ -170,7 +176,7 @@ class Do(Gesture, frozen=True):
 
 
 _decode = msgspec.json.Decoder(
-    Share | Offer | Unread | Who | Scenes | OpenScene | Change
+    Share | Offer | Unread | Unsent | Who | Scenes | OpenScene | Change
     | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Do
 ).decode  # fmt: skip
 

@@ -69,12 +69,15 @@ class Gallery:
         scenes = self._shelf.scenes()
         self._mail.send("scenes", scenes=shelf.entries(scenes), present=self._session.scene.name)
         pictures: dict[str, str] = {}
+        part = 0
         saved = [info for info in scenes if not info.built_in][:MOST_PAINTED]
         for count, info in enumerate(saved, start=1):
             if picture := _picture(info.path, ask.dark):
                 pictures[info.name] = picture
             if count % PAINTED_AT_ONCE == 0 or count == len(saved):
-                self._mail.send("pictures", pictures=pictures)
+                # Each part has a kind of its own: none may be lost, and none is sent twice.
+                self._mail.send(f"pictures-{part}", pictures=pictures)
+                pictures, part = {}, part + 1
 
     def change(self, ask: Change) -> None:
         """Rename, copy, delete or bring back one of the page's own scenes, and say what was done."""

@@ -5,8 +5,10 @@ from __future__ import annotations
 import base64
 import binascii
 import zlib
+from typing import Annotated
 
 import msgspec
+from msgspec import Meta
 
 from ..session.plots import Wish
 
@@ -35,16 +37,21 @@ PLAIN = Looks()
 
 
 class Kept(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A keepsake of the session, how the page and its tables looked, and which plots were open."""
+    """A keepsake of the session, how the page and its tables looked, and which plots were open.
+
+    Attributes:
+        undo: a secret by which the server knows what there was to undo; empty if there was nothing.
+    """
 
     session: msgspec.Raw
     looks: Looks = PLAIN
     plots: tuple[Wish, ...] = ()
+    undo: Annotated[str, Meta(pattern="^([0-9a-f]{32})?$")] = ""
 
 
-def encode(session: bytes, looks: Looks, plots: tuple[Wish, ...] = ()) -> bytes:
+def encode(session: bytes, looks: Looks, plots: tuple[Wish, ...] = (), undo: str = "") -> bytes:
     """What the browser is to keep, JSON."""
-    return msgspec.json.encode(Kept(session=msgspec.Raw(session), looks=looks, plots=plots))
+    return msgspec.json.encode(Kept(session=msgspec.Raw(session), looks=looks, plots=plots, undo=undo))
 
 
 def decode(letters: str) -> Kept | None:

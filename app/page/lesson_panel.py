@@ -108,6 +108,7 @@ class LessonPanel:
             self._notify(Notice("error", "This step cannot begin", str(error)))
             return
         step = lesson.steps[begin.step]
-        session.post(commands.Open(scene, begun=True))
+        waits = step.question is not None and begin.how == "wait"
+        session.post(commands.Open(scene, begun=True, waits=waits))
         session.post(commands.Compare(step.ghost or "", ""))
-        session.post(commands.Play(begin.how == "run" or step.question is None))
+        session.post(commands.Play(not waits))

@@ -9,6 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from ..session.plots import LEAST_PART
+
 Floats = NDArray[np.float64]
 
 WIDTH, HEIGHT = 310.0, 240.0
@@ -98,5 +100,7 @@ def _range(values: Floats) -> tuple[float, float]:
     if not finite.size:
         return 0.0, 1.0
     low, high = float(finite.min()), float(finite.max())
-    more = 0.05 * (high - low) or 0.05 * abs(high) or 1.0
+    # Values that hardly differ are told apart by no marks.
+    size = max(abs(low), abs(high))
+    more = 0.05 * (high - low) if high - low > LEAST_PART * size else 0.05 * size or 1.0
     return low - more, high + more

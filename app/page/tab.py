@@ -6,6 +6,7 @@ viser's event loop or in its pool, only post commands and requests.
 
 from __future__ import annotations
 
+import secrets
 import time
 from collections import deque
 from collections.abc import Callable
@@ -30,7 +31,7 @@ from ..session.hand import GIZMO
 from ..session.pacing import is_large
 from ..session.plots import Wish
 from ..session.session import Notice, Session
-from . import controls, keeping, mail, readouts, script
+from . import controls, keeping, mail, pasts, readouts, script
 from .answers import Answers
 from .comma_switch import CommaSwitch
 from .controls import Controls
@@ -112,6 +113,7 @@ class Tab:
         self._runaway: viser.NotificationHandle | None = None
         self._keep_due = 0.0
         self._kept_opening = -1
+        self._secret = secrets.token_hex(16)
         self._readouts_due = 0.0
         self._moved_at = 0.0
         self._was_at_rest = False
@@ -232,8 +234,12 @@ class Tab:
 
         def resume(kept: keeping.Kept) -> None:
             # At once: a link that the page sends after it goes before it.
-            session.post(commands.Resume(bytes(kept.session)))
+            versions = pasts.of(kept.undo) if kept.undo else None
+            session.post(commands.Resume(bytes(kept.session), versions))
             self.request("resume", kept)
+            if kept.undo and versions is None:
+                text = "What was changed before the connection was lost can no longer be undone."
+                self.notify(Notice("info", "Undo begins anew", text))
 
         def show(scene: sim.Scene) -> None:
             session.post(commands.Open(scene))
@@ -449,7 +455,10 @@ class Tab:
         if not due or state == self._kept or resting or session.replay is not None:
             return
         began = time.thread_time()  # that others have the processor is no reason to keep less often
-        self._view.keep(keeping.encode(session.keepsake(), self._looks, plots))
+        undo = self._secret if len(session.versions) else ""
+        if undo:
+            pasts.keep(undo, session.versions)
+        self._view.keep(keeping.encode(session.keepsake(), self._looks, plots, undo))
         self._kept = state
         self._kept_opening = session.openings
         wait = (time.thread_time() - began) / KEEP_SHARE

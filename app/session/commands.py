@@ -16,6 +16,7 @@ from sim import Moment, Scene
 from sim.edit.edit import Edit, Selection
 
 from .log import Log
+from .versions import Versions
 
 
 @dataclass(frozen=True)
@@ -180,10 +181,12 @@ class Open:
 
     Attributes:
         begun: whether it is as a step of its lesson begins; otherwise the page is to begin one.
+        waits: whether it is to stand until a question of its lesson is answered.
     """
 
     scene: Scene
     begun: bool = False
+    waits: bool = False
 
 
 @dataclass(frozen=True)
@@ -282,9 +285,15 @@ class Replay:
 
 @dataclass(frozen=True)
 class Resume:
-    """A page is to go on where a keepsake was made, see `Session.keepsake`."""
+    """A page is to go on where a keepsake was made, see `Session.keepsake`.
+
+    Attributes:
+        keepsake: as above.
+        versions: what it had to undo, if that is known; the session's own from then on.
+    """
 
     keepsake: bytes
+    versions: Versions | None = None
 
 
 Command = (

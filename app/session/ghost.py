@@ -69,7 +69,9 @@ class Ghost:
         self._start(simulation)
 
     def variant(self, scene: sim.Scene) -> sim.Scene:
-        """The first body's scene with this one's method and law."""
+        """The first body's scene with this one's method and law, as far as it has a use for them."""
+        if not CHOICES["method"].applies(scene):
+            return scene  # every mass is held: there is nothing that a method could do differently
         if self.method == REFERENCE:
             scene = set_choice(scene, "method", "auto")
             tight = msgspec.structs.replace(scene.integrator, tolerance=REFERENCE_TOLERANCE)

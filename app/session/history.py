@@ -213,8 +213,10 @@ class History:
         unless the body was too fast for its size even then.
         """
         moments = [frame.moment for frame in self._frames]
-        mass = np.array([m.mass for m in moments[-1].scene.masses])
-        squares = [float(mass @ (m.rows[2] ** 2 + m.rows[3] ** 2)) for m in moments]
+        # Most share a scene; an edit may have added or removed masses.
+        scenes = {id(m.scene): m.scene for m in moments}
+        masses = {key: np.array([mass.mass for mass in scene.masses]) for key, scene in scenes.items()}
+        squares = [float(masses[id(m.scene)] @ (m.rows[2] ** 2 + m.rows[3] ** 2)) for m in moments]
         smooth = [max(squares[max(0, i - _SMOOTH + 1) : i + 1]) for i in range(len(squares))]
         onset = self.last
         while onset > 0 and smooth[onset - 1] < smooth[onset]:
@@ -222,7 +224,7 @@ class History:
         index = self.nearest(moments[onset].time - BEFORE_RUNAWAY)
         # Some have been torn to and fro for long before they run away.
         sizes = [float(np.ptp(m.rows[:2], axis=1).max()) for m in moments[: index + 1]]
-        calm = float(mass.sum()) * (_CALM * float(np.median(sizes))) ** 2
+        calm = float(masses[id(moments[index].scene)].sum()) * (_CALM * float(np.median(sizes))) ** 2
         return next((i for i in range(index, -1, -1) if squares[i] <= calm), index)
 
     def _drop_last(self) -> None:

@@ -42,6 +42,13 @@ STEPS = 2.0**14
 """Heights on a plot that can be told apart: many times the pixels that there are, and good for four digits.
 Numbers that are rounded to so many take fewer bytes on their way."""
 
+LEAST_PART = 1e-6
+"""Range of an axis, at least, as a part of the largest value on it: what a body at rest still does is less. A
+plot of that alone would have more marks than a page can draw, and no digits to tell them apart."""
+
+LEAST_LENGTH = 1.0 / 60_000.0
+"""The same for lengths, as a part of the scene's frame: a hundredth of a pixel where that is 600 px high."""
+
 Name = Annotated[str, Meta(max_length=60)]
 
 
@@ -111,6 +118,8 @@ class Plot:
         self.wish = Wish(tuple(q.name for q in self.quantities[: len(names)]), wish.over)
         if len(self.units) > MOST_UNITS:
             raise InputError(f"a plot has room for two units, but not for {', '.join(self.units)}")
+        left, top, right, bottom = scene.view.frame
+        self._least_length = scene.view.unit, LEAST_LENGTH * max(right - left, bottom - top)
         # Twice the room, so that rows seldom have to be moved.
         self._room = np.empty((2 * SPAN, 1 + len(self.quantities)))
         self._first = self._end = 0
@@ -184,6 +193,27 @@ class Plot:
         first, now, last = np.searchsorted(times, (end - seconds, self.shown, end), side="right").tolist()
         return self.rows[first:last], now - first
 
+    def level(self, values: Floats) -> Floats:
+        """What is drawn of values, (1 + quantities, k) with the times, s, first.
+
+        Those of one axis that hardly differ are one value: see `LEAST_PART` and `LEAST_LENGTH`.
+        """
+        values, count = values.copy(), len(self.wish.names)
+        units = [q.unit for q in self.quantities[:count]]
+        axes = [[i for i, unit in enumerate(units, start=1) if unit == one] for one in dict.fromkeys(units)]
+        for rows in (*axes, *([[1 + count]] if self.wish.over else [])):
+            shown = values[rows]
+            finite = np.isfinite(shown)
+            some = shown[finite]
+            if not some.size:
+                continue
+            unit, least = self._least_length
+            least = least if self.quantities[rows[0] - 1].unit == unit else 0.0
+            if float(np.ptp(some)) < max(LEAST_PART * float(np.abs(some).max()), least):
+                shown[finite] = some[-1]
+                values[rows] = shown
+        return values
+
     def table(self, decimal_comma: bool = False) -> str:
         """All rows as CSV, see `sim.Recording.to_csv`."""
         return table_text(self.quantities, self.rows, decimal_comma)
@@ -227,7 +257,8 @@ def curve(plot: Plot, seconds: float, width: int) -> Drawn:
                 keep.update(where[np.unique(piece[where], return_index=True)[1]].tolist())
         kept = sorted(keep)
         rows, past = rows[kept], bisect_left(kept, past)
-    return Drawn(np.array([_rounded(column) for column in rows.T]).reshape(rows.shape[::-1]), past)
+    values = np.array([_rounded(column) for column in rows.T]).reshape(rows.shape[::-1])
+    return Drawn(plot.level(values), past)
 
 
 def _rounded(values: Floats) -> Floats:

@@ -53,6 +53,7 @@ class Running:
         replay: the log that is played, if one is.
         opened: the scene as it was opened.
         lesson_begun: whether a step of the scene's lesson has begun; if not, the page says which.
+        waits: whether the clock stands only until a question of the scene's lesson is answered.
         hands: what the pointers do.
         preparing: what is being compiled, for the page to say; empty when nothing is.
 
@@ -81,6 +82,7 @@ class Running:
         self.follow = False
         self.joint = 0
         self.lesson_begun = False
+        self.waits = False
         self.generation = self.openings = 0
         self.versions = Versions()
         self.selection = Selection()

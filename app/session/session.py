@@ -11,6 +11,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
+from dataclasses import replace
 from typing import TypeVar
 
 import msgspec
@@ -31,6 +32,7 @@ from .notices import Notice, runaway
 from .pacing import HEAVY_UNIT, is_large
 from .shadow import Foresight
 from .timeline import MOST_SECONDS
+from .versions import Versions
 
 __all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "SPEEDS", "Notice", "Session"]
 
@@ -72,7 +74,7 @@ class Session(Editing):
     @property
     def heavy(self) -> bool:
         """Whether the next frame may take longer than others can wait for."""
-        waiting = [command for _, command in list(self._queue)]
+        waiting = self._waiting()
         beside = self.ghost, self.foresight
         opened = [command.scene for command in waiting if isinstance(command, commands.Open)]
         return (
@@ -90,13 +92,18 @@ class Session(Editing):
     def will_play(self) -> bool:
         """Whether the clock runs once the commands that wait are applied."""
         playing = self.playing
-        for _, command in list(self._queue):
+        for command in self._waiting():
             match command:
                 case commands.Play(on):
                     playing = not playing if on is None else on
                 case commands.DoSteps():
                     playing = False
         return playing
+
+    def _waiting(self) -> list[Command]:
+        """The commands that wait; handlers may be adding to them."""
+        with self._lock:
+            return [command for _, command in self._queue]
 
     # --------------------------------------------------------------------- any thread
     def post(self, command: Command) -> None:
@@ -157,6 +164,7 @@ class Session(Editing):
         elif running:
             self._step(now, budget)
         # While the clock stands, only what its user changes can move the limit.
+        running = running and self.playing  # it may have ended just now
         due = now >= self._stability_due and (running or self._estimated != self.revision)
         if self._look is None and due:
             self._estimated, self._looked = self.revision, 0.0
@@ -188,7 +196,7 @@ class Session(Editing):
                     break
                 at, command = self._queue.popleft()
             try:
-                if self.replay is not None and _is_input(command):
+                if self.replay is not None and self._is_input(command):
                     self._end_replay("You have taken over from the replay.")
                 if not (self._apply_to_time(command) or self._apply_to_scene(command)):
                     self._apply(command, at)
@@ -256,15 +264,17 @@ class Session(Editing):
                 self.books = on
                 self.recorder.keep_books(on)
                 self.revision += 1
-            case commands.Open(scene, begun):
-                stopped = self.simulation.divergence is not None
+            case commands.Open(scene, begun, waits):
+                # What stopped the clock was the other body's.
+                stopped = self.simulation.divergence is not None or self.waits
                 before = self.simulation.capture()
                 self._open(scene)
                 self.lesson_begun = begun
                 opened = self.simulation.capture()
                 self.versions.add_leap(f"opening {scene.title or scene.name}", before, opened)
-                if stopped:
-                    self.play(True)  # it was the other body that ended the run
+                if stopped or waits:
+                    self.play(not waits)
+                self.waits = waits
             case commands.Play(on):
                 self.play(not self.playing if on is None else on)
             case commands.DoSteps(steps):
@@ -300,8 +310,8 @@ class Session(Editing):
                 self._save_log(result)
             case commands.Replay(record):
                 self._begin_replay(record)
-            case commands.Resume(keepsake):
-                self._resume(keepsake)
+            case commands.Resume(keepsake, versions):
+                self._resume(keepsake, versions)
             case commands.SelectJoint(joint):
                 if 0 <= joint < len(self.simulation.scene.angular_springs):
                     self.joint = joint
@@ -326,6 +336,28 @@ class Session(Editing):
         self._follow(done, led, budget - seconds)
         self._after_steps()
 
+    def _is_input(self, command: Command) -> bool:
+        """Whether a command does something to the body."""
+        match command:
+            case commands.HoldKeys(keys):
+                return bool(keys)
+            case commands.Follow(on):
+                return on
+            case commands.DragStart() | commands.SetValue() | commands.SetChoice() | commands.DoSteps():
+                return True
+            case commands.Change():
+                return True
+            case commands.Undo():
+                return self.versions.has_undo(self.simulation.capture().scene)
+            case commands.Redo():
+                return self.versions.has_redo(self.simulation.capture().scene)
+            case commands.Reset() | commands.KeepBooks() | commands.Compare() | commands.Foretell():
+                return True
+            case commands.OwnValues():
+                return True
+            case _:
+                return False
+
     # --------------------------------------------------------------------- logs and keepsakes
     def _save_log(self, result: Future[bytes]) -> None:
         try:
@@ -335,14 +367,17 @@ class Session(Editing):
         except (InputError, SceneError) as error:
             result.set_exception(error)
 
-    def _resume(self, data: bytes) -> None:
+    def _resume(self, data: bytes, versions: Versions | None) -> None:
         try:
             kept = keepsakes.decode(data)
         except SceneError as error:
             raise SceneError(f"could not be resumed: {error}") from None
         moment, wishes = kept.moment, kept.wishes
+        known = versions.return_to(moment.scene) if versions is not None else None
+        if known is not None:
+            moment = replace(moment, scene=known)  # by which the versions know it
         self._open(moment.scene)
-        self.versions.clear()
+        self.versions = versions if versions is not None and known is not None else Versions()
         self.opened = kept.opened
         self.recorder.restore(moment)
         self._begin_history()
@@ -361,6 +396,9 @@ class Session(Editing):
         if self.simulation.divergence is not None:
             self.play(False)
             self.offer_back = True
+            # The limit that is told is that of the body when it ran away, not of what is left of it.
+            self.stability = self.simulation.divergence.stability
+            self._look, self._estimated = None, self.revision
             self.notices.append(runaway(self.simulation.divergence, self.simulation.scene))
 
 
@@ -374,22 +412,3 @@ def _answer(result: Future[T]) -> T:
         return result.result(timeout=5.0)
     except TimeoutError:
         raise InputError("the scene is busy; try again") from None
-
-
-def _is_input(command: Command) -> bool:
-    """Whether a command does something to the body."""
-    match command:
-        case commands.HoldKeys(keys):
-            return bool(keys)
-        case commands.Follow(on):
-            return on
-        case commands.DragStart() | commands.SetValue() | commands.SetChoice() | commands.DoSteps():
-            return True
-        case commands.Change() | commands.Undo() | commands.Redo():
-            return True
-        case commands.Reset() | commands.KeepBooks() | commands.Compare() | commands.Foretell():
-            return True
-        case commands.OwnValues():
-            return True
-        case _:
-            return False

@@ -36,7 +36,7 @@ class Timeline(Running):
         """Let the clock run, from the moment that is shown, or stand."""
         if on:
             self._branch()
-            self.offer_back = False
+            self.offer_back = self.waits = False
         if on != self.playing:
             self.playing = on
             self.pacer.restart()

@@ -75,6 +75,12 @@ class Versions:
         self._bytes = 0
         self._at = 0  # so many steps lead to the present version
 
+    def copy(self) -> Versions:
+        """The same, to go on from here in another way."""
+        other = Versions()
+        other._steps, other._bytes, other._at = list(self._steps), self._bytes, self._at
+        return other
+
     @property
     def undoable(self) -> str:
         """What the next undo takes back; empty if there is nothing."""
@@ -145,13 +151,21 @@ class Versions:
         if self._at:
             self._steps[self._at - 1] = replace(self._steps[self._at - 1], key="")
 
+    def has_undo(self, scene: Scene) -> bool:
+        """Whether there is a change of a scene, the present one, to take back."""
+        return self._at > 0 and self._steps[self._at - 1].forward.scene is scene
+
+    def has_redo(self, scene: Scene) -> bool:
+        """Whether there is a change of a scene, the present one, to do again."""
+        return self._at < len(self._steps) and self._steps[self._at].backward.scene is scene
+
     def undo(self, moment: Moment) -> tuple[Moment, Edit | None] | None:
         """How the present motion goes on without the last change; None if there is none to take back.
 
         Returns:
             the moment to go on at, and the edit that leads there, or None where it is another body's.
         """
-        if not self._at or self._steps[self._at - 1].forward.scene is not moment.scene:
+        if not self.has_undo(moment.scene):
             return None
         self._at -= 1
         step = self._steps[self._at]
@@ -169,7 +183,7 @@ class Versions:
 
     def redo(self, moment: Moment) -> tuple[Moment, Edit | None] | None:
         """How the present motion goes on with what was taken back last; see `undo`."""
-        if self._at == len(self._steps) or self._steps[self._at].backward.scene is not moment.scene:
+        if not self.has_redo(moment.scene):
             return None
         step = self._steps[self._at]
         self._at += 1
@@ -192,6 +206,14 @@ class Versions:
             if self._scene(at) is scene:
                 self._at = at
                 return
+
+    def return_to(self, scene: Scene) -> Scene | None:
+        """Be at the version that equals a scene, and return that version; None if no version does."""
+        for at in sorted(range(len(self._steps) + 1), key=lambda at: abs(at - self._at)):
+            if (known := self._scene(at)) == scene:
+                self._at = at
+                return known
+        return None
 
     # --------------------------------------------------------------------- inside
     def _last_of(self, key: str, now: float = 0.0) -> Step | None:

@@ -8,9 +8,11 @@ from pathlib import Path
 import pytest
 
 import sim
-from app.page import answers
+from app.page import answers, controls
 from app.page.answers import MOST_WAITING, InOrder
 from app.page.asks import Scenes
+from app.page.shelf import Shelf
+from app.session.notices import Notice
 from sim.scene import files
 from tests.app.test_gallery import Page
 
@@ -83,3 +85,28 @@ def test_what_must_not_be_lost_to_another_letter_has_a_kind_of_its_own(
     page.gallery.changed()
     kinds = [letter["kind"] for letter in page.letters.sent]
     assert len(set(kinds)) == len(kinds) == 4
+
+
+@pytest.mark.parametrize(
+    ("message", "title", "text"),
+    [
+        ('{"do":"unsent","what":"paste"}', "That cannot be pasted", "at most 4.7 MB"),
+        ('{"do":"unread","text":"2x4"}', "That cannot be read", "“2x4” is not a number"),
+        ('{"do":"unread","text":"1,234"}', "That cannot be read", "could be 1.234 or 1234"),
+    ],
+)
+def test_what_the_page_cannot_send_or_read_is_told(message: str, title: str, text: str) -> None:
+    page, told = Page(), threading.Event()
+    notices: list[Notice] = []
+
+    def notify(notice: Notice) -> None:
+        notices.append(notice)
+        told.set()
+
+    answering = answers.Answers(
+        page.session, page.letters, notify, lambda _: None, print, str, Shelf(owned=True)
+    )
+    assert answering.take(f"1|ask|{message}", controls.ALL)
+    assert told.wait(LIMIT)
+    assert notices[0].title == title
+    assert text in notices[0].text

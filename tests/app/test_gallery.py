@@ -222,3 +222,15 @@ def test_what_visitors_save_is_bounded(home: Path, monkeypatch: pytest.MonkeyPat
         visitor("b").gallery._shelf.save(sim.rope(), "x")
     Shelf(owned=True).save(sim.rope(), "z")
     assert [path.name for path in home.glob("*.json")] == ["z.json"]
+
+
+def test_each_picture_is_sent_once_and_none_can_be_lost(home: Path) -> None:
+    for number in range(20):
+        files.save_user_scene(sim.rope(masses=3), f"mine {number}")
+    page = Page()
+    page.gallery.list(Scenes(dark=False))
+    letters = [letter for letter in page.letters.sent if "pictures" in letter]
+    assert len(letters) == 3
+    assert len({letter["kind"] for letter in letters}) == 3
+    sent = [name for letter in letters for name in letter["pictures"]]
+    assert len(sent) == len(set(sent)) == 20

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import sim
+from app.page import pasts
 from app.session import commands, keepsakes, log
 from tests.app.pages import SessionPage
 from tests.app.recording import agrees, busy_page
@@ -147,3 +148,52 @@ def test_what_is_no_keepsake_is_refused(data: bytes) -> None:
 
 def test_a_joint_that_does_not_exist_is_the_last_one(page: SessionPage) -> None:
     assert resumed(changed(page.session.keepsake(), "wishes", "joint", value=500)).session.joint == 9
+
+
+# ------------------------------------------------------------------------- undo
+def test_what_could_be_undone_can_be_undone_by_the_page_that_comes_back() -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(3, commands.SetValue("gravity", 500.0))
+    page.frames(3, commands.Open(sim.load_scene("box")), commands.SetValue("gravity", 100.0))
+    page.frames(3, commands.Undo())
+    data, secret = page.session.keepsake(), 32 * "a"
+    pasts.keep(secret, page.session.versions)
+    page.frames(3, commands.SetValue("air_friction", 1.0))  # of which the browser keeps nothing any more
+    other = SessionPage(sim.load_scene("ring"))
+    other.frames(3, commands.Resume(data, pasts.of(secret)))
+    session = other.session
+    other.frames(1, commands.Undo())
+    assert (session.scene.name, session.scene.gravity[1]) == ("tutorial-3.3", 500.0)
+    other.frames(1, commands.Undo())
+    assert session.scene.gravity[1] == 2000.0
+    other.frames(1, commands.Redo(), commands.Redo())
+    assert session.scene.name == "box"
+    assert not session.notices
+    # The first page, should it still be there, has its own.
+    page.frames(1, commands.Undo())
+    assert page.session.scene.air_friction != 1.0
+
+
+def test_of_a_scene_that_no_version_is_nothing_is_undone() -> None:
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(3, commands.SetValue("gravity", 500.0))
+    other = SessionPage(sim.load_scene("ring"))
+    other.frames(3, commands.SetValue("gravity", 7.0))
+    page.frames(3, commands.Resume(other.session.keepsake(), page.session.versions.copy()))
+    assert len(page.session.versions) == 0
+    page.frames(1, commands.Undo())
+    assert page.session.scene.name == "ring"
+    assert pasts.of(32 * "b") is None
+
+
+def test_what_is_kept_for_pages_that_come_back_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pasts, "_pasts", {})
+    page = SessionPage(sim.load_scene("tutorial-3.3"))
+    page.frames(3, commands.SetValue("gravity", 500.0))
+    for number in range(2 * pasts.MOST_PAGES):
+        pasts.keep(f"{number:032x}", page.session.versions)
+    assert len(pasts._pasts) == pasts.MOST_PAGES
+    assert pasts.of(f"{2 * pasts.MOST_PAGES - 1:032x}") is not None
+    monkeypatch.setattr(pasts, "MOST_BYTES", 3 * page.session.versions.bytes)
+    pasts.keep(32 * "c", page.session.versions)
+    assert len(pasts._pasts) == 3

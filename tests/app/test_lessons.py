@@ -201,3 +201,24 @@ def test_a_step_begins_when_a_scene_is_opened_and_not_when_it_goes_on(server: vi
         assert page.session.scene.lesson == scene.lesson
         assert page.session.lesson_begun
         page.frames(1, commands.Open(scene))
+
+
+def test_leaving_a_question_lets_the_next_scene_run(server: viser.ViserServer) -> None:
+    page = SessionPage(sim.load_scene("lesson-hooke"))
+    panel = lesson_panel(server, page, [])
+    lesson = page.session.scene.lesson
+    assert lesson is not None
+    asks = next(i for i, step in enumerate(lesson.steps) if step.question is not None)
+    panel.begin(script.Begin(asks))
+    page.frames(5)
+    assert not page.session.playing
+    page.frames(5, commands.Open(sim.load_scene("ring")))
+    assert page.session.playing
+    # A user's own pause stays.
+    page.frames(5, commands.Play(False), commands.Open(sim.load_scene("box")))
+    assert not page.session.playing
+    # So does that of a step whose question was answered, and which was paused then.
+    page.frames(1, commands.Open(sim.load_scene("lesson-hooke")))
+    panel.begin(script.Begin(asks))
+    page.frames(5, commands.Play(True), commands.Play(False), commands.Open(sim.load_scene("ring")))
+    assert not page.session.playing

@@ -296,3 +296,59 @@ def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -
         assert told[-1].text == "This scene has no joints."
     finally:
         server.stop()
+
+
+def ring_of(plot: Plot, times: np.ndarray, *columns: np.ndarray) -> None:
+    """Have a plot show values as if they had been noted."""
+    for row in np.column_stack((times, *columns)).tolist():
+        plot._append(row)
+    plot.shown = float(times[-1])
+
+
+def drawn_range(plot: Plot, rows: list[int]) -> float:
+    return float(np.ptp(curve(plot, 60.0, 150).values[rows]))
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "noise", "stays"),
+    [
+        ("mass11.y", 331.2, 3e-11, False),
+        ("mass11.y", 331.2, 0.004, False),  # less than a hundredth of a pixel
+        ("mass11.y", 0.0, 0.004, False),
+        ("mass11.y", 331.2, 0.02, True),
+        ("spring0.force", 512.0, 1e-5, False),
+        ("spring0.force", 512.0, 1e-2, True),
+        ("spring0.force", 0.0, 1e-3, True),
+    ],
+)
+def test_what_a_body_at_rest_still_does_is_a_straight_line(
+    name: str, value: float, noise: float, stays: bool
+) -> None:
+    times = np.linspace(0.0, 50.0, 2000)
+    wiggle = value + noise * np.sin(times)
+    plot = Plot(Wish((name,)), sim.load_scene("tutorial-3.3"))
+    ring_of(plot, times, wiggle)
+    assert (drawn_range(plot, [1]) > noise) == stays
+    assert stays or drawn_range(plot, [1]) == 0.0
+    over = Plot(Wish((name,), over=name), sim.load_scene("tutorial-3.3"))
+    ring_of(over, times, wiggle, wiggle)
+    x, y = curve(over, 60.0, 150).values[1:]
+    svg = phase_svg(x, y[None], len(x), ["red"], ("x", "y"), "a plot")
+    low, high, *_ = map(float, re.search(r'data-ends="([^"]*)"', svg)[1].split())  # type: ignore[index]
+    assert high - low > 1e-6 * abs(value)
+    marks = re.findall(r'text-anchor="end">([^<]*)<', svg)
+    assert len(set(marks)) == len(marks) > 1
+
+
+def test_lines_of_one_axis_are_levelled_together() -> None:
+    times = np.linspace(0.0, 50.0, 2000)
+    plot = Plot(Wish(("mass10.y", "mass11.y", "mass3.vx")), sim.load_scene("tutorial-3.3"))
+    ring_of(plot, times, 300.0 + 1e-12 * np.sin(times), np.full(2000, 300.0 + 1e-12), np.cos(times))
+    assert drawn_range(plot, [1, 2]) == 0.0
+    assert drawn_range(plot, [3]) > 1.9
+    apart = Plot(Wish(("mass10.y", "mass11.y")), sim.load_scene("tutorial-3.3"))
+    ring_of(apart, times, np.full(2000, 300.0), np.where(times > 20.0, np.nan, 301.0))
+    values = curve(apart, 60.0, 150).values
+    assert drawn_range(apart, [1]) == 0.0
+    assert set(values[2][np.isfinite(values[2])]) == {301.0}
+    assert np.isnan(values[2]).any()

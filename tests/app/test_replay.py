@@ -128,3 +128,10 @@ def test_while_a_log_is_played_there_is_none_to_save(data: bytes) -> None:
     page = played(data, 10)
     with pytest.raises(InputError, match="being played"):
         log_of(page)
+
+
+def test_an_undo_that_has_nothing_to_undo_does_not_end_a_replay(data: bytes) -> None:
+    page = played(data, 30)
+    page.frames(3, commands.Undo(), commands.Redo())
+    assert page.session.replay is not None
+    assert not page.session.notices

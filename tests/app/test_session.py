@@ -455,3 +455,30 @@ def test_a_flood_of_commands_is_bounded(page: SessionPage) -> None:
     assert len(page.session._queue) == MAX_QUEUE
     page.frames(1)
     assert not page.session._queue
+
+
+def test_the_meter_and_the_notice_of_a_runaway_name_one_limit(page: SessionPage) -> None:
+    page.frames(30, commands.SetValue("rest_angle", 30.0))
+    page.frames(120, commands.SetValue("angular_stiffness", 1e9))
+    session = page.session
+    assert session.simulation.divergence is not None
+    assert session.stability == session.simulation.divergence.stability
+    limit = f"stability limit {session.stability.limit:.2g} s"
+    assert limit in session.notices[-1].text
+
+
+def test_what_waits_is_read_while_nobody_adds_to_it(page: SessionPage) -> None:
+    entered: list[bool] = []
+    session = page.session
+
+    class Lock:
+        def __enter__(self) -> None:
+            entered.append(True)
+
+        def __exit__(self, *_: object) -> None: ...
+
+    session._lock = Lock()  # type: ignore[assignment]
+    for look in (lambda: session.heavy, lambda: session.will_play):
+        entered.clear()
+        look()
+        assert entered

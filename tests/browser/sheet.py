@@ -82,7 +82,7 @@ def sheet(browser: Browser, dark: bool) -> Image.Image:
         desk = Desk(Served(f"http://127.0.0.1:{server.get_port()}", ticker), context)
         desk.open()
         if dark:
-            desk.tab.request("theme", True)
+            desk.tab.request("dark", True)
         for i, (name, seconds) in enumerate(TIMES.items()):
             image = tile(desk, name, seconds)
             x, y = i % COLUMNS * width, i // COLUMNS * height

@@ -141,3 +141,20 @@ def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None
     desk.until(lambda: read.is_visible() and "joint3.angle, °: " in read.inner_text(), "it reads")
     desk.page.mouse.move(5.0, 5.0)
     desk.until(lambda: not read.is_visible(), "and stops")
+
+
+MARKS = """([low, high]) => new Promise((done) => {
+  const { chart } = Object.values(window.__viserTestpoints.uplots)[0];
+  chart.setScale("y0", { min: low, max: high });
+  setTimeout(() => done(chart.axes.find(({ scale }) => scale === "y0")._values), 100);
+})"""
+
+
+def test_the_marks_of_an_axis_tell_values_apart(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.page.keyboard.press("g")
+    desk.until(lambda: charts(desk) and len(charts(desk)[0]["data"][0]) > 5, "the plot runs")
+    desk.tell(commands.Play(False))
+    for low, high in ((0.2670, 0.2673), (331.2, 331.2008), (0.0, 3e-6), (-2e5, 3e5)):
+        marks = desk.page.evaluate(MARKS, [low, high])
+        assert len(set(marks)) == len(marks) > 2, marks

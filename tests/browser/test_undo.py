@@ -86,6 +86,11 @@ def test_a_reload_keeps_what_was_built(open_page: OpenPage) -> None:
     scene = desk.session.simulation.capture().scene
     assert (scene.masses, scene.linear_springs) == (built.masses, built.linear_springs)
     np.testing.assert_allclose(desk.simulation.positions, where, atol=1e-6)
+    # It can still be taken back.
+    desk.page.keyboard.press("Control+z")
+    becomes(desk, 12, 11, 10)
+    desk.page.keyboard.press("Control+y")
+    becomes(desk, 13, 12, 10)
     # It can be built on.
     tool(desk, "Build")
     drag(desk, desk.place(12), beside(desk, 12, 40.0, 30.0))

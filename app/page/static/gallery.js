@@ -66,7 +66,7 @@ export function addGallery() {
   let entries = [];
   let present = "";
   /** Of scenes that are saved, by name. @type {Record<string, string>} */
-  let pictures = {};
+  const pictures = {};
   /** The scene whose card has the focus, or had it last. */
   let chosen = "";
 
@@ -246,7 +246,7 @@ export function addGallery() {
     if (dialog.open) build();
   });
   onMail("pictures", (letter) => {
-    ({ pictures } = letter);
+    Object.assign(pictures, letter.pictures);
     for (const row of /** @type {NodeListOf<HTMLElement>} */ (cards.querySelectorAll(".softrod-card"))) {
       const [image, source] = [row.querySelector("img"), pictures[row.dataset.name ?? ""]];
       if (image && source && image.src !== source) image.src = source;

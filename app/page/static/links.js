@@ -4,6 +4,7 @@
  * it is read in the page, and the address is given back without it: a reload then goes on with what is kept.
  */
 import { send, told } from "./channel.js";
+import { ask } from "./mail.js";
 
 /** The end of such a link's path; the page itself may be in a folder. */
 const PATH = /\/s$/;
@@ -11,6 +12,8 @@ const PATH = /\/s$/;
 const BEGIN = /^#\d+\./;
 /** Characters of a message; the gate takes 64 KiB. */
 const PART = 48_000;
+/** Parts of a text; the server takes no more. */
+const MOST_PARTS = 99;
 
 /** The data of a link that is to be opened. */
 let due = "";
@@ -32,13 +35,14 @@ export function keepAddress() {
 }
 
 /**
- * Sends a text in parts.
+ * Sends a text in parts; one that is too long is not sent, and its user is told.
  *
- * @param {string} kind
+ * @param {"resume" | "link" | "paste"} kind
  * @param {string} letters
  */
 export function sendParts(kind, letters) {
   const parts = Math.max(1, Math.ceil(letters.length / PART));
+  if (parts > MOST_PARTS) return ask({ do: "unsent", what: kind });
   for (let i = 0; i < parts; i++) send(kind, `${i + 1}/${parts}|${letters.slice(PART * i, PART * (i + 1))}`);
 }
 

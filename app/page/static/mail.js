@@ -6,7 +6,7 @@ const NODE = "/softrod/mail/";
 /** @type {Map<string, (letter: any) => void>} */
 const readers = new Map();
 
-/** Calls back with every letter of a kind. @param {string} kind @param {(letter: any) => void} reader */
+/** Calls back with every letter of a kind; "pictures-3" is of the kind "pictures", too. @param {string} kind @param {(letter: any) => void} reader */
 export const onMail = (kind, reader) => readers.set(kind, reader);
 
 /** Whether a node carries letters. @param {string} name */
@@ -14,7 +14,7 @@ export const isMail = (name) => name.startsWith(NODE);
 
 /** Opens a letter. @param {string} name of its node @param {Uint8Array | undefined} data JSON */
 export function open(name, data) {
-  if (data) readers.get(name.slice(NODE.length))?.(JSON.parse(new TextDecoder().decode(data)));
+  if (data) readers.get(name.slice(NODE.length).replace(/-\d+$/, ""))?.(JSON.parse(new TextDecoder().decode(data)));
 }
 
 /** Asks the server for something. @param {{do: string, [field: string]: unknown}} what */

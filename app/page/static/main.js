@@ -2,6 +2,7 @@
 /** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
 import { addArrows } from "./arrow_marks.js";
 import { mindAbsence } from "./away.js";
+import { tellApart } from "./axis_numbers.js";
 import { addBodyKeys } from "./body_keys.js";
 import { fitted, keepFlat } from "./camera.js";
 import { listenToClipboard } from "./clipboard.js";
@@ -56,10 +57,12 @@ takeLink();
 keepAddress();
 keepOnlyOf(askedScene(location.search));
 watchConnection(mindAbsence(), () => !hasKept());
+const plotsAreLoaded = tellApart();
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let late;
 whenViser((viser) => {
   clearTimeout(late);
+  plotsAreLoaded();
   if (!isKnown(viser)) {
     complain(FAULT);
     return;

@@ -20,8 +20,9 @@ export function showMeasures() {
     const { measures = "0", scrubbed } = told();
     // Legends of plots then read what is ahead, too.
     document.documentElement.toggleAttribute("data-softrod-past", scrubbed === "1");
-    if (measures === asked) return;
+    const more = Number(measures) > Number(asked); // a new connection begins to count anew
     asked = measures;
+    if (!more) return;
     const count = titles().length;
     const tabs = [...document.querySelectorAll("[role=tab]")];
     const tab = tabs.find((each) => each.textContent?.trim() === NAME);
