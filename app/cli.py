@@ -17,7 +17,9 @@ from rich.table import Table
 from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
+from sim.compiling.compiler import cache_trouble
 from sim.errors import InputError, SceneError, SettingError
+from sim.methods.registry import METHODS
 from sim.motion.quantities import PARTS
 from sim.scene.files import read_scene
 
@@ -205,7 +207,26 @@ class Check:
                 failed = fail(error)
             else:
                 print(f"{path}: {scene.name}, {len(scene.masses)} masses, is valid")
+                if note := _note_on_tolerance(scene):
+                    print(f"{path}: note: {note}")
         return failed
+
+
+_COARSE = 0.01
+"""Part of a body's size from which on a tolerance is called coarse; that of the presets is a thousandth."""
+
+
+def _note_on_tolerance(scene: sim.Scene) -> str:
+    """What to know of a tolerance that is large for its body, as the usual one is in metres."""
+    tolerance, unit = scene.integrator.tolerance, scene.view.unit
+    places = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
+    size = max(max(axis) - min(axis) for axis in zip(*places, strict=True))
+    if not METHODS[scene.integrator.method].adaptive or not 0.0 < size < tolerance / _COARSE:
+        return ""
+    return (
+        f"integrator.tolerance: {tolerance:g} {unit} is coarse for a body of {size:.3g} {unit}; "
+        f"{1e-3 * size:.1g} {unit} is a thousandth of it"
+    )
 
 
 @dataclass
@@ -436,6 +457,10 @@ COMMANDS = {
 }
 
 
+_SOLVING = (Run, Bench, Validate, Stability, Study, Sweep, Export)
+"""Commands that compile the solver before they do anything; the page says it while it compiles."""
+
+
 def main(arguments: list[str] | None = None) -> None:
     """The entry point of the command `softrod`."""
     if isinstance(sys.stdout, io.TextIOWrapper):
@@ -457,6 +482,8 @@ def _main(
     if command is Serve:
         others = "\n".join(f"  softrod {name}: {kind.__doc__}" for name, kind in COMMANDS.items())
         description = f"Serve a scene in the browser.\n\nOther commands (each has --help):\n{others}"
+    if command in _SOLVING and (trouble := cache_trouble()):
+        print(f"softrod: the solver is {trouble}", file=sys.stderr)
     parsed = tyro.cli(command, prog=program, description=description, args=words)
     try:
         return parsed.run()

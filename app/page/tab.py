@@ -19,7 +19,7 @@ import numpy as np
 import viser
 
 import sim
-from sim.compiling.compiler import Compiler, needed_by
+from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 from sim.errors import InputError, SceneError
 from sim.methods.registry import METHODS
 from sim.scene.types import is_surrounded
@@ -343,6 +343,8 @@ class Tab:
             text = f"moves by NumPy until {label} is compiled: {ready} of {of} parts ready"
         elif ready < of:
             text = f"preparing {self._compiler.busy_with}: {ready} of {of} parts ready"
+        if text and (trouble := cache_trouble()):
+            text = f"{text}; {trouble}"
         if text != session.preparing:
             session.preparing = text
             session.revision += 1

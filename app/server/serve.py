@@ -17,7 +17,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 import sim
-from sim.compiling.compiler import Compiler, needed_by
+from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 from sim.scene.types import is_surrounded
 
 from ..drawing.colors import LIGHT_GAIN
@@ -185,6 +185,8 @@ def _show_progress(compiler: Compiler, console: Console) -> None:
     ready, of = compiler.progress
     if ready == of or not compiler.compiles:
         return
+    if trouble := cache_trouble():
+        console.print(f"[yellow]The solver is {trouble}.[/yellow]", highlight=False, soft_wrap=True)
     columns = (TextColumn("compiling {task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True) as progress:
         task = progress.add_task("the solver (once)", total=of)

@@ -21,6 +21,7 @@ from typing import Any
 
 import llvmlite.binding
 import numba
+import platformdirs
 from numba import types
 
 from ..kernels.around.around import accelerations_around
@@ -187,6 +188,14 @@ def fetch(names: Iterable[str]) -> None:
         point.load()
 
 
+def cache_trouble() -> str:
+    """Why machine code cannot be kept from one start to the next, in words; empty where it can."""
+    if next(iter(ENTRY_POINTS.values())).marker is not None:
+        return ""
+    folder = platformdirs.user_cache_path("softrod", appauthor=False)
+    return f"compiled anew at every start, since the folder {folder} cannot be written"
+
+
 def is_ready(names: Iterable[str]) -> bool:
     """Whether all these entry points can be called without waiting for a compilation."""
     return all(ENTRY_POINTS[name].ready for name in names)
@@ -254,7 +263,9 @@ class Compiler:
         while not self._stopped and (name := self._take()) is not None:
             point = ENTRY_POINTS[name]
             marker = point.marker
-            if marker is not None and not marker.exists():
+            if marker is None:
+                self.compiles = True  # here, since a helper could not hand it over
+            elif not marker.exists():
                 self.compiles = True
                 helper = helper or self._new_helper()
                 _ask(helper, name)

@@ -11,13 +11,18 @@ import subprocess
 import sys
 import urllib.request
 from pathlib import Path
+from types import SimpleNamespace
 
+import msgspec
 import numpy as np
+import platformdirs
 import pytest
 
 import sim
 from app import headless
 from app.cli import main
+from app.page.tab import Tab
+from sim.compiling.compiler import EntryPoint
 from sim.errors import InputError
 
 Result = subprocess.CompletedProcess[str]
@@ -253,6 +258,44 @@ def test_inputs_of_other_programs(tmp_path: Path) -> None:
     path.write_bytes(b'{"step": 3}\n{"keys": ["\xe4"]}')
     with pytest.raises(InputError, match=r"inputs.jsonl: line 2: the text is not in UTF-8"):
         headless.read_log(path)
+
+
+def test_a_cache_folder_that_cannot_be_written_is_said_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_bytes(b"")
+    monkeypatch.setattr(EntryPoint, "marker", None)
+    monkeypatch.setattr(platformdirs, "user_cache_path", lambda *_, **__: tmp_path / "file")
+    trouble = f"compiled anew at every start, since the folder {tmp_path / 'file'} cannot be written"
+    result = softrod_here(capsys, "run", "ring", "--steps", "3", "--out", tmp_path / "ring.csv")
+    assert result.returncode == 0
+    assert result.stderr == f"softrod: the solver is {trouble}\n"
+    assert softrod_here(capsys, "check", tmp_path / "file").stderr.count("anew") == 0
+    # The page says it in the line that tells how far the compiler is.
+    page = SimpleNamespace(_all_ready=False, _wanted="", _compiler=None)
+    page._compiler = SimpleNamespace(progress=(3, 19), want=list, busy_with="forces")
+    session = SimpleNamespace(
+        simulation=SimpleNamespace(method="auto", plain=False), preparing="", revision=0
+    )
+    Tab._prepare(page, session)  # type: ignore[arg-type]
+    assert session.preparing == f"preparing forces: 3 of 19 parts ready; {trouble}"
+
+
+def test_check_notes_a_tolerance_that_is_coarse_for_its_body(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    metres = sim.rope(length=1.0, view=sim.View(unit="m"))
+    sim.save_scene(metres, path := tmp_path / "metres.json")
+    result = softrod_here(capsys, "check", path)
+    assert result.returncode == 0
+    note = "integrator.tolerance: 0.1 m is coarse for a body of 1 m; 0.001 m is a thousandth of it"
+    assert result.stdout.splitlines()[1] == f"{path}: note: {note}"
+    fine = msgspec.structs.replace(metres, integrator=sim.Integrator(tolerance=1e-3))
+    euler = msgspec.structs.replace(metres, integrator=sim.Integrator(method="symplectic_euler"))
+    alone = sim.Scene(name="alone", masses=(sim.Mass(position=(0.0, 0.0)),))
+    for scene in (fine, euler, alone, *map(sim.load_scene, ("tutorial-3.3", "pile"))):
+        sim.save_scene(scene, path)
+        assert ": note: " not in softrod_here(capsys, "check", path).stdout
 
 
 def test_help_lists_every_command() -> None:

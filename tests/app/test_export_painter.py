@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from msgspec import UNSET
 from PIL import Image
 
 import sim
 from app.drawing.colors import palette, plain, rgb
-from app.drawing.plan import Picture
+from app.drawing.plan import Picture, encode_plan
 from app.drawing.shapes import COILS
 from app.drawing.sketch import Floats, Sketch
 from app.export import around, instances
@@ -103,6 +104,34 @@ def test_a_picture_has_the_colours_of_its_parts(dark: bool) -> None:
     floor = np.asarray(image)[-4, 5:60].reshape(-1, 3).astype(float)
     wanted = paper + 0.1 * (palette("softrod", dark).text - paper)
     assert np.median(floor, axis=0) == pytest.approx(wanted, abs=3)
+
+
+@pytest.mark.parametrize(
+    ("y_down", "walls"), [(True, ()), (False, (sim.Wall(point=(0.0, 9e3), normal=(0, 1)),))]
+)
+def test_constant_forces_are_arrows_in_pictures_and_in_the_plan(
+    y_down: bool, walls: tuple[sim.Wall, ...]
+) -> None:
+    """Only where there are any; the largest has the longest arrow, and none is too short to be seen."""
+    forces = ((0.0, 4000.0), UNSET, (-1.0, 0.0))
+    masses = tuple(sim.Mass(position=(150.0 * i, 300.0), force=force) for i, force in enumerate(forces, 1))
+    scene = sim.Scene(name="loads", masses=masses, walls=walls, view=sim.View(y_down=y_down))
+    painter = Painter(scene, (600, 600), grid=False)
+    sketch, window = painter.sketch, painter.window
+    image = painter.paint(Picture.at_start(scene))
+    force = rgb("c2185b")
+    shown = (150.0, 325.0), (150.0, 356.0), (434.0, 300.0)
+    empty = (150.0, 365.0), (150.0, 275.0), (300.0, 330.0), (420.0, 300.0)
+    for place in (*shown, *empty):
+        apart = np.abs(pixel(image, window, sketch, np.array(place)) - force).max()
+        assert bool(apart < 120) is (place in shown), place
+    plan, sections = encode_plan(1, sketch, np.zeros(0)), []
+    while len(plan):
+        sections.append(plan[1 : 1 + int(plan[0])])
+        plan = plan[1 + int(plan[0]) :]
+    assert len(sections) == 18
+    down = -0.6 if y_down else 0.6
+    assert sections[-1] == pytest.approx([0.0, 0.0, down, 2.0, -0.18, 0.0], abs=1e-6)
 
 
 def test_pictures_are_the_same_every_time_and_of_any_size() -> None:

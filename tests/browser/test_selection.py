@@ -67,6 +67,27 @@ def test_numbers_of_what_is_selected_are_shown_set_and_taken_back(open_page: Ope
     desk.until(lambda: is_away(desk), "nothing is selected any more")
 
 
+def test_a_force_on_a_mass_is_set_and_drawn_until_it_is_taken_back(open_page: OpenPage) -> None:
+    desk = open_page("tutorial-3.3")
+    desk.tell(commands.Play(False))
+    arrows = desk.page.locator(".softrod-loads .softrod-forces")
+    assert arrows.count() == 0
+    select(desk, masses={4})
+    enter(desk, "Force y", "500")
+    desk.until(lambda: desk.session.scene.masses[4].force == (0.0, 500.0), "the mass has a force")
+    arrows.wait_for(state="attached")
+    desk.until(lambda: (arrows.bounding_box() or {"height": 0.0})["height"] > 30.0, "its arrow is drawn")
+    box, (x, y) = arrows.bounding_box(), desk.place(4)
+    assert box is not None
+    assert abs(box["x"] + box["width"] / 2.0 - x) < 3.0
+    assert abs(box["y"] - y) < 4.0  # it begins at the mass and points down
+    enter(desk, "Start x", "320")
+    desk.until(lambda: desk.session.scene.masses[4].position[0] == 320.0, "the mass starts elsewhere")
+    desk.until(lambda: abs(desk.simulation.positions[4, 0] - 320.0) < 1e-6, "and is there")
+    desk.tell(commands.Undo(), commands.Undo())
+    desk.until(lambda: arrows.count() == 0, "without a force there is no arrow")
+
+
 def test_buttons_hold_masses_and_delete(open_page: OpenPage) -> None:
     desk = open_page("tutorial-3.3")
     select(desk, masses={6})

@@ -82,7 +82,7 @@ class Arrays:
         mass = np.zeros(self.slots)
         mass[1 : self.body.masses + 1] = 1.0 / self.system.inverse_mass
         still, parts = np.zeros_like(q), np.zeros(ENERGIES)
-        return float(energies(self.body, self.state, mass, *self.scene.gravity, q, still, parts))
+        return float(energies(self.body, self.state, mass, q, still, parts))
 
     def gradient(self) -> Floats:
         """The derivative of the potential by all of `here`, by differences of order 4."""

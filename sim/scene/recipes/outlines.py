@@ -87,6 +87,7 @@ class Balloon(Jointed, frozen=True, kw_only=True):
     stiffness: Stiffness = 10_000.0
     mass: Kilograms = 0.2
     angular_stiffness: Stiffness = 1000.0
+    angular_damping: Damping = 8.0
 
     def expand(self) -> Parts:
         """See `Recipe.expand`."""
@@ -130,6 +131,7 @@ class WaterBalloon(Balloon, frozen=True, kw_only=True):
     stiffness: Stiffness = 1500.0
     damping: Damping = 5.0
     angular_stiffness: Stiffness = 100.0
+    angular_damping: Damping = 5.0
     bulk_modulus: BulkModulus = 5000.0
     fill: Annotated[float, bounded(0.1, 10.0, "", "Filling", slider=(0.5, 2.0))] = 1.0
 
