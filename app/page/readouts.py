@@ -383,7 +383,9 @@ KEYS_HELP = (
 
 def help_html() -> str:
     """The help panel."""
-    rows = "".join(f"<tr><td><kbd>{key}</kbd></td><td>{what}</td></tr>" for key, what in KEYS_HELP)
+    rows = "".join(
+        f"<tr><td><kbd translate='no'>{key}</kbd></td><td>{what}</td></tr>" for key, what in KEYS_HELP
+    )
     return (
         '<div class="softrod-text"><p><b>Drag any mass</b>. Held masses stay '
         "where you leave them; free ones fall. Drag the paper to move it, scroll or pinch to zoom. Click a "

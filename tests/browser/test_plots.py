@@ -7,6 +7,7 @@ import json
 from typing import Any
 
 import numpy as np
+import pytest
 
 from app.page.measure_panel import MeasurePanel
 from app.session import commands
@@ -141,3 +142,19 @@ def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None
     desk.until(lambda: read.is_visible() and "joint3.angle, °: " in read.inner_text(), "it reads")
     desk.page.mouse.move(5.0, 5.0)
     desk.until(lambda: not read.is_visible(), "and stops")
+
+
+@pytest.mark.parametrize("phone", [False, True], ids=["desk", "phone"])
+def test_the_measure_tab_is_found_in_whatever_language_its_name_is(open_page: OpenPage, phone: bool) -> None:
+    desk = open_page(size=(390, 844), phone=True) if phone else open_page()
+    translate = """() => {
+      const tabs = [...document.querySelectorAll("[role=tab]")];
+      const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+      for (let text = walk.nextNode(); text; text = walk.nextNode()) {
+        if (tabs.some(tab => tab.contains(text))) text.data = `${text.data}en`;
+      }
+      return tabs.map(tab => tab.innerText);
+    }"""
+    assert "Measureen" in desk.page.evaluate(translate)
+    desk.page.keyboard.press("g")
+    desk.page.locator(".u-legend").wait_for()
