@@ -49,7 +49,7 @@ def test_each_example_has_its_settings() -> None:
     assert keys_of(load_scene("box")) == bent | {"width", "height", "per_side"}
     assert keys_of(load_scene("hair-tuft")) == bent | {"hairs", "masses", "length", "spread", "taper"}
     assert keys_of(load_scene("girder")) == (DYNAMIC | {"tolerance"}) - OF_JOINTS | {
-        "panels", "depth", "load", "strength", "yield_force",
+        "panels", "depth", "load", "strength", "yield_force", "wall_friction", "bounciness",
     }  # fmt: skip
 
 
