@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import msgspec
 import pytest
@@ -372,3 +373,15 @@ def test_wrong_assignments_are_refused(text: str, sentence: str) -> None:
     with pytest.raises(SettingError, match=sentence) as caught:
         apply_assignments(load_scene("tutorial-3.3"), ["dt=0.001", text])
     assert "\n" not in str(caught.value)
+
+
+def test_a_preset_s_description_names_only_sliders_that_it_has() -> None:
+    labels = {preset: {s.label for s in settings_of(load_scene(preset))} for preset in PRESETS}
+    named = {
+        (preset, label)
+        for preset in PRESETS
+        for label in set().union(*labels.values())
+        if re.search(rf"\b{re.escape(label)}\b", load_scene(preset).description)
+    }
+    assert {("jelly", "Shear stiffness"), ("girder", "Load"), ("water-balloon", "Filling")} <= named
+    assert all(label in labels[preset] for preset, label in named), named
