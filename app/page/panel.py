@@ -384,6 +384,8 @@ class Panel:
         told = script.told(channel, scene, session, playing, at_rest, broken, measures, self.pictures)
         told.update({name: 1 for name in ("edit", "view", "help") if name in self._controls})
         told.update({name: 1 for name in ("gizmos", "meter") if getattr(looks, name)})
+        if self.measure_tab is not None:
+            told["measuring"] = self.measure_tab._id
         if told != self._told:
             self._told = told
             self._state.content = script.told_html(told)

@@ -165,7 +165,7 @@ def _label(quantities: Sequence[sim.Quantity], unit: str) -> str:
 def title(plot: Plot, series: Sequence[str]) -> str:
     """The names of what is plotted, with their colours."""
     keys = (
-        f'<span><i style="background:{color}"></i>{html.escape(name)}</span>'
+        f'<span translate="no"><i style="background:{color}"></i>{html.escape(name)}</span>'
         for name, color in zip(plot.wish.names, series, strict=True)
     )
     over = f" over {html.escape(plot.wish.over)}" if plot.wish.over else ""

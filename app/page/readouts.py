@@ -416,7 +416,9 @@ def help_html() -> str:
         f"<figcaption><b>{title}</b> {text}</figcaption></figure>"
         for title, picture, text in HELP_PICTURES
     )
-    rows = "".join(f"<tr><td><kbd>{key}</kbd></td><td>{what}</td></tr>" for key, what in KEYS_HELP)
+    rows = "".join(
+        f"<tr><td><kbd translate='no'>{key}</kbd></td><td>{what}</td></tr>" for key, what in KEYS_HELP
+    )
     return (
         f'<div class="softrod-text"><div class="softrod-help">{figures}</div>'
         "<p>The bar below the body goes back in time, about a minute. Play goes on from the moment that it "

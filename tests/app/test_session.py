@@ -123,11 +123,10 @@ def test_a_gizmo_that_keeps_to_its_axis_is_not_disturbed_by_the_pointer(page: Se
 def test_every_hand_drags_a_mass_of_its_own(page: SessionPage) -> None:
     hands = range(MOST_HANDS)
     before = page.session.simulation.positions
-    for hand in hands:
-        page.session.post(commands.DragStart(hand + 1, before[hand + 1, 0], before[hand + 1, 1], hand))
-    moved = [commands.Point(x + 5.0 * hand, y - 30.0, hand) for hand, (x, y) in enumerate(before[1:])][
-        :MOST_HANDS
-    ]
+    moved = []
+    for hand, (x, y) in zip(hands, before[1:].tolist(), strict=False):
+        page.session.post(commands.DragStart(hand + 1, x, y, hand))
+        moved.append(commands.Point(x + 5.0 * hand, y - 30.0, hand))
     page.frames(20, commands.Points(tuple(moved)))
     assert page.session.dragged == tuple(hand + 1 for hand in hands)
     wanted = before[1 : MOST_HANDS + 1] + np.outer(hands, (5.0, 0.0)) + (0.0, -30.0)

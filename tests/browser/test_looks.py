@@ -151,6 +151,9 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
         desk.show(tab)
         desk.rest(3)
         assert not desk.page.evaluate(SMALL, 23.9), tab
+    desk.show("Play")
+    icon, open_anew = desk.button("Open anew"), desk.button("Open anew").locator(".mantine-Button-label")
+    assert icon.is_visible() and open_anew.evaluate("e => getComputedStyle(e).fontSize") == "0px"
     # What is beside the panel is not below it, and its sliders are where they seem to be.
     panel, canvas = (desk.page.locator(one).first.bounding_box() for one in ("[data-dock-region]", "canvas"))
     assert panel is not None and canvas is not None

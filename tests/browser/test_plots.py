@@ -7,6 +7,7 @@ import json
 from typing import Any
 
 import numpy as np
+import pytest
 
 from app.page.measure_panel import MeasurePanel
 from app.session import commands
@@ -158,3 +159,19 @@ def test_the_marks_of_an_axis_tell_values_apart(open_page: OpenPage) -> None:
     for low, high in ((0.2670, 0.2673), (331.2, 331.2008), (0.0, 3e-6), (-2e5, 3e5)):
         marks = desk.page.evaluate(MARKS, [low, high])
         assert len(set(marks)) == len(marks) > 2, marks
+
+
+@pytest.mark.parametrize("phone", [False, True], ids=["desk", "phone"])
+def test_the_measure_tab_is_found_in_whatever_language_its_name_is(open_page: OpenPage, phone: bool) -> None:
+    desk = open_page(size=(390, 844), phone=True) if phone else open_page()
+    translate = """() => {
+      const tabs = [...document.querySelectorAll("[role=tab]")];
+      const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+      for (let text = walk.nextNode(); text; text = walk.nextNode()) {
+        if (tabs.some(tab => tab.contains(text))) text.data = `${text.data}en`;
+      }
+      return tabs.map(tab => tab.innerText);
+    }"""
+    assert "Measureen" in desk.page.evaluate(translate)
+    desk.page.keyboard.press("g")
+    desk.page.locator(".u-legend").wait_for()

@@ -116,7 +116,7 @@ COUNTS = [
     (sim.Girder(panels=6, truss="pratt"), (12, 21, 0, 2, 0)),
     (sim.Girder(panels=2, truss="pratt"), (4, 5, 0, 2, 0)),
     (sim.Girder(panels=7, truss="pratt"), (14, 25, 0, 2, 0)),
-    (sim.Jelly(columns=4, rows=3), (12, 9 + 8 + 12, 0, 0, 1)),
+    (sim.Jelly(columns=4, rows=3), (12, 9 + 8 + 12, 0, 0, 6)),
     (sim.Jelly(columns=2, rows=2, bulk_modulus=0.0), (4, 6, 0, 0, 0)),
     (sim.Bridge(panels=4), (10, 4 + 4 + 5, 3, 4, 0)),
 ]
@@ -211,9 +211,26 @@ def test_balloons_are_filled_to_the_number_given() -> None:
     assert water.area == pytest.approx(1.5 * area)
     (air,) = sim.AirBalloon(masses=12, pressure=70.0, outside=50.0).expand().fillings
     assert air == sim.Gas(masses=tuple(range(12)), pressure=70.0, outside=50.0)
-    (jelly,) = sim.Jelly(columns=4, rows=3, width=30.0, height=20.0).expand().fillings
-    assert jelly.masses == (0, 1, 2, 3, 7, 11, 10, 9, 8, 4)
-    assert jelly.area == pytest.approx(600.0)
+    cells = sim.Jelly(columns=4, rows=3, width=30.0, height=20.0).expand().fillings
+    assert [cell.masses for cell in cells] == [(i, i + 1, i + 5, i + 4) for i in (0, 1, 2, 4, 5, 6)]
+    assert [cell.area for cell in cells if isinstance(cell, sim.Liquid)] == pytest.approx(6 * [100.0])
+
+
+def test_a_jelly_that_is_pulled_turns_no_cell_inside_out_for_good() -> None:
+    scene = sim.load_scene("jelly")
+    loops = np.array([cell.masses for cell in scene.fillings])
+    for mass, (dx, dy) in ((0, (150.0, 0.0)), (8, (0.0, -200.0)), (31, (120.0, -120.0)), (40, (60.0, 60.0))):
+        simulation = sim.Simulation(scene)
+        simulation.grab(mass)
+        x, y = simulation.positions[mass]
+        for part in np.linspace(0.1, 1.0, 10):
+            simulation.follow(mass, (x + dx * part, y + dy * part))
+            simulation.advance(0.05)
+        simulation.release(mass)
+        simulation.advance(2.0)
+        across, along = simulation.positions[loops[:, 2]], simulation.positions[loops[:, 3]]
+        across, along = across - simulation.positions[loops[:, 0]], along - simulation.positions[loops[:, 1]]
+        assert (across[:, 0] * along[:, 1] - across[:, 1] * along[:, 0] > 0.0).all(), mass
 
 
 def test_a_tree_gets_thinner_and_shorter_at_each_fork() -> None:
@@ -373,3 +390,27 @@ def test_members_that_cannot_yield_do_not_so_that_no_slider_is_stuck(change: dic
     scene = validate(scene_of(msgspec.structs.replace(tough, **change)))
     assert {spring.yield_force for spring in scene.linear_springs} == {None}
     assert "hardening" in refused(scene_of(sim.Girder(hardening=50.0)))
+
+
+@pytest.mark.parametrize("name", ["air-balloon", "water-balloon", "jelly"])
+def test_what_is_thrown_stays_in_view(name: str) -> None:
+    simulation = sim.Simulation(sim.load_scene(name))
+    simulation.advance(1.0)
+    x, y = simulation.positions[0]
+    simulation.grab(0)
+    for part in np.linspace(0.1, 1.0, 10):
+        simulation.follow(0, (x + 200.0 * part, y - 150.0 * part))
+        simulation.advance(0.02)
+    simulation.release(0)
+    simulation.advance(4.0)
+    left, _, right, bottom = simulation.scene.view.frame
+    x, y = simulation.positions.T
+    assert left - 60.0 < x.min() < x.max() < right + 60.0
+    assert y.max() < bottom
+
+
+def test_a_girder_that_breaks_falls_to_the_ground_in_view() -> None:
+    simulation = sim.Simulation(sim.set_value(sim.load_scene("girder"), "load", 400.0))
+    simulation.advance(4.0)
+    assert simulation.damage is not None and simulation.damage.broken
+    assert simulation.positions[:, 1].max() < simulation.scene.view.frame[3]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import msgspec
 import pytest
@@ -49,7 +50,7 @@ def test_each_example_has_its_settings() -> None:
     assert keys_of(load_scene("box")) == bent | {"width", "height", "per_side"}
     assert keys_of(load_scene("hair-tuft")) == bent | {"hairs", "masses", "length", "spread", "taper"}
     assert keys_of(load_scene("girder")) == (DYNAMIC | {"tolerance"}) - OF_JOINTS | {
-        "panels", "depth", "load", "strength", "yield_force",
+        "panels", "depth", "load", "strength", "yield_force", "wall_friction", "bounciness",
     }  # fmt: skip
 
 
@@ -372,3 +373,15 @@ def test_wrong_assignments_are_refused(text: str, sentence: str) -> None:
     with pytest.raises(SettingError, match=sentence) as caught:
         apply_assignments(load_scene("tutorial-3.3"), ["dt=0.001", text])
     assert "\n" not in str(caught.value)
+
+
+def test_a_preset_s_description_names_only_sliders_that_it_has() -> None:
+    labels = {preset: {s.label for s in settings_of(load_scene(preset))} for preset in PRESETS}
+    named = {
+        (preset, label)
+        for preset in PRESETS
+        for label in set().union(*labels.values())
+        if re.search(rf"\b{re.escape(label)}\b", load_scene(preset).description)
+    }
+    assert {("jelly", "Shear stiffness"), ("girder", "Load"), ("water-balloon", "Filling")} <= named
+    assert all(label in labels[preset] for preset, label in named), named

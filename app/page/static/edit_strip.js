@@ -53,6 +53,8 @@ const GAP = 10;
 const STAYS = 60;
 /** Pixels of height that a column of tools needs, with the bar below. */
 const COLUMN = 480;
+/** Pixels more that it needs where it is twice as large, for a projector. */
+const MORE = 150;
 
 /** Pixels that the box of instruments takes. */
 const boxWidth = () => (document.querySelector(".softrod-box-lid")?.clientWidth ?? 40) + GAP;
@@ -151,7 +153,7 @@ export function addEditStrip(tracing) {
     above = editing.on ? top : 0;
     const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity);
     // On a phone they stand in a row, without words.
-    const low = bottom - top < COLUMN * larger();
+    const low = bottom - top < COLUMN + (larger() - 1) * MORE;
     const beside = boxWidth();
     strip.classList.toggle("softrod-edit-row", low || !editing.on);
     strip.classList.toggle("softrod-edit-closed", !editing.on);

@@ -5,7 +5,6 @@
  */
 import { onTold, send, told } from "./channel.js";
 
-const NAME = "Measure";
 /** Milliseconds between two looks whether plots can be seen. */
 const LOOK_EVERY = 250;
 /** Milliseconds between two looks whether a new plot is there, and how many. */
@@ -17,15 +16,15 @@ const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 export function showMeasures() {
   let asked = "0";
   onTold(() => {
-    const { measures = "0", scrubbed } = told();
+    const { measures = "0", measuring = "", scrubbed } = told();
     // Legends of plots then read what is ahead, too.
     document.documentElement.toggleAttribute("data-softrod-past", scrubbed === "1");
     const more = Number(measures) > Number(asked); // a new connection begins to count anew
     asked = measures;
     if (!more) return;
     const count = titles().length;
-    const tabs = [...document.querySelectorAll("[role=tab]")];
-    const tab = tabs.find((each) => each.textContent?.trim() === NAME);
+    // By its id: its words may be translated. The panel beside the canvas has it, and that of a phone at the end of another.
+    const tab = measuring && document.querySelector(`[data-dock-tab="${measuring}"], [role=tab][id$="-tab-${measuring}"]`);
     if (!(tab instanceof HTMLElement)) return;
     // The panel beside the canvas hears of no click, that of a phone of nothing else.
     tab.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true }));

@@ -1,5 +1,8 @@
 // @ts-check
-/** Takes away viser's own notices of files on their way: softrod says what became of a file. */
+/**
+ * Takes away viser's own notices of files on their way: softrod says what became of a file. viser's page makes them, so
+ * that only their words tell them apart; they are looked at as they come, before anything can translate them.
+ */
 
 const VISERS = ["Uploading ", "Received "];
 

@@ -7,6 +7,8 @@ import { viser } from "./viser.js";
 
 /** Milliseconds around the use of a pen in which a finger that comes down is a palm. */
 const PALM = 500;
+/** Milliseconds without a word from a pen that is down after which it counts as gone: one that is held trembles. */
+const GONE = 5000;
 
 /** What began each press that lasts. @type {Map<number, PointerEvent>} */
 const presses = new Map();
@@ -19,7 +21,11 @@ let penAt = -Infinity;
 const isOnCanvas = (target) =>
   target instanceof Element && (target === viser()?.canvas || target.closest(".softrod-instruments") !== null);
 
-const penIsDown = () => [...presses.values()].some(({ pointerType }) => pointerType === "pen");
+/** Whether a pen is in use, or was just now. @param {number} now ms of the events' clock */
+function isWriting(now) {
+  const isDown = [...presses.values()].some(({ pointerType }) => pointerType === "pen");
+  return now - penAt < (isDown ? GONE : PALM);
+}
 
 /** Has all who know of a press forget it. @param {PointerEvent} press */
 function cancel(press) {
@@ -43,7 +49,7 @@ function down(event) {
       palms.add(id);
     }
   }
-  if (pointerType === "touch" && isOnCanvas(target) && (penIsDown() || timeStamp - penAt < PALM)) palms.add(pointerId);
+  if (pointerType === "touch" && isOnCanvas(target) && isWriting(timeStamp)) palms.add(pointerId);
   if (palms.has(pointerId)) event.stopImmediatePropagation();
   else presses.set(pointerId, event);
 }

@@ -41,9 +41,14 @@ const FACES = {
   forward: { icon: "forward", word: "Frame", name: "Forward 1 frame", does: "forward" },
 };
 
+/** What each button shows; its words may be translated. @type {WeakMap<HTMLButtonElement, Face>} */
+const dressed = new WeakMap();
+
 /** @param {HTMLButtonElement} element @param {Face} face */
-function dress(element, { icon, word, name, does }) {
-  if (element.ariaLabel === name) return;
+function dress(element, face) {
+  if (dressed.get(element) === face) return;
+  dressed.set(element, face);
+  const { icon, word, name, does } = face;
   element.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[icon]}"/></svg><span>${word}</span>`;
   element.ariaLabel = name;
   element.title = `${name} (${keyOf(does)})`;
@@ -164,6 +169,7 @@ export function addTransport() {
   const forward = iconButton(FACES.step, () => send("do", nextStep()));
   const clock = document.createElement("output");
   clock.className = "softrod-clock";
+  clock.translate = false;
   const [time, speed, line] = [timeSlider(), speedBox(), offers()];
   bar.append(reset, second, back, play, forward, time.element, clock, speed.element);
   const dock = document.createElement("div");

@@ -70,7 +70,9 @@ class Cloth(Jointed, frozen=True, kw_only=True):
 
 
 class Jelly(Sprung, frozen=True, kw_only=True):
-    """A block of jelly: a grid of springs with two across each cell, filled with what keeps its area.
+    """A block of jelly: a grid of springs with two across each cell, each filled with what keeps its area.
+
+    A cell that is pulled inside out is pushed back by what is in it, as springs alone would not.
 
     Masses count along the rows, from the upper left corner. Springs along the rows come first, then those
     along the columns, then the diagonals.
@@ -80,7 +82,7 @@ class Jelly(Sprung, frozen=True, kw_only=True):
         width, height: 1e-3..1e6 px.
         center: px.
         shear_stiffness: of the diagonals, 0..1e15 kg/s².
-        bulk_modulus: 0..1e9 kg/s², of a `Liquid` inside the outline; there is none if it is 0.
+        bulk_modulus: 0..1e9 kg/s², of a `Liquid` in each cell; there is none if it is 0.
     """
 
     columns: Columns = 9
@@ -104,11 +106,10 @@ class Jelly(Sprung, frozen=True, kw_only=True):
         _springs(body, self, columns, rows)
         _crosses(body, self.shear_stiffness, self.damping, columns, rows)
         if self.bulk_modulus:
-            last = columns * (rows - 1)
-            top, right = range(columns), range(2 * columns - 1, last, columns)
-            bottom, left = range(last + columns - 1, last - 1, -1), range(last - columns, 0, -columns)
-            loop = (*top, *right, *bottom, *left)
-            body.fill(Liquid(masses=loop, bulk_modulus=self.bulk_modulus, area=body.area(loop)))
+            for row in range(rows - 1):
+                for first in range(row * columns, (row + 1) * columns - 1):
+                    loop = (first, first + 1, first + columns + 1, first + columns)
+                    body.fill(Liquid(masses=loop, bulk_modulus=self.bulk_modulus, area=body.area(loop)))
         body.hold((), self.driven)
         return body.parts()
 
