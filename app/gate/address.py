@@ -176,8 +176,8 @@ def exposure(host: str, public: Public | None = None) -> str | None:
     """
     if public is not None:
         return (
-            f"Anyone who can open {public.url} can run simulations on this machine, and save to and delete from "
-            "your preset folder. There is no password, unless the proxy asks for one."
+            f"Anyone who can open {public.url} can run simulations on this machine, and save to and delete "
+            "from your preset folder. There is no password, unless the proxy asks for one."
         )
     with contextlib.suppress(OSError):
         if ipaddress.ip_address(_resolve(host, 0)[1][0]).is_loopback:
