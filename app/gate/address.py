@@ -168,8 +168,17 @@ def origin(text: str) -> str:
     return f"{scheme}://{host}" if port == _OWN_PORTS[scheme] else f"{scheme}://{host}:{port}"
 
 
-def exposure(host: str) -> str | None:
-    """What serving on `host` exposes, in words for the terminal; None if only this machine can connect."""
+def exposure(host: str, public: Public | None = None) -> str | None:
+    """What serving on `host` exposes, in words for the terminal; None if only this machine can connect.
+
+    Args:
+        public: the address by which others reach it through a proxy, if any.
+    """
+    if public is not None:
+        return (
+            f"Anyone who can open {public.url} can run simulations on this machine, and save to and delete "
+            "from your preset folder. There is no password, unless the proxy asks for one."
+        )
     with contextlib.suppress(OSError):
         if ipaddress.ip_address(_resolve(host, 0)[1][0]).is_loopback:
             return None

@@ -148,7 +148,7 @@ def serve(
             console.print(f"and, for others, at [bold]{public.url}[/bold]", highlight=False)
         if qr:
             print_qr_code(for_others)
-        warning = exposure(host)
+        warning = exposure(host, public)
         if warning:
             console.print(f"[yellow]{warning}[/yellow]", highlight=False)
         if open_browser:

@@ -28,6 +28,9 @@ MOST_KEPT = 1000
 MOST_BYTES = 500_000
 """Bytes of a scene's file; a larger one is sent as a file."""
 
+MOST_KEPT_BYTES = 50_000_000
+"""Bytes of all that is kept."""
+
 _CODE = re.compile(rf"[{LETTERS}]{{{SHORTEST},12}}")
 
 # Pages of one server may share at the same moment.
@@ -103,6 +106,9 @@ def _letters(digest: bytes) -> str:
 
 def _take_out() -> None:
     """Delete what is too much."""
-    paths = sorted(shared_folder().glob("*.json"), key=lambda path: path.stat().st_mtime_ns, reverse=True)
-    for path in paths[MOST_KEPT:]:
-        path.unlink(missing_ok=True)
+    stamps = [(path.stat(), path) for path in shared_folder().glob("*.json")]
+    size = 0
+    for count, (stamp, path) in enumerate(sorted(stamps, key=lambda one: -one[0].st_mtime_ns), start=1):
+        size += stamp.st_size
+        if count > MOST_KEPT or size > MOST_KEPT_BYTES:
+            path.unlink(missing_ok=True)

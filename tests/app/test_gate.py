@@ -318,6 +318,13 @@ def test_what_is_no_name_is_one_sentence(name: str) -> None:
         open_server("127.0.0.1", 0, extra_hosts=[name])
 
 
+def test_a_proxy_is_an_exposure() -> None:
+    said = exposure("127.0.0.1", public_address(SCHOOL))
+    assert said is not None
+    assert SCHOOL in said
+    assert "There is no password" in said
+
+
 def test_public_addresses_are_as_browsers_write_them() -> None:
     found = public_address("https://School.example:443/lab")
     assert (found.url, found.origin, found.folder) == (SCHOOL, "https://school.example", "/lab/")

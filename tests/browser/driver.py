@@ -33,6 +33,9 @@ ARTIFACTS = Path(__file__).resolve().parents[2] / "artifacts"
 LIMIT = 20.0
 """Seconds after which a condition is given up: generous, since a busy machine draws few frames a second."""
 
+BEAT_BYTES = 100
+"""Size of a sign of life at most; whatever else the server sends is larger."""
+
 VISERS = ("Uploading ", "Received ")
 """Beginnings of the titles of viser's own notices."""
 
@@ -93,6 +96,7 @@ class Desk:
         errors: what went wrong in the page: uncaught errors, and errors on the console.
         complaints: what WebGL found wrong.
         frames: messages that the server sent, counted in WebSocket frames.
+        beats: those among them that are signs of life and say nothing, counted apart.
     """
 
     def __init__(self, served: Served, context: BrowserContext) -> None:
@@ -101,7 +105,7 @@ class Desk:
         self.page = context.new_page()
         self.errors: list[str] = []
         self.complaints: list[str] = []
-        self.frames = 0
+        self.frames = self.beats = 0
         self._client = -1
         size = self.page.viewport_size
         assert size is not None
@@ -115,7 +119,7 @@ class Desk:
         self.page.add_init_script(HARDWARE)
         self.page.on("console", self._hear)
         self.page.on("pageerror", lambda error: self.errors.append(f"uncaught: {error}"))
-        self.page.on("websocket", lambda socket: socket.on("framereceived", lambda _: self._count()))
+        self.page.on("websocket", lambda socket: socket.on("framereceived", self._count))
 
     def _hear(self, message: ConsoleMessage) -> None:
         if "GL_INVALID" in message.text or "WebGL: INVALID" in message.text:
@@ -123,8 +127,11 @@ class Desk:
         elif message.type == "error" and not any(text in message.text for text in VISERS_ERRORS):
             self.errors.append(message.text)
 
-    def _count(self) -> None:
-        self.frames += 1
+    def _count(self, payload: bytes | str) -> None:
+        if len(payload) > BEAT_BYTES:
+            self.frames += 1
+        else:
+            self.beats += 1
 
     # --------------------------------------------------------------------- opening
     def open(self, path: str = "/") -> None:

@@ -113,8 +113,7 @@ def test_a_page_at_rest_or_in_the_background_raises_no_alarm(open_page: OpenPage
     desk.page.evaluate(
         "() => { const real = performance.now.bind(performance); performance.now = () => real() + 3.6e6 }"
     )
-    desk.frames = 0
-    desk.until(lambda: desk.frames >= 4, "it hears from the server although nothing happens", limit=30.0)
+    desk.until(lambda: desk.beats >= 4, "it hears from the server although nothing happens", limit=30.0)
     assert not is_away(desk)
     assert max(desk.served.ticker.tabs) == desk._client
     assert desk.page.evaluate("!document.documentElement.hasAttribute('data-softrod-away')")

@@ -55,6 +55,15 @@ def test_what_nobody_opened_for_long_makes_room(home: None, monkeypatch: pytest.
         shared_scene(codes[1])
 
 
+def test_all_that_is_kept_has_a_size(home: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    codes = [share_scene(sim.rope(masses=3))]
+    (path,) = shared_folder().iterdir()
+    os.utime(path, (1e9, 1e9))
+    monkeypatch.setattr(shared, "MOST_KEPT_BYTES", int(1.5 * path.stat().st_size))
+    codes.append(share_scene(sim.rope(masses=4)))
+    assert {path.stem for path in shared_folder().iterdir()} == {codes[1]}
+
+
 def test_what_cannot_be_kept_is_one_sentence(home: None, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(SceneError, match=r"takes \d+ bytes, more than the 300 that are kept") as caught:
         monkeypatch.setattr(shared, "MOST_BYTES", 300)
