@@ -11,7 +11,7 @@ Linearised about the present state, the motion is M a = -K x - C v. The stabilit
 - Both hold where K and C are symmetric. The damping of a body that turns, friction, and the tutorial's law
   make them unsymmetric. Two equal frequencies, as regular bodies have, are then a pair of complex
   eigenvalues, and the eigenvalues of the whole step decide, see `sim.methods.limits`.
-- Methods of first order soften walls and contact by the step, see `kernels.around.bounce`. So K and C are
+- Explicit methods soften walls and contact by the step, see `kernels.around.bounce`. So K and C are
   those at the limit itself, which is found by iteration.
 - Runge-Kutta 4 multiplies a motion exp(lambda t) by its stability polynomial R(dt lambda): a step is stable
   while |R| <= 1 for all lambda of lambda² + lambda M^-1 C + M^-1 K; without damping, omega dt < sqrt(8).

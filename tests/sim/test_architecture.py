@@ -14,8 +14,6 @@ import sim
 
 ROOT = Path(sim.__file__).parent.parent
 SOURCES = sorted((ROOT / "sim").rglob("*.py"))
-LONGEST = 500
-"""Lines of a module: some 400 are what one can still read in one go."""
 
 
 def imported(tree: ast.AST) -> set[str]:
@@ -102,13 +100,3 @@ def test_folders_import_each_other_in_one_direction_only(package: str) -> None:
     assert len(users) > 3
     order = graphlib.TopologicalSorter(users)
     order.prepare()  # raises where there is a circle
-
-
-@pytest.mark.parametrize("part", ["app", "sim", "tests"])
-def test_no_module_is_too_long(part: str) -> None:
-    lengths = {
-        str(path.relative_to(ROOT)): len(path.read_text(encoding="utf-8").splitlines())
-        for path in (ROOT / part).rglob("*.py")
-    }
-    assert lengths
-    assert {path: lines for path, lines in lengths.items() if lines > LONGEST} == {}

@@ -116,7 +116,10 @@ def test_a_slope_holds_nothing_at_rest(friction: float) -> None:
 
 # ------------------------------------------------------------------------- balances
 @pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("name", [name for name in PRESETS if sim.load_scene(name).anchors])
+@pytest.mark.parametrize(
+    "name",
+    [name for name in PRESETS if 0 < len(sim.load_scene(name).anchors) < len(sim.load_scene(name).masses)],
+)
 def test_forces_balance_in_every_preset(name: str, law: ForceLaw) -> None:
     scene = REPLACE(sim.load_scene(name), force_law=law)
     pose = equilibrium(scene)

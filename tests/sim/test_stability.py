@@ -178,16 +178,19 @@ def test_the_first_estimate_is_as_good_as_later_ones(damping: float) -> None:
 
 def test_the_meter_sees_when_another_body_gets_stiffer() -> None:
     hanging = chain([(0.0, 0.0), (0.0, 10.0)], stiffness=100.0, held=(0,))
-    stone = sim.Mass(position=(50.0, 99.0))
-    floor = sim.Wall(point=(0.0, 100.0), normal=(0.0, -1.0), hardness=1e6, friction=0.0, bounciness=1.0)
+    corners = ((50.0, 0.0), (90.0, 0.0), (90.0, 40.0), (50.0, 40.0))
+    loop = tuple(sim.Mass(position=corner) for corner in corners)
+    gas = sim.Gas(masses=(2, 3, 4, 5), pressure=1.0, outside=1.0)
     integrator = sim.Integrator(method="velocity_verlet", dt=1e-4)
-    scene = REPLACE(hanging, masses=(*hanging.masses, stone), walls=(floor,), integrator=integrator)
+    scene = REPLACE(hanging, masses=(*hanging.masses, *loop), fillings=(gas,), integrator=integrator)
     simulation = Simulation(scene)
     assert simulation.stability().limit == pytest.approx(2.0 / math.sqrt(100.0), rel=1e-3)
-    put(simulation, np.array([(0.0, 0.0), (0.0, 10.0), (50.0, 102.0)]))
+    squeezed = [(x, min(y, 0.5)) for x, y in corners]
+    put(simulation, np.array([(0.0, 0.0), (0.0, 10.0), *squeezed]))
     estimate = simulation.stability()
-    assert estimate.limit == pytest.approx(2.0 / math.sqrt(2.0 * 1e6 * 2.0), rel=1e-3)
-    assert estimate.cause == "walls"
+    # The pressure falls by 4 kg/s² per px of area, of which each mass makes 20 px² per px: 4 · 4 · 20² s⁻².
+    assert estimate.limit == pytest.approx(2.0 / math.sqrt(6400.0), rel=1e-3)
+    assert estimate.cause == "fillings"
 
 
 @pytest.mark.parametrize(("preset", "law"), PRESETS_AND_LAWS)

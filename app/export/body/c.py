@@ -298,16 +298,18 @@ _FILLINGS = [
 ]
 
 _WALLS = [
-    "// Walls push with the square of the depth. What the step divides by keeps it from exploding.",
+    "// Walls push with the square of the depth, softened so that a long step makes no energy.",
     "for (int k = 0; k < WALLS; k++) {",
     "    double nx = wall[k].nx, ny = wall[k].ny, rough = wall[k].friction;",
     "    double depth = (wall[k].x - m[i].x) * nx + (wall[k].y - m[i].y) * ny;",
     "    double out = m[i].vx * nx + m[i].vy * ny, along = m[i].vy * nx - m[i].vx * ny;",
     "    if (depth <= 0.0) continue;",
     "    double push = wall[k].hardness * depth * depth;",
-    "    double less = 1.0 + DT * (wall[k].loss * push + 2.0 * DT * wall[k].hardness * depth);",
-    "    push *= fmax(1.0 - wall[k].loss * out, 0.0) / less;",
-    "    double rub = rough * push * tanh(along / (wall[k].slip + DT * rough * push));",
+    "    double power = pow(DT * (wall[k].loss * push + 4.0 * DT * wall[k].hardness * depth), 4);",
+    "    double loss = wall[k].loss + 0.5 * DT / depth * power / (1.0 + power);",
+    "    push *= fmax(1.0 - loss * out, 0.0) / pow(1.0 + power, 0.25);",
+    "    double slip = pow(pow(wall[k].slip, 4) + pow(DT * rough * push, 4), 0.25);",
+    "    double rub = rough * push * tanh(along / slip);",
     "    ax[i] += push * nx + rub * ny, ay[i] += push * ny - rub * nx;",
     "}",
 ]

@@ -228,13 +228,16 @@ _FILLINGS = [
 ]
 
 _WALLS = [
-    "# Walls push with the square of the depth. What the step divides by keeps it from exploding.",
+    "# Walls push with the square of the depth, softened so that a long step makes no energy.",
     "for px, py, nx, ny, hardness, friction, slip, loss in WALLS:",
     "    depth = np.maximum((px - x[:, 0]) * nx + (py - x[:, 1]) * ny, 0.0)",
     "    out, along = v[:, 0] * nx + v[:, 1] * ny, v[:, 1] * nx - v[:, 0] * ny",
-    "    push = hardness * depth**2 * np.maximum(1.0 - loss * out, 0.0)",
-    "    push /= 1.0 + DT * (loss * hardness * depth**2 + 2.0 * DT * hardness * depth)",
-    "    rub = friction * push * np.tanh(along / (slip + DT * friction * push))",
+    "    power = (DT * (loss * hardness * depth**2 + 4.0 * DT * hardness * depth)) ** 4",
+    "    more = 0.5 * DT / np.maximum(depth, 1e-300) * power / (1.0 + power)",
+    "    push = hardness * depth**2 * np.maximum(1.0 - (loss + more) * out, 0.0)",
+    "    push /= (1.0 + power) ** 0.25",
+    "    slips = (slip**4 + (DT * friction * push) ** 4) ** 0.25",
+    "    rub = friction * push * np.tanh(along / slips)",
     "    a += np.stack((push * nx + rub * ny, push * ny - rub * nx), 1)",
 ]
 
