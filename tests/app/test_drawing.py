@@ -130,12 +130,10 @@ def test_many_masses_are_drawn_with_less() -> None:
     assert (few.many, many.many) == (False, True)
 
 
-@pytest.mark.parametrize("name", PRESETS)
+@pytest.mark.parametrize("name", [name for name in PRESETS if name != "empty"])
 def test_nets_are_drawn_with_bars_and_chains_trees_and_rings_with_coils(name: str) -> None:
     net = name in ("girder", "bridge", "cloth", "jelly", "flag-pole", "study-cloth")
     sketch = sketch_of(sim.load_scene(name))
-    if not len(sketch.springs):
-        pytest.skip("there is nothing to draw")
     assert sketch.bars == (net or sketch.many)
     assert (sketch.spring_shape == "bar") == sketch.bars
     assert (sketch.spring_shape in COILS) != sketch.bars

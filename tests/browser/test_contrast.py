@@ -77,7 +77,7 @@ def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
     desk.until(lambda: desk.notices(), "it runs away")
     pale += poor(desk, "a notice, and a way back")
     desk.show("Play")
-    desk.button("Help").click()
+    desk.view("Help")
     desk.page.get_by_role("dialog").wait_for()
     pale += poor(desk, "help")
     assert not pale, pale

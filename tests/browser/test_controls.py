@@ -117,6 +117,7 @@ def test_numbers_can_be_typed_slowly(open_page: OpenPage, monkeypatch: pytest.Mo
 def test_the_slider_of_the_number_of_masses_can_be_dragged(open_page: OpenPage) -> None:
     desk = open_page()
     desk.show("Play")
+    desk.control("Number of masses").scroll_into_view_if_needed()
     thumb, track = (
         desk.thumb("Number of masses").bounding_box(),
         desk.control("Number of masses").locator(".mantine-Slider-track").bounding_box(),
@@ -148,7 +149,7 @@ def test_only_controls_that_the_scene_can_use_are_there(open_page: OpenPage) -> 
         labels = desk.page.locator("label:visible")
         desk.until(
             lambda labels=labels, wanted=wanted: (
-                tuple(text for text in labels.all_inner_texts() if text in known) == wanted
+                sorted(text for text in labels.all_inner_texts() if text in known) == sorted(wanted)
             ),
             f"the controls of {name}",
         )
@@ -183,14 +184,14 @@ def test_a_click_on_a_mass_reads_out_its_joint(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False), commands.SetValue("rest_angle", 10.0), commands.Reset())
     desk.wait_drawn()
-    assert desk.readout("joint") == "0 of 0..9"
+    assert desk.readout("joint0") == "of 10"
     desk.tell(commands.DoSteps(60))
     assert_shown(desk)
     x, y = desk.place(6)
     desk.page.mouse.move(x, y)
     desk.rest(4)
     desk.page.mouse.click(x, y)
-    desk.until(lambda: desk.readout("joint") == "5 of 0..9", "the joint of mass 6 is read out")
+    desk.until(lambda: desk.readout("joint5") == "of 10", "the joint of mass 6 is read out")
     angle = desk.simulation.angles[5]
     assert desk.readout("angle") == f"{angle:+.2f}°"
     assert abs(angle - desk.simulation.angles[0]) > 0.01  # so it is not the first one's
@@ -244,7 +245,7 @@ def test_a_body_that_runs_away_is_stopped_and_explained(open_page: OpenPage) -> 
     if not desk.session.playing:
         desk.button("Play").click()
     desk.until(lambda: desk.simulation.step_count > 100, "it runs again")
-    desk.until(lambda: "limit" in desk.hud() and "unstable" not in desk.hud(), "the meter is green again")
+    desk.until(lambda: "limit" not in desk.hud(), "there is no meter far below the limit")
     assert not desk.notices()
 
 
@@ -343,6 +344,7 @@ def test_a_scene_s_own_values_come_back(open_page: OpenPage) -> None:
 
 def test_the_meter_tells_of_a_change_while_the_clock_stands(open_page: OpenPage) -> None:
     desk = open_page()
+    desk.view("Stability bar")
     desk.until(lambda: "limit" in desk.hud() and "unstable" not in desk.hud(), "the meter is green")
     desk.tell(commands.Play(False))
     desk.show("Play")

@@ -262,7 +262,7 @@ def test_the_ringed_mass_follows_the_pointer_without_a_button(open_page: OpenPag
 
 def test_help_and_the_command_palette_list_the_keys(open_page: OpenPage) -> None:
     desk = open_page()
-    desk.button("Help").click()
+    desk.view("Help")
     dialog = desk.page.get_by_role("dialog")
     text = dialog.inner_text()
     for key, what in KEYS_HELP:
