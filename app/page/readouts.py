@@ -375,7 +375,7 @@ HELP_PICTURES = (
         '<path class="softrod-help-way" d="M16 28h72M16 66h34"/>'
         '<g class="softrod-help-mass"><circle cx="88" cy="28" r="8"/><circle cx="50" cy="66" r="8"/></g>'
         '<path class="softrod-help-way" d="M96 44h26m-8-6 8 6-8 6"/>',
-        "stiffness, damping, lengths and angles in the Play tab, or draw a body of your own with Build.",
+        "stiffness, damping, lengths and angles in the Play tab, or draw a body of your own with Edit.",
     ),
     (
         "Measure",

@@ -12,9 +12,11 @@ from unittest.mock import MagicMock
 import numpy as np
 import pytest
 import viser
+from PIL import Image
 
 import sim
 from app.drawing.colors import palette
+from app.export.plot_picture import plot_png
 from app.page import plots
 from app.page.comma_switch import CommaSwitch
 from app.page.measure_panel import MeasurePanel
@@ -352,3 +354,19 @@ def test_lines_of_one_axis_are_levelled_together() -> None:
     assert drawn_range(apart, [1]) == 0.0
     assert set(values[2][np.isfinite(values[2])]) == {301.0}
     assert np.isnan(values[2]).any()
+
+
+@pytest.mark.parametrize(
+    ("names", "over"), [(("joint0.angle", "mass3.y"), ""), (("joint0.torque",), "joint0.angle")]
+)
+def test_a_plot_is_a_picture(names: tuple[str, ...], over: str) -> None:
+    page = PlotPage(*names, over=over, scene="rod")
+    page.frames(40)
+    colors = plots.colors_of(page.plot, palette("softrod", dark=False))
+    data = plot_png(page.plot, curve(page.plot, 10.0, 500), colors, "Rope <3>")
+    with Image.open(io.BytesIO(data)) as image:
+        pixels = np.asarray(image.convert("RGB")).reshape(-1, 3)
+    found = {tuple(pixel) for pixel in np.unique(pixels, axis=0).tolist()}
+    assert (255, 255, 255) in found, "it is on white"
+    for color in colors:
+        assert tuple(bytes.fromhex(color.removeprefix("#"))) in found, "each line has its colour"

@@ -76,7 +76,7 @@ export function addEditStrip(tracing) {
   const strip = make("div", "softrod-edit");
   strip.setAttribute("role", "toolbar");
   strip.ariaLabel = "Editing";
-  const lid = iconButton("edit", "Build", `Build and change the body (${EDIT.toUpperCase()})`, () => setEditing(!editing.on));
+  const lid = iconButton("edit", "Edit", `Build and change the body (${EDIT.toUpperCase()})`, () => setEditing(!editing.on));
   const tools = make("div", "softrod-edit-tools");
   const undo = iconButton("undo", "Undo", "", () => stepBack("undo"));
   const redo = iconButton("redo", "Redo", "", () => stepBack("redo"));
