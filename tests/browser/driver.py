@@ -355,7 +355,9 @@ class Desk:
 
     def click_track(self, name: str, part: float) -> None:
         """Click on a slider's track, `part` of the way from its low to its high end."""
-        box = self.control(name).locator(".mantine-Slider-track").bounding_box()
+        track = self.control(name).locator(".mantine-Slider-track")
+        track.scroll_into_view_if_needed()
+        box = track.bounding_box()
         assert box is not None
         self.page.mouse.click(box["x"] + part * box["width"], box["y"] + box["height"] / 2)
 

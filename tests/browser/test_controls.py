@@ -125,7 +125,7 @@ def test_the_slider_of_the_number_of_masses_can_be_dragged(open_page: OpenPage) 
     assert thumb is not None
     assert track is not None
     y = thumb["y"] + thumb["height"] / 2
-    end = track["x"] + track["width"]
+    end = track["x"] + track["width"] + 6.0
     desk.page.mouse.move(thumb["x"] + thumb["width"] / 2, y)
     desk.page.mouse.down()
     for x in np.linspace(thumb["x"] + thumb["width"] / 2, end, 8):

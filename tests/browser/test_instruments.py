@@ -117,8 +117,8 @@ def test_a_protractor_measures_a_joint_by_keys_alone(open_page: OpenPage) -> Non
         lambda: np.allclose(numbers(named(desk, "Protractor")), wanted, atol=0.06), "it reads the joint"
     )
     angle = numbers(named(desk, "Protractor"))[0]
-    live = desk.page.locator(".softrod-tell").first
-    desk.until(lambda: f"{angle:.1f}°" in live.inner_text(), "it is told what it reads")
+    live = desk.page.locator(".softrod-tell")
+    desk.until(lambda: f"{angle:.1f}°" in " ".join(live.all_inner_texts()), "it is told what it reads")
     assert not desk.session.playing, "Enter, Space and arrows are the instrument's"
     assert not desk.simulation.keys
     desk.page.keyboard.press("Delete")

@@ -84,7 +84,7 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     # With decimal commas, which the tab remembers.
     desk.control("Decimal commas").check()
     desk.until(lambda: desk.tab._commas.on, "tables have decimal commas")
-    desk.until(lambda: desk.tab._kept[-2] is True, "the browser keeps that")
+    desk.until(lambda: desk.tab._kept[1].commas, "the browser keeps that")
     desk.rest(3)
     desk.open()
     desk.until(lambda: desk.tab._commas.on, "it is so after a reload")
@@ -104,7 +104,7 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     desk.until(lambda: measures(desk).plots.looked_at, "and that it is")
 
     # It is there again after a reload, and gone when it is removed.
-    desk.until(lambda: ANGLE in desk.tab._kept[-1], "the page keeps it")
+    desk.until(lambda: ANGLE in desk.tab._kept[2], "the page keeps it")
     desk.rest(3)
     desk.open()
     desk.until(lambda: measures(desk).plots.wishes == (ANGLE,), "the plot is back")

@@ -39,10 +39,13 @@ const between = (value, low, high) => Math.max(low, Math.min(high, value));
 
 /** What else stands over the canvas, and where beside it there is room. */
 const BESIDE = /** @type {const} */ ([
-  [".softrod-edit-bar", "above"],
-  [".softrod-edit.softrod-edit-row", "below"],
-  [".softrod-box", "right"],
+  [".softrod-edit.softrod-edit-row:not(.softrod-edit-closed)", "below"],
+  [".softrod-box:has(.softrod-box-tools:not([hidden]))", "right"],
   [".softrod-edit:not(.softrod-edit-row)", "right"],
+  [".softrod-box-lid", "above"],
+  [".softrod-edit-closed", "above"],
+  [".softrod-menu-lid", "above"],
+  [".softrod-edit-bar", "above"],
 ]);
 
 /** A place for the arrow where nothing covers it. @param {{x: number, y: number}} place */
