@@ -13,8 +13,8 @@ const MARGIN = 1.04;
 const LARGEST = 20;
 /** How near to the scene's frame a wall is shown with it, and how deep, as parts of its size. */
 const [NEAR, STRIP] = [0.2, 0.05];
-/** Pixels around the buttons over the bar of time. */
-const ROOM = 18;
+/** Pixels of a canvas below which the buttons over the bar of time have no room beside a body, and those around them. */
+const [NARROW, ROOM] = [480, 18];
 /** From which part of the canvas's width on the row of tools leaves no room for the body beside it. */
 const WIDE = 0.75;
 /** Milliseconds between two looks at the size of the canvas, and at whether viser has its way with the camera. */
@@ -87,7 +87,7 @@ function covered(canvas, box) {
 
 /**
  * Height that the tools take at the top and at the bottom, where they stand in a row over nearly all of its width; and
- * that of the buttons over the bar of time, where a tall canvas has no room beside them.
+ * that of the buttons over the bar of time, where a narrow canvas has no room beside them.
  *
  * @param {DOMRect} box of the canvas
  */
@@ -96,7 +96,7 @@ function besideTools(box) {
   const row = strip?.getBoundingClientRect();
   if (!editing.on) {
     const buttons = document.querySelector(".softrod-menu-lid, .softrod-box-lid")?.getBoundingClientRect();
-    return { above: 0, below: box.height > box.width && buttons ? buttons.height + ROOM : 0 };
+    return { above: 0, below: box.width < NARROW && buttons ? buttons.height + ROOM : 0 };
   }
   if (!row || !bar || row.width < WIDE * box.width) return { above: 0, below: 0 };
   return { above: Math.max(0, row.bottom - box.top), below: bar.getBoundingClientRect().height };
