@@ -24,7 +24,7 @@ from .link import link_data, unpack
 from .numbers import of_python
 from .places import as_utf8, infinite_number, line_and_column, place_of, repeated_key
 from .sentences import sentence
-from .types import BODY_FIELDS, FORMAT_VERSION, Scene, is_surrounded
+from .types import BODY_FIELDS, FORMAT_VERSION, Scene
 from .validate import consistent, validate
 
 MAX_FILE_BYTES = 5_000_000
@@ -48,7 +48,6 @@ class SceneInfo:
         path: of its file.
         built_in: whether it ships with softrod.
         group: the folder of presets that it is in, such as "study", or empty.
-        surrounded: whether anything acts on the body besides springs and still air.
     """
 
     name: str
@@ -57,7 +56,6 @@ class SceneInfo:
     built_in: bool
     group: str = ""
     title: str = ""
-    surrounded: bool = False
 
 
 def built_in_folder() -> Path:
@@ -325,7 +323,7 @@ def _info(path: Path, built_in: bool, group: str = "") -> list[SceneInfo]:
         scene = read_scene(path)
     except SceneError:
         return []
-    about = scene.description, path, built_in, group, scene.title, is_surrounded(scene)
+    about = scene.description, path, built_in, group, scene.title
     return [SceneInfo(path.stem, *about)]
 
 
