@@ -13,6 +13,7 @@ from app.page.edits import edited
 from app.page.view import picture_of
 from app.session import commands
 from sim.edit.edit import Selection
+from tests.amount import examples
 from tests.app.pages import SessionPage
 
 SCENES = {name: sim.load_scene(name) for name in ("tutorial-3.3", "triangle", "tutorial-3.1")}
@@ -83,7 +84,7 @@ def check(page: SessionPage) -> None:
     page.session.keepsake()
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100))
 @given(st.lists(st.tuples(COMMANDS, st.integers(0, 3)), max_size=25))
 def test_no_order_of_commands_ends_in_an_exception(told: list[tuple[commands.Command, int]]) -> None:
     page = SessionPage(SCENES["tutorial-3.3"])

@@ -29,7 +29,7 @@ Result = subprocess.CompletedProcess[str]
 
 
 def softrod(*words: str | Path) -> Result:
-    """Run the command to its end."""
+    """Run the command to its end, in a process of its own: for what depends on that."""
     return subprocess.run(
         [sys.executable, "-m", "app", *map(str, words)],
         capture_output=True,
@@ -77,19 +77,21 @@ def test_run_writes_a_table_that_reads_back_exactly(tmp_path: Path) -> None:
     assert float(rows[1][1]) == simulation.time
 
 
-def test_tables_have_decimal_commas_if_they_are_to(tmp_path: Path) -> None:
+def test_tables_have_decimal_commas_if_they_are_to(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     plain, commas = tmp_path / "plain.csv", tmp_path / "commas.csv"
     for words in ((), ("--energy",), ("--record", "joint0.angle", "--record", "mass3.x")):
         run = "run", "ring", "--steps", "20", "--every", "5", *words, "--out"
-        assert softrod(*run, plain).returncode == 0
-        assert softrod(*run, commas, "--csv-comma").returncode == 0
+        assert softrod_here(capsys, *run, plain).returncode == 0
+        assert softrod_here(capsys, *run, commas, "--csv-comma").returncode == 0
         text = commas.read_text()
         head, *rows = plain.read_text().splitlines()
         wanted = [head.replace(",", ";"), *(row.replace(",", ";").replace(".", ",") for row in rows)]
         assert text.splitlines() == wanted
 
 
-def test_run_replays_moves_and_keys(tmp_path: Path) -> None:
+def test_run_replays_moves_and_keys(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log, out = tmp_path / "log.jsonl", tmp_path / "out.npz"
     lines = [
         {"step": 0, "move": {"mass": 0, "to": [310.0, 170.0]}},
@@ -98,7 +100,7 @@ def test_run_replays_moves_and_keys(tmp_path: Path) -> None:
         {"step": 25, "move": {"mass": 0, "to": [350.0, 190.0]}},
     ]
     log.write_text("\n".join(map(json.dumps, lines)))
-    result = softrod("run", "tutorial-3.3", "--duration", "0.1", "--inputs", log, "--out", out)
+    result = softrod_here(capsys, "run", "tutorial-3.3", "--duration", "0.1", "--inputs", log, "--out", out)
     assert result.returncode == 0, result.stderr
     table = np.load(out)
     assert table["step"].tolist() == list(range(1, 41))
@@ -128,7 +130,7 @@ def test_settings_are_applied_and_checked(tmp_path: Path, capsys: pytest.Capture
         "--set",
         "masses=5",
     )
-    assert softrod(*words).returncode == 0
+    assert softrod_here(capsys, *words).returncode == 0
     assert len(rows_of(out)[0]) == 2 + 10
     for assignment, fragment in (
         ("gravity=1e99", "-1e+06..1e+06"),
@@ -142,11 +144,17 @@ def test_settings_are_applied_and_checked(tmp_path: Path, capsys: pytest.Capture
         refused(softrod_here(capsys, *words), fragment)
 
 
-def test_a_runaway_keeps_its_good_rows_and_says_why(tmp_path: Path) -> None:
+def test_a_runaway_keeps_its_good_rows_and_says_why(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     log, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
     log.write_text('{"step": 0, "move": {"mass": 0, "to": [400, 150]}}\n')
     words = ("run", "tutorial-3.3", "--steps", "5000", "--inputs", log, "--out", out)
-    refused(softrod(*words, "--set", "angular_stiffness=60000"), "stability limit", "angular stiffness")
+    refused(
+        softrod_here(capsys, *words, "--set", "angular_stiffness=60000"),
+        "stability limit",
+        "angular stiffness",
+    )
     rows = rows_of(out)[1:]
     assert 0 < len(rows) < 5000
     assert np.isfinite(np.array(rows, float)).all()
@@ -204,12 +212,14 @@ def test_a_run_that_ends_before_its_first_row_has_a_table_without_rows(
     assert len(out.read_text().splitlines()) == 1
 
 
-def test_an_unknown_scene_names_those_there_are() -> None:
-    refused(softrod("run", "no-such", "--steps", "1", "--out", "x.csv"), "no-such", "tutorial-3.3")
+def test_an_unknown_scene_names_those_there_are(capsys: pytest.CaptureFixture[str]) -> None:
+    refused(
+        softrod_here(capsys, "run", "no-such", "--steps", "1", "--out", "x.csv"), "no-such", "tutorial-3.3"
+    )
 
 
-def test_scenes_are_listed_with_descriptions() -> None:
-    result = softrod("scenes")
+def test_scenes_are_listed_with_descriptions(capsys: pytest.CaptureFixture[str]) -> None:
+    result = softrod_here(capsys, "scenes")
     assert result.returncode == 0
     for info in sim.list_scenes():
         if info.built_in:
@@ -218,12 +228,12 @@ def test_scenes_are_listed_with_descriptions() -> None:
     assert "scenes of `softrod study`" in result.stdout
 
 
-def test_check_tells_good_from_bad(tmp_path: Path) -> None:
+def test_check_tells_good_from_bad(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     good, bad = tmp_path / "good.json", tmp_path / "bad.json"
     sim.save_scene(sim.rope(), good)
     bad.write_text('{"name": "x", "rope": {"mass": -1}}')
-    assert softrod("check", good).returncode == 0
-    result = softrod("check", good, bad, tmp_path / "missing.json")
+    assert softrod_here(capsys, "check", good).returncode == 0
+    result = softrod_here(capsys, "check", good, bad, tmp_path / "missing.json")
     assert result.returncode == 1
     assert "good.json: rope, 12 masses, is valid" in result.stdout
     assert "bad.json: rope.mass: -1 is not in the range 1e-06..1e+06 kg" in result.stderr
@@ -298,8 +308,8 @@ def test_check_notes_a_tolerance_that_is_coarse_for_its_body(
         assert ": note: " not in softrod_here(capsys, "check", path).stdout
 
 
-def test_help_lists_every_command() -> None:
-    result = softrod("--help")
+def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
+    result = softrod_here(capsys, "--help")
     assert result.returncode == 0
     for command in ("run", "scenes", "check", "bench"):
         assert f"softrod {command}" in result.stdout
@@ -352,10 +362,10 @@ def test_a_busy_port_names_the_next_free_one() -> None:
         refused(softrod("ring", "--port", str(port), "--no-open"), f"{port}", "free")
 
 
-def test_a_scene_that_is_not_valid_is_not_served(tmp_path: Path) -> None:
+def test_a_scene_that_is_not_valid_is_not_served(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     bad = tmp_path / "bad.json"
     bad.write_text('{"name": "x"}')
-    refused(softrod(bad, "--port", "0", "--no-open"), "bad.json", "masses")
+    refused(softrod_here(capsys, bad, "--port", "0", "--no-open"), "bad.json", "masses")
 
 
 def test_an_open_address_says_what_it_exposes() -> None:
@@ -369,11 +379,13 @@ def test_an_open_address_says_what_it_exposes() -> None:
     assert os.linesep in output
 
 
-def test_run_records_quantities_with_units_instead_of_positions(tmp_path: Path) -> None:
+def test_run_records_quantities_with_units_instead_of_positions(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     out = tmp_path / "swing.csv"
     words = ("run", "tutorial-3.3", "--steps", "100", "--every", "25", "--out", out)
     asked = ("--record", "mass11.y", "--record", "energy.residual", "--record", "joint3.angle")
-    assert softrod(*words, *asked).returncode == 0
+    assert softrod_here(capsys, *words, *asked).returncode == 0
     header, *rows = rows_of(out)
     assert header == ["time [s]", "mass11.y [px]", "energy.residual [kg px^2/s^2]", "joint3.angle [deg]"]
     simulation = sim.Simulation(sim.load_scene("tutorial-3.3"))
@@ -382,4 +394,4 @@ def test_run_records_quantities_with_units_instead_of_positions(tmp_path: Path) 
     row = [simulation.time, simulation.positions[11, 1], simulation.energy().residual, simulation.angles[3]]
     assert [float(value) for value in rows[-1]] == row
     assert len(rows) == 4
-    refused(softrod(*words, "--record", "joint99.angle"), "joint 99 does not exist (0..9)")
+    refused(softrod_here(capsys, *words, "--record", "joint99.angle"), "joint 99 does not exist (0..9)")

@@ -223,9 +223,9 @@ HOSTILE = "*/ int x = 1; ??/\n\"\"\"\n#'''\nimport os\\\r\u2028\n#define DT 9 \\
 
 
 def test_nothing_of_a_scene_is_code_in_a_program(tmp_path: Path) -> None:
+    plainly = moved_by_programs(body_of(LOOSE), tmp_path, 3)
     for text in (HOSTILE, "a\\", "??/", "\u202e\x00\x1b[2J", "a*/", '"""'):
         scene = changed(LOOSE, title=text[:60], name=text[:60], view=sim.View(unit=text[:8]))
-        plainly = moved_by_programs(body_of(LOOSE), tmp_path, 3)
         hostile = moved_by_programs(body_of(scene), tmp_path, 3)
         assert all((one == other).all() for one, other in zip(plainly, hostile, strict=True))
         for name in ("body.c", "body.py"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import product
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ import sim
 from app.session import commands, history
 from app.session.ghost import Ghost, GhostMoment
 from app.session.history import History, OldFuture
+from tests.amount import examples, part_of
 from tests.app.pages import FRAME, SessionPage
 from tests.sim.builders import tutorial_preset
 
@@ -82,7 +84,7 @@ def test_scenes_of_sliders_count_too(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @given(st.lists(st.floats(0.0, 100.0), min_size=1, max_size=40, unique=True), st.floats(-10.0, 110.0))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200))
 def test_nearest_is_the_nearest(times: list[float], time: float) -> None:
     ring = History()
     for t in sorted(times):
@@ -94,7 +96,7 @@ def test_nearest_is_the_nearest(times: list[float], time: float) -> None:
 @given(
     st.lists(st.tuples(st.sampled_from(["add", "cut", "amend", "back"]), st.floats(0.01, 2.0)), max_size=80)
 )
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200))
 def test_the_ring_stays_in_order_and_counts_its_bytes(steps: list[tuple[str, float]]) -> None:
     ring, time = History(), 0.0
     scenes = [sim.rope(masses=3), sim.rope(masses=4)]
@@ -370,9 +372,16 @@ def test_a_body_that_was_torn_for_long_is_taken_to_where_it_was_calm() -> None:
     assert ring[ring.before_runaway()].time == pytest.approx(3.0, abs=0.02)
 
 
-@pytest.mark.parametrize("preset", ["tutorial-3.2", "tutorial-3.3", "ring", "box", "hair-tuft", "flag-pole"])
-@pytest.mark.parametrize("method", ["symplectic_euler", "velocity_verlet", "rk4"])
-@pytest.mark.parametrize("over", [1.02, 1.3, 3.0])
+RUNAWAYS = [
+    *product(
+        ["tutorial-3.2", "tutorial-3.3", "ring", "box", "hair-tuft", "flag-pole"],
+        ["symplectic_euler", "velocity_verlet", "rk4"],
+        [1.02, 1.3, 3.0],
+    )
+]
+
+
+@pytest.mark.parametrize(("preset", "method", "over"), part_of(RUNAWAYS, 4))
 def test_there_is_a_way_back_to_before_a_divergence(preset: str, method: str, over: float) -> None:
     scene = sim.set_choice(sim.load_scene(preset), "method", method)
     page = SessionPage(scene)

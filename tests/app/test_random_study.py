@@ -10,6 +10,7 @@ from app.studies import random_study
 from app.studies.random_bodies import random_body
 from app.studies.random_study import measure_body, shares, shares_by_growth, shares_by_tolerance
 from sim.body.system import build_system
+from tests.amount import part_of
 from tests.app.results import some_body
 
 
@@ -68,7 +69,7 @@ def test_shares_by_growth_count_chaotic_bodies_whose_references_agree() -> None:
 
 
 def test_auto_keeps_to_large_tolerances_and_small_ones() -> None:
-    bodies = [measure_body(seed) for seed in range(36)]
+    bodies = [measure_body(seed) for seed in part_of(range(36), 3)]
     for found in shares_by_tolerance(bodies):
-        assert found.counted > 30
-        assert found.within > 0.95  # one of them may be unlucky
+        assert found.counted > 0.8 * len(bodies)
+        assert found.within > 0.9  # one of them may be unlucky

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
@@ -17,9 +17,10 @@ from app.session.hand import GIZMO
 from app.session.log import Check, Log, decode_log
 from sim.errors import InputError
 from sim.methods.registry import METHODS
+from tests.amount import examples
 from tests.app.pages import SessionPage
 from tests.app.recording import agrees, busy_page, joined, lines_of, log_of, perturbed, replayed
-from tests.app.test_cli import refused, rows_of, softrod
+from tests.app.test_cli import refused, rows_of, softrod_here
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -83,7 +84,7 @@ ACTS: st.SearchStrategy[commands.Command] = st.one_of(
 
 
 @given(st.lists(st.tuples(ACTS, st.integers(0, 12)), max_size=25))
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=examples(60))
 def test_whatever_is_done_a_log_leads_to_the_same_bits(acts: list[tuple[commands.Command, int]]) -> None:
     page = SessionPage(sim.load_scene("tutorial-3.3"))
     for command, frames in acts:
@@ -250,26 +251,28 @@ def test_a_step_less_differs(data: bytes) -> None:
     assert "(check 1 of" in player.verdict
 
 
-def test_run_replays_what_a_page_saved(data: bytes, tmp_path: Path) -> None:
+def test_run_replays_what_a_page_saved(
+    data: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     saved, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
     saved.write_bytes(data)
-    result = softrod("run", "--inputs", saved, "--every", "50", "--out", out)
+    result = softrod_here(capsys, "run", "--inputs", saved, "--every", "50", "--out", out)
     assert result.returncode == 0, result.stderr
     player = replayed(data)
     assert result.stdout.strip() == player.verdict
     assert f"replayed {player.steps} steps; all {player.record.checks} checks agree, digest" in result.stdout
     rows = rows_of(out)[1:]
     assert len(rows) > 5
-    assert softrod("run", "tutorial-3.3", "--inputs", saved).returncode == 0
-    refused(softrod("run", "ring", "--inputs", saved), "another scene than ring")
-    refused(softrod("run", "--inputs", saved, "--set", "gravity=0"), "--set")
+    assert softrod_here(capsys, "run", "tutorial-3.3", "--inputs", saved).returncode == 0
+    refused(softrod_here(capsys, "run", "ring", "--inputs", saved), "another scene than ring")
+    refused(softrod_here(capsys, "run", "--inputs", saved, "--set", "gravity=0"), "--set")
     saved.write_bytes(perturbed(data))
-    refused(softrod("run", "--inputs", saved), "differs first at t = ", "(check 2 of")
+    refused(softrod_here(capsys, "run", "--inputs", saved), "differs first at t = ", "(check 2 of")
 
 
-def test_run_still_needs_a_scene_and_a_table(tmp_path: Path) -> None:
-    refused(softrod("run", "--steps", "3", "--out", tmp_path / "o.csv"), "name a scene")
-    refused(softrod("run", "ring", "--steps", "3"), "--out")
+def test_run_still_needs_a_scene_and_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    refused(softrod_here(capsys, "run", "--steps", "3", "--out", tmp_path / "o.csv"), "name a scene")
+    refused(softrod_here(capsys, "run", "ring", "--steps", "3"), "--out")
 
 
 # ------------------------------------------------------------------------- nothing in a log is trusted

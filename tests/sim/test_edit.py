@@ -23,6 +23,7 @@ from sim.edit.values import NUMBERS, number, scale_number, set_number, take_as_r
 from sim.errors import SceneError, SettingError
 from sim.scene.types import Damage
 from sim.scene.validate import validate
+from tests.amount import examples
 
 SCENES = ("tutorial-3.2", "tutorial-3.3", "ring", "box", "girder", "air-balloon", "pile", "hair-tuft")
 Positions = list[tuple[float, float]]
@@ -81,7 +82,7 @@ def some_edit(draw: Callable[[st.SearchStrategy[Any]], Any], scene: sim.Scene, a
 
 
 @given(st.data())
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150))
 def test_a_valid_scene_stays_valid_and_undo_is_exact(data: st.DataObject) -> None:
     simulation = sim.Simulation(sim.load_scene(data.draw(st.sampled_from(SCENES))))
     if data.draw(st.booleans()):

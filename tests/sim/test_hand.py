@@ -15,6 +15,7 @@ from sim import Integrator, Simulation
 from sim.methods.registry import METHODS
 from sim.motion.drag import LONGEST_PART, Hand
 from sim.scene.types import ForceLaw
+from tests.amount import examples
 from tests.sim.builders import led_rod, rod
 from tests.sim.inside import same_state
 
@@ -28,7 +29,7 @@ coordinates = st.floats(-1e6, 1e6)
 # ------------------------------------------------------------------------------------------ the hand alone
 
 
-@settings(deadline=None, max_examples=15)
+@settings(max_examples=examples(15))
 @given(
     x=coordinates,
     y=coordinates,

@@ -16,6 +16,7 @@ from sim.body.sparsity import fill
 from sim.kernels.linear.sparse import assemble
 from sim.kernels.linear.two_sided_lu import inverse_pivots
 from sim.scene.types import ForceLaw
+from tests.amount import examples
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import LAWS, SHAPES, body
 from tests.sim.builders import chain, row
@@ -323,7 +324,7 @@ def graphs(draw: st.DrawFn) -> Scene:
     )
 
 
-@settings(max_examples=150, deadline=None, derandomize=True, database=None)
+@settings(max_examples=examples(150), derandomize=True, database=None)
 @given(graphs())
 def test_any_graph_is_solved_as_a_dense_matrix_is(scene: Scene) -> None:
     arrays = Arrays(sim.validate(scene), general=True)

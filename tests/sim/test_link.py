@@ -10,7 +10,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import sim
@@ -47,7 +47,6 @@ def test_a_preset_comes_back_and_is_short(preset: str) -> None:
     assert decode_link(pack_scene(posed)) == posed
 
 
-@settings(deadline=None)
 @given(st.integers(0, 2**32 - 1), st.text(max_size=60), st.text(max_size=200))
 @example(0, "x", EVIL)
 def test_every_scene_comes_back(seed: int, title: str, description: str) -> None:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
 from sim import Circle, Simulation
 from sim.methods.registry import METHODS
+from tests.amount import examples
 from tests.sim.builders import askew, rod, tutorial_preset
 
 REPLACE = msgspec.structs.replace
@@ -71,7 +72,7 @@ def test_a_step_without_a_memory_goes_on_as_if_nothing_had_been() -> None:
     share=st.floats(0.0, 1.0),
     after=st.integers(1, 40),
 )
-@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=examples(30))
 def test_settings_come_back_with_the_moment(
     preset: str, before: int, key: str, share: float, after: int
 ) -> None:

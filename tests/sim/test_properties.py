@@ -31,12 +31,12 @@ from sim import (
 from sim.scene.files import decode_scene, encode_scene
 from sim.scene.types import Circle, ForceLaw, Method
 from sim.settings import SETTINGS, TEMPLATES, set_value
+from tests.amount import examples
 from tests.sim.builders import PRESETS
 
 # Derandomised: a run of the tests must not depend on luck. The search is over the same examples each time.
 often = settings(
-    max_examples=250,
-    deadline=None,
+    max_examples=examples(250),
     derandomize=True,
     database=None,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],

@@ -12,7 +12,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 import msgspec
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
@@ -21,6 +21,7 @@ from sim.analysis.equilibrium import equilibrium
 from sim.scene.files import decode_scene, encode_scene
 from sim.scene.numbers import MAX_MASSES
 from sim.scene.recipes.recipe import AnyRecipe
+from tests.amount import examples
 from tests.sim.inside import forces_of
 
 REPLACE = msgspec.structs.replace
@@ -69,7 +70,7 @@ def recipes(draw: st.DrawFn) -> AnyRecipe:
 
 
 # ------------------------------------------------------------------------- any numbers
-@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=examples(100))
 @given(st.lists(recipes(), min_size=1, max_size=2))
 def test_recipes_in_range_make_a_valid_scene_or_one_sentence(bodies: list[AnyRecipe]) -> None:
     scene = scene_of(*bodies)
@@ -87,7 +88,7 @@ def test_recipes_in_range_make_a_valid_scene_or_one_sentence(bodies: list[AnyRec
     assert encode_scene(again) == data
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60))
 @given(st.sampled_from(RECIPES), st.data())
 def test_numbers_out_of_range_are_named(kind: type[AnyRecipe], data: st.DataObject) -> None:
     hints = get_type_hints(kind, include_extras=True)

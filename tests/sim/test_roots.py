@@ -28,7 +28,7 @@ both = pytest.mark.parametrize("root", [inverse_root, fast_inverse_root], ids=["
 Root = Callable[[float], float]
 
 # The first call may be compiled.
-PATIENT = settings(deadline=None, derandomize=True, database=None)
+PATIENT = settings(derandomize=True, database=None)
 
 
 @both

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import sim
@@ -88,7 +88,6 @@ def check_tables(scene: sim.Scene, system: System) -> None:
     assert all(not array.flags.writeable for _, array in body.arrays())
 
 
-@settings(deadline=None)
 @given(st.integers(0, 2**32 - 1), st.booleans())
 def test_tables_say_what_the_scene_says(seed: int, world: bool) -> None:
     rng = np.random.default_rng(seed)
@@ -120,7 +119,6 @@ def bytes_of(table: Any) -> list[bytes]:
     return found
 
 
-@settings(deadline=None)
 @given(st.data(), st.sampled_from(("tutorial-3.3", "ring", "box", "girder", "hair-tuft", "pile")))
 def test_tables_after_edits_are_those_of_a_scene_that_is_new(data: st.DataObject, name: str) -> None:
     """Bit for bit: what is kept of the parts before an edit changes nothing."""

@@ -15,6 +15,7 @@ from sim.analysis import tuning as module
 from sim.errors import InputError, SceneError
 from sim.motion.stability import largest_step
 from sim.scene.types import Method
+from tests.amount import examples
 from tests.sim.builders import euler
 
 EULER, VERLET = euler(), sim.Integrator(method="velocity_verlet")
@@ -181,7 +182,7 @@ def test_what_cannot_be_found_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
 numbers = st.floats(0.1, 10.0)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40))
 @given(
     st.lists(st.tuples(st.floats(1.0, 1e6), st.floats(0.0, 300.0), numbers), min_size=2, max_size=6),
     st.floats(1e-4, 0.1),
