@@ -265,10 +265,18 @@ class Sandbox:
         refused = self.server.gate.refused
         return eventually(lambda: refused[reason] >= count) and dict(refused) == {reason: count}
 
-    def close(self) -> None:
-        """Stop everything."""
+    def clear(self) -> None:
+        """Part with all users, and forget what was refused."""
         for page in self.pages:
             page.close()
+        assert eventually(lambda: not self.server.get_clients())
+        self.pages.clear()
+        self.oversized.clear()
+        self.server.gate.refused.clear()
+
+    def close(self) -> None:
+        """Stop everything."""
+        self.clear()
         self.server.stop()
 
 

@@ -23,11 +23,18 @@ from tests.app.hostile import CAMERA, Sandbox, User, eventually, pack, uuid_of
 VECTOR = [0.5, 1, 2.5]
 
 
-@pytest.fixture
-def sandbox() -> Iterator[Sandbox]:
+@pytest.fixture(scope="module")
+def server() -> Iterator[Sandbox]:
     sandbox = Sandbox()
     yield sandbox
     sandbox.close()
+
+
+@pytest.fixture
+def sandbox(server: Sandbox) -> Iterator[Sandbox]:
+    """The server of this module, as a new one."""
+    yield server
+    server.clear()
 
 
 def hold(user: User) -> dict[str, Any]:
