@@ -1,8 +1,17 @@
 #!/usr/bin/env bash
-# Everything that is tested, on a machine with nothing but Python >= 3.11: finds or installs uv, a Chromium and
-# a C compiler, then runs ruff, pyright and pytest, browser tests included. Fails when one of them cannot be had.
+# What has to be green, on a machine with nothing but Python >= 3.11: finds or installs uv, a Chromium and a C
+# compiler, then runs ruff, pyright and pytest, browser tests included. Fails when one of them cannot be had.
+# With --night it runs all of the long random tests instead of a part, and the solver's once more as on a
+# processor without anything special. Whatever else it is given goes to pytest.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+night=
+if [ "${1:-}" = --night ]; then
+    night=yes
+    export SOFTROD_NIGHT=1
+    shift
+fi
 
 if ! command -v uv >/dev/null 2>&1; then
     echo "installing uv with pip"
@@ -59,7 +68,10 @@ SOFTROD_BROWSER=$(find_browser) || {
 export SOFTROD_BROWSER
 echo "browser: $SOFTROD_BROWSER"
 
+part() { echo "== $1, after $SECONDS s"; }
+
 # The methods' machine code is made once, while the linters run, and not again by each process of the tests.
+part "linters, compiling the solver"
 python=$(uv run python -c 'import sys; print(sys.executable)')
 "$python" -m sim.compiling.precompile all >/dev/null &
 compiling=$!
@@ -68,17 +80,20 @@ uv run ruff check .
 uv run ruff format --check .
 uv run pyright
 uv run python -m tests.page.check
+part "compiling the rest"
 wait "$compiling"
-uv run pytest --numprocesses=2 --dist=loadfile tests/sim tests/app "$@"
 
-# Once more as on a processor without anything special, with a cache of its own. That is compiled while the
-# browser tests, which mostly wait, are running.
-generic=$(mktemp -d)
-trap 'kill "$compiling" 2>/dev/null || true; rm -rf "$generic"' EXIT
-as_generic() { NUMBA_CPU_NAME=generic XDG_CACHE_HOME="$generic" "$@"; }
-as_generic nice -n 19 "$python" -m sim.compiling.precompile all >/dev/null &
-compiling=$!
-uv run pytest tests/browser "$@"
-wait "$compiling"
-as_generic "$python" -m pytest --numprocesses=2 --dist=loadfile tests/sim/test_parity.py \
-    tests/sim/test_physics.py tests/sim/test_simulation.py tests/sim/test_stability.py tests/sim/test_limits.py
+# In the order of their names: browser tests, which mostly wait, stand between those of `app` and `sim`, and
+# the small files of `sim` come last.
+part "tests"
+uv run pytest --numprocesses=2 --dist=loadfile --no-loadscope-reorder "$@" tests
+
+if [ -n "$night" ]; then
+    part "the solver on a generic processor"
+    generic=$(mktemp -d)
+    trap 'rm -rf "$generic"' EXIT
+    NUMBA_CPU_NAME=generic XDG_CACHE_HOME="$generic" uv run pytest --numprocesses=2 --dist=loadfile \
+        tests/sim/test_parity.py tests/sim/test_physics.py tests/sim/test_simulation.py \
+        tests/sim/test_stability.py tests/sim/test_limits.py
+fi
+part "done"

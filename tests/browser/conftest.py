@@ -16,7 +16,7 @@ import sim
 from app.page.tab import Submit, Tab
 from app.server.serve import serving
 from tests.browser.between_frames import FRAME_LOCK
-from tests.browser.driver import ARTIFACTS, Desk, Served
+from tests.browser.driver import ARTIFACTS, LIMIT, Desk, Served
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 FLAGS = (
@@ -45,8 +45,26 @@ _ROUGH = """
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
     return real.call(this, kind, { ...options, antialias: false });
   };
+  const ask = requestAnimationFrame.bind(window);
+  const calls = new Map();
+  let last = 0, drawn = 0, asked = false;
+  const draw = (time) => {
+    asked = false;
+    drawn = performance.now();
+    const now = [...calls.values()];
+    calls.clear();
+    for (const call of now) call(time);
+  };
+  window.requestAnimationFrame = (call) => {
+    calls.set(++last, call);
+    if (!asked) setTimeout(() => ask(draw), drawn + 45 - performance.now());
+    asked = true;
+    return last;
+  };
+  window.cancelAnimationFrame = (number) => void calls.delete(number);
 """
-"""Edges are not smoothed: in software, that is most of the work of a frame."""
+"""What is most of a test's work in software is left out: edges are not smoothed, and frames come some 20 times
+a second, as on a slow phone."""
 
 
 def browser_path(playwright: Playwright) -> str:
@@ -117,8 +135,8 @@ def serve() -> Iterator[Serve]:
 
 @pytest.fixture(scope="session")
 def idle() -> list[Desk]:
-    """At most one empty page of the usual kind, which a test has left: it has viser's scripts compiled, so
-    that the next test's page is there in half the time."""
+    """Empty pages of the usual kind, which tests have left: they have viser's scripts compiled, so that the
+    next test's page is there in half the time."""
     return []
 
 
@@ -139,10 +157,11 @@ def open_page(
         path: str = "/",
     ) -> Desk:
         served = serve(scene)
-        is_usual = size == DESKTOP and not phone and not smooth
+        is_usual = not phone and not smooth
         if is_usual and idle:
             desk = idle.pop()
             desk.served = served
+            desk.page.set_viewport_size({"width": size[0], "height": size[1]})
         else:
             context = browser.new_context(
                 viewport={"width": size[0], "height": size[1]},
@@ -150,7 +169,7 @@ def open_page(
                 device_scale_factor=2 if phone else 1,
                 accept_downloads=True,
             )
-            context.set_default_timeout(20_000)
+            context.set_default_timeout(LIMIT * 1e3)
             if not smooth:
                 context.add_init_script(_ROUGH)
             desk = Desk(served, context)
@@ -170,7 +189,7 @@ def open_page(
                 desk.page.screenshot(path=ARTIFACTS / f"failed-{name}-{i}.png")
     errors: list[str] = []
     for desk in desks:
-        keep = desk in usual and not idle and not failed and not desk.page.is_closed()
+        keep = desk in usual and len(idle) < 2 and not failed and not desk.page.is_closed()
         if keep:
             desk.leave()
         errors += desk.errors
