@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from ..body.sparsity import new_matrix
-from ..body.system import build_system, damage_of, new_scratch, start_of
+from ..body.system import build_system, damage_of, new_scratch, start_of, unsoftened
 from ..errors import InputError
 from ..kernels.around.around import accelerations_around
 from ..kernels.around.contact import stays_apart
@@ -19,7 +19,7 @@ from ..kernels.linear.surrounded import factorise_surrounded, solve_surrounded
 from ..kernels.linear.two_sided_lu import inverse_pivots
 from ..physics import Physics
 from ..scene.numbers import MAX_COORDINATE
-from ..scene.types import Integrator, Pose, Scene
+from ..scene.types import Pose, Scene
 from ..scene.validate import validate
 
 _MOST_STEPS = 3000
@@ -121,11 +121,9 @@ class Resting:
     """
 
     def __init__(self, scene: Scene, balanced: bool) -> None:
-        # A method with a fixed step, for which springs are not softened, and an implicit one, for which walls
-        # are not.
-        exact = Integrator(method="generalized_alpha")
+        scene = unsoftened(validate(scene))
         wind = scene.wind and msgspec.structs.replace(scene.wind, turbulence=0.0)
-        scene = msgspec.structs.replace(validate(scene), integrator=exact, wind=wind)
+        scene = msgspec.structs.replace(scene, wind=wind)
         self.scene = scene
         self.system, self.state = start_of(scene, build_system(scene))
         body = self.tables = self.system.body
