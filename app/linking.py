@@ -11,6 +11,7 @@ import msgspec
 import segno
 from tyro.conf import Positional, arg
 
+from sim.errors import InputError
 from sim.scene.files import built_in_files, read_scene
 from sim.scene.link import PATH, pack_scene
 from sim.scene.shared import share_scene
@@ -49,16 +50,7 @@ class Link:
         text = short_address(f"{address}/", scene) if self.short else f"{address}{PATH}#{pack_scene(scene)}"
         print(text)
         if self.qr:
-            encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
-            try:
-                "█▀▄".encode(encoding)
-            except UnicodeEncodeError:
-                return fail(f"--qr: the terminal's encoding, {encoding}, lacks the blocks of a QR code")
-            try:
-                print_qr_code(text)
-            except segno.DataOverflowError:
-                size = f"a link of {len(text)} characters is too long for a QR code"
-                return fail(f"--qr: {size}; --short makes a short address")
+            print_qr_code(text)
         return 0
 
 
@@ -86,6 +78,18 @@ def print_qr_code(text: str) -> None:
     """Print a QR code in the terminal.
 
     Raises:
-        segno.DataOverflowError: the text is too long for one.
+        InputError: the text is too long for one, or the terminal lacks its blocks.
     """
-    segno.make(text, error="l", micro=False).terminal(compact=True)
+    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
+    try:
+        "█▀▄".encode(encoding)
+    except UnicodeEncodeError:
+        raise InputError(
+            f"--qr: the terminal's encoding, {encoding}, lacks the blocks of a QR code"
+        ) from None
+    try:
+        code = segno.make(text, error="l", micro=False)
+    except segno.DataOverflowError:
+        size = f"a link of {len(text)} characters is too long for a QR code"
+        raise InputError(f"--qr: {size}; --short makes a short address") from None
+    code.terminal(compact=True)

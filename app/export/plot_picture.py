@@ -37,11 +37,11 @@ def plot_png(plot: Plot, drawn: Drawn, colors: Sequence[str], title: str) -> byt
         lines += axis.plot(across, values, color=color, label=quantity.name, linewidth=1.4)
     for axis, unit in zip(axes, units, strict=True):
         names = ", ".join(q.name for q in plot.quantities[:count] if q.unit == unit)
-        axis.set_ylabel(f"{names}, {unit}" if unit else names)
+        axis.set_ylabel(f"{names}, {unit}" if unit else names, parse_math=False)  # a $ is a $
     last = plot.quantities[-1]
     over = f"{last.name}, {last.unit}" if last.unit else last.name
-    left.set_xlabel(over if plot.wish.over else "time, s")
-    left.set_title(title)
+    left.set_xlabel(over if plot.wish.over else "time, s", parse_math=False)
+    left.set_title(title, parse_math=False)
     left.grid(color="#dde3ea", linewidth=0.8)
     left.set_axisbelow(True)
     if count > 1:

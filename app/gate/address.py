@@ -168,6 +168,9 @@ def origin(text: str) -> str:
     return f"{scheme}://{host}" if port == _OWN_PORTS[scheme] else f"{scheme}://{host}:{port}"
 
 
+_OWNER_ALONE = "Only pages with #owner= in their address can change your scenes."
+
+
 def exposure(host: str, public: Public | None = None) -> str | None:
     """What serving on `host` exposes, in words for the terminal; None if only this machine can connect.
 
@@ -176,8 +179,9 @@ def exposure(host: str, public: Public | None = None) -> str | None:
     """
     if public is not None:
         return (
-            f"Anyone who can open {public.url} can run simulations on this machine, and save to and delete "
-            "from your preset folder. There is no password, unless the proxy asks for one."
+            f"Anyone who can open {public.url} can run simulations on this machine, open your saved scenes, "
+            "and save scenes of their own here. There is no password, unless the proxy asks for one. "
+            f"{_OWNER_ALONE}"
         )
     with contextlib.suppress(OSError):
         if ipaddress.ip_address(_resolve(host, 0)[1][0]).is_loopback:
@@ -185,7 +189,7 @@ def exposure(host: str, public: Public | None = None) -> str | None:
     return (
         f"With host {host}, anyone who can reach this machine can open the page, run simulations on this "
         "machine, open your saved scenes, and save scenes of their own here. There is no password, and the "
-        "traffic is not encrypted. Only pages with #owner= in their address can change your scenes."
+        f"traffic is not encrypted. {_OWNER_ALONE}"
     )
 
 
@@ -247,7 +251,8 @@ def address_for_others(page: str, host: str, port: int, public: Public | None) -
     """
     if public is not None:
         return public.url
-    if not is_loopback(page.split("/")[2].lower()) or host not in ("0.0.0.0", "::"):
+    # On "::" the socket is of IPv6 alone, and those addresses are of IPv4.
+    if not is_loopback(page.split("/")[2].lower()) or host != "0.0.0.0":
         return page
     return next((f"http://{address}:{port}/" for address in local_addresses()), page)
 

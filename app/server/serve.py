@@ -129,6 +129,7 @@ def serve(
 
     Raises:
         GateError, PortBusy: as `serving`.
+        InputError: the terminal cannot show a QR code.
     """
     console = Console()
     signals: list[int] = []
@@ -136,21 +137,7 @@ def serve(
         # Only an append: a second signal can come in the middle of this handler, and must find no lock.
         signal.signal(number, lambda number, _: signals.append(number))
     with serving(scene, host, port, embed, allow_hosts, public_url) as (server, ticker, compiler):
-        address, *others = page_addresses(host, server.get_port())
-        if not server.gate.loopback:
-            address = f"{address}/{owner.FRAGMENT}{owner.key()}"
-        console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
-        for other in others:
-            console.print(f"and, from other machines, at [bold]{other}[/bold]", highlight=False)
-        public = None if public_url is None else public_address(public_url)
-        for_others = address_for_others(f"{address}/", host, server.get_port(), public)
-        if public is not None:
-            console.print(f"and, for others, at [bold]{public.url}[/bold]", highlight=False)
-        if qr:
-            print_qr_code(for_others)
-        warning = exposure(host, public)
-        if warning:
-            console.print(f"[yellow]{warning}[/yellow]", highlight=False)
+        address = _tell_addresses(server, host, public_url, qr, console)
         if open_browser:
             webbrowser.open(address)
         # The first page is drawn first, if it comes soon: both want the interpreter.
@@ -177,6 +164,29 @@ def _set_stage(server: viser.ViserServer) -> None:
     camera.fov, camera.near, camera.far, camera.up = 0.1, 1.0, 2000.0, (0.0, 1.0, 0.0)
     camera.position, camera.look_at = (0.0, 0.0, 62.0), (0.0, 0.0, 0.0)
     set_theme(server.gui, dark=False)
+
+
+def _tell_addresses(
+    server: GatedServer, host: str, public_url: str | None, qr: bool, console: Console
+) -> str:
+    """Say where the page is; returns the owner's address, which is for nobody else."""
+    port = server.get_port()
+    address, *others = page_addresses(host, port)
+    public = None if public_url is None else public_address(public_url)
+    for_others = address_for_others(f"{address}/", host, port, public)
+    if not server.gate.loopback:
+        address = f"{address}/{owner.FRAGMENT}{owner.key()}"
+    console.print(f"softrod is at [bold]{address}[/bold]  (Ctrl-C ends it)", highlight=False)
+    for other in others:
+        console.print(f"and, from other machines, at [bold]{other}[/bold]", highlight=False)
+    if public is not None:
+        console.print(f"and, for others, at [bold]{public.url}[/bold]", highlight=False)
+    if qr:
+        print_qr_code(for_others)
+    warning = exposure(host, public)
+    if warning:
+        console.print(f"[yellow]{warning}[/yellow]", highlight=False)
+    return address
 
 
 def _show_progress(compiler: Compiler, console: Console) -> None:

@@ -51,7 +51,7 @@ def draw(chart: Map, scene: str) -> Figure:
     for panel in flat[len(methods) :]:
         panel.set_axis_off()
     _legend(flat[len(methods)], chart)
-    figure.suptitle(f"{scene}: where it breaks", x=0.01, ha="left", fontsize=12)
+    figure.suptitle(f"{scene}: where it breaks", x=0.01, ha="left", fontsize=12, parse_math=False)
     return figure
 
 

@@ -131,7 +131,7 @@ def _scene(axes: Axes, results: SceneResults, low: float, high: float) -> None:
         axes.plot(auto.end_error, 1e3 * auto.seconds, mfc=STAR, **star)
         if math.isfinite(auto.framed_end_error):
             axes.plot(auto.framed_end_error, 1e3 * auto.framed_seconds, mfc="white", **star)
-    axes.set_title(results.scene, fontsize=10.5)
+    axes.set_title(results.scene, fontsize=10.5, parse_math=False)
     axes.set_xlim(2.0 * high, low / 2.0)
     axes.xaxis.set_major_locator(_decades(2))
     tidy(axes)

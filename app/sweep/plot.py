@@ -52,7 +52,7 @@ def plot(grid: Grid, measures: tuple[str, ...], rows: dict[int, Row]) -> Figure:
                 _map(axes, grid, first, second[0], part, heading(grid, name))
             else:
                 _lines(axes, grid, first, second, part)
-                axes.set_ylabel(heading(grid, name))
+                axes.set_ylabel(heading(grid, name), parse_math=False)
             if rest:
                 fixed = (f"{a.key} = {a.values[i]}" for a, i in zip(rest, combination, strict=True))
                 axes.set_title(", ".join(fixed), fontsize=9)
@@ -82,7 +82,7 @@ def _lines(axes: Axes, grid: Grid, first: Axis, second: tuple[Axis, ...], values
     good = values[np.isfinite(values)]
     if good.size and good.min() > 0.0 and good.max() > RATIO * good.min():
         axes.set_yscale("log")
-    axes.set_xlabel(heading(grid, first.key))
+    axes.set_xlabel(heading(grid, first.key), parse_math=False)
     if second:
         axes.legend(frameon=False, fontsize=8)
     tidy(axes)
@@ -100,7 +100,7 @@ def _map(axes: Axes, grid: Grid, first: Axis, second: Axis, values: Values, labe
         np.array(x)[across], np.array(y)[up], shown, shading="nearest", norm=LogNorm() if wide else None
     )
     axes.figure.colorbar(mesh, ax=axes, label=label)
-    axes.set_xlabel(heading(grid, first.key))
+    axes.set_xlabel(heading(grid, first.key), parse_math=False)
     axes.set_ylabel(heading(grid, second.key))
 
 

@@ -8,18 +8,18 @@ import msgspec
 import numpy as np
 
 from ..body.sparsity import new_matrix
-from ..body.system import build_system, damage_of, new_scratch, start_of
+from ..body.system import build_system, damage_of, new_scratch, start_of, unsoftened
 from ..errors import InputError
 from ..kernels.around.around import accelerations_around
 from ..kernels.around.contact import stays_apart
-from ..kernels.core.tables import Floats
+from ..kernels.core.tables import Floats, Indices
 from ..kernels.forces.forces import accelerations
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..kernels.linear.surrounded import factorise_surrounded, solve_surrounded
 from ..kernels.linear.two_sided_lu import inverse_pivots
 from ..physics import Physics
 from ..scene.numbers import MAX_COORDINATE
-from ..scene.types import Integrator, Pose, Scene
+from ..scene.types import Pose, Scene
 from ..scene.validate import validate
 
 _MOST_STEPS = 3000
@@ -80,7 +80,7 @@ def equilibrium(scene: Scene) -> Pose:
     see `Wall`. Whether a balance is stable is judged without what couples masses and springs that touch.
 
     Args:
-        scene: a valid scene. If no spring forces can balance gravity, there is no equilibrium.
+        scene: a valid scene. If no spring forces can balance gravity and constant forces, there is none.
 
     Returns:
         Positions in px, velocities of zero, and the damage of the scene's pose.
@@ -90,7 +90,8 @@ def equilibrium(scene: Scene) -> Pose:
 
     Raises:
         SceneError: the scene is not valid.
-        InputError: a part of the body falls because nothing holds it, or the steps do not end in a balance.
+        InputError: nothing holds a part of the body that something pulls, or the steps do not end in a
+            balance.
     """
     pose, overloads = loaded_equilibrium(scene)
     for sentence in overloads:
@@ -101,8 +102,7 @@ def equilibrium(scene: Scene) -> Pose:
 def loaded_equilibrium(scene: Scene) -> tuple[Pose, list[str]]:
     """As `equilibrium`, with what would break or yield in that pose, in a sentence for each way."""
     body = Resting(scene, balanced=True)
-    if any(scene.gravity):
-        body.refuse_falling()
+    body.refuse_falling()
     q = _continuation(body)
     body.refuse_shrunk(q)
     return body.pose(q), body.overloads(q)
@@ -121,11 +121,9 @@ class Resting:
     """
 
     def __init__(self, scene: Scene, balanced: bool) -> None:
-        # A method with a fixed step, for which springs are not softened, and an implicit one, for which walls
-        # are not.
-        exact = Integrator(method="generalized_alpha")
+        scene = unsoftened(validate(scene))
         wind = scene.wind and msgspec.structs.replace(scene.wind, turbulence=0.0)
-        scene = msgspec.structs.replace(validate(scene), integrator=exact, wind=wind)
+        scene = msgspec.structs.replace(scene, wind=wind)
         self.scene = scene
         self.system, self.state = start_of(scene, build_system(scene))
         body = self.tables = self.system.body
@@ -163,14 +161,51 @@ class Resting:
         return bool(around.walls.size or around.contact.present)
 
     def refuse_falling(self) -> None:
-        """Refuse a body with a part that is connected to no held mass, unless it may fall on something."""
+        """Refuse a body with a part that is connected to no held mass, unless it may fall on something.
+
+        Broken springs connect nothing. A part whose gravity and constant forces are in balance is not
+        refused.
+        """
         if self.slides:
             return
-        held, parent = self.system.held, self.matrix.parent
-        for m in self.matrix.walk.tolist():
-            if parent[m] == 0 and not held[m - 1]:
-                mass = int(self.system.mass_order[m - 1])
-                raise InputError(f"equilibrium: nothing holds mass {mass}, so it falls")
+        state, part = self.state, self._parts()
+        free = state.inverse_mass[: part.size] > 0.0
+        force = np.zeros(part.size, complex)
+        force[free] = (state.gx + 1j * state.gy)[: part.size][free] / state.inverse_mass[: part.size][free]
+        net, size = np.zeros(part.size, complex), np.zeros(part.size)
+        np.add.at(net, part, force)
+        np.add.at(size, part, np.abs(force))
+        net[part[1:][self.system.held]] = 0.0
+        falling = np.flatnonzero(np.isin(part, np.flatnonzero(np.abs(net) > _OVER * size)))
+        if falling.size:
+            first = falling[np.argmin(self.system.mass_order[falling - 1])]
+            broken = np.concatenate((self.tables.spring_a, self.tables.spring_b))[np.tile(self._broken, 2)]
+            holds = "only broken springs hold" if np.isin(part[first], part[broken]) else "nothing holds"
+            moves = "falls" if any(self.scene.gravity) else "moves away"
+            mass = int(self.system.mass_order[first - 1])
+            raise InputError(f"equilibrium: {holds} mass {mass}, so it {moves}")
+
+    @property
+    def _broken(self) -> np.ndarray:
+        """(S,) whether each spring is broken."""
+        return self.state.broken > 0.0 if self.state.broken.size else np.zeros(self.tables.springs, bool)
+
+    def _parts(self) -> Indices:
+        """(n + 1,) the part that the mass of each slot belongs to, by the lowest slot in it.
+
+        A part is what springs that are not broken connect.
+        """
+        a, b = (
+            ends[: self.tables.springs][~self._broken]
+            for ends in (self.tables.spring_a, self.tables.spring_b)
+        )
+        part = np.arange(self.tables.masses + 1)
+        while (part[a] != part[b]).any():
+            low = np.minimum(part[a], part[b])
+            for ends in (a, b):
+                np.minimum.at(part, part[ends], low)
+            part = part[part]
+        return part
 
     def accelerations(self, q: Floats) -> Floats:
         """The accelerations at positions q and at rest, px/s²."""

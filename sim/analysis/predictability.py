@@ -145,7 +145,7 @@ class Predictability:
     divergence: Divergence | None = None
     complete: bool = True
 
-    def stopped(self, scene: Scene, attempts: int, duration: float) -> Predictability:
+    def stopped(self, attempts: int, duration: float) -> Predictability:
         """The same, of a run whose attempts were used up before its duration, s."""
         until = float(self.times[-1])
         ended = f"the {attempts} steps that it may try were used up before {duration:g} s"
@@ -200,9 +200,10 @@ def predictability(scene: Scene, duration: float, attempts: int | None = None) -
         if left > 0:
             left -= meter.look(body, left)
     found = meter.result(body)
-    if body.step_count >= steps or body.divergence is not None:
+    seen = left > 0 or found.times[-1] == body.time
+    if body.divergence is not None or (body.step_count >= steps and seen):
         return found
-    return found.stopped(scene, attempts, duration)
+    return found.stopped(attempts, duration)
 
 
 class GrowthMeter:

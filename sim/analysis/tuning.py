@@ -10,14 +10,14 @@ import msgspec
 import numpy as np
 
 from ..body.stable_spring import joint_softness
-from ..body.system import build_system, damage_of, joint_stiffness, start_of
+from ..body.system import build_system, damage_of, joint_stiffness, start_of, unsoftened
 from ..errors import InputError
 from ..kernels.core.tables import Floats, Indices
 from ..methods.limits import flip, undamped_step
 from ..methods.registry import METHODS
 from ..motion.stability import StabilityMeter, limit_at_start
 from ..physics import Physics
-from ..scene.types import Integrator, Scene, is_loaded
+from ..scene.types import Scene, is_loaded
 from ..scene.validate import validate
 from .equilibrium import loaded_equilibrium
 from .vibrations import MOST_MASSES, Vibrations, free_vibrations
@@ -121,9 +121,8 @@ def tuning(scene: Scene) -> Tuning:
     if _freedoms(scene):
         slowest, elastic = _slowest(resting, notes)
         fastest = _fastest(resting)
-    system = build_system(scene)
     methods = [name for name, method in METHODS.items() if method.limit and name != "stable_spring"]
-    steps = {name: limit_at_start(scene, system, name).limit for name in methods}
+    steps = {name: limit_at_start(scene, name).limit for name in methods}
     springs, joints = softnesses(scene)
     return Tuning(
         slowest=slowest,
@@ -187,7 +186,8 @@ class Dampers:
     """
 
     def __init__(self, scene: Scene) -> None:
-        self._system, self._state = start_of(scene, build_system(scene))
+        exact = unsoftened(scene)
+        self._system, self._state = start_of(exact, build_system(exact))
         self._physics = Physics(self._system.body, self._state)
         self._mass = np.array([[m.mass] for m in scene.masses])
         self.stiffness = np.array([s.stiffness for s in scene.linear_springs], float)
@@ -338,8 +338,7 @@ def _vibration(dampers: Dampers, omega: float, shape: Floats) -> Vibration:
 
 
 def _fastest(scene: Scene) -> Vibration | None:
-    # A method for which walls and contact do not soften.
-    exact = msgspec.structs.replace(scene, integrator=Integrator(method="rk4"))
+    exact = unsoftened(scene)
     system, state = start_of(exact, build_system(exact))
     state.vx[:] = state.vy[:] = 0.0
     meter = StabilityMeter(system, flip(0.0, undamped_step))  # 2 / the largest angular frequency

@@ -50,7 +50,7 @@ def new_strength(scene: Scene, spring_order: Indices, joint_order: Indices) -> S
 
 
 def leaking(loops: Sequence[Indices], ends: Indices, broken: Indices) -> list[int]:
-    """The loops that a gas or liquid has left: somewhere, all springs from a mass to the next are broken.
+    """The loops that a gas or liquid has left: somewhere, the spring from a mass to the next is broken.
 
     Neighbours that no spring has ever joined are tight, as the scene says.
 
@@ -61,12 +61,9 @@ def leaking(loops: Sequence[Indices], ends: Indices, broken: Indices) -> list[in
     """
     if not len(broken) or not loops:
         return []
-    pairs = [(min(pair), max(pair)) for pair in ends.tolist()]
-    gone = set(broken.tolist())
-    left = {pair for s, pair in enumerate(pairs) if s not in gone}
-    open_ = {pairs[s] for s in gone} - left
+    gone = set(map(frozenset, ends[broken].tolist()))
     around = [zip(loop.tolist(), np.roll(loop, -1).tolist(), strict=True) for loop in loops]
-    return [k for k, loop in enumerate(around) if any((min(pair), max(pair)) in open_ for pair in loop)]
+    return [k for k, loop in enumerate(around) if not gone.isdisjoint(map(frozenset, loop))]
 
 
 def without_broken(system: System, broken: Floats) -> System:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import msgspec
 import numpy as np
 
 from ..kernels.core.roots import LEAST
@@ -22,7 +23,7 @@ from ..kernels.core.tables import (
 from ..kernels.forces.laws import LAWS, NO_JOINTS
 from ..methods.registry import METHODS
 from ..scene.columns import column, ends
-from ..scene.types import Damage, Scene, is_damageable, is_loaded, is_surrounded
+from ..scene.types import Damage, Integrator, Scene, is_damageable, is_loaded, is_surrounded
 from .damage import NO_STRENGTH, new_strength, without_broken
 from .surroundings import new_surroundings
 
@@ -102,6 +103,12 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
         start=np.ascontiguousarray(start),
         loads=_loads(scene, mass_order),
     )
+
+
+def unsoftened(scene: Scene) -> Scene:
+    """The scene by a method for which neither springs nor walls and contact soften, see `build_system`."""
+    # One with a fixed step, for which springs do not, and an implicit one, for which walls do not.
+    return msgspec.structs.replace(scene, integrator=Integrator(method="generalized_alpha"))
 
 
 def damage_of(scene: Scene) -> Damage | None:

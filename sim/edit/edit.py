@@ -11,9 +11,11 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from ..body.damage import leaking
 from ..body.system import joint_stiffness
 from ..errors import SceneError
 from ..motion.moment import Moment
+from ..scene.columns import ends
 from ..scene.parts import AngularSpring, LinearSpring, Mass
 from ..scene.types import Damage, Pose, Scene
 
@@ -227,8 +229,8 @@ def _longer_pose(pose: Pose, masses: Sequence[Mass], springs: int, joints: int) 
 def without(scene: Scene, gone: Selection) -> tuple[Scene, Map, Map, Map]:
     """A scene of parts without some of them, and where the others were: masses, springs, joints.
 
-    What a mass or a spring held goes with it: springs, joints, anchors; a filling goes when too little of its
-    loop is left.
+    What a mass or a spring held goes with it: springs, joints, anchors. A filling goes when a spring of its
+    loop goes, as when one breaks, or when less than three masses of its loop are left.
 
     Raises:
         SceneError: no mass would be left.
@@ -254,8 +256,13 @@ def without(scene: Scene, gone: Selection) -> tuple[Scene, Map, Map, Map]:
     if not same[0]:
         changes["masses"] = tuple(scene.masses[i] for i in masses)
         changes["anchors"] = tuple(replace(a, mass=at[a.mass]) for a in scene.anchors if a.mass in at)
-        loops = [(f, tuple(at[i] for i in f.masses if i in at)) for f in scene.fillings]
-        changes["fillings"] = tuple(replace(f, masses=loop) for f, loop in loops if len(loop) >= 3)
+    if scene.fillings and not (same[0] and same[1]):
+        removed = np.setdiff1d(np.arange(len(scene.linear_springs)), springs)
+        loops = [np.array(filling.masses) for filling in scene.fillings]
+        empty = leaking(loops, np.stack(ends(scene.linear_springs), 1), removed)
+        full = [f for k, f in enumerate(scene.fillings) if k not in empty]
+        left = [(f, tuple(at[i] for i in f.masses if i in at)) for f in full]
+        changes["fillings"] = tuple(replace(f, masses=loop) for f, loop in left if len(loop) >= 3)
     if not (same[0] and same[1]):
         changes["linear_springs"] = tuple(_renumbered(scene.linear_springs[s], at) for s in springs)
     if len(joints) < len(scene.angular_springs) or not same[1]:

@@ -42,8 +42,11 @@ def mirror(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -
     label = f"{counted(len(chosen), 'mass')} mirrored"
     edit = _displaced(scene, {i: (2.0 * (axis - positions[i][0]), 0.0) for i in chosen}, label)
     inside, scene = set(chosen), edit.scene
-    pulled = [(i, mass, mass.force) for i in chosen if (mass := scene.masses[i]).force]
-    forces = [(i, msgspec.structs.replace(mass, force=(-force[0], force[1]))) for i, mass, force in pulled]
+    forces = []
+    for i in chosen:
+        if force := scene.masses[i].force:
+            turned_force = (0.0 - force[0], force[1])  # not -0.0, which a file would show
+            forces.append((i, msgspec.structs.replace(scene.masses[i], force=turned_force)))
     springs = scene.linear_springs
     turned = []
     for j, joint in enumerate(scene.angular_springs):

@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from ..analysis.tuning import MOST_VIBRATIONS, Dampers, Hold, broken_parts, softnesses, vibrations_at_rest
-from ..body.system import build_system, joint_stiffness, same_topology
+from ..body.system import joint_stiffness, same_topology
 from ..errors import InputError, SettingError
 from ..kernels.core.tables import Floats
 from ..methods.registry import METHODS
@@ -302,11 +302,11 @@ def is_limited(method: Method) -> bool:
 
 def _is_calm(scene: Scene) -> bool:
     method, dt = scene.integrator.method, scene.integrator.dt
-    return limit_at_start(scene, build_system(scene), method).limit >= _MARGIN * dt
+    return limit_at_start(scene, method).limit >= _MARGIN * dt
 
 
 def _cause(scene: Scene) -> Cause | None:
-    return limit_at_start(scene, build_system(scene), scene.integrator.method).cause
+    return limit_at_start(scene, scene.integrator.method).cause
 
 
 def _survives(scene: Scene) -> bool:

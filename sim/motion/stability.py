@@ -40,6 +40,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Literal
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -351,13 +352,13 @@ def largest_step(scene: Scene, method: str) -> float:
     The stable spring's body depends on the step: dt² K and dt C grow with it until every spring is limited.
     So there is one step up to which it is stable. Steps of more than a second count as no limit.
     """
-    system = build_system(scene)
     if method != "stable_spring":
-        return limit_at_start(scene, system, method).limit
+        return limit_at_start(scene, method).limit
+    system = build_system(_by(scene, method))
 
     def is_stable(dt: float) -> bool:
         body = clamp_stiffness(system.body, system.inverse_mass, system.held, dt)
-        return limit_at_start(scene, dataclasses.replace(system, body=body), method).limit > dt
+        return _limit_at_start(scene, dataclasses.replace(system, body=body), method).limit > dt
 
     low, high = 1e-6, 1.0
     if is_stable(high):
@@ -368,8 +369,17 @@ def largest_step(scene: Scene, method: str) -> float:
     return low
 
 
-def limit_at_start(scene: Scene, system: System, method: str) -> StabilityEstimate:
-    """The limit of a method, but the stable spring, at a scene's start, of its tables."""
+def limit_at_start(scene: Scene, method: str) -> StabilityEstimate:
+    """The limit of a method, but the stable spring, at a scene's start, whatever the scene's own method."""
+    return _limit_at_start(scene, build_system(_by(scene, method)), method)
+
+
+def _by(scene: Scene, method: str) -> Scene:
+    integrator = msgspec.structs.replace(scene.integrator, method=method)
+    return msgspec.structs.replace(scene, integrator=integrator)
+
+
+def _limit_at_start(scene: Scene, system: System, method: str) -> StabilityEstimate:
     system, state = start_of(scene, system)
     meter = StabilityMeter(system, method)
     meter.update(state, scene.air_friction)

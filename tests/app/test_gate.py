@@ -322,6 +322,7 @@ def test_a_proxy_is_an_exposure() -> None:
     said = exposure("127.0.0.1", public_address(SCHOOL))
     assert said is not None
     assert SCHOOL in said
+    assert "Only pages with #owner= in their address can change your scenes." in said
     assert "There is no password" in said
 
 

@@ -363,7 +363,7 @@ def test_a_plot_is_a_picture(names: tuple[str, ...], over: str) -> None:
     page = PlotPage(*names, over=over, scene="rod")
     page.frames(40)
     colors = plots.colors_of(page.plot, palette("softrod", dark=False))
-    data = plot_png(page.plot, curve(page.plot, 10.0, 500), colors, "Rope <3>")
+    data = plot_png(page.plot, curve(page.plot, 10.0, 500), colors, r"Rope <3> for $\frac$")
     with Image.open(io.BytesIO(data)) as image:
         pixels = np.asarray(image.convert("RGB")).reshape(-1, 3)
     found = {tuple(pixel) for pixel in np.unique(pixels, axis=0).tolist()}

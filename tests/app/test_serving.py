@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 import base64
+import io
 import math
 import time
 import zlib
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import viser
+from rich.console import Console
 
 import sim
 from app.bench.client import Page
-from app.page import keeping
+from app.gate.gate import open_server
+from app.page import keeping, owner
 from app.page import tab as tab_module
 from app.page.tab import Tab
 from app.page.view import FRAME
-from app.server.serve import serving
+from app.server import serve as serve_module
+from app.server.serve import _tell_addresses, serving
 from app.server.ticker import Ticker
 from app.session import commands
 from app.session.commands import DragStart, Open
@@ -356,3 +361,23 @@ def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytes
         assert session.ghost is not None
         assert not session.ghost.waits
         assert max(s.stiffness for s in session.scene.linear_springs) == 12345.0
+
+
+def test_the_address_for_others_never_has_the_owner_s_key(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    shown: list[str] = []
+    monkeypatch.setattr(serve_module, "print_qr_code", shown.append)
+    for names, public in ((("laptop.local",), None), ((), "https://school.example/lab/")):
+        server = open_server("127.0.0.1", 0, extra_hosts=names, public_url=public)
+        try:
+            text = io.StringIO()
+            console = Console(file=text, width=200)
+            address = _tell_addresses(server, "127.0.0.1", public, True, console)
+        finally:
+            server.stop()
+        own = f"http://127.0.0.1:{server.get_port()}/"
+        assert address == f"{own}#owner={owner.key()}"
+        assert f"softrod is at {address}" in text.getvalue()
+        assert shown.pop() == (public or own)

@@ -105,15 +105,14 @@ def test_numpy_moves_a_burst_balloon_without_its_filling() -> None:
     assert sim.equilibrium(REPLACE(scene, pose=pose)).damage == Damage(broken=(5,))
 
 
-def test_a_loop_leaks_where_all_springs_of_an_edge_are_broken_and_only_there() -> None:
+def test_a_loop_leaks_where_a_spring_of_it_is_broken_and_only_there() -> None:
     loop = [np.array([0, 1, 2])]
-    ends = np.array([(0, 1), (2, 1), (2, 0), (1, 0), (3, 0)])
+    ends = np.array([(0, 1), (2, 1), (2, 0), (3, 0)])
     assert leaking(loop, ends, np.array([], int)) == []
-    assert leaking(loop, ends, np.array([0])) == []  # another spring joins the same masses
-    assert leaking(loop, ends, np.array([0, 3])) == [0]
+    assert leaking(loop, ends, np.array([0])) == [0]
     assert leaking(loop, ends, np.array([1])) == [0]
     assert leaking(loop, ends, np.array([2])) == [0]
-    assert leaking(loop, ends, np.array([4])) == []  # not a part of it
+    assert leaking(loop, ends, np.array([3])) == []  # not a part of it
     # Where there never was a spring, the scene says that it is tight.
     assert leaking(loop, ends[:2], np.array([], int)) == []
 

@@ -190,12 +190,44 @@ def test_what_a_mass_held_goes_with_it() -> None:
         remove(scene, Selection(masses=frozenset(range(4))))
 
 
-def test_a_filling_goes_with_the_last_of_its_loop() -> None:
+def test_a_filling_gets_out_where_its_skin_is_cut() -> None:
     balloon = sim.load_scene("air-balloon")
-    n = len(balloon.fillings[0].masses)
-    fewer = remove(balloon, Selection(masses=frozenset(range(n - 3)))).scene
-    assert len(fewer.fillings[0].masses) == 3
-    assert not remove(balloon, Selection(masses=frozenset(range(n - 2)))).scene.fillings
+    rim = balloon.fillings[0].masses
+    around = next(i for i, s in enumerate(balloon.linear_springs) if {s.a, s.b} == set(rim[:2]))
+    assert not remove(balloon, Selection(springs=frozenset({around}))).scene.fillings
+    assert not remove(balloon, Selection(masses=frozenset({rim[4]}))).scene.fillings
+    # What is not of the skin may go.
+    inside = msgspec.structs.replace(
+        balloon,
+        bodies=(),
+        masses=(*balloon.masses, sim.Mass(position=balloon.masses[0].position, mass=1.0)),
+        linear_springs=(
+            *balloon.linear_springs,
+            sim.LinearSpring(a=rim[0], b=rim[5], stiffness=1.0, rest_length=9.0),
+        ),
+    )
+    across, alone = len(balloon.linear_springs), len(balloon.masses)
+    left = remove(inside, Selection(springs=frozenset({across}), masses=frozenset({alone}))).scene
+    assert left.fillings == balloon.fillings
+    # Of two fillings, only the one that is cut.
+    jelly = sim.jelly(columns=3, rows=2)
+    assert [f.masses for f in remove(jelly, Selection(masses=frozenset({0}))).scene.fillings] == [
+        (0, 1, 4, 3)
+    ]
+    # The stroke of a pen does the same, and an undo fills it again.
+    x, y = balloon.masses[rim[0]].position
+    moment = sim.Simulation(balloon).capture()
+    open_ = cut(balloon, ((x - 500.0, y + 1.0), (x + 500.0, y + 1.0)), positions_of(moment))
+    assert open_.scene.linear_springs != balloon.linear_springs
+    assert not open_.scene.fillings
+    assert inverse(open_, balloon, moment).scene.fillings == balloon.fillings
+
+
+def test_a_filling_in_a_loop_without_a_skin_goes_with_the_last_of_it() -> None:
+    masses = tuple(sim.Mass(position=p) for p in ((0.0, 0.0), (9.0, 0.0), (9.0, 9.0), (0.0, 9.0)))
+    loop = sim.Scene(name="loop", masses=masses, fillings=(sim.Gas(masses=(0, 1, 2, 3), pressure=1.0),))
+    assert remove(loop, Selection(masses=frozenset({1}))).scene.fillings[0].masses == (0, 1, 2)
+    assert not remove(loop, Selection(masses=frozenset({1, 2}))).scene.fillings
 
 
 def test_corners_are_held_as_they_are() -> None:

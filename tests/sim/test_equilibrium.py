@@ -13,7 +13,7 @@ import sim
 from sim import Anchor, AngularSpring, InputError, Integrator, LinearSpring, Mass, Pose, Scene, Simulation
 from sim.analysis.equilibrium import Resting, equilibrium
 from sim.analysis.vibrations import vibrations
-from sim.scene.types import ForceLaw
+from sim.scene.types import Damage, ForceLaw
 from tests.sim.arrays import Arrays
 from tests.sim.builders import PRESETS, chain, row, tangle
 from tests.sim.inside import Points, forces_of, is_chain
@@ -370,3 +370,33 @@ def test_a_joint_on_a_lone_pair() -> None:
     )
     found = vibrations(scene, 2).frequencies
     assert found == pytest.approx([math.sqrt(6.0 * 10.0 * 20.0 / (0.5 * 20.0**2)), math.sqrt(1e4 / 0.5)])
+
+
+def test_a_part_that_only_a_broken_spring_holds_is_named() -> None:
+    scene = REPLACE(chain(row(4), stiffness=10.0, held=(0,)), gravity=(0.0, 10.0))
+    weak = REPLACE(scene, linear_springs=tuple(REPLACE(s, strength=1e9) for s in scene.linear_springs))
+
+    def with_broken(scene: Scene, *broken: int) -> Scene:
+        places = tuple(mass.position for mass in scene.masses)
+        still = ((0.0, 0.0),) * len(places)
+        return REPLACE(scene, pose=Pose(positions=places, velocities=still, damage=Damage(broken=broken)))
+
+    with pytest.raises(InputError, match="only broken springs hold mass 2, so it falls"):
+        equilibrium(with_broken(weak, 1))
+    # Where another way round is whole, it holds.
+    other = LinearSpring(a=1, b=3, stiffness=10.0, rest_length=20.0)
+    around = REPLACE(weak, linear_springs=(*weak.linear_springs, other))
+    assert equilibrium(with_broken(around, 1)).positions[3][1] > 0.0
+    # Without gravity nothing pulls.
+    equilibrium(with_broken(REPLACE(weak, gravity=(0.0, 0.0)), 1))
+
+
+def test_constant_forces_move_a_free_part_unless_they_are_in_balance() -> None:
+    free = chain(row(2), stiffness=100.0)
+    pulled = REPLACE(free, masses=(free.masses[0], REPLACE(free.masses[1], force=(50.0, 0.0))))
+    with pytest.raises(InputError, match="nothing holds mass 0, so it moves away"):
+        equilibrium(pulled)
+    both = REPLACE(pulled, masses=(REPLACE(free.masses[0], force=(-50.0, 0.0)), pulled.masses[1]))
+    (x0, _), (x1, _) = equilibrium(both).positions
+    rest = free.linear_springs[0].rest_length
+    assert x1 - x0 == pytest.approx(rest + 0.5, abs=1e-9)

@@ -202,3 +202,5 @@ def test_copies_keep_forces_and_mirrors_turn_them() -> None:
     assert [mass.force for mass in pasted.masses] == [msgspec.UNSET, (3.0, -4.5)] * 2
     mirrored = mirror(scene, [0, 1], places).scene
     assert [mass.force for mass in mirrored.masses] == [msgspec.UNSET, (-3.0, -4.5)]
+    down = mirror(hung((0.0, 5.0)), [0, 1], places).scene
+    assert b"-0.0" not in encode_scene(down)

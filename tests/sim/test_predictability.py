@@ -167,6 +167,10 @@ def test_a_run_that_is_too_hard_ends_with_what_is_known_and_says_so() -> None:
     assert part.growth == pytest.approx(whole.growth[: len(part.growth)])
     assert part.verdict.startswith(f"until {part.times[-1]:.3g} s, errors")
     assert part.verdict.endswith("; the 2000 steps that it may try were used up before 3 s")
+    # Nor is the last look left out in silence.
+    for attempts in range(1300, 1500, 20):
+        found = sim.predictability(swinging(180.0), 0.2, attempts)
+        assert found.complete == (found.times[-1] == pytest.approx(0.2))
     none = sim.predictability(swinging(180.0), 3.0, 1)
     assert not none.complete and len(none.times) == 1 and none.rate == 0.0
     assert none.verdict.startswith("how fast errors grow is not known; the 1 steps")

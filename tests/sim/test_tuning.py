@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,7 +13,9 @@ from msgspec.structs import replace
 
 import sim
 from sim.analysis import tuning as module
+from sim.body.surroundings import loss_of
 from sim.errors import InputError, SceneError
+from sim.methods.registry import METHODS
 from sim.motion.stability import largest_step
 from sim.scene.types import Method
 from tests.amount import examples
@@ -431,3 +434,28 @@ def test_friction_damps_a_small_vibration_as_at_a_creep(slip: float) -> None:
     assert found is not None
     omega = math.tau * found.frequency
     assert found.damping_ratio == pytest.approx(0.02 * 1000.0 / slip / (2.0 * omega), rel=0.01)
+
+
+@pytest.mark.parametrize("own", METHODS)
+def test_what_is_told_of_a_body_on_a_floor_does_not_depend_on_its_method(own: Any) -> None:
+    """Two masses that lie on a floor, which some methods soften: each swings on it with sqrt(2 H d)."""
+    hardness, depth = 1e4, math.sqrt(1000.0 / 1e4)
+    floor = sim.Wall(point=(0.0, 0.0), normal=(0.0, -1.0), hardness=hardness, friction=0.0, bounciness=0.5)
+    scene = sim.Scene(
+        name="lying",
+        masses=tuple(sim.Mass(position=(x, depth)) for x in (0.0, 50.0)),
+        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=10.0, rest_length=50.0),),
+        gravity=(0.0, 1000.0),
+        walls=(floor,),
+        integrator=sim.Integrator(method=own, dt=0.01),
+    )
+    told = sim.tuning(scene)
+    assert told.fastest is not None
+    omega = math.sqrt(2.0 * hardness * depth)
+    assert told.fastest.frequency == pytest.approx(omega / math.tau, rel=1e-3)
+    loss = loss_of(0.5)
+    assert told.fastest.damping_ratio == pytest.approx(loss * 1000.0 / (2.0 * omega), rel=1e-2)
+    for method, step in told.stable_steps.items():
+        by = sim.set_choice(scene, "method", method)
+        assert step == pytest.approx(sim.Simulation(by).stability().limit, rel=1e-2)
+        assert largest_step(scene, method) == step
