@@ -72,6 +72,7 @@ whenViser((viser) => {
   keepFlat();
   mindDialogs();
   listenToPresses();
+  addOverlay(); // its hint goes with the first press, which others keep for themselves
   const tracing = addTracing();
   listenToEditKeys();
   listenToKeys();
@@ -85,7 +86,6 @@ whenViser((viser) => {
   restoreLooks();
   addTransport();
   addShareDialog();
-  addOverlay();
   addUnderlay();
   addTraces();
   addLoads();
