@@ -164,7 +164,7 @@ export function addEditStrip(tracing) {
     if (count.textContent !== counted) count.textContent = counted;
     if (!editing.on) {
       // Out of the body's way, beside the box of instruments.
-      Object.assign(strip.style, { left: `${left + beside}px`, top: "auto", bottom: `${window.innerHeight - bottom + 8}px` });
+      Object.assign(strip.style, { left: `${left + beside}px`, top: "auto", bottom: `${window.innerHeight - bottom + 10}px` });
       return;
     }
     Object.assign(strip.style, { left: `${left}px`, bottom: "auto" });
