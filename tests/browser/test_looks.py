@@ -128,6 +128,8 @@ def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(
     desk.until(body, "so is the body beside them")
     assert abs(desk.place(11)[1] - desk.place(0)[1]) > 70.0
     assert seen(bar, 6)
+    desk.button("Done").scroll_into_view_if_needed()
+    desk.until(lambda: seen(".softrod-edit-bar > button:last-of-type", 1), "nothing is over the last button")
 
 
 SMALL = """least => [...document.querySelectorAll("body *")].filter(e => {
