@@ -65,7 +65,7 @@ class LessonPanel:
         self._step = 0
         with tab:
             self._text = client.gui.add_html("", order=1)
-        self.plots = PlotList(client, tab, session, notify, commas, page=page)
+        self.plots = PlotList(client, tab, session, notify, commas, page)
 
     @property
     def step(self) -> Step | None:

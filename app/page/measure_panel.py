@@ -56,7 +56,7 @@ class MeasurePanel:
         session: Session,
         notify: Callable[[Notice], None],
         commas: CommaSwitch,
-        page: list[PlotList] | None = None,
+        page: list[PlotList],
     ) -> None:
         self._session, self._notify = session, notify
         self._asked: deque[Callable[[], None]] = deque(maxlen=100)
@@ -78,7 +78,7 @@ class MeasurePanel:
             self._span.visible = False
             self._comma_switch = commas.add(gui, order=7)
             self._comma_switch.visible = False
-        self.plots = PlotList(client, tab, session, notify, commas, lambda: self._chosen, self._changed, page)
+        self.plots = PlotList(client, tab, session, notify, commas, page, lambda: self._chosen, self._changed)
         for handle, action in (
             (self._part, self._offer),
             (self._what, self._offer),

@@ -374,10 +374,10 @@ class Panel:
         self,
         scene: str,
         playing: bool,
-        at_rest: bool = False,
-        broken: int = 0,
-        measures: int = 0,
-        looks: keeping.Looks = keeping.PLAIN,
+        at_rest: bool,
+        broken: int,
+        measures: int,
+        looks: keeping.Looks,
     ) -> None:
         """Tell the page's script what it has to know, see `script.told`."""
         channel, session = _id(self.channel), self._session

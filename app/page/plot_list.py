@@ -80,10 +80,10 @@ class PlotList:
         session: what is plotted.
         notify: tells the user something.
         commas: whether tables have decimal commas.
+        page: all such lists of the page, among which this one then is.
         extend: the name of the quantity that the button "Add to it" adds to a plot; None where plots are not
             the user's own to change.
         changed: called when plots came or went.
-        page: all such lists of the page, among which this one then is.
 
     Attributes:
         looked_at: whether anybody sees the plots; otherwise they run on, but are not sent.
@@ -97,14 +97,14 @@ class PlotList:
         session: Session,
         notify: Callable[[Notice], None],
         commas: CommaSwitch,
+        page: list[PlotList],
         extend: Callable[[], str] | None = None,
         changed: Callable[[], None] = lambda: None,
-        page: list[PlotList] | None = None,
     ) -> None:
         self._client, self._tab, self._session, self._notify = client, tab, session, notify
         self._commas, self._extend_by, self._changed = commas, extend, changed
-        self._page = page if page is not None else []
-        self._page.append(self)
+        self._page = page
+        page.append(self)
         self._asked: deque[Callable[[], None]] = deque(maxlen=100)
         self._plots: list[_Shown] = []
         self._kept: tuple[Wish, ...] | None = None  # None for those that are open

@@ -96,9 +96,9 @@ def told(
     session: Session,
     playing: bool,
     at_rest: bool,
-    broken: int = 0,
-    measures: int = 0,
-    pictures: int = 0,
+    broken: int,
+    measures: int,
+    pictures: int,
 ) -> dict[str, object]:
     """What the script has to know.
 

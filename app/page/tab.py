@@ -100,7 +100,7 @@ class Tab:
         self._compiler = compiler
         self._requests: deque[tuple[str, Any]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
-        self._looks = keeping.Looks()
+        self._looks = keeping.PLAIN
         self._commas = CommaSwitch(self.request)
         self._before_lesson: BeforeLesson | None = None
         self._generation = -1
@@ -116,7 +116,7 @@ class Tab:
         self._secret = secrets.token_hex(16)
         self._readouts_due = 0.0
         self._moved_at = 0.0
-        self._was_at_rest = False
+        self._was_at_rest = self._rests = False
         self._broken = 0
         self._last_revision = -1
         self._was_playing = True
@@ -191,7 +191,7 @@ class Tab:
         if self._under_way is not None:
             if not self._under_way.done():
                 if session is not None:
-                    self._panel.set_state(self._shown_as, session.will_play, broken=self._broken)
+                    self._set_state(session.will_play)
                 return
             done, self._under_way = self._under_way, None
             made = done.result()
@@ -430,9 +430,8 @@ class Tab:
             self._tools.draw(self._view.plan_number, now, exactly=changed or not running)
         at_rest = now - self._moved_at > RESTING_AFTER
         self._broken = len(broken_of(picture.damage))
-        called = self._measure.called if self._measure is not None else 0
-        resting = at_rest and running
-        self._panel.set_state(self._shown_as, session.playing, resting, self._broken, called, self._looks)
+        self._rests = at_rest and running
+        self._set_state(session.playing)
         still = at_rest and self._was_at_rest and not self._panel.unsettled
         if changed or (now >= self._readouts_due and not still):
             self._readouts_due = now + READOUTS_EVERY
@@ -440,6 +439,12 @@ class Tab:
             with self.client.atomic():
                 self._panel.refresh_controls()
                 self._panel.refresh_readouts(self._looks.dark, at_rest, self._looks.meter)
+
+    def _set_state(self, playing: bool) -> None:
+        """Tell the page's script how things are."""
+        rests = self._rests and playing
+        called = self._measure.called if self._measure is not None else 0
+        self._panel.set_state(self._shown_as, playing, rests, self._broken, called, self._looks)
 
     @property
     def _shown_as(self) -> str:

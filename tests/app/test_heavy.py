@@ -31,6 +31,8 @@ def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
         with stage.page() as other:
             light = stage.new_tab(known)
             session = session_of(heavy)
+            say(one, heavy, "do|plot", "do|gizmos")
+            eventually(lambda: {"measures", "gizmos"} <= told(heavy).keys())
             begun, go_on = threading.Event(), threading.Event()
             tick = Session.tick
 
@@ -50,6 +52,8 @@ def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
                 say(one, heavy, "do|pause")
                 eventually(lambda: told(heavy)["playing"] == 0)
                 assert session.playing  # it is not applied before the step is done
+                # Nor does the page turn to the plots again, or forget a switch.
+                assert told(heavy)["measures"] == told(heavy)["gizmos"] == 1
                 other.read_for(0.05)
             finally:
                 go_on.set()

@@ -36,9 +36,6 @@ LIMIT = 60.0
 BEAT_BYTES = 100
 """Size of a sign of life at most; whatever else the server sends is larger."""
 
-VISERS = ("Uploading ", "Received ")
-"""Beginnings of the titles of viser's own notices."""
-
 VISERS_ERRORS = (
     # At every press on a node that can be dragged.
     "inside passive event listener",
@@ -294,12 +291,11 @@ class Desk:
         return self.page.locator(f'//td[text()="{name}"]/following-sibling::td').first.inner_text()
 
     def notices(self) -> list[tuple[str, str]]:
-        """(title, text) of softrod's notices that are up; viser's own, of files on their way, are left
-        out."""
+        """(title, text) of the notices that can be seen."""
         script = """notices => notices.map(notice => ["title", "description"].map(
             part => notice.querySelector(`.mantine-Notification-${part}`)?.innerText ?? ""))"""
-        found = self.page.locator(".mantine-Notification-root").evaluate_all(script)
-        return [(title, text) for title, text in found if not title.startswith(VISERS)]
+        found = self.page.locator(".mantine-Notification-root").locator("visible=true")
+        return [(title, text) for title, text in found.evaluate_all(script)]
 
     def notice(self, text: str) -> str:
         """Wait until exactly one notice is up, check that it has the text, put it away, and return it."""

@@ -41,6 +41,10 @@ def test_a_mass_is_chosen_taken_and_moved_by_keys_alone(open_page: OpenPage) -> 
     desk.page.keyboard.press("Space")
     desk.until(lambda: not desk.session.dragged, "Space lets go")
     assert "let go" in live.inner_text()
+    desk.page.keyboard.press("Space")
+    desk.until(lambda: desk.session.dragged == (5,), "it is taken once more")
+    desk.page.evaluate("window.dispatchEvent(new Event('blur'))")
+    desk.until(lambda: not desk.session.dragged, "leaving the window lets go, too")
     desk.until(lambda: desk.readout("joint4") == "of 10", "its joint is read out")
 
 

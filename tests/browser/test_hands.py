@@ -44,6 +44,7 @@ def test_the_ringed_mass_is_dragged_and_stays_where_it_is_left(open_page: OpenPa
     desk.take(start)
     desk.lead(start, end)
     assert desk.session.dragged == (0,)
+    assert desk.page.locator(".softrod-hint").count() == 0, "who drags need not be told to"
     desk.until(lambda: off(desk, 0, end) < 1.5, "the mass is at the pointer")
     desk.until(lambda: desk.simulation.positions[-1, 0] > 360.0, "the rope comes after it")
     desk.let_go()

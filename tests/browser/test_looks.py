@@ -120,11 +120,16 @@ def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(
     bar = ".softrod-transport :is(button, input, .softrod-clock, select)"
     desk.until(lambda: seen(bar, 6), "the bar of time is whole")
     desk.until(body, "the body is in view")
+    desk.button("View").click()
+    desk.until(lambda: seen(".softrod-menu-list button", 6), "the menu is whole")
+    desk.page.keyboard.press("Escape")
     desk.button("Edit").click()
     desk.until(lambda: seen(".softrod-edit button", 8), "the tools are whole")
     desk.until(body, "so is the body beside them")
     assert abs(desk.place(11)[1] - desk.place(0)[1]) > 70.0
     assert seen(bar, 6)
+    desk.button("Done").scroll_into_view_if_needed()
+    desk.until(lambda: seen(".softrod-edit-bar > button:last-of-type", 1), "nothing is over the last button")
 
 
 SMALL = """least => [...document.querySelectorAll("body *")].filter(e => {
@@ -168,6 +173,9 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     desk.control("Integrator").click()
     desk.page.get_by_role("option", name="Adams").wait_for()
     assert not desk.page.evaluate(SMALL, 23.9)
+    desk.button("View").click()
+    assert not desk.page.evaluate(SMALL, 23.9)
+    desk.page.keyboard.press("Escape")
     desk.open()
     assert desk.page.locator("html.softrod-projector").count() == 1
     desk.page.keyboard.press("p")

@@ -203,3 +203,32 @@ def test_a_release_that_never_reaches_the_page_ends_the_move_of_the_view(open_pa
     board.pen("mouseMoved", (300.0, 380.0), False, "mouse")
     after = camera_at_rest(desk)
     assert np.allclose(after.target, before.target)
+
+
+PRESS = """([x, y]) => window.__viserMutable.canvas.dispatchEvent(new PointerEvent("pointerdown", {
+  pointerId: 1, pointerType: "mouse", isPrimary: true, button: 0, buttons: 1,
+  clientX: x, clientY: y, bubbles: true, cancelable: true,
+}))"""
+
+
+def test_a_press_of_a_pointer_that_was_never_released_ends_what_it_held(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    desk.page.evaluate(PRESS, list(desk.place(11)))
+    desk.until(lambda: desk.session.dragged == (11,), "the mass is in hand")
+    desk.page.evaluate(PRESS, list(desk.place(5)))
+    desk.until(lambda: desk.session.dragged == (5,), "another one is, and only that")
+
+
+def test_a_release_that_never_reaches_the_page_leaves_an_instrument_in_its_box(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.button("Instruments").click()
+    ruler = desk.button("Ruler")
+    box = ruler.bounding_box()
+    assert box is not None
+    board, x, y = Board(desk), box["x"] + 20.0, box["y"] + 20.0
+    board.pen("mouseMoved", (x, y), False, "mouse")
+    board.pen("mousePressed", (x, y), True, "mouse")
+    for step in (2.0, 60.0, 200.0):
+        board.pen("mouseMoved", (x + step, y), False, "mouse")
+    assert ruler.get_attribute("aria-pressed") == "false"

@@ -14,8 +14,6 @@ const BEGINNINGS = ["pointerdown", "mousedown", "touchstart", "click", "dblclick
 const BROWSERS = new Set(["Tab", "Escape", "Shift", "Control", "Alt", "Meta"]);
 
 let since = Infinity;
-/** What each pointer that is down was pressed on. @type {Map<number, {target: EventTarget, type: string, first: boolean}>} */
-const down = new Map();
 
 /** When the connection was found to be lost, ms of the page's clock; infinite while it is there. */
 export const awaySince = () => since;
@@ -43,25 +41,8 @@ async function whyRefused() {
   }
 }
 
-/** Ends every drag and lets go of every key, as if the window had been left. */
-function endAll() {
-  for (const [pointerId, { target, type, first }] of down) {
-    target.dispatchEvent(new PointerEvent("pointercancel", { pointerId, pointerType: type, isPrimary: first, bubbles: true }));
-  }
-  down.clear();
-  window.dispatchEvent(new Event("blur"));
-}
-
-function followPointers() {
-  window.addEventListener(
-    "pointerdown",
-    ({ pointerId, pointerType, isPrimary, target }) => target && down.set(pointerId, { target, type: pointerType, first: isPrimary }),
-    true,
-  );
-  for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) {
-    window.addEventListener(kind, ({ pointerId }) => down.delete(pointerId), true);
-  }
-}
+/** Ends every drag and lets go of every key, as when the window is left. */
+const endAll = () => window.dispatchEvent(new Event("blur"));
 
 /**
  * Begins to mind it, before anything else listens to the window.
@@ -70,7 +51,6 @@ function followPointers() {
  */
 export function mindAbsence() {
   for (const kind of BEGINNINGS) window.addEventListener(kind, swallow, { capture: true, passive: false });
-  followPointers();
   const banner = document.createElement("div");
   banner.className = "softrod-banner";
   banner.setAttribute("role", "status");

@@ -68,6 +68,7 @@ export function addBodyKeys() {
     last = chosenMass();
     choose(-1);
   });
+  window.addEventListener("blur", letGo); // also where the connection is lost
   onPicture((_, { radius }) => {
     last = Math.min(last, radius.length - 1);
     if (chosenMass() < radius.length) return;

@@ -47,7 +47,7 @@ const ALWAYS = [
   ["Rest as is", "", "rest", "Springs and joints rest as they are now"],
 ];
 
-/** Pixels between the closed box of instruments and what stands beside it. */
+/** Pixels between the other buttons over the bar of time and what stands beside them. */
 const GAP = 10;
 /** Pixels by which the words above the tools may grow shorter, as when the clock runs, and the tools stay in place. */
 const STAYS = 60;
@@ -56,8 +56,11 @@ const COLUMN = 480;
 /** Pixels more that it needs where it is twice as large, for a projector. */
 const MORE = 150;
 
-/** Pixels that the box of instruments takes. */
-const boxWidth = () => (document.querySelector(".softrod-box-lid")?.clientWidth ?? 40) + GAP;
+/** Pixels that one of them takes. @param {string} name */
+function taken(name) {
+  const width = document.querySelector(name)?.clientWidth;
+  return width ? width + GAP : 0;
+}
 
 /** @param {string} name */
 const icon = (name) => `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`;
@@ -101,7 +104,7 @@ export function addEditStrip(tracing) {
   const paste = makeButton("Paste", pasteHere, "");
   const rests = makeButton("Moved rest", () => setTakesNew(!takesNew()), "");
   rests.title = "Springs and joints of what is moved take their new lengths and angles as rest, or keep the old ones";
-  const done = makeButton("Done", () => setEditing(false), "softrod-edit-done");
+  const done = makeButton("Done", () => setEditing(false), "");
   bar.append(count, ...onSelected, paste, ...ALWAYS.map(actionButton), rests, tracing.button, tracing.said, done, tracing.row);
   const live = make("div", "softrod-tell");
   live.setAttribute("role", "status");
@@ -154,7 +157,7 @@ export function addEditStrip(tracing) {
     const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity);
     // On a phone they stand in a row, without words.
     const low = bottom - top < COLUMN + (larger() - 1) * MORE;
-    const beside = boxWidth();
+    const beside = taken(".softrod-box-lid");
     strip.classList.toggle("softrod-edit-row", low || !editing.on);
     strip.classList.toggle("softrod-edit-closed", !editing.on);
     strip.classList.toggle("softrod-words", !editing.on && hasWords(canvas));
@@ -164,7 +167,7 @@ export function addEditStrip(tracing) {
     if (count.textContent !== counted) count.textContent = counted;
     if (!editing.on) {
       // Out of the body's way, beside the box of instruments.
-      Object.assign(strip.style, { left: `${left + beside}px`, top: "auto", bottom: `${window.innerHeight - bottom + 8}px` });
+      Object.assign(strip.style, { left: `${left + beside}px`, top: "auto", bottom: `${window.innerHeight - bottom + 10}px` });
       return;
     }
     Object.assign(strip.style, { left: `${left}px`, bottom: "auto" });
@@ -172,9 +175,9 @@ export function addEditStrip(tracing) {
     const scale = document.querySelector(".softrod-scale")?.getBoundingClientRect();
     const under = low && scale && scale.left < left + strip.offsetWidth ? scale.bottom : 0;
     strip.style.top = `${Math.max(top, under + 10)}px`;
-    // Over the bar of time, beside the box of instruments.
+    // Over the bar of time, between the box of instruments and the View menu.
     bar.style.left = `${left + beside}px`;
-    bar.style.maxWidth = `${canvas.right - left - beside - 14}px`;
+    bar.style.maxWidth = `${canvas.right - left - beside - taken(".softrod-menu-lid") - 14}px`;
     bar.style.bottom = `${window.innerHeight - bottom + 8}px`;
   };
   let shown = "";

@@ -295,7 +295,7 @@ function addBox() {
       [begun, dragged] = [null, true];
       take(kind, event, button);
     });
-    button.addEventListener("pointerup", () => (begun = null));
+    for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) button.addEventListener(kind, () => (begun = null));
     button.addEventListener("click", () => {
       if (!dragged) press(kind);
       dragged = false;

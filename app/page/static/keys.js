@@ -38,9 +38,17 @@ const isTyping = (target) =>
 /** A slider that was reached with the Tab key takes the arrows for itself. @param {EventTarget | null} target */
 const isSlider = (target) =>
   target instanceof HTMLElement && target.matches('[role="slider"]:focus-visible, input[type="range"]:focus-visible');
-/** While the body or an instrument has the focus, it takes arrows and Space. @param {KeyboardEvent} event */
-const isForBody = ({ target, code, key }) =>
-  target instanceof Element && target.matches(".softrod-body, .softrod-grip") && (key in ARROWS || code === "Space");
+/**
+ * Whether what has the focus takes a key for itself: the body or an instrument arrows and Space, the open box of
+ * instruments Esc.
+ *
+ * @param {KeyboardEvent} event
+ */
+function isTaken({ target, code, key }) {
+  if (!(target instanceof Element)) return false;
+  if (key === "Escape") return target.closest(".softrod-box:has(> .softrod-box-tools:not([hidden]))") !== null;
+  return target.matches(".softrod-body, .softrod-grip") && (key in ARROWS || code === "Space");
+}
 /**
  * Whether Space plays or pauses, and does not press or type anything. After a click it does, wherever the focus is then;
  * only texts and open lists keep it. Browsers take the focus as one by keys as soon as any key is pressed, so
@@ -49,17 +57,18 @@ const isForBody = ({ target, code, key }) =>
  * @param {KeyboardEvent} event
  */
 function isSpaceFree({ target, ctrlKey, metaKey, altKey }) {
-  if (ctrlKey || metaKey || altKey || dialogIsOpen()) return false;
+  if (ctrlKey || metaKey || altKey || dialogIsOpen() || menuIsOpen()) return false;
   if (!(target instanceof Element)) return true;
   if (target.matches(".mantine-NumberInput-root input")) return true; // no number has a space
   if (target.matches('[aria-haspopup="listbox"]')) return byPointer && target.ariaExpanded !== "true";
   if (target.matches(TEXTS)) return false;
   return byPointer || !target.matches(PRESSED);
 }
-/** Whether a key acts on the page, and not on what is typed into or on a dialog. @param {KeyboardEvent} event */
+/** Whether a key acts on the page, and not on what is typed into, or on a dialog or a menu. @param {KeyboardEvent} event */
 export const isFree = ({ target, ctrlKey, metaKey, altKey }) =>
-  !(ctrlKey || metaKey || altKey || isTyping(target) || dialogIsOpen());
+  !(ctrlKey || metaKey || altKey || isTyping(target) || dialogIsOpen() || menuIsOpen());
 const dialogIsOpen = () => document.querySelector('[role="dialog"], dialog[open]') !== null;
+const menuIsOpen = () => document.querySelector('[role="menu"]:not([hidden])') !== null;
 /** Nobody else is to act on it. @param {Event} event */
 const swallow = (event) => {
   event.preventDefault();
@@ -109,13 +118,13 @@ function press(event) {
   if (openPalette(event)) return;
   const once = ONCE[printed(event)];
   if (once === "play") {
-    if (!isSpaceFree(event) || isForBody(event)) return;
+    if (!isSpaceFree(event) || isTaken(event)) return;
     swallow(event);
     spaceDown = true;
     if (!event.repeat) send("do", once);
     return;
   }
-  if (!isFree(event) || isSlider(event.target) || isForBody(event)) return;
+  if (!isFree(event) || isSlider(event.target) || isTaken(event)) return;
   const arrow = ARROWS[event.key];
   if (arrow) {
     swallow(event);

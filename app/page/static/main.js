@@ -28,7 +28,6 @@ import { restoreLooks } from "./looks.js";
 import { showMeasures } from "./measure.js";
 import { addMenu } from "./menu.js";
 import { nameControls } from "./names.js";
-import { quietNotices } from "./notices.js";
 import { mindNumbers } from "./numbers.js";
 import { addOverlay } from "./overlay.js";
 import { sayWhose } from "./owner.js";
@@ -72,6 +71,7 @@ whenViser((viser) => {
   keepFlat();
   mindDialogs();
   listenToPresses();
+  addOverlay(); // its hint goes with the first press, which others keep for themselves
   const tracing = addTracing();
   listenToEditKeys();
   listenToKeys();
@@ -85,7 +85,6 @@ whenViser((viser) => {
   restoreLooks();
   addTransport();
   addShareDialog();
-  addOverlay();
   addUnderlay();
   addTraces();
   addLoads();
@@ -101,7 +100,6 @@ whenViser((viser) => {
   nameControls();
   showMeasures();
   readPhases();
-  quietNotices();
   mindPictures();
   // For the browser tests.
   Object.assign(window, { __softrod: { shown, fitted } });

@@ -8,6 +8,9 @@ import { onSight } from "./overlay.js";
 
 const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
 
+/** Pixels between the list and the edge of the window. */
+const EDGE = 8;
+
 const isDark = () => document.documentElement.dataset.mantineColorScheme === "dark";
 
 /**
@@ -53,10 +56,11 @@ export function addMenu() {
   lid.setAttribute("aria-controls", list.id);
   const items = ENTRIES.map((entry) => {
     const item = makeButton("", () => {
+      const byKeys = item.matches(":focus-visible");
       open(false);
       entry.press();
-      // The keys are the body's again.
-      lid.blur();
+      // The keys are the body's again, unless somebody goes by keys.
+      if (byKeys) lid.focus();
     }, "");
     item.append(make("span", "softrod-menu-mark"), make("span", "", entry.label), make("kbd", "", entry.key ?? ""));
     item.setAttribute("role", entry.on ? "menuitemcheckbox" : "menuitem");
@@ -76,10 +80,18 @@ export function addMenu() {
     }
     list.hidden = !on;
     lid.ariaExpanded = String(on);
-    if (on) items.find(({ item }) => !item.hidden)?.item.focus();
+    if (!on) return;
+    keepInView();
+    items.find(({ item }) => !item.hidden)?.item.focus();
+  }
+  /** Where there is no room above the button, the list comes down over it. */
+  function keepInView() {
+    list.style.translate = "";
+    list.style.translate = `0 ${Math.max(0, EDGE - list.getBoundingClientRect().top)}px`;
   }
   element.addEventListener("keydown", (event) => {
     if (list.hidden) return;
+    event.stopPropagation(); // viser would move the camera
     const shown = items.filter(({ item }) => !item.hidden).map(({ item }) => item);
     const at = shown.findIndex((item) => item === document.activeElement);
     const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
@@ -87,19 +99,19 @@ export function addMenu() {
       open(false);
       lid.focus();
     } else if (to !== undefined) shown.at(to % shown.length)?.focus();
-    else if (event.key !== "Enter" && event.key !== " ") return;
-    // The body's keys are not pressed here. Enter and Space press what has the focus.
-    event.stopPropagation();
     if (to !== undefined || event.key === "Escape") event.preventDefault();
   });
-  window.addEventListener("pointerdown", ({ target }) => {
-    if (!list.hidden && !(target instanceof Node && element.contains(target))) open(false);
-  }, true);
+  // A press in the menu leaves the focus where it is, in every browser; any other press takes it away.
+  element.addEventListener("mousedown", (event) => event.preventDefault());
+  element.addEventListener("focusout", ({ relatedTarget }) => {
+    if (!(relatedTarget instanceof Node && element.contains(relatedTarget))) open(false);
+  });
   onTold(() => (element.hidden = told().view !== "1" && told().help !== "1"));
   onSight(({ box }) => {
     const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
     element.classList.toggle("softrod-words", hasWords(box));
     element.style.right = `${window.innerWidth - box.right + 14}px`;
     element.style.bottom = `${window.innerHeight - Math.min(box.bottom, dock?.top ?? Infinity) + 10}px`;
+    if (!list.hidden) keepInView();
   });
 }

@@ -41,6 +41,8 @@ function cancel(press) {
 /** @param {PointerEvent} event */
 function down(event) {
   const { pointerId, pointerType, target, timeStamp } = event;
+  const before = presses.get(pointerId);
+  if (before) cancel(before);
   if (pointerType === "pen") {
     penAt = timeStamp;
     for (const [id, press] of presses) {

@@ -22,7 +22,7 @@ const CONTROLS = {
 /** What is to be known of a link. @param {string} link @returns {string} */
 export function caution(link) {
   const size = `The link has ${link.length.toLocaleString("en")} characters`;
-  if (link.length > TOO_LONG) return `${size}: many messengers cut links longer than 8,000. Send the scene as a file instead (Files, Download).`;
+  if (link.length > TOO_LONG) return `${size}: many messengers cut links longer than 8,000. Send the scene as a file instead (Share, Download as a file).`;
   if (link.length > LONG) return `${size}: some e-mail programs cut links longer than 2,000.`;
   return "";
 }
