@@ -14,6 +14,7 @@ from typing import Any
 import viser
 
 from sim.errors import InputError
+from sim.scene.types import shown_name
 
 from ..drawing.colors import palette
 from ..export.workshop import workshop
@@ -249,7 +250,7 @@ class PlotList:
         scene, plot = self._session.scene, shown.plot
         drawn = curve(plot, self.seconds, PICTURE_PIECES)
         colors = plots.colors_of(plot, palette(scene.view.colors, dark=False))
-        title, name = scene.title or scene.name, f"{scene.name}-{plot.wish.names[0]}.png"
+        title, name = shown_name(scene), f"{scene.name}-{plot.wish.names[0]}.png"
 
         def make() -> None:
             from ..export.plot_picture import plot_png  # matplotlib does not delay the start
