@@ -154,7 +154,10 @@ class PlotList:
             except InputError:
                 self._remove(shown)
                 continue
-            if [q.unit for q in plot.quantities] != [q.unit for q in shown.plot.quantities]:
+            units = [q.unit for q in plot.quantities]
+            if units != [q.unit for q in shown.plot.quantities] or plot.turned != shown.plot.turned:
+                if plot.turned != shown.plot.turned:
+                    shown.remove_chart()
                 plot.version = shown.sent + 1
                 shown.plot = plot
         self.redraw()
