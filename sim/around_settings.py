@@ -7,11 +7,16 @@ from collections.abc import Callable
 from typing import Any
 
 import msgspec
+import numpy as np
+from numpy.typing import ArrayLike
 
 from .scene.types import Scene
 
 STILL_AIR = 1e-6
 """px/s below which there is no wind; a little is left of it, so that its direction is kept."""
+
+ROUNDING = 1e-9
+"""Part of a number by which others may differ from it and still count as equal."""
 
 
 def _neat(value: float) -> float:
@@ -70,6 +75,23 @@ def largest_of(parts: str, kind: type, field: str) -> Callable[[Scene], float]:
         return max((number for number in numbers if number is not None), default=0.0)
 
     return read
+
+
+def differ_of(parts: str, kind: type, field: str) -> Callable[[Scene], bool]:
+    """Whether those parts of a scene that are of a kind and have a number have different ones."""
+
+    def differ(scene: Scene) -> bool:
+        numbers = [getattr(part, field) for part in getattr(scene, parts) if isinstance(part, kind)]
+        return are_different([number for number in numbers if number is not None])
+
+    return differ
+
+
+def are_different(numbers: ArrayLike) -> bool:
+    """Whether numbers differ by more than they do after being scaled; one that is NaN is none."""
+    values = np.asarray(numbers, float)
+    values = values[~np.isnan(values)]
+    return values.size > 1 and float(np.ptp(values)) > ROUNDING * float(np.abs(values).max())
 
 
 def scaled_of(parts: str, kind: type, field: str) -> Callable[[Scene, float], Scene]:

@@ -32,6 +32,8 @@ class Setting:
         applies: whether the setting has any effect on a scene.
         logarithmic: whether its slider is logarithmic.
         integer: whether it takes whole numbers only.
+        differs: whether the parts that it sets have different numbers. Then it reads the largest and scales
+            the others in proportion; of rest angles it reads the first, and turns the others by as much.
     """
 
     key: str
@@ -45,6 +47,7 @@ class Setting:
     applies: Callable[[Scene], bool]
     logarithmic: bool = False
     integer: bool = False
+    differs: Callable[[Scene], bool] = lambda _: False
 
 
 def recipe_settings(scene: Scene) -> list[Setting]:

@@ -15,6 +15,8 @@ from typing import Any, get_args
 import msgspec
 
 from .around_settings import (
+    are_different,
+    differ_of,
     largest_of,
     of_contact,
     scaled_of,
@@ -159,6 +161,10 @@ def _largest(field: str, springs: str) -> Callable[[Scene], float]:
     return lambda scene: float(column(getattr(scene, springs), field).max(initial=0.0))
 
 
+def _differ(field: str, springs: str) -> Callable[[Scene], bool]:
+    return lambda scene: are_different(column(getattr(scene, springs), field))
+
+
 def _scaled(field: str, springs: str) -> Callable[[Scene, float], Scene]:
     """Set the largest to the value and scale the others in proportion; if all were zero, set all."""
 
@@ -288,31 +294,34 @@ def _setting(
     read: Callable[[Scene], float],
     write: Callable[[Scene, float], Scene],
     applies: Callable[[Scene], bool],
+    differs: Callable[[Scene], bool] = lambda _: False,
     **rest: bool,
 ) -> Setting:
     low, high, unit = bounds
-    return Setting(key, label, unit, low, high, slider, read, write, applies, **rest)
+    return Setting(key, label, unit, low, high, slider, read, write, applies, **rest, differs=differs)
 
 
 _ALL = (
     _setting(
         "linear_stiffness", "Linear stiffness", (100.0, 1e6), number_range(LinearSpring, "stiffness"),
         _largest("stiffness", "linear_springs"), _scaled("stiffness", "linear_springs"),
-        _has_springs, logarithmic=True,
+        _has_springs, _differ("stiffness", "linear_springs"), logarithmic=True,
     ),
     _setting(
         "linear_damping", "Linear damping", (0.0, 200.0), number_range(LinearSpring, "damping"),
         _largest("damping", "linear_springs"), _scaled("damping", "linear_springs"), _has_springs,
+        _differ("damping", "linear_springs"),
     ),
     _setting(
         "angular_stiffness", "Angular stiffness", (10.0, 1e6), number_range(AngularSpring, "stiffness"),
         _largest("stiffness", "angular_springs"),
-        _scaled("stiffness", "angular_springs"), _has_joints, logarithmic=True,
+        _scaled("stiffness", "angular_springs"), _has_joints, _differ("stiffness", "angular_springs"),
+        logarithmic=True,
     ),
     _setting(
         "angular_damping", "Angular damping", (0.0, 200.0), number_range(AngularSpring, "damping"),
         _largest("damping", "angular_springs"), _scaled("damping", "angular_springs"),
-        _has_joints,
+        _has_joints, _differ("damping", "angular_springs"),
     ),
     _setting(
         "rest_length_scale", "Rest length", (0.1, 4.0), number_range(Scene, "rest_length_scale"),
@@ -320,7 +329,7 @@ _ALL = (
     ),
     _setting(
         "rest_angle", "Rest angle", (-180.0, 180.0), number_range(AngularSpring, "rest_angle"),
-        _read_rest_angle, _write_rest_angle, _has_rest_angle,
+        _read_rest_angle, _write_rest_angle, _has_rest_angle, _differ("rest_angle", "angular_springs"),
     ),
     _setting(
         "template", "Template", (-180.0, 180.0), (-180.0, 180.0, "°"),
@@ -349,10 +358,12 @@ _ALL = (
     _setting(
         "wall_friction", "Friction of walls", (0.0, 2.0), number_range(Wall, "friction"),
         largest_of("walls", Wall, "friction"), scaled_of("walls", Wall, "friction"), _has_walls,
+        differ_of("walls", Wall, "friction"),
     ),
     _setting(
         "bounciness", "Bounciness of walls", (0.0, 1.0), number_range(Wall, "bounciness"),
         largest_of("walls", Wall, "bounciness"), scaled_of("walls", Wall, "bounciness"), _has_walls,
+        differ_of("walls", Wall, "bounciness"),
     ),
     _setting(
         "contact_distance", "Contact distance", (0.0, 40.0), number_range(Contact, "distance"),
@@ -369,23 +380,24 @@ _ALL = (
     _setting(
         "gas_pressure", "Gas pressure", (1.0, 1e4), number_range(Gas, "pressure"),
         largest_of("fillings", Gas, "pressure"), scaled_of("fillings", Gas, "pressure"),
-        _has_filling(Gas), logarithmic=True,
+        _has_filling(Gas), differ_of("fillings", Gas, "pressure"), logarithmic=True,
     ),
     _setting(
         "liquid_stiffness", "Liquid stiffness", (10.0, 1e6), number_range(Liquid, "bulk_modulus"),
         largest_of("fillings", Liquid, "bulk_modulus"), scaled_of("fillings", Liquid, "bulk_modulus"),
-        _has_filling(Liquid), logarithmic=True,
+        _has_filling(Liquid), differ_of("fillings", Liquid, "bulk_modulus"), logarithmic=True,
     ),
     _setting(
         "strength", "Strength of springs", (100.0, 1e6), number_range(LinearSpring, "strength"),
         largest_of("linear_springs", LinearSpring, "strength"),
-        scaled_of("linear_springs", LinearSpring, "strength"), _has_limit("strength"), logarithmic=True,
+        scaled_of("linear_springs", LinearSpring, "strength"), _has_limit("strength"),
+        _differ("strength", "linear_springs"), logarithmic=True,
     ),
     _setting(
         "yield_force", "Yield force", (100.0, 1e6), number_range(LinearSpring, "yield_force"),
         largest_of("linear_springs", LinearSpring, "yield_force"),
         scaled_of("linear_springs", LinearSpring, "yield_force"), _has_limit("yield_force"),
-        logarithmic=True,
+        _differ("yield_force", "linear_springs"), logarithmic=True,
     ),
     _setting(
         "dt", "Time step", (1e-4, 0.01), number_range(Integrator, "dt"),

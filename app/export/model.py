@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import sim
+from sim.scene.types import shown_name
 
 from ..drawing.colors import palette, plain
 from ..drawing.plan import Picture
@@ -60,7 +61,7 @@ def glb(scene: sim.Scene, picture: Picture) -> bytes:
         # From the page's world to metres.
         mesh.apply_scale(METRES_PER_PX / sketch.mapping.scale)
         group.add_geometry(mesh, geom_name=name, node_name=name)
-    title = scene.title or scene.name
+    title = shown_name(scene)
 
     def finish(tree: dict[str, Any]) -> None:
         tree["asset"]["generator"] = "softrod"

@@ -35,9 +35,12 @@ def plot_png(plot: Plot, drawn: Drawn, colors: Sequence[str], title: str) -> byt
     for quantity, values, color in zip(plot.quantities, drawn.values[1:], colors, strict=False):
         axis = axes[units.index(quantity.unit)]
         lines += axis.plot(across, values, color=color, label=quantity.name, linewidth=1.4)
-    for axis, unit in zip(axes, units, strict=True):
+    for axis, unit, turned in zip(axes, units, plot.turned, strict=True):
         names = ", ".join(q.name for q in plot.quantities[:count] if q.unit == unit)
-        axis.set_ylabel(f"{names}, {unit}" if unit else names, parse_math=False)  # a $ is a $
+        label = f"{names}, {unit}" if unit else names
+        axis.set_ylabel(f"{label}, downwards" if turned else label, parse_math=False)  # a $ is a $
+        if turned:
+            axis.invert_yaxis()
     last = plot.quantities[-1]
     over = f"{last.name}, {last.unit}" if last.unit else last.name
     left.set_xlabel(over if plot.wish.over else "time, s", parse_math=False)

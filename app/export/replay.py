@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import sim
+from sim.scene.types import shown_name
 
 from ..drawing.colors import palette, plain
 from ..drawing.plan import encode_damage, encode_plan
@@ -50,7 +51,7 @@ def replay_html(clip: Clip) -> bytes:
     """The file, in UTF-8, of at most some 4 MB."""
     scene = clip.scene
     about, data = _described(clip)
-    title = scene.title or scene.name
+    title = shown_name(scene)
     style, script = _looks()
     policy = "; ".join(
         (

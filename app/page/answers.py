@@ -78,6 +78,9 @@ class Answers:
             if isinstance(ask, asks.Gesture):
                 if "edit" in controls:
                     self.edits.do(ask)
+            elif isinstance(ask, asks.Texts):
+                if "edit" in controls:
+                    self.edits.set_texts(ask)
             elif not isinstance(ask, asks.Offer):
                 self._line.submit(self._answer, ask)
             elif "chooser" in controls:

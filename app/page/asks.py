@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 import msgspec
 from msgspec import Meta, Struct
 
-_ASK = re.compile(r"\d{1,15}\|ask\|(\{.{2,4000}\})", re.DOTALL)
+_ASK = re.compile(r"\d{1,15}\|ask\|(\{.{2,16000}\})", re.DOTALL)
 
 _SceneName = Annotated[str, Meta(min_length=1, max_length=200)]
 
@@ -81,6 +81,13 @@ class Change(Ask, frozen=True):
     how: Literal["rename", "duplicate", "delete", "restore"]
     name: _SceneName
     to: Annotated[str, Meta(max_length=200)] = ""
+
+
+class Texts(Ask, frozen=True):
+    """The scene is to have another name and another description."""
+
+    name: Annotated[str, Meta(max_length=200)]
+    description: Annotated[str, Meta(max_length=8000)]
 
 
 # ------------------------------------------------------------------------- of the body's parts
@@ -176,7 +183,7 @@ class Do(Gesture, frozen=True):
 
 
 _decode = msgspec.json.Decoder(
-    Share | Offer | Unread | Unsent | Who | Scenes | OpenScene | Change
+    Share | Offer | Unread | Unsent | Who | Scenes | OpenScene | Change | Texts
     | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Do
 ).decode  # fmt: skip
 

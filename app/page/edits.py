@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from sim import Moment, Scene
-from sim.edit import build, copying, shape
+from sim.edit import build, copying, shape, texts
 from sim.edit.edit import Edit, Selection, carried, counted, refuse_missing
 from sim.edit.values import number, set_number, take_as_rest
 from sim.errors import SceneError, SettingError
@@ -66,6 +66,19 @@ class Edits:
                 self._session.post(move)
             case _:
                 self._session.post(commands.Change(lambda *now: edited(ask, *now)))
+
+    def set_texts(self, ask: asks.Texts) -> None:
+        """Give the scene another name and description, or say in the page why not: what was typed is kept."""
+        refused = ""
+        try:
+            texts.set_texts(self._session.scene, ask.name, ask.description)
+        except SceneError as error:
+            refused = f"{str(error)[:1].upper()}{str(error)[1:]}."
+        else:
+            self._session.post(
+                commands.Change(lambda moment, _: texts.set_texts(moment.scene, ask.name, ask.description))
+            )
+        self._letters.send("texts", refused=refused)
 
     def paste(self, message: str) -> None:
         """Put in what was copied; in a thread, since it may be long.

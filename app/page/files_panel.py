@@ -13,6 +13,7 @@ from typing import Any
 import viser
 
 import sim
+from sim.edit.texts import UNNAMED, renamed
 from sim.errors import InputError, SceneError
 from sim.scene import files
 from sim.scene.places import as_utf8
@@ -54,7 +55,9 @@ class FilesPanel:
         self._session = session
         self._notify = notify
         gui = client.gui
-        self._name = gui.add_text("Name", initial_value="my scene")
+        self._offered = ""
+        self._name = gui.add_text("Name", initial_value="")
+        self.build()
         self._with_pose = gui.add_checkbox(
             "With pose", initial_value=False, hint="save where every mass is now, too"
         )
@@ -84,6 +87,13 @@ class FilesPanel:
             file = upload.value
             self._try(lambda: self._open_bytes(file.content, file.name))
 
+    def build(self) -> None:
+        """Offer the scene's name; what its user typed stays, until the scene has another one."""
+        name = self._session.scene.name
+        offered = UNNAMED if files.is_built_in(name) else name
+        if offered != self._offered:
+            self._offered = self._name.value = offered
+
     # --------------------------------------------------------------------- inside
     def _try(self, action: Callable[[], None]) -> None:
         try:
@@ -101,6 +111,8 @@ class FilesPanel:
 
     def _write(self, scene: sim.Scene, name: str) -> None:
         name = self._shelf.save(scene, name)
+        if self._session.replay is None:  # which an edit would end
+            self._session.post(commands.Change(lambda moment, _: renamed(moment.scene, name)))
         self._notify(Notice("info", "Saved", f"The scene is saved as {name!r}."))
 
     def _download(self) -> None:

@@ -10,6 +10,7 @@ import functools
 from collections.abc import Callable
 from pathlib import Path
 
+from sim.edit.texts import renamed
 from sim.errors import SceneError
 from sim.scene import own_scenes
 from sim.scene.files import read_scene
@@ -86,7 +87,10 @@ class Gallery:
             folder = self._shelf.folder
             match ask.how:
                 case "rename":
-                    said = f"It is called {own_scenes.rename_user_scene(ask.name, ask.to, folder)!r} now."
+                    used = own_scenes.rename_user_scene(ask.name, ask.to, folder)
+                    if self._session.scene.name == ask.name:
+                        self._session.post(commands.Change(lambda moment, _: renamed(moment.scene, used)))
+                    said = f"It is called {used!r} now."
                 case "duplicate":
                     said = f"The copy is called {self._shelf.duplicate(ask.name)!r}."
                 case "delete":

@@ -28,7 +28,7 @@ from .lesson_panel import LessonPanel
 from .play_panel import PlayPanel
 from .plot_list import PlotList
 from .selection_panel import SelectionPanel
-from .slider_box import SliderBox
+from .slider_box import SliderBox, mixed_words
 from .solver_panel import SolverPanel
 
 PANEL_WIDTH = 348
@@ -77,6 +77,42 @@ def _id(handle: Any) -> str:
     return handle._impl.uuid
 
 
+_Place = viser.GuiTabHandle | viser.GuiFolderHandle
+
+
+class _MixedNote:
+    """Says below some sliders what those do whose parts have different numbers; it is made when one does.
+
+    Args:
+        gui: of the page.
+        place: where the sliders stand.
+        sliders: those that it is about.
+        order: where it stands.
+    """
+
+    def __init__(self, gui: viser.GuiApi, place: _Place, sliders: list[SliderBox], order: float) -> None:
+        self._gui, self._place, self._sliders, self._order = gui, place, sliders, order
+        self._note: viser.GuiHtmlHandle | None = None
+        self._words = ""
+
+    def show(self) -> None:
+        """Say what is so now."""
+        mixed = dict.fromkeys(mixed_words(box.setting) for box in self._sliders if box.mixed)
+        words = " ".join(f"<b>mixed</b>: {each}." for each in mixed)
+        if words == self._words:
+            return
+        self._words = words
+        if self._note is None:
+            with self._place:
+                self._note = self._gui.add_html("", order=self._order)
+        self._note.content = f'<div class="softrod-text">{words}</div>' if words else ""
+
+    def remove(self) -> None:
+        """Take it out of the page."""
+        if self._note is not None:
+            self._note.remove()
+
+
 class Panel:
     """The controls of one page, for the scene that it shows.
 
@@ -110,6 +146,7 @@ class Panel:
         self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
         self._shown: tuple[list[Setting], tuple[str, ...]] | None = None
+        self._notes: list[_MixedNote] = []
         self._templates: list[viser.GuiDropdownHandle[str]] = []
         self._choices: list[ChoiceBox] = []
         self.outlined: list[Any] = []
@@ -230,8 +267,9 @@ class Panel:
         self._shown = applicable, of_lesson
         for slider_box in self._sliders:
             slider_box.retire()
-        for element in self._body:
-            element.remove()
+        for part in (*self._notes, *self._body):  # a folder goes after what is in it
+            part.remove()
+        self._notes.clear()
         self._body.clear()
         self._sliders.clear()
         self._templates.clear()
@@ -261,8 +299,7 @@ class Panel:
                 return
             folder = gui.add_folder("All numbers", order=LAST + 3)
         with folder:
-            for order, setting in enumerate(others, start=10):
-                self._add_control(setting, order)
+            self._add_sliders(folder, others)
             own_values = gui.add_button(
                 "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST
             )
@@ -284,8 +321,15 @@ class Panel:
         """Sliders in a tab, if there is that tab; what stays in it stands before or after them."""
         if tab is not None:
             with tab:
-                for order, setting in enumerate(settings, start=10):
-                    self._add_control(setting, order)
+                self._add_sliders(tab, settings)
+
+    def _add_sliders(self, place: _Place, settings: list[Setting]) -> None:
+        """Controls of settings, one below the other, and below them the note on those that are mixed."""
+        before = len(self._sliders)
+        for order, setting in enumerate(settings, start=10):
+            self._add_control(setting, order)
+        order = 10.0 + len(settings)
+        self._notes.append(_MixedNote(self._client.gui, place, self._sliders[before:], order))
 
     def _add_control(self, setting: Setting, order: float) -> None:
         if setting.key == "template":
@@ -350,7 +394,9 @@ class Panel:
         if self._play is not None:
             self._play.refresh_controls()
         for slider_box in self._sliders:
-            slider_box.show(slider_box.setting.read(scene))
+            slider_box.show(scene)
+        for note in self._notes:
+            note.show()
         for choice in self._choices:
             choice.show(scene)
         template = f"{scene.template}°"

@@ -28,7 +28,13 @@ def ticks(low: float, high: float) -> list[float]:
 
 
 def phase_svg(
-    x: Floats, ys: Floats, past: int, colors: Sequence[str], labels: tuple[str, str], name: str
+    x: Floats,
+    ys: Floats,
+    past: int,
+    colors: Sequence[str],
+    labels: tuple[str, str],
+    name: str,
+    turned: bool = False,
 ) -> str:
     """The plot; a disc marks the moment that is shown, and what is ahead of it is pale.
 
@@ -39,16 +45,18 @@ def phase_svg(
         colors: of each quantity, as CSS has them.
         labels: of the axes, to the right and upwards.
         name: what it is, for screen readers.
+        turned: whether values of `ys` grow downwards.
     """
     ranges = [_range(x), _range(ys)]
     (x_low, x_high), (y_low, y_high) = ranges
+    y_bottom, y_top = (y_high, y_low) if turned else (y_low, y_high)
     right, bottom = WIDTH - RIGHT, HEIGHT - BOTTOM
 
     def across(value: float) -> float:
         return LEFT + (right - LEFT) * (value - x_low) / (x_high - x_low)
 
     def up(value: float) -> float:
-        return bottom - (bottom - TOP) * (value - y_low) / (y_high - y_low)
+        return bottom - (bottom - TOP) * (value - y_bottom) / (y_top - y_bottom)
 
     lines, texts = [], []
     for value in ticks(x_low, x_high):
@@ -79,7 +87,7 @@ def phase_svg(
             curves.append(f'<circle cx="{cx}" cy="{cy}" r="4" style="fill:{color}"/>')
     # For static/phase.js, which reads the values under the pointer.
     edges = f"{LEFT:g} {right:g} {bottom:g} {TOP:g}"
-    ends = " ".join(f"{end:.9g}" for end in (x_low, x_high, y_low, y_high))
+    ends = " ".join(f"{end:.9g}" for end in (x_low, x_high, y_bottom, y_top))
     return (
         f'<svg class="softrod-phase" data-edges="{edges}" data-ends="{ends}" data-right="{to_right}" '
         f'data-up="{upwards}" viewBox="0 0 {WIDTH:g} {HEIGHT:g}" role="img" '

@@ -7,7 +7,7 @@ from typing import Any
 
 import viser
 
-from sim.scene.types import Scene
+from sim.scene.types import Scene, shown_name
 
 from ..session import commands
 from ..session.session import Session
@@ -41,6 +41,7 @@ class PlayPanel:
     ) -> None:
         self._session = session
         self._act = act
+        self._edits_texts = "edit" in controls
         self.outlined: list[Any] = []
         self.anew: Any = None
         self._chooser = self._about = self._follow = self._readout = self._pad = None
@@ -79,9 +80,9 @@ class PlayPanel:
     def build(self, scene: Scene) -> None:
         """Show what the scene has."""
         if self._chooser is not None:
-            self._chooser.label = scene.title or scene.name
+            self._chooser.label = shown_name(scene)
         if self._about is not None:
-            self._about.content = readouts.description(scene)
+            self._about.content = readouts.description(scene, self._edits_texts)
         if self._pad is not None:
             self._pad.visible = scene.arrow_keys is not None
         if self._follow is not None:

@@ -14,6 +14,7 @@ from typing import Any
 import viser
 
 from sim.errors import InputError
+from sim.scene.types import shown_name
 
 from ..drawing.colors import palette
 from ..export.workshop import workshop
@@ -153,7 +154,10 @@ class PlotList:
             except InputError:
                 self._remove(shown)
                 continue
-            if [q.unit for q in plot.quantities] != [q.unit for q in shown.plot.quantities]:
+            units = [q.unit for q in plot.quantities]
+            if units != [q.unit for q in shown.plot.quantities] or plot.turned != shown.plot.turned:
+                if plot.turned != shown.plot.turned:
+                    shown.remove_chart()
                 plot.version = shown.sent + 1
                 shown.plot = plot
         self.redraw()
@@ -249,7 +253,7 @@ class PlotList:
         scene, plot = self._session.scene, shown.plot
         drawn = curve(plot, self.seconds, PICTURE_PIECES)
         colors = plots.colors_of(plot, palette(scene.view.colors, dark=False))
-        title, name = scene.title or scene.name, f"{scene.name}-{plot.wish.names[0]}.png"
+        title, name = shown_name(scene), f"{scene.name}-{plot.wish.names[0]}.png"
 
         def make() -> None:
             from ..export.plot_picture import plot_png  # matplotlib does not delay the start

@@ -70,10 +70,13 @@ def draw_over_time(
         until, whole = values.copy(), list(values[1:])
         until[1:, past:] = np.nan
     data = *until, *whole
-    looks = plot.wish, tuple(series), colors.css("text"), tuple(some.tolist()), plot.units
+    looks = plot.wish, tuple(series), colors.css("text"), tuple(some.tolist()), plot.units, plot.turned
     lines, axes = _lines(plot, series, some), _axes(plot, colors)
     if chart is None:
-        scales = {"x": {"time": False}, **{f"y{i}": {} for i in range(len(plot.units))}}
+        upwards: dict[str, uplot.Scale] = {
+            f"y{i}": {"dir": -1} if turned else {} for i, turned in enumerate(plot.turned)
+        }
+        scales: dict[str, uplot.Scale] = {"x": {"time": False}, **upwards}
         return add(data, lines, scales=scales, axes=axes, cursor={"drag": {"x": True, "y": False}}), looks
     chart.data = data
     if looks != before:
@@ -84,9 +87,10 @@ def draw_over_time(
 def draw_over_another(plot: Plot, drawn: Drawn, series: Sequence[str]) -> str:
     """A plot over another quantity than the time, as HTML."""
     count, values = len(plot.wish.names), drawn.values
-    labels = _labelled(plot.quantities[-1:]), _labelled(plot.quantities[:count])
+    turned = any(plot.turned)
+    labels = _labelled(plot.quantities[-1:]), downwards(_labelled(plot.quantities[:count]), turned)
     name = f"{', '.join(plot.wish.names)} over {plot.wish.over}"
-    return phase_svg(values[1 + count], values[1 : 1 + count], drawn.past, series, labels, name)
+    return phase_svg(values[1 + count], values[1 : 1 + count], drawn.past, series, labels, name, turned)
 
 
 def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[uplot.Series, ...]:
@@ -119,13 +123,13 @@ def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
     axes: list[uplot.Axis] = [
         {**common, "scale": "x", "label": "time, s", "labelSize": 18.0, "size": 26.0, "space": 36.0}
     ]
-    for i, unit in enumerate(plot.units):
+    for i, (unit, turned) in enumerate(zip(plot.units, plot.turned, strict=True)):
         label = _label([q for q in plot.quantities[: len(plot.wish.names)] if q.unit == unit], unit)
         axis: uplot.Axis = {
             **common,
             "scale": f"y{i}",
             "side": 1 if i else 3,
-            "label": label,
+            "label": downwards(label, turned),
             "labelSize": 18.0,
             "size": 76.0 if unit.startswith("kg") else 50.0,  # forces and energies have many digits
         }
@@ -160,6 +164,11 @@ def _label(quantities: Sequence[sim.Quantity], unit: str) -> str:
         if len(label) <= _LONGEST_LABEL:
             break
     return label
+
+
+def downwards(label: str, turned: bool) -> str:
+    """The label of an axis, which says if its values grow downwards."""
+    return f"{label}, downwards" if turned else label
 
 
 def title(plot: Plot, series: Sequence[str]) -> str:

@@ -317,13 +317,18 @@ def energy_table(session: Session) -> str:
     return table(rows)
 
 
-def description(scene: sim.Scene) -> str:
-    """A scene's description, which may come from anyone's file."""
-    return (
-        f'<div class="softrod-text softrod-about">{html.escape(scene.description)}</div>'
-        if scene.description
-        else ""
-    )
+def description(scene: sim.Scene, editable: bool) -> str:
+    """A scene's description, which may come from anyone's file.
+
+    Args:
+        scene: whose.
+        editable: with the button that opens the form of static/texts.js, which stands in the same place.
+    """
+    text = f"<p>{html.escape(scene.description)}</p>" if scene.description else ""
+    if editable:
+        words = "Edit name and text" if text else "Name this scene, and say what it shows"
+        text += f'<button type="button" class="softrod-edit-texts">{words}</button>'
+    return f'<div id="softrod-about" class="softrod-text softrod-about">{text}</div>' if text else ""
 
 
 def joint_of_mass(scene: sim.Scene, mass: int) -> int | None:

@@ -11,6 +11,8 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
+from sim.scene.types import shown_name
+
 from ..drawing.colors import Palette
 from ..drawing.sketch import WORLD_SIZE, Mapping
 from ..session import commands
@@ -118,7 +120,7 @@ def told(
     return {
         "channel": channel,
         "scene": scene,
-        "title": session.scene.title or session.scene.name,
+        "title": shown_name(session.scene),
         "width": (frame[2] - frame[0]) * size,
         "height": (frame[3] - frame[1]) * size,
         "follow": int(session.follow),

@@ -10,6 +10,7 @@ from typing import Any
 import viser
 
 from sim.edit.values import Number
+from sim.scene.types import Scene
 from sim.settings import Setting
 
 from ..session.notices import Notice
@@ -41,6 +42,8 @@ class SliderBox:
 
     Attributes:
         settled: whether it shows what is set, and not still what its user has set.
+        mixed: whether the parts that it sets have different numbers; its label says so, and its hint what it
+            then does.
     """
 
     def __init__(
@@ -56,6 +59,8 @@ class SliderBox:
         self._post = post
         self._limits = Limits(setting, tell)
         self.settled = True
+        self.mixed = False
+        self._scene: Scene | None = None
         self._touched = -math.inf
         self._known = value  # what the solver has, as far as this page knows
         self._retired = False
@@ -106,8 +111,12 @@ class SliderBox:
         """It is about to be taken out of the page: what its user still sends is ignored."""
         self._retired = True
 
-    def show(self, value: float) -> None:
+    def show(self, scene: Scene) -> None:
         """Show what the solver has, if that is not what this page's user is just setting."""
+        value = self.setting.read(scene)
+        if scene is not self._scene:
+            self._scene = scene
+            self._show_mixed(self.setting.differs(scene))
         if time.monotonic() - self._touched < TOUCHED:
             return
         self._known, self.settled = value, True
@@ -116,6 +125,13 @@ class SliderBox:
         place = self._place(value)
         if abs(place - self.slider.value) >= 0.5 * self._slider_step:
             self.slider.value = place
+
+    def _show_mixed(self, mixed: bool) -> None:
+        if mixed != self.mixed:
+            self.mixed = mixed
+            label, limits = self.setting.label, self._limits.range
+            self.slider.label = f"{label} (mixed)" if mixed else label
+            self.slider.hint = f"{limits}; {mixed_words(self.setting)}" if mixed else limits
 
     def _send(self, value: float) -> bool:
         """Hand a value on, if it is one that can be set."""
@@ -137,6 +153,13 @@ class SliderBox:
         place = min(max(place, self._low), self._high)
         # Three digits are as fine as a hand can move it.
         return float(f"{10.0**place:.3g}") if self.setting.logarithmic else float(place)
+
+
+def mixed_words(setting: Setting) -> str:
+    """What a slider shows and does where the parts that it sets have different numbers."""
+    if setting.key == "rest_angle":
+        return "the slider turns the first angle, and the others by as much"
+    return "the slider sets the largest number, and the others keep their ratio to it"
 
 
 class Limits:

@@ -132,6 +132,7 @@ class Tab:
         self._arrows_kept: frozenset[str] = frozenset()
         self._measure: MeasurePanel | None = None
         self._tools: ToolsPanel | None = None
+        self._files: FilesPanel | None = None
         self._session: Session | None = None
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
@@ -275,7 +276,7 @@ class Tab:
         """The panel, with the controls that there are."""
         self._panel = Panel(self.client, session, self.request, self._controls, self._commas)
         self._has_lesson = session.scene.lesson is not None
-        self._measure = self._tools = None
+        self._measure = self._tools = self._files = None
         if self._panel.measure_tab is not None:
             if "measure" in self._controls:
                 tab, lists = self._panel.measure_tab, self._panel.plots
@@ -288,7 +289,7 @@ class Tab:
                 self._panel.outlined += self._tools.outlined
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
-                files = FilesPanel(
+                files = self._files = FilesPanel(
                     self.client, session, self.notify, self._answers.sharing.offer, self._shelf
                 )
                 take_home = ExportPanel(
@@ -374,6 +375,8 @@ class Tab:
         self._panel.build()
         if self._tools is not None:
             self._tools.build()
+        if self._files is not None:
+            self._files.build()
         self._show_lessons_things(session)
         self._panel.set_style(dark)
         if self._measure is not None:

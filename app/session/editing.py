@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sim
 from sim.edit.edit import Edit, Selection, carried, existing, still_selected
+from sim.edit.texts import as_own
 
 from . import commands
 from .commands import Command
@@ -21,7 +22,7 @@ class Editing(Timeline):
         match command:
             case commands.Change(make, key, within):
                 before = self.simulation.capture()
-                edit = make(before, self.selection)
+                edit = as_own(make(before, self.selection), before.scene)
                 if edit.scene is not before.scene:
                     self._branch()
                     self.versions.add_edit(edit, before, key, self.now(), within)

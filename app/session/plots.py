@@ -118,6 +118,7 @@ class Plot:
         self.wish = Wish(tuple(q.name for q in self.quantities[: len(names)]), wish.over)
         if len(self.units) > MOST_UNITS:
             raise InputError(f"a plot has room for two units, but not for {', '.join(self.units)}")
+        self._y_down = scene.view.y_down
         left, top, right, bottom = scene.view.frame
         self._least_length = scene.view.unit, LEAST_LENGTH * max(right - left, bottom - top)
         # Twice the room, so that rows seldom have to be moved.
@@ -131,6 +132,17 @@ class Plot:
     def units(self) -> tuple[str, ...]:
         """The units of what is plotted upwards, each once."""
         return tuple(dict.fromkeys(q.unit for q in self.quantities[: len(self.wish.names)]))
+
+    @property
+    def turned(self) -> tuple[bool, ...]:
+        """Of the axis of each of `units`, whether its values grow downwards.
+
+        They do where y coordinates or components are on it and the scene's y grows downwards, so that a curve
+        goes down as its mass does.
+        """
+        quantities = self.quantities[: len(self.wish.names)]
+        vertical = {q.unit for q in quantities if q.kind.vertical} if self._y_down else set[str]()
+        return tuple(unit in vertical for unit in self.units)
 
     @property
     def rows(self) -> Floats:

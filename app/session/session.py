@@ -21,6 +21,7 @@ from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
 from sim.motion.simulation import KEYS
 from sim.motion.stability import Look
+from sim.scene.types import shown_name
 from sim.settings import CHOICES
 
 from . import commands, keepsakes
@@ -271,7 +272,7 @@ class Session(Editing):
                 self._open(scene)
                 self.lesson_begun = begun
                 opened = self.simulation.capture()
-                self.versions.add_leap(f"opening {scene.title or scene.name}", before, opened)
+                self.versions.add_leap(f"opening {shown_name(scene)}", before, opened)
                 if stopped or waits:
                     self.play(not waits)
                 self.waits = waits

@@ -46,6 +46,7 @@ class Kind:
         summary: what it is, in a few words.
         values: it, for an array of indices of parts (of the scene), (k,) each; of which there is one, the
             indices have no meaning.
+        vertical: whether it is a y coordinate, or the y component of a vector.
     """
 
     of: str
@@ -53,6 +54,7 @@ class Kind:
     unit: str
     summary: str
     values: Callable[[Simulation, Indices], Floats] = field(repr=False, compare=False)
+    vertical: bool = False
 
 
 @dataclass(frozen=True)
@@ -235,9 +237,14 @@ _ALL = (
         "force of stiffness and damping along the spring; positive where it pulls", _tensions,
     ),
     Kind("mass", "x", "{unit}", "x coordinate", lambda *of: _masses(*of)[0].real),
-    Kind("mass", "y", "{unit}", "y coordinate, as the scene counts it", lambda *of: _masses(*of)[0].imag),
+    Kind(
+        "mass", "y", "{unit}", "y coordinate, as the scene counts it",
+        lambda *of: _masses(*of)[0].imag, vertical=True,
+    ),
     Kind("mass", "vx", "{unit}/s", "velocity along x", lambda *of: _masses(*of)[1].real),
-    Kind("mass", "vy", "{unit}/s", "velocity along y", lambda *of: _masses(*of)[1].imag),
+    Kind(
+        "mass", "vy", "{unit}/s", "velocity along y", lambda *of: _masses(*of)[1].imag, vertical=True
+    ),
     Kind("mass", "speed", "{unit}/s", "speed", lambda *of: _sizes(_masses(*of)[1])),
     *(
         Kind("energy", name, ENERGY_UNIT, _ENERGY_SUMMARIES[name], _of_energy(name))

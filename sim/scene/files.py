@@ -329,15 +329,15 @@ def _info(path: Path, built_in: bool, group: str = "") -> list[SceneInfo]:
 
 # ------------------------------------------------------------------------- the user's own scenes
 def safe_name(name: str) -> str:
-    """The name, reduced to what a file name may contain on any system: letters, digits, spaces, - and _.
+    """The name, reduced to what a file name may contain on any system: letters, digits, spaces, some signs.
 
     Raises:
         SceneError: nothing usable is left of it, or a built-in preset has that name.
     """
     text = re.sub(r"(?i)\.json$", "", unicodedata.normalize("NFKC", name).strip())
-    text = re.sub(r"[^\w\-. ]+", "-", text).strip(" .-_")[:60].rstrip(" .-_")
+    text = re.sub(r"[^\w\-. '’&(),!+]+", "-", text).strip(" .-_")[:60].rstrip(" .-_")
     if not text or re.fullmatch(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?", text):
-        raise SceneError(f"{name!r} cannot be the name of a scene; use letters, digits, spaces, - and _")
+        raise SceneError(f"{name!r} cannot be the name of a scene; use letters, digits and spaces")
     if len(text.encode()) > 200:
         raise SceneError(f"{name!r} is too long for the name of a scene")
     if is_built_in(text):

@@ -43,6 +43,7 @@ __all__ = [
     "is_loaded",
     "is_surrounded",
     "rebuilt",
+    "shown_name",
 ]
 
 FORMAT_VERSION = 3
@@ -223,6 +224,11 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
                 return  # the validation says what is wrong with the recipe
             for field, value in zip(BODY_FIELDS, body, strict=True):
                 msgspec.structs.force_setattr(self, field, value)
+
+
+def shown_name(scene: Scene) -> str:
+    """What people read as a scene's name: a preset's title, or the name that it is saved under."""
+    return scene.title or scene.name
 
 
 def is_surrounded(scene: Scene) -> bool:

@@ -12,7 +12,20 @@ import pytest
 
 import sim
 from app.drawing.sketch import Mapping
-from app.page.asks import Do, Gesture, Hold, Line, Marquee, Move, Place, Select, Stroke, Turn, parse_ask
+from app.page.asks import (
+    Do,
+    Gesture,
+    Hold,
+    Line,
+    Marquee,
+    Move,
+    Place,
+    Select,
+    Stroke,
+    Texts,
+    Turn,
+    parse_ask,
+)
 from app.page.edits import Edits
 from app.session import commands
 from app.session.notices import Notice
@@ -370,3 +383,38 @@ def test_what_is_added_after_the_arrow_keys_is_at_rest(page: Page) -> None:
     for spring in moment.scene.linear_springs:
         present = math.dist(at[spring.a], at[spring.b])
         assert spring.rest_length * moment.rest_length_scale == pytest.approx(present)
+
+
+def test_name_and_description_are_edits_like_others(page: Page) -> None:
+    before = page.session.scene
+    page.edits.set_texts(Texts("A & <b>b</b>", "Two\nlines."))
+    page.frames(1)
+    assert page.letters.last("texts") == {"refused": ""}
+    scene = page.session.scene
+    assert (scene.name, scene.title, scene.description) == ("A & -b-b-b", "", "Two\nlines.")
+    assert page.do(Do("undo")) is before
+    assert page.do(Do("redo")) == scene
+    page.edits.set_texts(Texts("", "Lost?"))
+    page.frames(1)
+    assert page.letters.last("texts") == {"refused": "Name: it must not be empty."}
+    assert page.session.scene is scene
+    assert not page.session.notices
+
+
+def test_a_body_that_was_built_from_a_preset_has_none_of_its_texts() -> None:
+    page = Page(sim.load_scene("empty"))
+    scene = page.do(Place(0.1, 0.1))
+    assert (scene.name, scene.title, scene.description) == ("my scene", "", "")
+    # The preset is back with its parts.
+    assert page.do(Do("undo")).title == "Start from nothing"
+
+
+@pytest.mark.parametrize(
+    "fields",
+    [{"name": "a" * 201, "description": ""}, {"name": "a", "description": "b" * 8001}, {"name": "a"},
+     {"name": 1, "description": ""}],
+)  # fmt: skip
+def test_forged_texts_are_none(fields: dict[str, Any]) -> None:
+    good = {"do": "texts", "name": "a", "description": '"\n' * 1000}
+    assert parse_ask(f"1|ask|{msgspec.json.encode(good).decode()}") == Texts("a", good["description"])
+    assert parse_ask(f"1|ask|{msgspec.json.encode({'do': 'texts', **fields}).decode()}") is None

@@ -9,6 +9,7 @@ import re
 from typing import Any
 from unittest.mock import MagicMock
 
+import msgspec
 import numpy as np
 import pytest
 import viser
@@ -370,3 +371,63 @@ def test_a_plot_is_a_picture(names: tuple[str, ...], over: str) -> None:
     assert (255, 255, 255) in found, "it is on white"
     for color in colors:
         assert tuple(bytes.fromhex(color.removeprefix("#"))) in found, "each line has its colour"
+
+
+def growing(names: tuple[str, ...], over: str = "", y_down: bool = True) -> Plot:
+    """A plot whose first quantity grows from 100 to 300."""
+    scene = sim.load_scene("tutorial-3.3")
+    view = msgspec.structs.replace(scene.view, y_down=y_down)
+    plot = Plot(Wish(names, over), msgspec.structs.replace(scene, view=view))
+    times = np.linspace(0.0, 9.0, 500)
+    others = [np.linspace(0.0, 1.0, 500)] * (len(plot.quantities) - 1)
+    ring_of(plot, times, np.linspace(100.0, 300.0, 500), *others)
+    return plot
+
+
+@pytest.mark.parametrize(
+    ("names", "y_down", "turned"),
+    [
+        (("mass3.y",), True, (True,)),
+        (("mass3.y",), False, (False,)),
+        (("mass3.vy", "mass3.vx"), True, (True,)),
+        (("spring0.length", "mass3.y"), True, (True,)),
+        (("mass3.x", "mass3.speed"), True, (False, False)),
+        (("joint0.angle", "mass3.y"), True, (False, True)),
+    ],
+)
+def test_an_axis_with_a_y_grows_downwards_where_the_scene_s_does(
+    names: tuple[str, ...], y_down: bool, turned: tuple[bool, ...]
+) -> None:
+    plot = growing(names, y_down=y_down)
+    assert plot.turned == turned
+    colors, add = palette("softrod", dark=False), MagicMock()
+    series = plots.colors_of(plot, colors)
+    plots.draw_over_time(None, add, plot, curve(plot, 10.0, 200), series, colors, ())
+    _, _, options = add.mock_calls[0]
+    assert tuple(options["scales"][f"y{i}"].get("dir") == -1 for i in range(len(turned))) == turned
+    assert tuple(axis["label"].endswith(", downwards") for axis in options["axes"][1:]) == turned
+
+
+@pytest.mark.parametrize(("name", "y_down"), [("mass3.y", True), ("mass3.y", False), ("mass3.x", True)])
+def test_a_curve_goes_down_with_its_mass_over_another_quantity_and_in_a_picture(
+    name: str, y_down: bool
+) -> None:
+    goes_down = name == "mass3.y" and y_down
+    over = growing((name,), over="joint0.angle", y_down=y_down)
+    svg = plots.draw_over_another(over, curve(over, 10.0, 200), ["#123456"])
+    (line,) = re.findall(r'<path class="" d="([^"]*)"', svg)
+    heights = [float(point.split()[1]) for point in re.split("[ML]", line)[1:]]
+    assert (heights[-1] > heights[0]) == goes_down  # SVG counts downwards
+    assert (", downwards" in svg) == goes_down
+    # What the pointer reads, and the marks.
+    (ends,) = re.findall(r'data-ends="([^"]*)"', svg)
+    *_, bottom, top = map(float, ends.split())
+    assert (bottom > top) == goes_down
+    marks = re.findall(r'y="([\d.]+)" text-anchor="end">([^<]*)<', svg)
+    at = {float(text): float(y) for y, text in marks}
+    assert (at[max(at)] > at[min(at)]) == goes_down
+    for plot in (over, growing((name,), y_down=y_down)):
+        with Image.open(io.BytesIO(plot_png(plot, curve(plot, 10.0, 500), ["#ff00ff"], "A"))) as image:
+            pixels = np.asarray(image.convert("RGB"), int)
+        rows, columns = np.nonzero((pixels == (255, 0, 255)).all(2))
+        assert (rows[columns.argmax()] > rows[columns.argmin()]) == goes_down

@@ -69,8 +69,9 @@ def test_nonsense_is_ignored(message: object) -> None:
 def test_a_description_from_a_stranger_s_file_is_escaped() -> None:
     evil = "<img src=x onerror=alert(1)>"
     scene = msgspec.structs.replace(sim.rope(), description=evil)
-    assert "<img" not in readouts.description(scene)
-    assert "&lt;img" in readouts.description(scene)
+    for editable in (True, False):
+        assert "<img" not in readouts.description(scene, editable)
+        assert "&lt;img" in readouts.description(scene, editable)
     assert "<b>" not in script.told_html({"channel": '"><b>'})
 
 

@@ -7,6 +7,7 @@ import pytest
 
 from app.page import slider_box
 from app.session import commands
+from sim.edit.values import number, set_number
 from sim.settings import setting_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
@@ -372,3 +373,23 @@ def test_a_picture_that_does_not_change_is_not_sent(open_page: OpenPage) -> None
     steps = desk.simulation.step_count
     assert sent_in(1.0) == 0
     assert desk.simulation.step_count > steps
+
+
+def test_a_slider_of_parts_that_differ_says_so_and_what_it_does(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.show("Play")
+    note = desk.page.get_by_text("the others keep their ratio to it")
+    desk.row("Linear stiffness").wait_for()
+    assert note.count() == 0
+    stiffness = number("linear_springs", "stiffness")
+    desk.tell(commands.Change(lambda moment, _: set_number(moment.scene, stiffness, [3], 20.0)))
+    desk.row("Linear stiffness (mixed)").wait_for()
+    note.wait_for()
+    assert desk.box("Linear stiffness (mixed)").input_value() == "10000", "the largest"
+    desk.type_in("Linear stiffness (mixed)", "20000")
+    desk.until(lambda: value(desk, "linear_stiffness") == 20_000.0, "it is set")
+    springs = desk.session.scene.linear_springs
+    assert [spring.stiffness for spring in springs[2:5]] == [20_000.0, pytest.approx(40.0), 20_000.0]
+    desk.tell(commands.Undo(), commands.Undo())
+    desk.row("Linear stiffness").wait_for()
+    desk.until(lambda: note.count() == 0, "nothing is mixed any more")

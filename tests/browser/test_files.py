@@ -36,14 +36,17 @@ def test_a_scene_is_saved_and_opened(open_page: OpenPage, data_folder: Path) -> 
     desk.show("Share")
     save(desk, "my rope")
     assert (data_folder / "softrod" / "scenes" / "my rope.json").is_file()
+    # The page calls it as it is saved, and the preset's title is gone.
+    desk.until(lambda: desk.session.scene.name == "my rope", "the scene has its new name")
+    assert desk.session.scene.title == ""
     desk.control("With pose").check()
     desk.tell(commands.SetValue("rest_angle", 12.0), commands.DoSteps(150))
     pose = desk.simulation.positions
     save(desk, "bent rope")
 
-    # The page is loaded afresh: it starts from the server's scene, and the saved ones are there.
+    # The page is loaded afresh: it goes on with what it had, and the saved ones are there.
     desk.open()
-    assert desk.session.scene.name == "tutorial-3.3"
+    desk.until(lambda: desk.session.scene.name == "bent rope", "it is called as it was saved last")
     desk.open_scene("my rope")
     assert desk.session.scene.angular_springs[0].stiffness == 4321.0
     assert desk.session.scene.pose is None

@@ -94,6 +94,17 @@ def test_own_scenes_are_renamed_copied_deleted_and_brought_back(
     card.wait_for()
     picture = card.locator("img")
     desk.until(lambda: str(picture.get_attribute("src")).startswith("data:image/webp"), "it is painted")
+    card.locator(".softrod-open").click()
+    desk.until(lambda: desk.session.scene.name == "mine", "it is opened")
+    desk.gallery()
+    # The one that is open is renamed with its file.
+    card.get_by_role("button", name="Rename mine").click()
+    desk.page.get_by_label("New name of mine").fill("mine still")
+    desk.page.keyboard.press("Enter")
+    desk.until(lambda: desk.session.scene.name == "mine still", "the open scene has its new name")
+    desk.card("mine still").get_by_role("button", name="Rename mine still").click()
+    desk.page.get_by_label("New name of mine still").fill("mine")
+    desk.page.keyboard.press("Enter")
     card.get_by_role("button", name="Copy mine").click()
     desk.card("mine 2").wait_for()
     assert files.read_scene(folder / "mine 2.json").gravity == ring.gravity
@@ -111,7 +122,7 @@ def test_own_scenes_are_renamed_copied_deleted_and_brought_back(
     desk.card("other ring").get_by_role("button", name="Delete other ring").click()
     desk.until(lambda: desk.card("other ring").count() == 0, "it is gone")
     assert not (folder / "other ring.json").exists()
-    desk.page.get_by_role("button", name="Undo").click()
+    desk.page.get_by_role("dialog").get_by_role("button", name="Undo").click()
     desk.card("other ring").wait_for()
     assert files.read_scene(folder / "other ring.json").gravity == ring.gravity
     # Presets have no such buttons.

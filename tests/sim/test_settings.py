@@ -385,3 +385,44 @@ def test_a_preset_s_description_names_only_sliders_that_it_has() -> None:
     }
     assert {("jelly", "Shear stiffness"), ("girder", "Load"), ("water-balloon", "Filling")} <= named
     assert all(label in labels[preset] for preset, label in named), named
+
+
+@pytest.mark.parametrize(
+    ("key", "parts", "field"),
+    [
+        ("linear_stiffness", "linear_springs", "stiffness"),
+        ("linear_damping", "linear_springs", "damping"),
+        ("angular_stiffness", "angular_springs", "stiffness"),
+        ("angular_damping", "angular_springs", "damping"),
+        ("rest_angle", "angular_springs", "rest_angle"),
+        ("strength", "linear_springs", "strength"),
+        ("yield_force", "linear_springs", "yield_force"),
+        ("wall_friction", "walls", "friction"),
+        ("bounciness", "walls", "bounciness"),
+        ("gas_pressure", "fillings", "pressure"),
+        ("liquid_stiffness", "fillings", "bulk_modulus"),
+    ],
+)
+def test_a_setting_knows_whether_its_parts_differ(key: str, parts: str, field: str) -> None:
+    scene, setting = with_everything(), SETTINGS[key]
+    every = getattr(scene, parts)
+    has = [i for i, part in enumerate(every) if getattr(part, field, None) is not None]
+    # As many as have the number, and at least two.
+    two = [*has, *has][: max(2, len(has))]
+
+    def valued(*values: float) -> Scene:
+        changed = [REPLACE(every[i], **{field: value}) for i, value in zip(two, values, strict=False)]
+        return REPLACE(scene, **{parts: tuple(changed)})
+
+    same = valued(*[0.5] * len(two))
+    assert not setting.differs(same)
+    assert setting.differs(valued(0.5, *[0.25] * (len(two) - 1)))
+    # Rounding is no difference, and nothing at all has none.
+    assert not setting.differs(valued(0.5, *[math.nextafter(0.5, 1.0)] * (len(two) - 1)))
+    assert not setting.differs(REPLACE(scene, **{parts: ()}))
+
+
+def test_what_a_scene_has_but_once_never_differs() -> None:
+    scene = load_scene("tree")
+    differing = {setting.key for setting in settings_of(scene) if setting.differs(scene)}
+    assert differing == {"linear_stiffness", "linear_damping", "angular_stiffness"}

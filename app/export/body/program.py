@@ -13,7 +13,7 @@ import numpy as np
 import sim
 from sim.errors import InputError
 from sim.methods.registry import METHODS
-from sim.scene.types import ForceLaw, Method, is_damageable
+from sim.scene.types import ForceLaw, Method, is_damageable, shown_name
 
 from .body import Body, Floats
 
@@ -177,7 +177,7 @@ def about(plan: Plan, run: str) -> list[str]:
     unit = plain(scene.view.unit)
     down = "down" if scene.view.y_down else "up"
     paragraphs = [
-        f"{plain(scene.title or scene.name)}: a body of {_counted(plan)}, written by softrod.",
+        f"{plain(shown_name(scene))}: a body of {_counted(plan)}, written by softrod.",
         "A time step is one of symplectic Euler: all forces from the present state, then velocities, then "
         f"positions. x grows to the right and y {down}. px stands for the unit of length"
         f"{'' if unit == 'px' else ', ' + unit}.",

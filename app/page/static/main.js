@@ -39,6 +39,7 @@ import { listenToPresses } from "./presses.js";
 import { addShareDialog } from "./share.js";
 import { keepStyles } from "./styles.js";
 import { addUnderlay } from "./underlay.js";
+import { addTexts } from "./texts.js";
 import { hearTools } from "./tools.js";
 import { addTraces } from "./trace.js";
 import { addTracing } from "./tracing.js";
@@ -93,6 +94,7 @@ whenViser((viser) => {
   addInstruments();
   addPaper();
   addLesson();
+  addTexts();
   addMenu();
   addEditMarks();
   addEditStrip(tracing);

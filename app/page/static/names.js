@@ -18,7 +18,7 @@ function name() {
       if (thumb.ariaValueText !== box.value) thumb.ariaValueText = box.value;
       const bubble = thumb.querySelector(".mantine-Slider-label");
       if (bubble && bubble.textContent !== box.value) bubble.textContent = box.value;
-      if (!box.ariaLabel) box.ariaLabel = label;
+      if (box.ariaLabel !== label) box.ariaLabel = label;
     }
   }
   for (const [icon, text] of Object.entries(ICONS)) {

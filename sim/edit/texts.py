@@ -1,0 +1,64 @@
+"""A scene's name and its description."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import msgspec
+
+from ..scene.files import is_built_in, safe_name
+from ..scene.parts import Mass
+from ..scene.types import Scene, shown_name
+from ..scene.validate import validate
+from .edit import Edit
+
+UNNAMED = "my scene"
+"""What a scene is called that was made of a preset, until it gets a name."""
+
+
+def set_texts(scene: Scene, name: str, description: str) -> Edit:
+    """Give a scene another name and another description.
+
+    Args:
+        scene: which.
+        name: the new name, made safe for a file, see `sim.scene.files.safe_name`. The scene is saved under it
+            and has no other title. A scene whose shown name it is already keeps both.
+        description: the new text. Spaces and empty lines around it are left out.
+
+    Raises:
+        SceneError: the name is empty or that of a preset, or a text is too long; one sentence.
+    """
+    description = "\n".join(line.rstrip() for line in description.strip().splitlines())
+    name = " ".join(name.split())
+    # With a body of its own, since that of the scene may be large.
+    validate(Scene(name=name, description=description, masses=(Mass(position=(0.0, 0.0)),)))
+    changes: dict[str, str] = {}
+    if name != shown_name(scene):
+        changes |= {"name": safe_name(name), "title": ""}
+    if description != scene.description:
+        changes["description"] = description
+    if not changes:
+        return Edit("", scene)
+    label = "scene renamed" if "name" in changes else "scene described"
+    return Edit(label, msgspec.structs.replace(scene, **changes))
+
+
+def renamed(scene: Scene, name: str) -> Edit:
+    """Give a scene the name that it was saved under, and no other title."""
+    if (scene.name, scene.title) == (name, ""):
+        return Edit("", scene)
+    return Edit("scene renamed", msgspec.structs.replace(scene, name=name, title=""))
+
+
+def as_own(edit: Edit, before: Scene) -> Edit:
+    """The edit, and if parts of a preset come or go by it, the scene is no longer that preset: it gets a name
+    of its own and an empty description. A lesson keeps its texts.
+
+    Args:
+        edit: of `before`.
+        before: the scene that was edited.
+    """
+    if not edit.moves_parts or before.lesson is not None or not is_built_in(before.name):
+        return edit
+    own = msgspec.structs.replace(edit.scene, name=UNNAMED, title="", description="")
+    return replace(edit, scene=own)
