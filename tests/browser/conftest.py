@@ -63,8 +63,8 @@ _ROUGH = """
   };
   window.cancelAnimationFrame = (number) => void calls.delete(number);
 """
-"""What is most of a test's work in software is left out: edges are not smoothed, and frames come some 20 times
-a second, as on a slow phone."""
+"""What is most of a test's work in software is left out: edges are not smoothed, and frames come some 20
+times a second, as on a slow phone."""
 
 
 def browser_path(playwright: Playwright) -> str:
