@@ -13,7 +13,7 @@ from playwright.sync_api import Browser
 
 import sim
 from app.server.serve import serving
-from tests.browser.driver import until
+from tests.browser.driver import LIMIT, until
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -47,7 +47,7 @@ def test_another_site_frames_the_page_only_where_it_is_named(
         page.goto(f"{origin}/lesson.html")
         if allowed:
             frame = page.frames[1]
-            frame.wait_for_function("window.__softrod?.fitted() > 0", timeout=20_000)
+            frame.wait_for_function("window.__softrod?.fitted() > 0", timeout=LIMIT * 1e3)
             assert frame.locator(".softrod-transport").is_visible()
             assert len(ticker.tabs) == 1
         else:
