@@ -135,7 +135,8 @@ class Stepper:
         time = solver.time
         if targets and time == until:
             self._put(targets)
-        done = int((time - self._after(0)) / self._dt + 1e-6)
+        passed = time - self._after(0) + 4e-16 * abs(time)  # times are rounded
+        done = int(passed / self._dt + 1e-6)
         self._done += done
         return Outcome(done) if what == guard.GOOD else Outcome(done, what, solver.index)
 

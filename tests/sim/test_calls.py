@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import msgspec
 import numpy as np
 import pytest
@@ -50,6 +52,16 @@ def test_steps_of_a_fixed_length_are_the_same_bits_however_they_are_called(metho
                 simulation.step(every)
         ends.add(bits(simulation))
     assert len(ends) == 1
+
+
+@pytest.mark.parametrize("method", FIXED)
+def test_no_step_is_lost_to_rounding_however_late_it_is(method: Method) -> None:
+    scene = REPLACE(body("chain", "conservative", 1), integrator=Integrator(method=method, dt=1e-6))
+    simulation = Simulation(scene)
+    simulation.restore(dataclasses.replace(simulation.capture(), time=1e5))
+    assert [simulation.step() for _ in range(50)] == [1] * 50
+    assert simulation.step(50) == 50
+    assert simulation.stats().steps == 100
 
 
 @pytest.mark.parametrize("method", ADAPTIVE)

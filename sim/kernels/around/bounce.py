@@ -48,6 +48,25 @@ def push_and_friction(stiffness, loss, rough, slip, h, across, around, depth, sp
 
 
 @kernel(forceinline=True, fastmath=FUSED)
+def time_to_deepest(hardness, depth, speed, pull, h):
+    """The time, s, in which a mass gets as deep as its speed leads; infinite if it does not enter within h s.
+
+    Args:
+        hardness: acceleration by the push, per depth squared, 1/(px s²).
+        depth: px; negative outside.
+        speed: outwards, px/s.
+        pull: acceleration outwards, px/s². A mass that rests has none, and counts as slow.
+        h: s.
+    """
+    if not max(depth, depth - h * speed) > 0.0:
+        return math.inf
+    # As fast as it is, and as it will be when it has been thrown out.
+    out = math.sqrt(2.0 / 3.0 * hardness * max(depth, 0.0) ** 3)
+    fastest = abs(speed) + min(h * abs(pull), out)
+    return (1.5 / (hardness * fastest + 1e-300)) ** (1.0 / 3.0)
+
+
+@kernel(forceinline=True, fastmath=FUSED)
 def slopes_of_push(stiffness, loss, depth, speed):
     """The derivatives of the push, without what explicit methods change, by depth and by speed."""
     gain = 1.0 - loss * speed

@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 
 from ..core.jit import FUSED, kernel
-from .bounce import push_and_friction
+from .bounce import push_and_friction, time_to_deepest
 from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
 
 _SURE = 0.5
@@ -111,6 +111,47 @@ def push_apart(body, w, x, y, vx, vy, fx, fy):
         fy[a] += ay
         fx[b] += bx
         fy[b] += by
+
+
+@kernel(internal=True, fastmath=FUSED)
+def shortest_hit(body, w, q, v, a, h):
+    """The shortest time, s, in which a mass gets as deep into what it touches as its speed leads.
+
+    It is that of pairs that touch, or do so within h seconds, and infinite where there are none.
+
+    Args:
+        w: inverse masses, 1/kg.
+        a: flat accelerations, px/s².
+    """
+    contact, shortest, slots = body.surroundings.contact, math.inf, q.size // 2
+    x, y = q[:slots], q[slots:]
+    update_pairs(body, x, y)
+    for s in range(body.springs):
+        first, behind = pairs_of(body, s)
+        if first == behind:
+            continue
+        i, k = body.spring_a[s], body.spring_b[s]
+        line = segment(x, y, i, k)
+        for p in range(first, behind):
+            m = contact.member[p]
+            t, dx, dy = meeting(line, x[m], y[m])
+            u, r = 1.0 - t, math.sqrt(dx * dx + dy * dy)
+            across = w[m] + u * u * w[i] + t * t * w[k]
+            if across > 0.0:
+                nx, ny = dx / (r + 1e-300), dy / (r + 1e-300)
+                speed = _outwards(v, nx, ny, slots, m, i, k, t)
+                pull = _outwards(a, nx, ny, slots, m, i, k, t)
+                hardness, depth = contact.stiffness * across, contact.distance - r
+                shortest = min(shortest, time_to_deepest(hardness, depth, speed, pull, h))
+    return shortest
+
+
+@kernel(forceinline=True, fastmath=FUSED)
+def _outwards(v, nx, ny, slots, m, a, b, t):
+    """The part along (nx, ny) of flat rates of mass m, relative to those of the point t on a spring."""
+    u = 1.0 - t
+    x, y = v[m] - u * v[a] - t * v[b], v[slots + m] - u * v[slots + a] - t * v[slots + b]
+    return x * nx + y * ny
 
 
 @kernel(internal=True, fastmath=FUSED)

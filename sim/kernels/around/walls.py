@@ -18,7 +18,7 @@ from ..core.surroundings import (
     WALL_X,
     WALL_Y,
 )
-from .bounce import push_and_friction, slopes_of_push
+from .bounce import push_and_friction, slopes_of_push, time_to_deepest
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -69,7 +69,7 @@ def shortest_impact(body, inverse_mass, q, v, a, h):
     It is that of masses that are in a wall, or enter one within h seconds, and infinite where there are none.
 
     Args:
-        a: flat accelerations, px/s². A mass that rests in a wall has none, and counts as slow.
+        a: flat accelerations, px/s².
     """
     around, shortest, slots = body.surroundings, math.inf, q.size // 2
     for k in range(around.walls.shape[0]):
@@ -78,11 +78,9 @@ def shortest_impact(body, inverse_mass, q, v, a, h):
         for i in range(1, body.masses + 1):
             depth = depth_in(wall, q[i], q[slots + i])
             speed = nx * v[i] + ny * v[slots + i]
-            if inverse_mass[i] > 0.0 and max(depth, depth - h * speed) > 0.0:
-                # As fast as it is, and as it will be when the wall has thrown it out.
-                out = math.sqrt(2.0 / 3.0 * hardness * max(depth, 0.0) ** 3)
-                fastest = abs(speed) + min(h * abs(nx * a[i] + ny * a[slots + i]), out)
-                shortest = min(shortest, (1.5 / (hardness * fastest + 1e-300)) ** (1.0 / 3.0))
+            if inverse_mass[i] > 0.0:
+                pull = nx * a[i] + ny * a[slots + i]
+                shortest = min(shortest, time_to_deepest(hardness, depth, speed, pull, h))
     return shortest
 
 

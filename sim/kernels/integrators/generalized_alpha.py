@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 
+from ..around.contact import shortest_hit
 from ..around.walls import shortest_impact
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate, accumulate, bears, factorise, keeps_apart, settle, solve
@@ -87,8 +88,8 @@ _RAISE_FIXED = 1.3
 """The same for a fixed step."""
 
 _IMPACT = 0.3
-"""Largest fixed step in which something hits a wall, relative to the time until it is deepest: in longer ones
-it may leave faster than it came."""
+"""Largest fixed step in which something hits a wall or a body, relative to the time until it is deepest: in
+longer ones it may leave faster than it came."""
 
 _ERROR = 0.1
 """Error of a step as a fraction of the distance between prediction and solution, found by experiment."""
@@ -134,8 +135,12 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         if fixed > 0.0:
             goal = fixed_time(problem, fixed_steps(problem, t) + 1)
             if body.surroundings.present:
-                most = min(h, _IMPACT * shortest_impact(body, state.inverse_mass, q, v, integrator.a, h))
-        step = (goal - t) / max(math.ceil((goal - t) / most - 1e-6), 1)
+                soonest = shortest_impact(body, state.inverse_mass, q, v, integrator.a, h)
+                if body.surroundings.contact.present:
+                    soonest = min(soonest, shortest_hit(body, state.inverse_mass, q, v, integrator.a, h))
+                most = min(h, _IMPACT * soonest)
+        parts = math.ceil((goal - t - 4e-16 * abs(t)) / most - 1e-6)  # times are rounded
+        step = (goal - t) / max(parts, 1)
         # Motions that are too fast for the coming steps show up in the accelerations: discard those.
         calming = fixed == 0.0 and controller[CONTROLLER_BEGUN] < _CALMING
         am, af, gamma, beta, kept = _EULER if calming else _ALPHA
@@ -214,8 +219,9 @@ def run_alpha(problem, drive, end, tolerance, attempts):
                 part = _ERROR if controller[CONTROLLER_LAST_BUT_ONE] > 0.0 else 0.3 * _ERROR
                 error = (1.0 if calming else part) * max_abs_difference(to_q, guess) / (_SPAN * tolerance)
         good = error <= 1.5 and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
+        good = good and keeps_apart(problem, q, to_q)
         if good and fixed == 0.0:
-            good = is_gentle(body, state, q, to_q, step) and keeps_apart(problem, q, to_q)
+            good = is_gentle(body, state, q, to_q, step)
             good = good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance))
         if good:
             if balance.active:

@@ -151,7 +151,9 @@ def fitting_step(t, end, h):
 @kernel(forceinline=True)
 def fixed_steps(problem, t):
     """The number of whole steps of a fixed length from where the run began to time t."""
-    return int((t - problem.integrator.controller[CONTROLLER_ORIGIN]) / problem.fixed + 1e-6)
+    passed = t - problem.integrator.controller[CONTROLLER_ORIGIN]
+    # Times are rounded, the more the later it is.
+    return int((passed + 4e-16 * abs(t)) / problem.fixed + 1e-6)
 
 
 @kernel(forceinline=True)
