@@ -475,7 +475,9 @@ class Tab:
         self._keep_due = now + min(max(KEEP_EVERY, wait), KEEP_LATEST)
 
     def _resume_looks(self, kept: keeping.Kept) -> None:
-        """Have the page look as it did when that was kept."""
+        """Have the page look as it did when that was kept, and keep what goes on from that."""
+        self._mail.send("resumed")
+        self._kept = ()
         self._plots_kept = kept.plots
         if self._measure is not None:
             self._measure.plots.remember(kept.plots)
