@@ -57,7 +57,7 @@ class Answers:
         for_others: Callable[[str], str],
         scenes: Shelf,
     ) -> None:
-        self._shelf = scenes
+        self._letters, self._shelf = letters, scenes
         self.sharing = Sharing(session, letters, notify, show, for_others)
         self.gallery = Gallery(session, letters, notify, scenes)
         self.edits = Edits(session, letters, notify)
@@ -100,6 +100,8 @@ class Answers:
                 self._line.submit(self.edits.paste, letters)
         elif kept := keeping.decode(letters):
             self._resume(kept)
+        else:
+            self._letters.send("resumed")  # as far as it can be
 
     def _answer(self, ask: asks.Ask) -> None:
         match ask:

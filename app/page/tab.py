@@ -127,7 +127,8 @@ class Tab:
         self._view = Canvas(client, self._touched)
         self._mail = mail.Mail(client)
         self._asked_controls = self._checked(controls.of_query, query)
-        self._controls = controls.ALL
+        self._controls = self._scenes_controls = controls.ALL
+        self._named_controls: tuple[str, ...] | None = None
         self._plots_kept: tuple[Wish, ...] = ()
         self._arrows_kept: frozenset[str] = frozenset()
         self._measure: MeasurePanel | None = None
@@ -262,7 +263,10 @@ class Tab:
 
     def _wanted_controls(self, scene: sim.Scene) -> Controls:
         """Those that the page's address names, or else the scene."""
-        return self._asked_controls or self._checked(controls.of_scene, scene) or controls.ALL
+        if self._asked_controls is None and scene.view.controls != self._named_controls:
+            self._named_controls = scene.view.controls
+            self._scenes_controls = self._checked(controls.of_scene, scene) or controls.ALL
+        return self._asked_controls or self._scenes_controls
 
     def _checked(self, find: Callable[[Any], Controls | None], source: Any) -> Controls | None:
         """The controls that are found; if one of them is none, its user is told, and all are there."""
@@ -475,7 +479,9 @@ class Tab:
         self._keep_due = now + min(max(KEEP_EVERY, wait), KEEP_LATEST)
 
     def _resume_looks(self, kept: keeping.Kept) -> None:
-        """Have the page look as it did when that was kept."""
+        """Have the page look as it did when that was kept, and keep what goes on from that."""
+        self._mail.send("resumed")
+        self._kept = ()
         self._plots_kept = kept.plots
         if self._measure is not None:
             self._measure.plots.remember(kept.plots)

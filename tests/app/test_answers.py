@@ -110,3 +110,10 @@ def test_what_the_page_cannot_send_or_read_is_told(message: str, title: str, tex
     assert told.wait(LIMIT)
     assert notices[0].title == title
     assert text in notices[0].text
+
+
+def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
+    page = Page()
+    answering = answers.Answers(page.session, page.letters, print, print, print, str, Shelf(owned=True))
+    assert answering.take("1|resume|1/1|bm9uc2Vuc2U=", controls.ALL)
+    assert [letter["kind"] for letter in page.letters.sent] == ["resumed"]

@@ -60,6 +60,10 @@ def test_a_scene_says_which_controls_there_are_while_it_is_shown(open_page: Open
     desk.tell(commands.Open(msgspec.structs.replace(scene, view=wrong)))
     assert "there is no control called 'kees'" in desk.notice("All controls are shown")
     assert tabs(desk) == everything
+    desk.view("Dark")
+    desk.until(lambda: desk.tab._looks.dark and desk.tab._generation >= 0, "the page is made anew")
+    desk.rest(5)
+    assert not desk.notices(), "it is said once"
 
 
 def test_a_folded_panel_leaves_the_page_its_colours(open_page: OpenPage) -> None:

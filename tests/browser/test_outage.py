@@ -148,3 +148,35 @@ def test_a_server_that_stands_still_is_noticed_and_taken_up_again(browser: Brows
         finally:
             os.kill(server.pid, signal.SIGCONT)
             server.terminate()
+
+
+STALL = """
+  const Real = CompressionStream;
+  CompressionStream = class {
+    constructor(format) {
+      const goesOn = new Promise(goOn => (window.goOn = goOn));
+      const waits = new TransformStream({ transform: (part, to) => goesOn.then(() => to.enqueue(part)) });
+      return { writable: waits.writable, readable: waits.readable.pipeThrough(new Real(format)) };
+    }
+  };
+"""
+"""What the page gives back after a reload takes its time, as on a slow way to the server."""
+
+
+def test_what_a_page_has_kept_is_not_lost_before_the_server_has_it(open_page: OpenPage) -> None:
+    desk = open_page(size=(720, 460))
+
+    def keeps(gravity: int) -> bool:
+        return desk.page.evaluate(f"sessionStorage.getItem('softrod')?.includes('{gravity}.0')")
+
+    desk.tell(commands.SetValue("gravity", 912.0))
+    desk.until(lambda: keeps(912), "the page keeps it")
+    desk.page.add_init_script(STALL)
+    desk.open()
+    desk.until(lambda: desk.tab._kept, "the server has its new session kept")
+    desk.rest(5)
+    assert keeps(912)
+    desk.page.evaluate("window.goOn()")
+    desk.until(lambda: desk.session.scene.gravity == (0.0, 912.0), "the server goes on with it")
+    desk.tell(commands.SetValue("gravity", 834.0))
+    desk.until(lambda: keeps(834), "the page keeps what comes after it")

@@ -53,8 +53,12 @@ export class Pulse {
   constructor() {
     this.silence = 0;
     this.looked = -Infinity;
-    /** Silence after which it is given up. A large message on a slow path is silent, too, so it grows. */
+    /**
+     * Silence after which it is given up. A large message on a slow path is silent, too, so it grows, until a connection
+     * has been well for as long as it can be.
+     */
     this.patience = GIVE_UP_AFTER;
+    this.well = 0;
   }
 
   /** Something came. */
@@ -72,7 +76,11 @@ export class Pulse {
     const passed = now - this.looked;
     this.looked = now;
     // What came while the page stood still may wait behind this very look. So such a time proves nothing.
-    if (passed < STOOD) this.silence += passed;
+    if (passed < STOOD) {
+      this.silence += passed;
+      this.well = this.silence < SILENT_AFTER ? this.well + passed : 0;
+    }
+    if (this.well >= GIVE_UP_LATEST) this.patience = GIVE_UP_AFTER;
     if (this.silence >= this.patience) {
       this.patience = Math.min(2 * this.patience, GIVE_UP_LATEST);
       this.silence = 0;

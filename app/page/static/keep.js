@@ -5,6 +5,7 @@
  */
 import { onTold, told } from "./channel.js";
 import { sendParts } from "./links.js";
+import { onMail } from "./mail.js";
 import { kept, store } from "./storage.js";
 
 const NAME = "softrod";
@@ -13,6 +14,9 @@ const ASKED = "softrod-asked";
 
 /** What the next connection is to be given, if anything: what was kept before this page began to be kept. */
 let due = kept(NAME);
+
+/** Whether it is on its way to the server, which may take its time. */
+let giving = false;
 
 /** The connection is lost: the next one is to be given what is kept now. */
 export const lost = () => (due = kept(NAME));
@@ -33,8 +37,10 @@ export function keepOnlyOf(asked) {
   store(ASKED, asked);
 }
 
-/** Keeps what the server said. @param {Uint8Array} data JSON */
-export const keep = (data) => store(NAME, new TextDecoder().decode(data));
+/** Keeps what the server said, unless that knows nothing yet of what was kept before. @param {Uint8Array} data JSON */
+export function keep(data) {
+  if (!due && !giving) store(NAME, new TextDecoder().decode(data));
+}
 
 /** Compressed, as letters that a message can carry. @param {string} text */
 async function packed(text) {
@@ -49,13 +55,15 @@ async function packed(text) {
 export function resume(then) {
   /** @type {string | undefined} */
   let channel;
+  onMail("resumed", () => (giving = false));
   onTold(async () => {
     if (told().channel === channel) return;
     channel = told().channel;
     if (!channel) return;
     const text = due;
     due = null;
-    if (text) sendParts("resume", await packed(text));
+    giving = Boolean(text);
+    if (text) giving = sendParts("resume", await packed(text));
     then();
   });
 }

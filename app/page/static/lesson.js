@@ -5,6 +5,7 @@
  * How far the lesson is outlives a reload.
  */
 import { onTold, send, told } from "./channel.js";
+import { make, makeButton } from "./dialog.js";
 import { kept, store } from "./storage.js";
 
 /**
@@ -129,41 +130,20 @@ function focusOn(selector) {
   if (found instanceof HTMLElement) found.focus();
 }
 
-/**
- * @template {keyof HTMLElementTagNameMap} K
- * @param {K} kind
- * @param {string} text shown as it is, never read as HTML
- * @param {string} [name] of its class
- */
-function element(kind, text, name) {
-  const made = document.createElement(kind);
-  made.textContent = text;
-  if (name) made.className = name;
-  return made;
-}
-
-/** @param {string} text @param {() => void} press @param {string} [name] */
-function button(text, press, name) {
-  const made = element("button", text, name);
-  made.type = "button";
-  made.addEventListener("click", press);
-  return made;
-}
-
 /** @param {string} label @param {string} text */
 function paragraph(label, text) {
-  const made = element("p", ` ${text}`);
-  made.prepend(element("b", label));
+  const made = make("p", "", ` ${text}`);
+  made.prepend(make("b", "", label));
   return made;
 }
 
 /** The question and its choices. @param {Question} question */
 function asked({ text, choices, answer: right }) {
   const [chosen, known] = [progress.answers[progress.at], progress.told[progress.at]];
-  const box = element("fieldset", "");
-  box.append(element("legend", text));
+  const box = make("fieldset", "");
+  box.append(make("legend", "", text));
   choices.forEach((choice, i) => {
-    const made = button(choice, () => answer(i), "softrod-choice");
+    const made = makeButton(choice, () => answer(i), "softrod-choice");
     made.ariaPressed = String(i === chosen);
     made.disabled = known;
     if (known && i === right) made.dataset.right = "";
@@ -176,7 +156,7 @@ function asked({ text, choices, answer: right }) {
 /** What is right, and why; or the button that tells it. @param {Question} question */
 function answered({ choices, answer: right, because }) {
   const chosen = progress.answers[progress.at];
-  if (!progress.told[progress.at]) return button("What is right?", reveal, "softrod-lesson-reveal");
+  if (!progress.told[progress.at]) return makeButton("What is right?", reveal, "softrod-lesson-reveal");
   const verdict = paragraph(chosen === right ? "That is right." : `The answer is: ${choices[right]}.`, because);
   verdict.className = "softrod-verdict";
   verdict.tabIndex = -1;
@@ -189,11 +169,11 @@ function show() {
   if (!card || !step) return;
   const { question } = step;
   const open = question === null || progress.answers[progress.at] !== null;
-  const title = element("h2", step.title);
+  const title = make("h2", "", step.title);
   title.tabIndex = -1;
-  const head = element("div", "", "softrod-lesson-head");
-  head.append(title, element("span", `${progress.at + 1} / ${steps.length}`, "softrod-lesson-count"));
-  const text = element("div", "", "softrod-lesson-text");
+  const head = make("div", "softrod-lesson-head");
+  head.append(title, make("span", "softrod-lesson-count", `${progress.at + 1} / ${steps.length}`));
+  const text = make("div", "");
   // The choice stays above what follows from it.
   if (question) text.append(asked(question));
   if (open) {
@@ -204,19 +184,18 @@ function show() {
     if (step.watch) text.append(paragraph("Watch:", step.watch));
     if (question) text.append(answered(question));
   }
-  const foot = element("div", "", "softrod-lesson-foot");
-  const back = button("Back", () => enter(progress.at - 1));
+  const foot = make("div", "softrod-lesson-foot");
+  const back = makeButton("Back", () => enter(progress.at - 1), "");
   back.disabled = progress.at === 0;
-  const anew = button("Again", again);
+  const anew = makeButton("Again", again, "");
   anew.title = "begin this step anew";
-  const next = button(progress.at + 1 < steps.length ? "Next" : "From the beginning", () => {
+  const next = makeButton(progress.at + 1 < steps.length ? "Next" : "From the beginning", () => {
     if (progress.at + 1 === steps.length) {
       progress.answers.fill(null);
       progress.told.fill(false);
     }
     enter((progress.at + 1) % steps.length);
-  });
-  next.className = "softrod-lesson-next";
+  }, "softrod-lesson-next");
   next.disabled = !open;
   // One thing to press next: first what is right.
   next.toggleAttribute("data-quiet", question !== null && !progress.told[progress.at]);
@@ -226,7 +205,7 @@ function show() {
 
 /** Makes the card of lessons, and keeps it in its place in the panel, which viser makes anew now and then. */
 export function addLesson() {
-  card = element("section", "", "softrod-lesson");
+  card = make("section", "softrod-lesson");
   card.ariaLabel = "Lesson";
   onTold(begin);
   setInterval(() => {

@@ -39,11 +39,16 @@ export function keepAddress() {
  *
  * @param {"resume" | "link" | "paste"} kind
  * @param {string} letters
+ * @returns {boolean} whether it was sent
  */
 export function sendParts(kind, letters) {
   const parts = Math.max(1, Math.ceil(letters.length / PART));
-  if (parts > MOST_PARTS) return ask({ do: "unsent", what: kind });
+  if (parts > MOST_PARTS) {
+    ask({ do: "unsent", what: kind });
+    return false;
+  }
   for (let i = 0; i < parts; i++) send(kind, `${i + 1}/${parts}|${letters.slice(PART * i, PART * (i + 1))}`);
+  return true;
 }
 
 /** Has the server open the link that the page was opened with, if there is a connection. */

@@ -27,7 +27,7 @@ const GROUPED = /^\d{1,3}([.,])\d{3}(\1\d{3})*$/;
  * @param {string} text
  */
 export function readNumber(text) {
-  const plain = text.trim().replace(/\u2212/g, "-").replace(/(?<=\d)[\s'\u2019](?=\d{3}(?!\d))/g, "");
+  const plain = text.trim().replace(/\u2212/g, "-").replace(/(\d)[\s'\u2019](?=\d{3}(?!\d))/g, "$1");
   const [, sign = "", digits = "", exponent = ""] = /^([+-]?)([\d.,]*\d[.,]?)(e[+-]?\d+)?$/i.exec(plain) ?? [];
   if (!digits || EITHER.test(plain)) return NaN;
   const last = digits.replace(/\d/g, "").slice(-1);
