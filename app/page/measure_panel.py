@@ -14,6 +14,7 @@ import viser
 
 from sim.motion.quantities import COUNTED
 from sim.scene.columns import ends
+from sim.scene.types import Scene
 
 from ..session.notices import Notice
 from ..session.plots import OFFERED, Wish
@@ -28,9 +29,18 @@ MOST_PARTS = 24
 TIME = "time"
 
 ABOUT = (
-    '<div class="softrod-text">Click a mass to choose what is measured: the mass, its joint and its springs. '
-    "The pointer over a plot reads values; drag across it to look closer, double-click to see all.</div>"
+    '<div class="softrod-text">Click a mass to choose what is measured: the mass, its joint and its '
+    "springs.</div>"
 )
+OF_PLOTS = (
+    '<div class="softrod-text">The pointer over a plot reads values; drag across it to look closer, '
+    "double-click to see all.</div>"
+)
+
+
+def none_yet(chosen: str) -> str:
+    """What to do where no plot is open."""
+    return f'<div class="softrod-text">No plot is open. <b>New plot</b> shows {chosen} while it moves.</div>'
 
 
 class MeasurePanel:
@@ -78,6 +88,7 @@ class MeasurePanel:
             self._span.visible = False
             self._comma_switch = commas.add(gui, order=7)
             self._comma_switch.visible = False
+            self._hint = gui.add_html("", order=8)
         self.plots = PlotList(client, tab, session, notify, commas, page, lambda: self._chosen, self._changed)
         for handle, action in (
             (self._part, self._offer),
@@ -128,6 +139,7 @@ class MeasurePanel:
         offered = OFFERED[part.rstrip("0123456789")]
         chosen = f"{part}.{_set_options(self._what, offered)}"
         beside = (f"{part}.{what}" for what in offered)
+        self._show_hint()
         others = [name for name in dict.fromkeys((*beside, *self.plots.names)) if name != chosen]
         _set_options(self._over, (TIME, *others))
 
@@ -137,7 +149,7 @@ class MeasurePanel:
         scene, joint = session.scene, session.joint
         mass = self._mass
         if mass is None:
-            mass = readouts.mass_of_joint(scene, joint) if scene.angular_springs else 0
+            mass = readouts.mass_of_joint(scene, joint) if scene.angular_springs else _first_free(scene)
         a, b = ends(scene.linear_springs)
         at = (a == mass) | (b == mass)
         springs: list[int] = np.flatnonzero(at).tolist()
@@ -176,9 +188,20 @@ class MeasurePanel:
         self._span.visible = self._comma_switch.visible = len(self.plots) > 0
         self._offer()
 
+    def _show_hint(self) -> None:
+        content = OF_PLOTS if len(self.plots) else none_yet(self._chosen)
+        if self._hint.content != content:
+            self._hint.content = content
+
     def _respan(self) -> None:
         self.plots.seconds = SPANS.get(self._span.value, 10.0)
         self.plots.redraw()
+
+
+def _first_free(scene: Scene) -> int:
+    """The first mass that is not held; 0 if all are."""
+    held = {anchor.mass for anchor in scene.anchors}
+    return next((i for i in range(len(scene.masses)) if i not in held), 0)
 
 
 def _set_options(handle: viser.GuiDropdownHandle[str], options: tuple[str, ...]) -> str:

@@ -294,8 +294,10 @@ class Panel:
         gui = self._client.gui
         with tab:
             if not moves:
-                nothing = '<div class="softrod-text">Every mass of this scene is held.</div>'
-                self._body.append(gui.add_html(nothing, order=LAST + 3))
+                nothing = "Every mass of this scene is held."
+                if "edit" in self._controls:
+                    nothing += " Press Edit (E) to build more, or select a mass and let it go."
+                self._body.append(gui.add_html(f'<div class="softrod-text">{nothing}</div>', order=LAST + 3))
                 return
             folder = gui.add_folder("All numbers", order=LAST + 3)
         with folder:

@@ -248,3 +248,31 @@ def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: O
     assert canvas["y"] + canvas["height"] <= box["y"] + 1.0
     assert box["y"] + box["height"] <= 700.0
     desk.picture("paper-lesson.png")
+
+
+def test_what_is_said_over_the_body_covers_no_mass(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Play(False))
+    word = desk.page.locator(".softrod-hud b")
+    word.wait_for()
+    box = word.bounding_box()
+    assert box is not None
+    # The view is moved until a mass is in the middle of the word.
+    wanted = np.array((box["x"] + box["width"] / 2, box["y"] + box["height"] / 2))
+    begin = np.array((400.0, 300.0))
+    end = begin + wanted - desk.place(11)
+    desk.page.mouse.move(*begin)
+    desk.page.mouse.down()
+    desk.page.mouse.move(*end, steps=4)
+    desk.page.mouse.up()
+    desk.until(lambda: np.hypot(*(desk.place(11) - wanted)) < 4.0, "the mass is there")
+    desk.rest(3)
+    with_word = desk.picture(marks=False)
+    desk.page.add_style_tag(content=".softrod-hud b { visibility: hidden }")
+    desk.rest(1)
+    without = desk.picture(marks=False)
+    differs = np.abs(with_word - without).max(2) > 40.0
+    x, y = desk.place(11)
+    rows, columns = np.nonzero(differs)
+    assert len(rows) > 20, "the word is seen"
+    assert np.hypot(columns - x, rows - y).min() > 3.0, "but not over the mass"

@@ -9,6 +9,9 @@ import { make, makeButton, makeDialog } from "./dialog.js";
 import { ask, onMail } from "./mail.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
+/** The preset with which one builds a body of one's own. */
+const EMPTY = "empty";
+const NONE_SAVED = "You have saved no scene yet. Save the one that you see in the Share tab, or build one: ";
 const CARD = ".softrod-card:not([hidden]) .softrod-open";
 
 const isDark = () => document.documentElement.dataset.mantineColorScheme === "dark";
@@ -79,7 +82,7 @@ export function addGallery() {
   /** One card alone is reached with the Tab key, arrows go on from there. @param {string} name */
   const choose = (name) => {
     chosen = name;
-    for (const button of cards.querySelectorAll("button")) {
+    for (const button of /** @type {NodeListOf<HTMLButtonElement>} */ (cards.querySelectorAll(".softrod-card button"))) {
       button.tabIndex = button.closest(".softrod-card")?.getAttribute("data-name") === name ? 0 : -1;
     }
   };
@@ -92,7 +95,7 @@ export function addGallery() {
         card.toggleAttribute("hidden", !hit);
         count += Number(hit);
       }
-      group.toggleAttribute("hidden", count === 0);
+      group.toggleAttribute("hidden", count === 0 && !(group.matches(".softrod-none-saved") && !search.value));
     }
     const names = found().map((card) => card.parentElement?.parentElement?.dataset.name ?? "");
     none.hidden = names.length > 0;
@@ -175,11 +178,21 @@ export function addGallery() {
     return row;
   };
 
+  /** What to do where nothing is saved yet. */
+  const noneSaved = () => {
+    const section = make("section", "softrod-none-saved");
+    const begin = entries.find(({ name }) => name === EMPTY);
+    section.append(make("h3", "", "Your own"), make("p", "", NONE_SAVED));
+    if (begin) section.lastChild?.appendChild(makeButton(begin.title, () => open(begin)));
+    return section;
+  };
+
   const build = () => {
     const had = cards.contains(document.activeElement);
     const groups = new Map(entries.map(({ group }) => [group, /** @type {Entry[]} */ ([])]));
     for (const entry of entries) groups.get(entry.group)?.push(entry);
     cards.replaceChildren(
+      ...(entries.some(({ own }) => own) ? [] : [noneSaved()]),
       ...[...groups].map(([group, members], i) => {
         const section = make("section", "");
         const heading = make("h3", "", group);

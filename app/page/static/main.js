@@ -15,6 +15,7 @@ import { listenToEdits } from "./edit.js";
 import { listenToEditKeys } from "./edit_keys.js";
 import { addEditMarks } from "./edit_marks.js";
 import { addEditStrip } from "./edit_strip.js";
+import { addEmpty } from "./empty.js";
 import { addGallery } from "./gallery.js";
 import { showHud } from "./hud.js";
 import { addInstruments } from "./instruments.js";
@@ -98,6 +99,7 @@ whenViser((viser) => {
   addMenu();
   addEditMarks();
   addEditStrip(tracing);
+  addEmpty();
   addBodyKeys();
   nameControls();
   showMeasures();
