@@ -276,7 +276,8 @@ class Sandbox:
 
     def close(self) -> None:
         """Stop everything."""
-        self.clear()
+        for page in self.pages:
+            page.close()
         self.server.stop()
 
 
