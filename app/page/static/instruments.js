@@ -13,7 +13,7 @@ import { NAMES, newFace } from "./instrument_faces.js";
 import * as shapes from "./instrument_shapes.js";
 import { printed, WATCH } from "./key_table.js";
 import { isFree } from "./keys.js";
-import { hasWords } from "./looks.js";
+import { hasWords, keepInView } from "./looks.js";
 import { onSight, redrawMarks, sight, SVG } from "./overlay.js";
 import { kept, store } from "./storage.js";
 import { timeNow } from "./transport.js";
@@ -267,6 +267,7 @@ function addBox() {
   const open = (open) => {
     content.hidden = !open;
     lid.ariaExpanded = String(open);
+    if (open) keepInView(content);
   };
   lid.addEventListener("click", () => open(content.hidden === true));
   element.addEventListener("keydown", (event) => {
@@ -330,6 +331,7 @@ function addBox() {
       element.classList.toggle("softrod-words", hasWords(canvas));
       element.style.left = `${canvas.left + 14}px`;
       element.style.bottom = `${window.innerHeight - bottom + 10}px`;
+      if (!content.hidden) keepInView(content);
     },
   };
 }

@@ -1,5 +1,5 @@
 // @ts-check
-/** How the page looks: projector mode, and where buttons have room for words. */
+/** How the page looks: projector mode, and where buttons have room for words and for their lists. */
 import { onMail } from "./mail.js";
 import { kept, store } from "./storage.js";
 
@@ -18,6 +18,15 @@ const FOR_WORDS = 640;
 
 /** Whether there is room for words. @param {DOMRect} canvas */
 export const hasWords = (canvas) => canvas.width >= FOR_WORDS * larger();
+
+/** Pixels between a list and the edge of the window. */
+const EDGE = 8;
+
+/** Where there is no room for a list above its button, it comes down over that. @param {HTMLElement} list */
+export function keepInView(list) {
+  list.style.translate = "";
+  list.style.translate = `0 ${Math.max(0, EDGE - list.getBoundingClientRect().top)}px`;
+}
 
 /** Whether projector mode is on. */
 export const isProjector = () => root.classList.contains(NAME);
