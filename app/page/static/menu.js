@@ -3,12 +3,10 @@
 import { fit } from "./camera.js";
 import { onTold, send, told } from "./channel.js";
 import { make, makeButton } from "./dialog.js";
-import { hasWords, isProjector, keepInView, toggleProjector } from "./looks.js";
+import { hasWords, isDark, isProjector, keepInView, toggleProjector } from "./looks.js";
 import { onSight } from "./overlay.js";
 
 const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
-
-const isDark = () => document.documentElement.dataset.mantineColorScheme === "dark";
 
 /**
  * @typedef {object} Entry
