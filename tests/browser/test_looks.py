@@ -43,7 +43,7 @@ def test_an_arrow_leads_back_to_a_body_that_is_out_of_view(open_page: OpenPage) 
 def test_nothing_lies_over_that_arrow(open_page: OpenPage) -> None:
     desk = open_page(size=(1100, 760))
     desk.tell(commands.Play(False))
-    for key, end in (("", (60.0, 560.0)), ("e", (60.0, 560.0)), ("", (60.0, 300.0))):
+    for key, end in (("", (60.0, 10.0)), ("", (60.0, 560.0)), ("e", (60.0, 560.0)), ("", (60.0, 300.0))):
         if key:
             desk.page.keyboard.press(key)
             desk.page.keyboard.press("h")
