@@ -447,7 +447,7 @@ class Panel:
         anew = self._play.anew if self._play is not None else None
         content = script.style_html(colors, dark, sliders, outlined, beside=_id(anew) if anew else "")
         if "play" not in self._controls:
-            # The page's script makes the bar of time for every page.
-            content += "<style>.softrod-dock{display:none}</style>"
+            # The page's script makes the bar of time for every page; empty, it still has the other buttons' place.
+            content += "<style>.softrod-dock{padding:0}.softrod-dock>*{display:none!important}</style>"
         if self._style.content != content:
             self._style.content = content
