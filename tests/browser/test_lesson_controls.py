@@ -54,6 +54,8 @@ def test_a_scene_says_which_controls_there_are_while_it_is_shown(open_page: Open
         view = msgspec.structs.replace(scene.view, controls=names)
         desk.tell(commands.Open(msgspec.structs.replace(scene, view=view)))
         desk.until(lambda shown=shown: tabs(desk) == shown, f"the tabs are {shown}")
+        there = int(names is None)
+        desk.until(lambda there=there: desk.button("Instruments").count() == there, "and so the instruments")
     # The page is as before: the channel works, and what is said of the scene.
     desk.button("Ring").wait_for()
     desk.page.keyboard.press("Space")

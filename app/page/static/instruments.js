@@ -11,6 +11,7 @@
  */
 import { NAMES, newFace } from "./instrument_faces.js";
 import * as shapes from "./instrument_shapes.js";
+import { onTold, told } from "./channel.js";
 import { printed, WATCH } from "./key_table.js";
 import { isFree } from "./keys.js";
 import { hasWords, keepInView } from "./looks.js";
@@ -244,6 +245,13 @@ export function addInstruments() {
     const watch = out.get("stopwatch");
     if (watch?.watch?.since != null) drawOne(watch);
   }, TICK);
+  const show = () => {
+    const isOffered = told().tools === "1";
+    box.offer(isOffered);
+    svg.style.display = isOffered ? "" : "none";
+  };
+  onTold(show);
+  show();
   for (const { kind, points, watch } of shapes.restored(kept(STORED))) lay(kind, points, watch);
   seen = sight();
   redrawMarks();
@@ -311,6 +319,8 @@ function addBox() {
     onTake: (listener) => (take = listener),
     /** @param {typeof press} listener */
     onPress: (listener) => (press = listener),
+    /** Whether the page has it. @param {boolean} on */
+    offer: (on) => (element.hidden = !on),
     /** Which instruments are out. @param {Map<Kind, unknown>} out */
     show: (out) => buttons.forEach((button, kind) => (button.ariaPressed = String(out.has(kind)))),
     /** @param {Kind} kind */
