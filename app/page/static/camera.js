@@ -95,8 +95,9 @@ function besideTools(box) {
   const [strip, bar] = document.querySelectorAll(".softrod-edit.softrod-edit-row, .softrod-edit-bar.softrod-edit-row");
   const row = strip?.getBoundingClientRect();
   if (!editing.on) {
-    const buttons = document.querySelector(".softrod-menu-lid, .softrod-box-lid")?.getBoundingClientRect();
-    return { above: 0, below: box.width < NARROW && buttons ? buttons.height + ROOM : 0 };
+    const buttons = [...document.querySelectorAll(".softrod-menu-lid, .softrod-box-lid")];
+    const height = Math.max(0, ...buttons.map((button) => button.getBoundingClientRect().height));
+    return { above: 0, below: box.width < NARROW && height ? height + ROOM : 0 };
   }
   if (!row || !bar || row.width < WIDE * box.width) return { above: 0, below: 0 };
   return { above: Math.max(0, row.bottom - box.top), below: bar.getBoundingClientRect().height };
