@@ -80,7 +80,7 @@ def test_a_lesson_is_followed_to_its_end(open_page: OpenPage, name: str) -> None
         titles = [text.replace(",", "") for text in step.plots or ()]
         desk.until(lambda titles=titles: plots(desk) == titles, f"its plots are {titles}")
         desk.until(lambda: desk.simulation.time > 0.1, "time goes on")
-        press(desk, "Next" if i + 1 < len(steps(name)) else "From the beginning")
+        press(desk, "Next" if i + 1 < len(steps(name)) else "Start over")
     begins(desk, steps(name)[0])
     assert not desk.notices()
 
