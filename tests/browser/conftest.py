@@ -57,13 +57,13 @@ _ROUGH = """
   };
   window.requestAnimationFrame = (call) => {
     calls.set(++last, call);
-    if (!asked) setTimeout(() => ask(draw), drawn + 95 - performance.now());
+    if (!asked) setTimeout(() => ask(draw), drawn + 45 - performance.now());
     asked = true;
     return last;
   };
   window.cancelAnimationFrame = (number) => void calls.delete(number);
 """
-"""What is most of a test's work in software is left out: edges are not smoothed, and frames come some ten
+"""What is most of a test's work in software is left out: edges are not smoothed, and frames come some 20
 times a second, as on a slow phone."""
 
 
