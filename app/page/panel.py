@@ -430,7 +430,7 @@ class Panel:
         """Tell the page's script what it has to know, see `script.told`."""
         channel, session = _id(self.channel), self._session
         told = script.told(channel, scene, session, playing, at_rest, broken, measures, self.pictures)
-        told.update({name: 1 for name in ("edit", "view", "help") if name in self._controls})
+        told.update({name: 1 for name in ("edit", "tools", "view", "help") if name in self._controls})
         told.update({name: 1 for name in ("gizmos", "meter") if getattr(looks, name)})
         if self.measure_tab is not None:
             told["measuring"] = self.measure_tab._id
@@ -447,7 +447,8 @@ class Panel:
         anew = self._play.anew if self._play is not None else None
         content = script.style_html(colors, dark, sliders, outlined, beside=_id(anew) if anew else "")
         if "play" not in self._controls:
-            # The page's script makes the bar of time for every page.
-            content += "<style>.softrod-dock{display:none}</style>"
+            # The page's script makes the bar of time for every page. Where it is empty, other buttons still
+            # stand on it.
+            content += "<style>.softrod-dock{padding:0}.softrod-dock>*{display:none!important}</style>"
         if self._style.content != content:
             self._style.content = content

@@ -15,6 +15,7 @@ Floats = NDArray[np.float64]
 
 WIDTH, HEIGHT = 310.0, 240.0
 LEFT, RIGHT, TOP, BOTTOM = 58.0, 12.0, 10.0, 40.0
+BESIDE, DIGIT = 24.0, 7.5
 TICKS = 5
 """Marks of an axis, about."""
 
@@ -51,9 +52,11 @@ def phase_svg(
     (x_low, x_high), (y_low, y_high) = ranges
     y_bottom, y_top = (y_high, y_low) if turned else (y_low, y_high)
     right, bottom = WIDTH - RIGHT, HEIGHT - BOTTOM
+    marks = {value: f"{value:.6g}" for value in ticks(y_low, y_high)}
+    left = max(LEFT, BESIDE + DIGIT * max(map(len, marks.values()), default=0))
 
     def across(value: float) -> float:
-        return LEFT + (right - LEFT) * (value - x_low) / (x_high - x_low)
+        return left + (right - left) * (value - x_low) / (x_high - x_low)
 
     def up(value: float) -> float:
         return bottom - (bottom - TOP) * (value - y_bottom) / (y_top - y_bottom)
@@ -63,11 +66,11 @@ def phase_svg(
         at = across(value)
         lines.append(f"M{at:.1f} {TOP}V{bottom}")
         texts.append(f'<text x="{at:.1f}" y="{bottom + 15}" text-anchor="middle">{value:g}</text>')
-    for value in ticks(y_low, y_high):
+    for value, mark in marks.items():
         at = up(value)
-        lines.append(f"M{LEFT} {at:.1f}H{right}")
-        texts.append(f'<text x="{LEFT - 5}" y="{at + 4:.1f}" text-anchor="end">{value:.6g}</text>')
-    middle_x, middle_y = 0.5 * (LEFT + right), 0.5 * (TOP + bottom)
+        lines.append(f"M{left:g} {at:.1f}H{right}")
+        texts.append(f'<text x="{left - 5:g}" y="{at + 4:.1f}" text-anchor="end">{mark}</text>')
+    middle_x, middle_y = 0.5 * (left + right), 0.5 * (TOP + bottom)
     to_right, upwards = map(html.escape, labels)
     texts.append(f'<text x="{middle_x}" y="{HEIGHT - 6}" text-anchor="middle">{to_right}</text>')
     texts.append(
@@ -86,7 +89,7 @@ def phase_svg(
             cx, cy = points[past - 1].split()
             curves.append(f'<circle cx="{cx}" cy="{cy}" r="4" style="fill:{color}"/>')
     # For static/phase.js, which reads the values under the pointer.
-    edges = f"{LEFT:g} {right:g} {bottom:g} {TOP:g}"
+    edges = f"{left:g} {right:g} {bottom:g} {TOP:g}"
     ends = " ".join(f"{end:.9g}" for end in (x_low, x_high, y_bottom, y_top))
     return (
         f'<svg class="softrod-phase" data-edges="{edges}" data-ends="{ends}" data-right="{to_right}" '

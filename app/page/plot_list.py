@@ -285,7 +285,9 @@ class PlotList:
                 )
             if reads:
                 _set(shown.title, plots.title(plot, series))
-                _set(shown.reading, plots.reading(plot, seconds))
+                # In a lesson, it is not the user who asked for a plot of something that does not swing.
+                none = ("",) if self._extend_by is None else ()
+                _set(shown.reading, plots.reading(plot, seconds, *none))
 
 
 def _set(handle: viser.GuiHtmlHandle, content: str) -> None:

@@ -181,9 +181,15 @@ def title(plot: Plot, series: Sequence[str]) -> str:
     return f'<div class="softrod-plot-title">{" ".join(keys)}{over}</div>'
 
 
-def reading(plot: Plot, seconds: float) -> str:
+def reading(plot: Plot, seconds: float, none: str = "no regular swing") -> str:
     """Period, amplitude and damping of each quantity, as far as it swings: of all that is in view, or of its
-    last part, where something else went before."""
+    last part, where something else went before.
+
+    Args:
+        plot: what it is read off.
+        seconds: of the window.
+        none: what is said if nothing swings.
+    """
     rows = plot.window(seconds)
     lines = []
     for i, quantity in enumerate(plot.quantities[: len(plot.wish.names)], start=1):
@@ -198,4 +204,4 @@ def reading(plot: Plot, seconds: float) -> str:
                     f"amplitude <b>{html.escape(amplitude)}</b>{loss}"
                 )
                 break
-    return f'<div class="softrod-text softrod-reading">{"<br>".join(lines) or "no regular swing"}</div>'
+    return f'<div class="softrod-text softrod-reading">{"<br>".join(lines) or none}</div>'

@@ -164,9 +164,19 @@ class Plot:
             self._end -= 1
         if self._end == self._first or time > self._room[self._end - 1, 0]:
             self._append((time, *(_value(session, q) for q in self.quantities)))
+        elif time == self._room[self._end - 1, 0]:
+            self._look_again(session)
         if end != self._end or time != self.shown:
             self.version += 1
         self.shown = time
+
+    def _look_again(self, session: Running) -> None:
+        """Note what may be found while the clock stands: the stability limit."""
+        last = self._room[self._end - 1, 1:]
+        for i, quantity in enumerate(self.quantities):
+            if quantity.kind.of == "stability" and (value := _value(session, quantity)) != last[i]:
+                last[i] = value
+                self.version += 1
 
     def take_over(self, other: Plot) -> None:
         """Take the values that another plot has of the same quantities."""

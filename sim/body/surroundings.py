@@ -116,6 +116,9 @@ def _loop(scene: Scene, masses: tuple[int, ...]) -> tuple[tuple[int, ...], float
 
 def _filling(filling: Gas | Liquid, area: float) -> list[float]:
     size = filling.area if filling.area is not None else area
-    if isinstance(filling, Gas):
-        return [1.0, filling.pressure, filling.outside, size]
-    return [0.0, filling.bulk_modulus, 0.0, size]
+    if isinstance(filling, Liquid):
+        return [0.0, filling.bulk_modulus, 0.0, size]
+    # A gas whose area is tiny is the same as one at the loop's own area. Below a hundredth of its area, its
+    # pressure grows linearly, and no step could follow that within a hundredth of a tiny one.
+    larger = max(size, area)
+    return [1.0, filling.pressure * (size / larger), filling.outside, larger]

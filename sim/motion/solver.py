@@ -62,7 +62,7 @@ from ..kernels.core.tables import (
     Tableau,
 )
 from ..kernels.energy.dissipation import DAMPER_ROWS
-from ..kernels.energy.work import accumulate_work
+from ..kernels.energy.work import QUICK_ROW, accumulate_work
 from ..kernels.forces.forces import accelerations
 from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
@@ -355,7 +355,9 @@ class Solver:
         """Start the energy balance."""
         self._fetch(FOR_ENERGY)
         body = self.system.body
-        rows, dampers = np.zeros((3, 2 * self.slots)), np.zeros((DAMPER_ROWS, body.springs + body.joints))
+        walls = len(body.surroundings.walls) if self._info.order != 1 else 0
+        rows = np.zeros((QUICK_ROW + walls, 2 * self.slots))
+        dampers = np.zeros((DAMPER_ROWS, body.springs + body.joints))
         self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers)
         self.balance.work[:] = 0.0
         self._problem = None

@@ -26,7 +26,7 @@ VECTOR = [0.5, 1, 2.5]
 @pytest.fixture(scope="module")
 def server() -> Iterator[Sandbox]:
     sandbox = Sandbox()
-    # The collections below, by which errors of forgotten tasks come to light, need not go through all of numba.
+    # The collections below, which bring errors of forgotten tasks to light, need not go through all of numba.
     gc.freeze()
     yield sandbox
     gc.unfreeze()

@@ -431,3 +431,32 @@ def test_a_curve_goes_down_with_its_mass_over_another_quantity_and_in_a_picture(
             pixels = np.asarray(image.convert("RGB"), int)
         rows, columns = np.nonzero((pixels == (255, 0, 255)).all(2))
         assert (rows[columns.argmax()] > rows[columns.argmin()]) == goes_down
+
+
+def test_the_limit_that_is_found_while_the_clock_stands_is_plotted() -> None:
+    page = PlotPage("stability.dt_over_limit", scene="tutorial-3.3")
+    page.frames(1, commands.SetChoice("method", "symplectic_euler"), commands.Play(False))
+    page.frames(40)
+    limit = page.session.stability.limit
+    assert np.isfinite(limit)
+    assert page.plot.rows[-1, 1] == pytest.approx(page.session.simulation.dt / limit)
+
+
+def test_marks_of_many_digits_stand_beside_the_label_of_their_axis() -> None:
+    x = np.linspace(0.0, 1.0, 50)
+    for size, most in ((1.0, 60.0), (1e6, 110.0)):
+        svg = phase_svg(x, size * (1.0 + x)[None], 50, ["red"], ("x", "y"), "a plot")
+        marks = re.findall(r'<text x="([\d.]+)" y="[\d.]+" text-anchor="end">([^<]*)<', svg)
+        end, longest = float(marks[0][0]), max(len(text) for _, text in marks)
+        # A digit of the page's letters is 7 wide, and the label reaches to 16.
+        assert end - 7.0 * longest >= 16.0
+        assert end < most
+        (edges,) = re.findall(r'data-edges="([\d.]+) ', svg)
+        assert float(edges) == end + 5.0
+
+
+def test_a_plot_of_a_lesson_says_nothing_where_nothing_swings() -> None:
+    page = PlotPage("mass11.x")
+    page.frames(3)
+    assert "no regular swing" in plots.reading(page.plot, 10.0)
+    assert plots.reading(page.plot, 10.0, "").endswith("></div>")

@@ -59,6 +59,9 @@ def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
     for tab in TABS:
         desk.show(tab)
         pale += poor(desk, tab)
+    desk.button("View").click()
+    pale += poor(desk, "the View menu")
+    desk.page.keyboard.press("Escape")
     files.save_user_scene(sim.rope(), "mine")
     desk.gallery()
     desk.card("mine").get_by_role("button", name="Delete mine").click()

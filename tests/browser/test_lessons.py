@@ -8,6 +8,7 @@ import pytest
 
 import sim
 from app.session import commands
+from app.session.notices import Notice
 from sim.lesson_settings import scene_of_step
 from sim.scene.files import built_in_folder
 from sim.scene.lesson import Lesson, Step
@@ -80,7 +81,7 @@ def test_a_lesson_is_followed_to_its_end(open_page: OpenPage, name: str) -> None
         titles = [text.replace(",", "") for text in step.plots or ()]
         desk.until(lambda titles=titles: plots(desk) == titles, f"its plots are {titles}")
         desk.until(lambda: desk.simulation.time > 0.1, "time goes on")
-        press(desk, "Next" if i + 1 < len(steps(name)) else "From the beginning")
+        press(desk, "Next" if i + 1 < len(steps(name)) else "Start over")
     begins(desk, steps(name)[0])
     assert not desk.notices()
 
@@ -222,3 +223,44 @@ def test_question_and_choices_are_in_sight_and_so_is_the_body(
         return bool(inside and (places[:, 1] < dock["y"]).all() and np.ptp(places[:, 0]) > 120.0)
 
     desk.until(is_free, "the body is large enough above the bar and beside the lesson")
+
+
+def test_short_choices_stand_side_by_side_and_a_notice_beside_the_plots(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.tell(commands.Open(sim.load_scene("lesson-hooke")))
+    begins(desk, steps("lesson-hooke")[0])
+    boxes = [choice.bounding_box() for choice in desk.page.locator(".softrod-choice").all()]
+    assert len({box["y"] for box in boxes if box is not None}) == 1
+    # Long ones are cut nowhere.
+    desk.tell(commands.Open(sim.load_scene("lesson-explosion")))
+    begins(desk, steps("lesson-explosion")[0])
+    for choice in desk.page.locator(".softrod-choice").all():
+        assert choice.evaluate("it => it.scrollWidth <= it.clientWidth && it.scrollHeight <= it.clientHeight")
+    desk.tab.notify(Notice("error", "Said", "Something went wrong."))
+    notice = desk.page.locator(".mantine-Notification-root")
+    notice.wait_for()
+    edge = float(desk.page.evaluate("document.querySelector('.softrod-lesson').getBoundingClientRect().left"))
+    desk.until(
+        lambda: (box := notice.bounding_box()) is not None and box["x"] + box["width"] < edge,
+        "the notice is over the canvas",
+    )
+    desk.dismiss("Said")
+
+
+def test_on_a_phone_the_scale_bar_stands_beside_the_words_and_not_over_the_body(open_page: OpenPage) -> None:
+    desk = open_page("lesson-resonance", size=(390, 844), phone=True)
+    begins(desk, steps("lesson-resonance")[0])
+    desk.page.locator(".softrod-hud b").wait_for()
+    bar, hud = desk.page.locator(".softrod-scale"), desk.page.locator(".softrod-hud")
+
+    def beside() -> bool:
+        one, other = bar.bounding_box(), hud.bounding_box()
+        assert one is not None
+        assert other is not None
+        return one["x"] > other["x"] + other["width"] and one["y"] < other["y"] + other["height"]
+
+    desk.until(beside, "it is beside the words")
+    # And the body is below them, since there is room.
+    lowest = hud.bounding_box()
+    assert lowest is not None
+    assert desk.at(desk.simulation.positions)[:, 1].min() > lowest["y"] + lowest["height"]

@@ -9,6 +9,7 @@ import pytest
 
 from app.session import commands
 from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk
 
 
 def test_words_stand_beside_the_icons_where_there_is_room(open_page: OpenPage) -> None:
@@ -42,7 +43,7 @@ def test_an_arrow_leads_back_to_a_body_that_is_out_of_view(open_page: OpenPage) 
 def test_nothing_lies_over_that_arrow(open_page: OpenPage) -> None:
     desk = open_page(size=(1100, 760))
     desk.tell(commands.Play(False))
-    for key, end in (("", (60.0, 560.0)), ("e", (60.0, 560.0)), ("", (60.0, 300.0))):
+    for key, end in (("", (60.0, 10.0)), ("", (60.0, 560.0)), ("e", (60.0, 560.0)), ("", (60.0, 300.0))):
         if key:
             desk.page.keyboard.press(key)
             desk.page.keyboard.press("h")
@@ -102,7 +103,25 @@ INSIDE = """names => [...document.querySelectorAll(names)].filter(e => e.checkVi
 """Whether each of some elements is in view with nothing over it, by its name."""
 
 
-@pytest.mark.parametrize("size", [(844, 390), (640, 360), (390, 844), (360, 640)])
+def is_seen(desk: Desk, names: str, count: int) -> bool:
+    """Whether there are so many of some elements at least, and each is in view with nothing over it."""
+    found = desk.page.evaluate(INSIDE, names)
+    return len(found) >= count and all(inside for _, inside in found)
+
+
+@pytest.mark.parametrize("size", [(640, 360), (568, 320)])
+def test_on_a_low_screen_what_a_button_opens_is_whole(open_page: OpenPage, size: tuple[int, int]) -> None:
+    desk = open_page(size=size, phone=True)
+    for name, entries, count in (
+        ("View", ".softrod-menu-list button", 6),
+        ("Instruments", ".softrod-box-tools button", 3),
+    ):
+        desk.button(name).click()
+        desk.until(lambda names=entries, least=count: is_seen(desk, names, least), f"{name} is whole")
+        desk.page.keyboard.press("Escape")
+
+
+@pytest.mark.parametrize("size", [(844, 390), (683, 384), (390, 844), (360, 640)])
 def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(
     open_page: OpenPage, size: tuple[int, int]
 ) -> None:
@@ -111,18 +130,15 @@ def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(
     desk.dismiss("Software WebGL")
 
     def seen(names: str, count: int) -> bool:
-        found = desk.page.evaluate(INSIDE, names)
-        return len(found) >= count and all(inside for _, inside in found)
+        return is_seen(desk, names, count)
 
     def body() -> bool:
         return all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
 
     bar = ".softrod-transport :is(button, input, .softrod-clock, select)"
     desk.until(lambda: seen(bar, 6), "the bar of time is whole")
+    assert desk.page.locator(".softrod-transport").evaluate("bar => bar.offsetHeight") < 90
     desk.until(body, "the body is in view")
-    desk.button("View").click()
-    desk.until(lambda: seen(".softrod-menu-list button", 6), "the menu is whole")
-    desk.page.keyboard.press("Escape")
     desk.button("Edit").click()
     desk.until(lambda: seen(".softrod-edit button", 8), "the tools are whole")
     desk.until(body, "so is the body beside them")

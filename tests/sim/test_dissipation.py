@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import msgspec
 import pytest
 
 import sim
 from sim import AngularSpring, LinearSpring, Mass, Scene, Simulation
+from sim.methods.registry import METHODS
 from sim.scene.types import Method
 
 REPLACE = msgspec.structs.replace
@@ -85,3 +87,26 @@ def test_books_balance_at_any_damping(name: str, key: str) -> None:
         book = simulation.energy()
         put_in = abs(first.gravity - book.gravity) + first.linear + first.angular
         assert abs(book.residual) < 0.05 * (put_in + book.kinetic), damping
+
+
+@pytest.mark.parametrize("friction", [5.0, 100.0])
+@pytest.mark.parametrize("method", [name for name, info in METHODS.items() if info.order != 1])
+def test_strong_friction_takes_what_there_is(method: Any, friction: float) -> None:
+    """Two masses on a spring that fall aslant on a rough floor, and creep on it within a step's errors."""
+    floor = sim.Wall(point=(0.0, 0.0), normal=(0.0, -1.0), friction=friction, bounciness=0.5)
+    spring = sim.LinearSpring(a=0, b=1, stiffness=2000.0, damping=2.0, rest_length=30.0)
+    dt = 1.0 / 60.0 if METHODS[method].adaptive else 1e-3
+    scene = sim.Scene(
+        name="two",
+        masses=tuple(sim.Mass(position=(x, -30.0), velocity=(300.0, 200.0)) for x in (0.0, 30.0)),
+        linear_springs=(spring,),
+        gravity=(0.0, 1000.0),
+        walls=(floor,),
+        integrator=sim.Integrator(method=method, dt=dt, tolerance=0.1),
+    )
+    simulation = sim.Simulation(scene)
+    simulation.energy()
+    simulation.advance(1.5)
+    book = simulation.energy()
+    assert abs(book.residual) < 0.015 * abs(book.friction)
+    assert -2.0e5 < book.friction < -1.5e5

@@ -224,3 +224,17 @@ def test_a_tenth_of_a_pixel_makes_all_the_difference() -> None:
         simulation.advance(10.0)
         ends.append(simulation.positions[2].copy())
     assert np.hypot(*(ends[0] - ends[1])) > 50.0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_a_step_shows_stays_in_view(name: str) -> None:
+    scene = sim.load_scene(name)
+    assert scene.lesson is not None
+    left, top, right, bottom = scene.view.frame
+    for number in range(len(scene.lesson.steps)):
+        simulation = sim.Simulation(step_of(name, number))
+        for _ in range(40):
+            simulation.advance(0.3)
+            x, y = simulation.positions.T
+            assert left < x.min() <= x.max() < right, (number, simulation.time)
+            assert top < y.min() <= y.max() < bottom, (number, simulation.time)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Integrator, Mass, Scene, Simulation, around
+from sim import Integrator, LinearSpring, Mass, Scene, Simulation, around
 from sim.body.surroundings import REFERENCE_SPEED, loss_of
 from sim.kernels.around.wind import wind_at
 from sim.methods.registry import METHODS
@@ -375,3 +375,33 @@ def test_the_stability_meter_sees_walls_and_fillings(kind: str) -> None:
     assert estimate.cause == {"walls": "walls", "gas": "fillings"}[kind]
     bare = Simulation(REPLACE(scene, walls=(), fillings=())).stability()
     assert estimate.limit < 0.5 * bare.limit
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_gas_whose_area_is_tiny_makes_no_energy(method: Any) -> None:
+    """A ring that is turned inside out and comes back; what is in it has p A = 0.0004 kg px²/s²."""
+    count, radius = 12, 50.0
+    turns = np.arange(count) * math.tau / count
+    places = radius * np.column_stack((np.cos(turns), np.sin(turns)))
+    edge = 2.0 * radius * math.sin(math.pi / count)
+    scene = Scene(
+        name="inside out",
+        masses=tuple(
+            Mass(position=(x, y), velocity=(-12.0 * x, 6.0 * y), mass=0.5) for x, y in places.tolist()
+        ),
+        linear_springs=tuple(
+            LinearSpring(a=i, b=(i + 1) % count, stiffness=2000.0, damping=1.0, rest_length=edge)
+            for i in range(count)
+        ),
+        gravity=(0.0, 0.0),
+        fillings=(Gas(masses=tuple(range(count)), pressure=400.0, outside=3.0, area=1e-6),),
+        integrator=Integrator(method=method, dt=1e-3, tolerance=0.1),
+    )
+    simulation = Simulation(scene)
+    largest = simulation.energy().kinetic
+    for _ in range(20):
+        assert simulation.step(25) == 25
+        largest = max(largest, simulation.energy().kinetic + simulation.energy().linear)
+        assert abs(simulation.energy().residual) < 0.02 * largest
+    (row,) = simulation.tables[0].body.surroundings.fillings.tolist()
+    assert row[1] * row[3] == pytest.approx(4e-4), "it is the same gas"

@@ -15,6 +15,8 @@ const LARGEST = 20;
 const [NEAR, STRIP] = [0.2, 0.05];
 /** Pixels of a canvas below which the buttons over the bar of time have no room beside a body, and those around them. */
 const [NARROW, ROOM] = [480, 18];
+/** Pixels that the words at its upper left take on such a canvas: the scene stands below them where there is room. */
+const WORDS = 66;
 /** From which part of the canvas's width on the row of tools leaves no room for the body beside it. */
 const WIDE = 0.75;
 /** Milliseconds between two looks at the size of the canvas, and at whether viser has its way with the camera. */
@@ -95,8 +97,9 @@ function besideTools(box) {
   const [strip, bar] = document.querySelectorAll(".softrod-edit.softrod-edit-row, .softrod-edit-bar.softrod-edit-row");
   const row = strip?.getBoundingClientRect();
   if (!editing.on) {
-    const buttons = document.querySelector(".softrod-menu-lid, .softrod-box-lid")?.getBoundingClientRect();
-    return { above: 0, below: box.width < NARROW && buttons ? buttons.height + ROOM : 0 };
+    const buttons = [...document.querySelectorAll(".softrod-menu-lid, .softrod-box-lid")];
+    const height = Math.max(0, ...buttons.map((button) => button.getBoundingClientRect().height));
+    return { above: 0, below: box.width < NARROW && height ? height + ROOM : 0 };
   }
   if (!row || !bar || row.width < WIDE * box.width) return { above: 0, below: 0 };
   return { above: Math.max(0, row.bottom - box.top), below: bar.getBoundingClientRect().height };
@@ -167,7 +170,9 @@ export function fit(withBody = false) {
   const { left, right, low, high } = bounds(width, height, withBody);
   const perPixel = MARGIN * Math.max((right - left) / box.width, (high - low) / free);
   const distance = (perPixel * box.height) / (2 * Math.tan((camera.fov * Math.PI) / 360));
-  const [x, y] = [(left + right) / 2, (low + high) / 2 - (perPixel * (hidden - above)) / 2];
+  const spare = (free - (high - low) / perPixel) / 2;
+  const lowered = box.width < NARROW ? Math.max(0, Math.min(spare, WORDS - spare)) : 0;
+  const [x, y] = [(left + right) / 2, (low + high) / 2 + perPixel * (lowered - (hidden - above) / 2)];
   controls.minAzimuthAngle = -Infinity;
   controls.maxAzimuthAngle = Infinity;
   // From the nodes' coordinates to those of the camera.

@@ -1,5 +1,6 @@
 // @ts-check
 /** Esc closes a question or the help, by the button that does nothing else: the last one. */
+import { swallow } from "./keys.js";
 
 /** Begins to listen; before the keys are listened to, which leave an open dialog alone. */
 export function mindDialogs() {
@@ -10,8 +11,7 @@ export function mindDialogs() {
       const buttons = document.querySelectorAll('.mantine-Modal-content[role="dialog"] button');
       const last = buttons[buttons.length - 1];
       if (!(last instanceof HTMLElement)) return;
-      event.preventDefault();
-      event.stopImmediatePropagation();
+      swallow(event);
       last.click();
     },
     true,

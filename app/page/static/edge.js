@@ -52,6 +52,7 @@ const BESIDE = /** @type {const} */ ([
 function uncovered({ x, y }) {
   for (const [name, side] of BESIDE) {
     const { left, right, top, bottom } = document.querySelector(name)?.getBoundingClientRect() ?? new DOMRect();
+    if (left === right) continue; // it is not there
     if (x + INSET < left || x - INSET > right || y + INSET < top || y - INSET > bottom) continue;
     if (side === "above") y = top - INSET;
     else if (side === "below") y = bottom + INSET;

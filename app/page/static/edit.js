@@ -10,6 +10,7 @@ import {
 } from "./edit_places.js";
 import { change, countSelected, editing, giveUp } from "./editing.js";
 import { directionAt, restAt, restDirection } from "./joint_rest.js";
+import { swallow } from "./keys.js";
 import { ask, onMail } from "./mail.js";
 import { moveSelected } from "./move.js";
 import { sight } from "./overlay.js";
@@ -51,12 +52,6 @@ let passing = false;
 // ------------------------------------------------------------------------- presses
 /** @param {PointerEvent} event @returns {Place} */
 const placeOf = ({ clientX, clientY }) => ({ x: clientX, y: clientY });
-
-/** Nobody else is to act on it. @param {Event} event */
-function swallow(event) {
-  event.preventDefault();
-  event.stopImmediatePropagation();
-}
 
 /** @param {PointerEvent} event */
 function down(event) {

@@ -9,7 +9,7 @@ import { line, stepBack } from "./edit.js";
 import { step } from "./edit_places.js";
 import { change, countSelected, editing, giveUp, isEditable, setEditing, setTool } from "./editing.js";
 import { EDIT, PIN, printed, TOOLS } from "./key_table.js";
-import { isFree } from "./keys.js";
+import { isFree, swallow } from "./keys.js";
 import { ask } from "./mail.js";
 import { moveSelected } from "./move.js";
 import { chosenMass, sight } from "./overlay.js";
@@ -19,12 +19,6 @@ import { massAt } from "./pointer.js";
 const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 /** By how much less an arrow moves with Shift. */
 const FINE = 0.1;
-
-/** @param {Event} event */
-function swallow(event) {
-  event.preventDefault();
-  event.stopImmediatePropagation();
-}
 
 /** Whether keys go to the page, even with Ctrl: nobody types, no dialog is open. @param {KeyboardEvent} event */
 const isFreeWithCtrl = ({ target }) => isFree(/** @type {any} */ ({ target }));

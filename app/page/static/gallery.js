@@ -6,6 +6,7 @@
  * @typedef {{name: string, title: string, line: string, text: string, group: string, own: boolean, saved: boolean}} Entry
  */
 import { make, makeButton, makeDialog } from "./dialog.js";
+import { isDark } from "./looks.js";
 import { ask, onMail } from "./mail.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
@@ -13,8 +14,6 @@ const IMAGES = new URL("thumbnails/", import.meta.url);
 const EMPTY = "empty";
 const NONE_SAVED = "You have saved no scene yet. Save the one that you see in the Share tab, or build one: ";
 const CARD = ".softrod-card:not([hidden]) .softrod-open";
-
-const isDark = () => document.documentElement.dataset.mantineColorScheme === "dark";
 
 /**
  * Whether a scene is one that is searched for: each word is in its title, its name or what it shows.

@@ -11,9 +11,10 @@
  */
 import { NAMES, newFace } from "./instrument_faces.js";
 import * as shapes from "./instrument_shapes.js";
+import { onTold, told } from "./channel.js";
 import { printed, WATCH } from "./key_table.js";
 import { isFree } from "./keys.js";
-import { hasWords } from "./looks.js";
+import { hasWords, keepInView } from "./looks.js";
 import { onSight, redrawMarks, sight, SVG } from "./overlay.js";
 import { kept, store } from "./storage.js";
 import { timeNow } from "./transport.js";
@@ -244,6 +245,13 @@ export function addInstruments() {
     const watch = out.get("stopwatch");
     if (watch?.watch?.since != null) drawOne(watch);
   }, TICK);
+  const show = () => {
+    const isOffered = told().tools === "1";
+    box.offer(isOffered);
+    svg.style.display = isOffered ? "" : "none";
+  };
+  onTold(show);
+  show();
   for (const { kind, points, watch } of shapes.restored(kept(STORED))) lay(kind, points, watch);
   seen = sight();
   redrawMarks();
@@ -267,6 +275,7 @@ function addBox() {
   const open = (open) => {
     content.hidden = !open;
     lid.ariaExpanded = String(open);
+    if (open) keepInView(content);
   };
   lid.addEventListener("click", () => open(content.hidden === true));
   element.addEventListener("keydown", (event) => {
@@ -310,6 +319,8 @@ function addBox() {
     onTake: (listener) => (take = listener),
     /** @param {typeof press} listener */
     onPress: (listener) => (press = listener),
+    /** Whether the page has it. @param {boolean} on */
+    offer: (on) => (element.hidden = !on),
     /** Which instruments are out. @param {Map<Kind, unknown>} out */
     show: (out) => buttons.forEach((button, kind) => (button.ariaPressed = String(out.has(kind)))),
     /** @param {Kind} kind */
@@ -330,6 +341,7 @@ function addBox() {
       element.classList.toggle("softrod-words", hasWords(canvas));
       element.style.left = `${canvas.left + 14}px`;
       element.style.bottom = `${window.innerHeight - bottom + 10}px`;
+      if (!content.hidden) keepInView(content);
     },
   };
 }

@@ -70,7 +70,7 @@ export const isFree = ({ target, ctrlKey, metaKey, altKey }) =>
 const dialogIsOpen = () => document.querySelector('[role="dialog"], dialog[open]') !== null;
 const menuIsOpen = () => document.querySelector('[role="menu"]:not([hidden])') !== null;
 /** Nobody else is to act on it. @param {Event} event */
-const swallow = (event) => {
+export const swallow = (event) => {
   event.preventDefault();
   event.stopImmediatePropagation();
 };

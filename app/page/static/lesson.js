@@ -189,7 +189,7 @@ function show() {
   back.disabled = progress.at === 0;
   const anew = makeButton("Again", again, "");
   anew.title = "begin this step anew";
-  const next = makeButton(progress.at + 1 < steps.length ? "Next" : "From the beginning", () => {
+  const next = makeButton(progress.at + 1 < steps.length ? "Next" : "Start over", () => {
     if (progress.at + 1 === steps.length) {
       progress.answers.fill(null);
       progress.told.fill(false);

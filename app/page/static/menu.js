@@ -3,15 +3,10 @@
 import { fit } from "./camera.js";
 import { onTold, send, told } from "./channel.js";
 import { make, makeButton } from "./dialog.js";
-import { hasWords, isProjector, toggleProjector } from "./looks.js";
+import { hasWords, isDark, isProjector, keepInView, toggleProjector } from "./looks.js";
 import { onSight } from "./overlay.js";
 
 const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
-
-/** Pixels between the list and the edge of the window. */
-const EDGE = 8;
-
-const isDark = () => document.documentElement.dataset.mantineColorScheme === "dark";
 
 /**
  * @typedef {object} Entry
@@ -81,13 +76,8 @@ export function addMenu() {
     list.hidden = !on;
     lid.ariaExpanded = String(on);
     if (!on) return;
-    keepInView();
+    keepInView(list);
     items.find(({ item }) => !item.hidden)?.item.focus();
-  }
-  /** Where there is no room above the button, the list comes down over it. */
-  function keepInView() {
-    list.style.translate = "";
-    list.style.translate = `0 ${Math.max(0, EDGE - list.getBoundingClientRect().top)}px`;
   }
   element.addEventListener("keydown", (event) => {
     if (list.hidden) return;
@@ -112,6 +102,6 @@ export function addMenu() {
     element.classList.toggle("softrod-words", hasWords(box));
     element.style.right = `${window.innerWidth - box.right + 14}px`;
     element.style.bottom = `${window.innerHeight - Math.min(box.bottom, dock?.top ?? Infinity) + 10}px`;
-    if (!list.hidden) keepInView();
+    if (!list.hidden) keepInView(list);
   });
 }

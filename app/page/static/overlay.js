@@ -26,6 +26,8 @@ const ARC = 26;
 const LABEL = 22;
 /** Pixels that the scale bar has at least. */
 const BAR = 70;
+/** And how long at least where it has little room. */
+const SHORTEST = 36;
 /** Milliseconds for which the camera may go on moving after the last event. */
 const CAMERA_MOVES = 1000;
 
@@ -96,6 +98,12 @@ function set(element, attributes) {
 export function roundUp(least) {
   const power = 10 ** Math.floor(Math.log10(least));
   return power * (/** @type {number} */ ([1, 2, 5, 10].find((step) => step * power >= least * (1 - 1e-9))));
+}
+
+/** A round length: the last of these at or below. @param {number} most */
+export function roundDown(most) {
+  const power = 10 ** Math.floor(Math.log10(most));
+  return power * (/** @type {number} */ ([10, 5, 2, 1].find((step) => step * power <= most * (1 + 1e-9))));
 }
 
 /**
@@ -226,11 +234,14 @@ function scaleMark(add) {
   /** @param {Sight} seen */
   return ({ plan, on, box }) => {
     const perPixel = 1 / (plan.scale * on.step);
-    const size = roundUp(BAR * perPixel);
     const end = box.right - 18;
-    const begin = end - size / perPixel;
-    // On a phone the head-up display reaches under it.
+    // On a phone the head-up display reaches far to the right: it is shorter there, or else below.
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
+    const room = end - 10 - (hud?.right ?? box.left);
+    const usual = roundUp(BAR * perPixel);
+    const fits = room >= SHORTEST ? Math.min(usual, roundDown(room * perPixel)) : usual;
+    const size = fits / perPixel >= SHORTEST ? fits : usual;
+    const begin = end - size / perPixel;
     const free = hud && hud.right > begin - 10 ? hud.bottom : box.top;
     const low = free + 8 + parseFloat(getComputedStyle(length).fontSize) * 1.4;
     const state = [end, low, size, perPixel, told().unit].join(" ");

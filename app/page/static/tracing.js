@@ -8,7 +8,7 @@
  */
 import { make, makeButton } from "./dialog.js";
 import { editing, onEditing } from "./editing.js";
-import { isFree } from "./keys.js";
+import { isFree, swallow } from "./keys.js";
 import { SVG } from "./overlay.js";
 import { screen } from "./screen.js";
 import { kept, store } from "./storage.js";
@@ -225,8 +225,7 @@ function listen(present, put, stop) {
     const now = present();
     const { canvas } = viser() ?? {};
     if (!moving || !now || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
-    event.preventDefault();
-    event.stopImmediatePropagation();
+    swallow(event);
     canvas.setPointerCapture(event.pointerId);
     hold = { id: event.pointerId, x: event.clientX, y: event.clientY, from: { x: now.x, y: now.y } };
   }, true);
@@ -249,15 +248,13 @@ function listen(present, put, stop) {
     const { target } = event;
     if (!moving || !now || !isFree(event)) return;
     if (event.key === "Escape") {
-      event.preventDefault();
-      event.stopImmediatePropagation();
+      swallow(event);
       stop();
       return;
     }
     if (!way) return;
     if (target instanceof Element && target.matches(OWN_ARROWS)) return;
-    event.preventDefault();
-    event.stopImmediatePropagation();
+    swallow(event);
     const step = event.shiftKey ? FINE : STEP;
     put({ x: now.x + way[0] * step, y: now.y + way[1] * step });
   }, true);

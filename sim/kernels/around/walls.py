@@ -20,6 +20,9 @@ from ..core.surroundings import (
 )
 from .bounce import push_and_friction, slopes_of_push, time_to_deepest
 
+_QUICKLY = 4.0
+"""Step length in time constants of friction from which it stops a mass within a fraction of the step."""
+
 
 @kernel(forceinline=True, fastmath=FAST)
 def depth_in(wall, x, y):
@@ -98,8 +101,74 @@ def energy_in_walls(body, inverse_mass, x, y):
 
 
 @kernel(fastmath=FAST)
-def power_of_walls(body, inverse_mass, x, y, vx, vy):
-    """The power of friction and of what bouncing loses, which is negative, kg px²/s³."""
+def mark_quick(body, inverse_mass, q0, q1, h, quick):
+    """Whether friction on a wall would stop any mass within a fraction of a step of h seconds.
+
+    Where it does, the speeds of a step have errors that the tolerance allows, but friction in proportion to
+    them would seem to take many times the energy that there is. So its work is found from the change of the
+    kinetic energy along the wall and the work of all other forces there, which goes by the way that is made.
+
+    Args:
+        q0, q1: flat positions at both ends of the step.
+        quick: (W, 2 slots) in its first half, 1 for each such mass; cleared otherwise.
+    """
+    around, slots, found = body.surroundings, q0.size // 2, False
+    for k in range(around.walls.shape[0]):
+        wall = around.walls[k]
+        stiffness = h * wall[WALL_FRICTION] * wall[WALL_HARDNESS] / wall[WALL_SLIP]
+        for i in range(quick.shape[1]):
+            quick[k, i] = 0.0
+        for i in range(1, body.masses + 1):
+            depth = max(depth_in(wall, q0[i], q0[slots + i]), depth_in(wall, q1[i], q1[slots + i]))
+            if depth > 0.0 and inverse_mass[i] > 0.0 and stiffness * depth * depth > _QUICKLY:
+                quick[k, i], found = 1.0, True
+    return found
+
+
+@kernel(fastmath=FAST)
+def gather_others(body, q, v, a, part, quick):
+    """Add, weighted by `part`, the power along each wall of all forces but its friction, kg px²/s³.
+
+    Args:
+        q, v, a: flat positions, velocities and accelerations.
+        part: of the step.
+        quick: of `mark_quick`; the powers are in its second half.
+    """
+    around, slots = body.surroundings, q.size // 2
+    for k in range(around.walls.shape[0]):
+        wall = around.walls[k]
+        nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]
+        for i in range(1, body.masses + 1):
+            if quick[k, i] > 0.0:
+                x, y, vx, vy = q[i], q[slots + i], v[i], v[slots + i]
+                depth, along, friction = depth_in(wall, x, y), vy * nx - vx * ny, 0.0
+                if depth > 0.0:
+                    _, friction, _, _ = wall_terms(wall, around.step, depth, vx, vy)
+                pull = a[slots + i] * nx - a[i] * ny + friction
+                quick[k, slots + i] += part * around.mass[i] * pull * along
+
+
+@kernel(fastmath=FAST)
+def work_of_quick(body, v0, v1, h, quick):
+    """The work of friction on the masses of `mark_quick` in a step, which is negative, kg px²/s²."""
+    around, slots, work = body.surroundings, v0.size // 2, 0.0
+    for k in range(around.walls.shape[0]):
+        wall = around.walls[k]
+        nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]
+        for i in range(1, body.masses + 1):
+            if quick[k, i] > 0.0:
+                first = v0[slots + i] * nx - v0[i] * ny
+                last = v1[slots + i] * nx - v1[i] * ny
+                work += 0.5 * around.mass[i] * (last * last - first * first) - h * quick[k, slots + i]
+    return work
+
+
+@kernel(fastmath=FAST)
+def power_of_walls(body, inverse_mass, x, y, vx, vy, quick):
+    """The power of friction and of what bouncing loses, which is negative, kg px²/s³.
+
+    Friction on the masses of `mark_quick` is left out.
+    """
     around, power = body.surroundings, 0.0
     for k in range(around.walls.shape[0]):
         wall = around.walls[k]
@@ -108,7 +177,8 @@ def power_of_walls(body, inverse_mass, x, y, vx, vy):
             depth = depth_in(wall, x[i], y[i])
             if depth > 0.0 and inverse_mass[i] > 0.0:
                 push, friction, elastic, along = wall_terms(wall, around.step, depth, vx[i], vy[i])
-                power += around.mass[i] * ((push - elastic) * (vx[i] * nx + vy[i] * ny) - friction * along)
+                rubbing = friction * along if quick.shape[0] == 0 or quick[k, i] == 0.0 else 0.0
+                power += around.mass[i] * ((push - elastic) * (vx[i] * nx + vy[i] * ny) - rubbing)
     return power
 
 

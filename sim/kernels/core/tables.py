@@ -380,7 +380,7 @@ class EnergyBalance(Table):
     active: bool
     work: Floats  # (WORKS,) kg px²/s², see the WORK_ constants
     mass: Floats  # (slots,) kg
-    rows: Rows  # (3, 2 slots) scratch
+    rows: Rows  # (k, 2 slots) scratch, see `energy.work`
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `energy.dissipation`
 
 

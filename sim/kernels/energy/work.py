@@ -6,15 +6,22 @@ import math
 
 from ..around.contact import power_of_contact, push_apart
 from ..around.fillings import press_from_inside
-from ..around.walls import power_of_walls
+from ..around.walls import gather_others, mark_quick, power_of_walls, work_of_quick
 from ..around.wind import power_of_wind
 from ..core.jit import FAST, kernel
+from ..core.shared import accelerate
 from ..core.tables import WORK_AIR, WORK_ANCHORS, WORK_DAMPING, WORK_KEYS, WORK_LAW, WORK_WALLS
 from ..core.vectors import deflection, length_of
 from ..forces.drive import drive_to, hand_speed
 from ..forces.forces import spring_forces
 from ..forces.laws import TUTORIAL, is_sine, terms
 from .dissipation import gather_dampers, taken_away
+
+_ACCELERATION = 3
+"""Row of accelerations in the scratch `EnergyBalance.rows`."""
+QUICK_ROW = 4
+"""From this row on, there is one for each wall, see `mark_quick`; none by methods of first order, which move
+masses by other speeds than those that they have on average."""
 
 _NODES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
 """Gauss-Legendre nodes on (0, 1), of order six."""
@@ -75,6 +82,8 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
     q, v, still = balance.rows[0], balance.rows[1], balance.rows[2]
     smooth = _is_smooth(h, state.q, state.v, integrator.a, q1, v1, a1)
     balance.dampers[:] = 0.0
+    quick, a = balance.rows[QUICK_ROW:], balance.rows[_ACCELERATION]
+    any_quick = quick.shape[0] > 0 and mark_quick(body, state.inverse_mass, state.q, q1, h, quick)
     for i in range(3):
         u = _NODES[i]
         if smooth:
@@ -83,16 +92,21 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
             _roughly_between(h, u, state.q, state.v, q1, v1, q, v)
         if drive.moving:
             drive_to(body, state, drive, t + u * h, q, v)
-        _add_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v, still)
+        _add_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v, still, quick)
+        if any_quick:
+            accelerate(problem, q, v, a)
+            gather_others(body, q, v, a, _WEIGHTS[i], quick)
         gather_dampers(body, q, v, _WEIGHTS[i], balance.dampers)
+    if any_quick:
+        balance.work[WORK_WALLS] += work_of_quick(body, state.v, v1, h, quick)
     balance.work[WORK_DAMPING] -= taken_away(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
     if drive.pressed or drive.gusty:
         drive_to(body, state, drive, t + h, q, v)
 
 
 @kernel(fastmath=FAST)
-def _add_powers(problem, drive, t, h, q, v, still):
-    """Add h times the powers in the state q, v at time t. `still` is all zeros."""
+def _add_powers(problem, drive, t, h, q, v, still, quick):
+    """Add h times the powers in the state q, v at time t. `still` is all zeros; `quick`: see `mark_quick`."""
     body, state, scratch, balance = problem.body, problem.state, problem.scratch, problem.balance
     slots = q.size // 2
     x, y, vx, vy = q[:slots], q[slots:], v[:slots], v[slots:]
@@ -111,7 +125,7 @@ def _add_powers(problem, drive, t, h, q, v, still):
             drag = state.air[i] * mass[i]
             sums[WORK_AIR] -= h * drag * (vx[i] * vx[i] * abs(vx[i]) + vy[i] * vy[i] * abs(vy[i]))
     if body.surroundings.present:
-        sums[WORK_WALLS] += h * power_of_walls(body, free, x, y, vx, vy)
+        sums[WORK_WALLS] += h * power_of_walls(body, free, x, y, vx, vy, quick)
         sums[WORK_AIR] += h * power_of_wind(body, state, x, y, vx, vy)
         if body.surroundings.contact.present:
             sums[WORK_WALLS] += h * power_of_contact(body, free, x, y, vx, vy)
