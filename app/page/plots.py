@@ -131,7 +131,9 @@ def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
             "side": 1 if i else 3,
             "label": downwards(label, turned),
             "labelSize": 18.0,
-            "size": 76.0 if unit.startswith("kg") else 50.0,  # forces and energies have many digits
+            "size": 76.0
+            if unit.startswith(("kg", "N", "J"))
+            else 50.0,  # forces and energies have many digits
         }
         if i:
             axis["grid"] = {"show": False}

@@ -11,6 +11,7 @@ import sim
 from sim.analysis.predictability import factor_of
 from sim.analysis.tuning import Tuning, Vibration
 from sim.methods.registry import METHODS
+from sim.motion.quantities import ENERGY_UNIT, unit_in
 from sim.scene.types import is_loaded
 
 from ..drawing.colors import Palette
@@ -305,7 +306,7 @@ def energy_table(session: Session) -> str:
     if not session.simulation.keep_books(True):
         return table({"energy": "is followed when it is compiled"})
     book = session.simulation.energy()
-    rows = {"unit": f"kg {html.escape(session.scene.view.unit)}²/s²"}
+    rows = {"unit": html.escape(unit_in(ENERGY_UNIT, session.scene.view.unit))}
     largest = max(abs(getattr(book, key)) for key in _ENERGY_NAMES)
     for key, name in _ENERGY_NAMES.items():
         value = getattr(book, key)

@@ -89,7 +89,8 @@ def cluster(address: str) -> Iterator[Workers]:
         ImportError: unfit,
         OSError: unfit,
     }
-    # It would write a traceback of its own when the scheduler goes.
-    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
+    # They would write tracebacks of their own when the scheduler goes.
+    for name in ("distributed.client", "distributed", "tornado.application", "asyncio"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)
     with client:
         yield Workers(client.get_executor(pure=False), failures)

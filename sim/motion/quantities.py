@@ -32,6 +32,9 @@ Vectors = NDArray[np.complex128]
 
 ENERGY_UNIT = "kg {unit}²/s²"
 
+_NAMED = {"kg m/s²": "N", "kg m²/s²": "J"}
+"""Units that have a name, where lengths are in metres."""
+
 _NAME = re.compile(r"([a-z]+)(\d{1,9})?\.([a-z_]+)", re.ASCII)
 
 
@@ -82,6 +85,12 @@ class Quantity:
         return float(self.kind.values(simulation, np.array([self.index]))[0])
 
 
+def unit_in(unit: str, length: str) -> str:
+    """A unit with that of length put in for "{unit}"; with metres a force is in N, and an energy in J."""
+    unit = unit.format(unit=length)
+    return _NAMED.get(unit, unit)
+
+
 def quantity(name: str, scene: Scene) -> Quantity:
     """A quantity of a scene by its name, such as "joint3.angle".
 
@@ -104,7 +113,8 @@ def quantity(name: str, scene: Scene) -> Quantity:
         there = f"(0..{count - 1})" if count else f"(the scene has no {of}s)"
         raise InputError(f"{name}: {of} {index} does not exist {there}")
     whole = f"{of}{index}" if counted else of  # without leading zeros
-    return Quantity(f"{whole}.{what}", kind.unit.format(unit=scene.view.unit), kind, index)
+    unit = unit_in(kind.unit, scene.view.unit)
+    return Quantity(f"{whole}.{what}", "N m" if (what, unit) == ("torque", "J") else unit, kind, index)
 
 
 # ------------------------------------------------------------------------- how they are read

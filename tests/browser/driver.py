@@ -82,7 +82,7 @@ def until(page: Page, condition: Callable[[], T], what: str, limit: float = LIMI
             return result
         if time.monotonic() > end:
             raise AssertionError(f"in {limit:g} s it did not come to this: {what}")
-        page.wait_for_timeout(20)
+        page.wait_for_timeout(50)
 
 
 class Desk:

@@ -287,8 +287,14 @@ def test_by_keys_alone(open_page: OpenPage) -> None:
 def test_a_body_can_be_edited_while_it_runs(open_page: OpenPage) -> None:
     desk = open_page(size=SMALL)
     tool(desk, "Select")
-    desk.page.mouse.click(*desk.place(11))
-    desk.until(lambda: desk.session.selection.masses == {11}, "the last mass is selected")
+    desk.until(lambda: desk.uncovered(desk.place(11)), "the view makes room for the tools")
+
+    def selected() -> bool:
+        desk.page.mouse.click(*desk.place(11))  # it moves
+        desk.rest(3)
+        return desk.session.selection.masses == {11}
+
+    desk.until(selected, "the last mass is selected")
     time = desk.simulation.time
     desk.page.keyboard.press("Delete")
     becomes(desk, 11, 10, 9)

@@ -17,7 +17,7 @@ def test_an_empty_canvas_a_tab_without_plots_and_a_gallery_without_own_scenes(
     desk = open_page("empty")
     note = desk.page.locator(".softrod-empty")
     desk.until(lambda: "Nothing is built here yet" in note.inner_text(), "the canvas says so")
-    assert desk.uncovered(desk.place(0))
+    desk.until(lambda: desk.uncovered(desk.place(0)), "it covers no mass")
     desk.button("Draw a body").click()
     desk.until(lambda: "Drag from a mass" in note.inner_text(), "it says how")
     # It is not in the way: a press on it is one on the canvas.

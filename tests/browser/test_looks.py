@@ -269,6 +269,7 @@ def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: O
 def test_what_is_said_over_the_body_covers_no_mass(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Play(False))
+    desk.wait_drawn()
     word = desk.page.locator(".softrod-hud b")
     word.wait_for()
     box = word.bounding_box()
@@ -276,12 +277,17 @@ def test_what_is_said_over_the_body_covers_no_mass(open_page: OpenPage) -> None:
     # The view is moved until a mass is in the middle of the word.
     wanted = np.array((box["x"] + box["width"] / 2, box["y"] + box["height"] / 2))
     begin = np.array((400.0, 300.0))
-    end = begin + wanted - desk.place(11)
-    desk.page.mouse.move(*begin)
-    desk.page.mouse.down()
-    desk.page.mouse.move(*end, steps=4)
-    desk.page.mouse.up()
-    desk.until(lambda: np.hypot(*(desk.place(11) - wanted)) < 4.0, "the mass is there")
+
+    def is_there() -> bool:
+        end = begin + wanted - desk.place(11)
+        desk.page.mouse.move(*begin)
+        desk.page.mouse.down()
+        desk.page.mouse.move(*end, steps=4)
+        desk.page.mouse.up()
+        desk.rest(3)
+        return bool(np.hypot(*(desk.place(11) - wanted)) < 4.0)
+
+    desk.until(is_there, "the mass is there")
     desk.rest(3)
     with_word = desk.picture(marks=False)
     desk.page.add_style_tag(content=".softrod-hud b { visibility: hidden }")

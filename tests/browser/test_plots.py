@@ -26,6 +26,9 @@ CHARTS = """() => JSON.stringify(Object.values(window.__viserTestpoints?.uplots 
   high: chart.scales.y0?.max,
 })))"""
 
+KEPT = "Object.values(sessionStorage).join()"
+"""What the tab keeps."""
+
 
 def charts(desk: Desk) -> list[dict[str, Any]]:
     """What viser's charts in the page have: their data, and the range of what is upwards."""
@@ -82,10 +85,11 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     assert np.array(rows, float)[-1, 0] == time
 
     # With decimal commas, which the tab remembers.
+    before = desk.page.evaluate(KEPT)
     desk.control("Decimal commas").check()
     desk.until(lambda: desk.tab._commas.on, "tables have decimal commas")
-    desk.until(lambda: desk.tab._kept[1].commas, "the browser keeps that")
-    desk.rest(3)
+    desk.until(lambda: desk.tab._kept[1].commas, "the server has told the browser to keep that")
+    desk.until(lambda: desk.page.evaluate(KEPT) != before, "and it does")
     desk.open()
     desk.until(lambda: desk.tab._commas.on, "it is so after a reload")
     desk.show("Measure")

@@ -1,6 +1,7 @@
 // Arrows of forces, velocities and torques: their numbers, their scale, and their outlines.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { unitOf } from "../../app/page/static/arrow_marks.js";
 import { arrow, loadArrows } from "../../app/page/static/arrow_shapes.js";
 import { largest, massesOf, readArrows, Scale, Series, torqueArrows, turnArrow, vectorArrows } from "../../app/page/static/arrows.js";
 
@@ -100,4 +101,10 @@ test("constant forces are arrows at their masses, in the world's units, with y u
   assert.deepEqual(ends[0], [300, 400]);
   assert.deepEqual(ends[3], [350, 425]);
   assert.equal(loadArrows({ loads: new Float32Array() }, places, 100), "");
+});
+
+test("in metres units have their names", () => {
+  const kinds = ["forces", "velocities", "torques"];
+  assert.deepEqual(kinds.map((kind) => unitOf(kind, "m")), ["N", "m/s", "N m"]);
+  assert.deepEqual(kinds.map((kind) => unitOf(kind, "px")), ["kg px/s²", "px/s", "kg px²/s²"]);
 });

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { edgeArrow } from "../../app/page/static/edge.js";
-import { degrees, jointAngles, roundDown, roundUp } from "../../app/page/static/overlay.js";
+import { degrees, jointAngles, lengthText, roundDown, roundUp } from "../../app/page/static/overlay.js";
 import { nearest, onScreen, worldAt } from "../../app/page/static/screen.js";
 
 const plan = (flip) => ({
@@ -42,6 +42,8 @@ test("a joint's arc turns as the joint does", () => {
 
 test("scale bars are round", () => {
   assert.deepEqual([0.7, 1, 1.2, 30, 51, 4e5].map(roundUp), [1, 1, 2, 50, 100, 500000]);
+  assert.deepEqual([0.2, 0.01, 0.005, 2].map((size) => lengthText(size, "m")), ["20 cm", "1 cm", "0.005 m", "2 m"]);
+  assert.equal(lengthText(0.2, "px"), "0.2 px");
   assert.deepEqual([0.75, 1, 1.2, 30, 51, 99, 4e5].map(roundDown), [0.5, 1, 1, 20, 50, 50, 200000]);
 });
 

@@ -367,3 +367,17 @@ def test_the_energy_of_what_touches_a_spring_goes_with_it(method: Method) -> Non
     assert book.contact == 0.0
     assert book.broken == pytest.approx(-before.contact - 500.0, rel=1e-3)
     assert abs(book.residual) <= 1e-3 * before.contact
+
+
+@pytest.mark.parametrize("method", ADAPTIVE)
+def test_the_moment_of_a_break_is_found_to_the_tolerance(method: Method) -> None:
+    """x = v sin(w t) / w until k x is the strength, and a free flight from there."""
+    omega, speed = math.sqrt(1000.0), 1000.0
+    turns = math.asin(omega * 20_000.0 / (1000.0 * speed))
+    for tolerance in (0.1, 1e-2, 1e-3):
+        scene = REPLACE(flung(strength=20_000.0), gravity=(0.0, 0.0), air_friction=0.0)
+        scene = REPLACE(scene, integrator=Integrator(method=method, dt=0.1, tolerance=tolerance))
+        simulation = Simulation(scene)
+        simulation.step(10)
+        flown = 20.0 + speed * math.cos(turns) * (1.0 - turns / omega)
+        assert simulation.positions[1, 0] - 100.0 == pytest.approx(flown, abs=10.0 * tolerance)

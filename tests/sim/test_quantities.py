@@ -142,6 +142,10 @@ def test_every_entry_of_the_balance_is_there_and_the_meter() -> None:
 def test_units_are_the_scene_s() -> None:
     scene = REPLACE(rod(5), view=sim.View(unit="mm"))
     assert {name: quantity(name, scene).unit for name in UNITS} == UNITS
+    # In metres, those that have a name are called by it.
+    metres = REPLACE(scene, view=sim.View(unit="m"))
+    named = {"joint0.torque": "N m", "spring0.force": "N", "energy.kinetic": "J", "mass0.x": "m"}
+    assert {name: quantity(name, metres).unit for name in named} == named
 
 
 UNITS = {

@@ -23,9 +23,9 @@ const KINDS = ["forces", "velocities", "torques"];
 /** @type {Record<Kind, string>} */
 const NAMES = { forces: "force", velocities: "speed", torques: "torque" };
 
-/** @param {Kind} kind */
-function unitOf(kind) {
-  const unit = told().unit ?? "";
+/** With metres, forces and torques have units with names. @param {Kind} kind @param {string} unit of length */
+export function unitOf(kind, unit) {
+  if (unit === "m") return { forces: "N", velocities: "m/s", torques: "N m" }[kind];
   return { forces: `kg ${unit}/s²`, velocities: `${unit}/s`, torques: `kg ${unit}²/s²` }[kind];
 }
 
@@ -110,7 +110,7 @@ export function addArrows() {
         set(words, { x: end - full - 8, y });
       }
       set(rim, { d: (body.getAttribute("d") ?? "") + (dashed.getAttribute("d") ?? "") });
-      const text = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind)}`;
+      const text = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind, told().unit ?? "")}`;
       if (words.textContent !== text) words.textContent = text;
       y += LINE * height;
     });

@@ -15,8 +15,8 @@ const LARGEST = 20;
 const [NEAR, STRIP] = [0.2, 0.05];
 /** Pixels of a canvas below which the buttons over the bar of time have no room beside a body, and those around them. */
 const [NARROW, ROOM] = [480, 18];
-/** Pixels that the words at its upper left take on such a canvas: the scene stands below them where there is room. */
-const WORDS = 66;
+/** Width of a phone's canvas at most, and pixels that the words at its upper left take: the scene stands below them there. */
+const [PHONE, WORDS] = [450, 66];
 /** From which part of the canvas's width on the row of tools leaves no room for the body beside it. */
 const WIDE = 0.75;
 /** Milliseconds between two looks at the size of the canvas, and at whether viser has its way with the camera. */
@@ -171,7 +171,7 @@ export function fit(withBody = false) {
   const perPixel = MARGIN * Math.max((right - left) / box.width, (high - low) / free);
   const distance = (perPixel * box.height) / (2 * Math.tan((camera.fov * Math.PI) / 360));
   const spare = (free - (high - low) / perPixel) / 2;
-  const lowered = box.width < NARROW ? Math.max(0, Math.min(spare, WORDS - spare)) : 0;
+  const lowered = box.width < PHONE ? Math.max(0, Math.min(spare, WORDS - spare)) : 0;
   const [x, y] = [(left + right) / 2, (low + high) / 2 + perPixel * (lowered - (hidden - above) / 2)];
   controls.minAzimuthAngle = -Infinity;
   controls.maxAzimuthAngle = Infinity;

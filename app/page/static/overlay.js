@@ -100,6 +100,12 @@ export function roundUp(least) {
   return power * (/** @type {number} */ ([1, 2, 5, 10].find((step) => step * power >= least * (1 - 1e-9))));
 }
 
+/** A round length in words; of a metre, parts are in cm. @param {number} size @param {string} unit */
+export function lengthText(size, unit) {
+  const inCm = unit === "m" && size < 1 && size >= 0.01;
+  return `${Number((inCm ? 100 * size : size).toPrecision(1))} ${inCm ? "cm" : unit}`;
+}
+
 /** A round length: the last of these at or below. @param {number} most */
 export function roundDown(most) {
   const power = 10 ** Math.floor(Math.log10(most));
@@ -249,7 +255,7 @@ function scaleMark(add) {
     last = state;
     set(bar, { d: `M${begin} ${low - 5}v10M${begin} ${low}H${end}M${end} ${low - 5}v10` });
     set(length, { x: (begin + end) / 2, y: low - 9 });
-    length.textContent = `${Number(size.toPrecision(1))} ${told().unit ?? ""}`;
+    length.textContent = lengthText(size, told().unit ?? "");
   };
 }
 

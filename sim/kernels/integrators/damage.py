@@ -26,6 +26,8 @@ from .guard import CHANGED
 
 _OVER_STRENGTH = 1e-3
 """Force beyond the strength of a spring, as a fraction of it, at the end of a step in which it breaks."""
+_OVER_STRETCH = 0.1
+"""The same as a length, as a fraction of the tolerance; the smaller of both counts."""
 _OVER_YIELD = 1e-3
 """The same for the yield force, and for the angle at which a joint yields, beside the tolerance for the way
 that the rest length moves, or that an angle of both springs of the joint together takes."""
@@ -45,7 +47,8 @@ def overstrained(problem, q, tolerance):
     strength = body.strength
     for s in range(body.springs):
         force, stiffness = _force(body, state, q, s), body.stiffness[s]
-        if state.broken[s] == 0.0 and abs(force) > (1.0 + _OVER_STRENGTH) * strength.breaking[s]:
+        over = min(_OVER_STRENGTH * strength.breaking[s], _OVER_STRETCH * stiffness * tolerance)
+        if state.broken[s] == 0.0 and abs(force) > strength.breaking[s] + over:
             return True
         # Not the force, since a spring that cannot yield any further may be squeezed by any.
         over = abs(_set_by(body, state, s, force)) * (stiffness + strength.hardening[s])
