@@ -26,8 +26,8 @@ SHORTEST = 1e-9
 """Distance, px, below which the ends of a spring count as coincident: the spring would have no direction."""
 
 _valid: weakref.ref[Scene] | None = None
-"""The scene that was found valid last: a slider's new scene comes here twice, from the setting that is changed
-and from the simulation that goes on with it."""
+"""The scene that was found valid last. A slider's new scene comes here twice: from the setting, and from the
+simulation that goes on with it."""
 
 _HALF = re.compile("[\ud800-\udfff]")
 """Half of a surrogate pair: a Python string can contain one, UTF-8 cannot."""
