@@ -157,7 +157,7 @@ class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     damage: Damage | None = None
 
 
-class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, weakref=True):
     """A body, its surroundings, and how it is solved and shown.
 
     What is in it is given either by masses, springs, anchors and fillings, or by recipes: `bodies`, and

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+import weakref
 from collections.abc import Iterator
 from typing import Any, get_args, get_type_hints
 
@@ -24,6 +25,10 @@ from .types import BODY_FIELDS, FORMAT_VERSION, Pose, Scene
 SHORTEST = 1e-9
 """Distance, px, below which the ends of a spring count as coincident: the spring would have no direction."""
 
+_valid: weakref.ref[Scene] | None = None
+"""The scene that was found valid last. A slider's new scene comes here twice: from the setting, and from the
+simulation that goes on with it."""
+
 _HALF = re.compile("[\ud800-\udfff]")
 """Half of a surrogate pair: a Python string can contain one, UTF-8 cannot."""
 
@@ -35,6 +40,9 @@ def validate(scene: Scene) -> Scene:
         SceneError: one sentence that names the field, as in
             `angular_springs[3].b: spring 17 does not exist (0..10)`.
     """
+    global _valid
+    if _valid is not None and _valid() is scene:
+        return scene
     if not isinstance(scene, Scene):
         raise SceneError(f"a Scene is expected, not {type(scene).__name__}")
     try:
@@ -43,7 +51,9 @@ def validate(scene: Scene) -> Scene:
         raise SceneError(sentence(error, scene)) from None
     if converted != scene:  # a list is converted to a tuple, and a dict to a struct
         raise SceneError(difference(scene, converted))
-    return consistent(scene)
+    consistent(scene)
+    _valid = weakref.ref(scene)
+    return scene
 
 
 def consistent(scene: Scene) -> Scene:

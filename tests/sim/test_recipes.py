@@ -20,6 +20,7 @@ from sim import LinearSpring, Scene, SceneError, Simulation, validate
 from sim.analysis.equilibrium import equilibrium
 from sim.scene.files import decode_scene, encode_scene
 from sim.scene.numbers import MAX_MASSES
+from sim.scene.recipes import recipe as all_recipes
 from sim.scene.recipes.recipe import AnyRecipe
 from tests.amount import examples
 from tests.sim.inside import forces_of
@@ -70,6 +71,21 @@ def recipes(draw: st.DrawFn) -> AnyRecipe:
 
 
 # ------------------------------------------------------------------------- any numbers
+def test_one_move_of_a_slider_makes_the_body_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[object] = []
+    expanded = all_recipes._expanded
+    monkeypatch.setattr(all_recipes, "_expanded", lambda *parts: (made.append(parts), expanded(*parts))[1])
+    simulation = Simulation(sim.cloth())
+    simulation.replace(sim.set_value(simulation.scene, "linear_stiffness", 777.0))
+    assert len(made) == 2  # the cloth, and the cloth with another stiffness
+    simulation.replace(sim.set_value(simulation.scene, "gravity", 7.0))
+    assert len(made) == 2
+    link = LinearSpring(a=0, b=1, stiffness=5.0, rest_length=9.0)
+    linked = REPLACE(simulation.scene, masses=(), linear_springs=(), links=(link,))
+    assert len(made) == 3
+    assert linked.linear_springs[-1] == link
+
+
 @settings(max_examples=examples(100))
 @given(st.lists(recipes(), min_size=1, max_size=2))
 def test_recipes_in_range_make_a_valid_scene_or_one_sentence(bodies: list[AnyRecipe]) -> None:

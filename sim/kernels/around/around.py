@@ -23,4 +23,4 @@ def accelerations_around(body, state, scratch, q, v, a):
     from_forces(body, state, scratch, vx, vy, a)
     push_from_walls(body, state.inverse_mass, x, y, vx, vy, ax, ay)
     if around.air_friction > 0.0:
-        blow(body, state, x, y, vx, vy, ax, ay)
+        blow(body, state, scratch, x, y, vx, vy, ax, ay)

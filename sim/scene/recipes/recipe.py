@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import msgspec
 
 from ..numbers import MAX_MASSES, MAX_SPRINGS
@@ -22,13 +20,24 @@ AnyRecipe = (
 """The recipes that a scene's `bodies` may have."""
 
 
-def expand(bodies: Sequence[AnyRecipe], links: Sequence[LinearSpring]) -> Parts:
+def expand(bodies: tuple[AnyRecipe, ...], links: tuple[LinearSpring, ...]) -> Parts:
     """The parts of all bodies, one after the other, and the links after their springs.
 
     Raises:
         TooLarge: the bodies have too many masses or springs.
         ArithmeticError: a body's numbers make none, as a direction of (0, 0).
     """
+    global _last
+    if _last is None or _last[0] is not bodies or _last[1] is not links:
+        _last = bodies, links, _expanded(bodies, links)
+    return _last[2]
+
+
+_last: tuple[tuple[AnyRecipe, ...], tuple[LinearSpring, ...], Parts] | None = None
+"""What was expanded last, since a scene is first made and then validated."""
+
+
+def _expanded(bodies: tuple[AnyRecipe, ...], links: tuple[LinearSpring, ...]) -> Parts:
     replace = msgspec.structs.replace
     masses, linear, angular, anchors, fillings = [], [], [], [], []
     for recipe in bodies:
