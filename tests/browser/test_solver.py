@@ -49,7 +49,7 @@ def test_the_energy_is_shown_while_it_is_wanted(open_page: OpenPage) -> None:
     # It is among the commands, too.
     desk.control("Energy").blur()
     desk.page.keyboard.press("Control+k")
-    desk.page.keyboard.type("energy")
+    desk.page.get_by_placeholder("Search").fill("energy")
     desk.page.get_by_text("Energy: follow it, or stop").click()
     desk.until(lambda: desk.session.books, "books are kept again")
     desk.until(desk.control("Energy").is_checked, "and the switch shows it")
