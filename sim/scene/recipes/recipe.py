@@ -28,9 +28,10 @@ def expand(bodies: tuple[AnyRecipe, ...], links: tuple[LinearSpring, ...]) -> Pa
         ArithmeticError: a body's numbers make none, as a direction of (0, 0).
     """
     global _last
-    if _last is None or _last[0] is not bodies or _last[1] is not links:
-        _last = bodies, links, _expanded(bodies, links)
-    return _last[2]
+    last = _last  # once, since another thread may expand others meanwhile
+    if last is None or last[0] is not bodies or last[1] is not links:
+        last = _last = bodies, links, _expanded(bodies, links)
+    return last[2]
 
 
 _last: tuple[tuple[AnyRecipe, ...], tuple[LinearSpring, ...], Parts] | None = None
