@@ -112,7 +112,7 @@ class Tab:
         self._shelf_due = 0.0
         self._runaway: viser.NotificationHandle | None = None
         self._keep_due = 0.0
-        self._kept_opening = -1
+        self._kept_scene: tuple[int, str] = (-1, "")
         self._secret = secrets.token_hex(16)
         self._readouts_due = 0.0
         self._moved_at = 0.0
@@ -465,7 +465,9 @@ class Tab:
         state = (session.revision, self._looks, plots, session.simulation.time)
         # At rest only the clock goes on: that is not worth a message.
         resting = self._was_at_rest and state[:-1] == self._kept[:-1]
-        due = now >= self._keep_due or session.openings != self._kept_opening  # another scene is kept at once
+        # Another scene, and one that was saved under another name, is kept at once.
+        scene = (session.openings, session.scene.name)
+        due = now >= self._keep_due or scene != self._kept_scene
         if not due or state == self._kept or resting or session.replay is not None:
             return
         began = time.thread_time()  # that others have the processor is no reason to keep less often
@@ -474,7 +476,7 @@ class Tab:
             pasts.keep(undo, session.versions)
         self._view.keep(keeping.encode(session.keepsake(), self._looks, plots, undo))
         self._kept = state
-        self._kept_opening = session.openings
+        self._kept_scene = scene
         wait = (time.thread_time() - began) / KEEP_SHARE
         self._keep_due = now + min(max(KEEP_EVERY, wait), KEEP_LATEST)
 

@@ -189,7 +189,7 @@ def open_page(
                 desk.page.screenshot(path=ARTIFACTS / f"failed-{name}-{i}.png")
     errors: list[str] = []
     for desk in desks:
-        keep = desk in usual and len(idle) < 2 and not failed and not desk.page.is_closed()
+        keep = desk in usual and len(idle) < 2 and not (failed or desk.changed or desk.page.is_closed())
         if keep:
             desk.leave()
         errors += desk.errors

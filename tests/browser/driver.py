@@ -94,6 +94,7 @@ class Desk:
         complaints: what WebGL found wrong.
         frames: messages that the server sent, counted in WebSocket frames.
         beats: those among them that are signs of life and say nothing, counted apart.
+        changed: whether a script of a test runs before the page's own, so that no other test may have it.
     """
 
     def __init__(self, served: Served, context: BrowserContext) -> None:
@@ -103,6 +104,7 @@ class Desk:
         self.errors: list[str] = []
         self.complaints: list[str] = []
         self.frames = self.beats = 0
+        self.changed = False
         self._client = -1
         # Without it viser's page draws coarser when it is slow, and pixels would depend on the machine. The
         # gate turns a query away, so the page only believes that it has one.
@@ -128,6 +130,11 @@ class Desk:
             self.beats += 1
 
     # --------------------------------------------------------------------- opening
+    def run_first(self, script: str) -> None:
+        """Have a script run before the page's own whenever it is loaded."""
+        self.page.add_init_script(script)
+        self.changed = True
+
     def open(self, path: str = "/") -> None:
         """Go to the page (or load it again), and wait until the body is drawn and can be used."""
         known = max([*self.served.ticker.tabs, self._client])

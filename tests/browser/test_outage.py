@@ -12,6 +12,7 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from app.session import commands
+from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.conftest import DESKTOP, OpenPage, Serve
 from tests.browser.driver import Desk, Served, until
 from tests.browser.wires import Wire, wire
@@ -152,9 +153,9 @@ def test_a_server_that_stands_still_is_noticed_and_taken_up_again(browser: Brows
 
 STALL = """
   const Real = CompressionStream;
+  const goesOn = new Promise(goOn => (window.goOn = goOn));
   CompressionStream = class {
     constructor(format) {
-      const goesOn = new Promise(goOn => (window.goOn = goOn));
       const waits = new TransformStream({ transform: (part, to) => goesOn.then(() => to.enqueue(part)) });
       return { writable: waits.writable, readable: waits.readable.pipeThrough(new Real(format)) };
     }
@@ -171,7 +172,7 @@ def test_what_a_page_has_kept_is_not_lost_before_the_server_has_it(open_page: Op
 
     desk.tell(commands.SetValue("gravity", 912.0))
     desk.until(lambda: keeps(912), "the page keeps it")
-    desk.page.add_init_script(STALL)
+    desk.run_first(STALL)
     desk.open()
     desk.until(lambda: desk.tab._kept, "the server has its new session kept")
     desk.rest(5)
@@ -180,3 +181,20 @@ def test_what_a_page_has_kept_is_not_lost_before_the_server_has_it(open_page: Op
     desk.until(lambda: desk.session.scene.gravity == (0.0, 912.0), "the server goes on with it")
     desk.tell(commands.SetValue("gravity", 834.0))
     desk.until(lambda: keeps(834), "the page keeps what comes after it")
+
+
+def test_what_was_lost_with_a_panel_is_given_to_the_next(open_page: OpenPage) -> None:
+    desk = open_page(size=(720, 460))
+    desk.tell(commands.SetValue("gravity", 913.0))
+    desk.until(
+        lambda: desk.page.evaluate("sessionStorage.getItem('softrod')?.includes('913.0')"), "it is kept"
+    )
+    desk.run_first(STALL)
+    desk.open()
+    with FRAME_LOCK:
+        channel = desk.tab._panel.channel
+        channel._impl.update_cb.clear()
+        desk.page.evaluate("window.goOn()")
+        desk.until(lambda: "|resume|" in channel.value, "it comes to a panel that is about to go")
+        desk.tab._has_lesson, desk.tab._generation = True, -1
+    desk.until(lambda: desk.session.scene.gravity == (0.0, 913.0), "the server goes on with it")

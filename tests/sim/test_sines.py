@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numba
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from sim.kernels.core.jit import FAST
@@ -27,11 +27,13 @@ def fast_sine(angle: float) -> float:
 both = pytest.mark.parametrize("sines", [sine, fast_sine], ids=["IEEE", "fast"])
 
 
+# The first example needs the most where the processor rounds products before it subtracts them.
 @both
+@example(278580043565617.0)
 @settings(derandomize=True, database=None)
 @given(st.one_of(st.floats(-10.0, 10.0), st.floats(-1e15, 1e15)))
-def test_it_is_off_by_less_than_its_angle_is_rounded(sines: Callable[[float], float], angle: float) -> None:
-    assert abs(sines(angle) - np.sin(angle)) <= 4e-16 + 0.5 * np.spacing(abs(angle))
+def test_it_is_off_by_less_than_the_next_angle(sines: Callable[[float], float], angle: float) -> None:
+    assert abs(sines(angle) - np.sin(angle)) <= 4e-16 + np.spacing(abs(angle))
 
 
 @both

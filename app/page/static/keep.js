@@ -12,11 +12,8 @@ const NAME = "softrod";
 /** The scene that the page's address asked for. */
 const ASKED = "softrod-asked";
 
-/** What the next connection is to be given, if anything: what was kept before this page began to be kept. */
+/** What the server is to be given, if anything, until it says that it has it: what was kept before. */
 let due = kept(NAME);
-
-/** Whether it is on its way to the server, which may take its time. */
-let giving = false;
 
 /** The connection is lost: the next one is to be given what is kept now. */
 export const lost = () => (due = kept(NAME));
@@ -39,7 +36,7 @@ export function keepOnlyOf(asked) {
 
 /** Keeps what the server said, unless that knows nothing yet of what was kept before. @param {Uint8Array} data JSON */
 export function keep(data) {
-  if (!due && !giving) store(NAME, new TextDecoder().decode(data));
+  if (!due) store(NAME, new TextDecoder().decode(data));
 }
 
 /** Compressed, as letters that a message can carry. @param {string} text */
@@ -51,19 +48,24 @@ async function packed(text) {
   return btoa(letters);
 }
 
-/** Gives it back to each new connection, and then calls back. @param {() => void} then */
+/**
+ * Gives it to each new connection, and to each new panel until the server has it, and then calls back.
+ *
+ * @param {() => void} then
+ */
 export function resume(then) {
   /** @type {string | undefined} */
   let channel;
-  onMail("resumed", () => (giving = false));
+  onMail("resumed", () => (due = null));
   onTold(async () => {
     if (told().channel === channel) return;
-    channel = told().channel;
-    if (!channel) return;
-    const text = due;
-    due = null;
-    giving = Boolean(text);
-    if (text) giving = sendParts("resume", await packed(text));
+    const mine = (channel = told().channel);
+    if (!mine) return;
+    if (due) {
+      const letters = await packed(due);
+      if (mine !== channel) return; // it is given to the next one
+      if (due && !sendParts("resume", letters)) due = null;
+    }
     then();
   });
 }
