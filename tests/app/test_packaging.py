@@ -53,7 +53,8 @@ def test_the_wheel_has_everything_that_runs(wheel: Path) -> None:
         "app/py.typed",
         "app/page/static/main.js",
         "app/page/static/page.css",
-        "app/bench/fused.c",
+        "studies/bench/fused.c",
+        "studies/py.typed",
     } <= names
     assert not any(name.startswith("tests/") for name in names)
     metadata = next(name for name in names if name.endswith("METADATA"))
