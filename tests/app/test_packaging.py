@@ -53,6 +53,7 @@ def test_the_wheel_has_everything_that_runs(wheel: Path) -> None:
         "app/py.typed",
         "app/page/static/main.js",
         "app/page/static/page.css",
+        "app/export/body/templates/program.c",
         "studies/bench/fused.c",
         "studies/py.typed",
     } <= names
