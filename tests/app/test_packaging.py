@@ -51,6 +51,7 @@ def test_the_wheel_has_everything_that_runs(wheel: Path) -> None:
     assert {
         "sim/py.typed",
         "app/py.typed",
+        "app/drawing/static/draw.js",
         "app/page/static/main.js",
         "app/page/static/page.css",
         "app/export/body/templates/program.c",

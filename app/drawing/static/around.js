@@ -3,8 +3,11 @@
  * What surrounds and fills a body, as outlines on the screen: arithmetic only, without a page.
  *
  * @typedef {import("./plan.js").Plan} Plan
- * @typedef {import("./screen.js").Screen} Screen
- * @typedef {import("./edge.js").Box} Box
+ * @typedef {object} Screen pixels of the window = origin + step * world
+ * @property {number} x
+ * @property {number} y
+ * @property {number} step pixels of a unit of the world; y of the screen grows downwards
+ * @typedef {{left: number, right: number, top: number, bottom: number}} Box pixels of the window
  * @typedef {{x: number, y: number}} Point pixels of the window
  */
 
