@@ -7,7 +7,6 @@ import threading
 import pytest
 
 import sim
-from app.bench.tabs import cloth
 from app.page.tab import Tab
 from app.server.ticker import LONGEST_FRAME, next_frame
 from app.session import commands
@@ -16,6 +15,7 @@ from app.session.session import FRAME, Session
 from app.wire.from_page import Perform, Switch
 from app.wire.to_page import PageState
 from sim.motion.solver import SolverStats
+from studies.bench.tabs import cloth
 from tests.app.test_serving import Stage, eventually, say, session_of, stage  # noqa: F401
 
 

@@ -18,7 +18,6 @@ import viser
 from rich.console import Console
 
 import sim
-from app.bench.client import Page
 from app.gate.gate import open_server
 from app.page import keeping, owner
 from app.page import tab as tab_module
@@ -34,6 +33,7 @@ from app.wire.from_page import FromPage, OpenScene, Part, Perform, Switch
 from app.wire.to_page import Hud
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.scene.link import pack_scene
+from studies.bench.client import Page
 
 PATIENCE = 30.0
 

@@ -7,7 +7,7 @@ import { onPicture, shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
 import { choose, chosenMass } from "./overlay.js";
 import { freeHand, freshHand, handAt } from "./hands.js";
-import { rounded } from "./screen.js";
+import { wireNumber } from "./screen.js";
 
 /** How far an arrow moves a mass, in units of the world: a hundredth of the scene's frame. */
 const STEP = 0.06;
@@ -85,7 +85,7 @@ export function addBodyKeys() {
       else if (at && (number = freshHand()) >= 0) {
         hand = at;
         const mass = chosenMass();
-        send({ do: "grab", hand: number, mass, x: rounded(at.x), y: rounded(at.y) });
+        send({ do: "grab", hand: number, mass, x: wireNumber(at.x), y: wireNumber(at.y) });
         send({ do: "pick", mass });
         say(`${name()} in hand. Arrows move it`);
       }

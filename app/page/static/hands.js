@@ -2,7 +2,7 @@
 /**
  * The hands that hold masses, by number: one for each pointer that drags, and one for the keys. The server knows as many.
  */
-import { rounded } from "./screen.js";
+import { wireNumber } from "./screen.js";
 
 const MOST = 10;
 /** @type {Set<number>} */
@@ -30,4 +30,4 @@ export const areFree = () => busy.size === 0;
  * @param {number} number of the hand @param {{x: number, y: number}} point of the world
  * @returns {[number, number, number]}
  */
-export const handAt = (number, { x, y }) => [number, rounded(x), rounded(y)];
+export const handAt = (number, { x, y }) => [number, wireNumber(x), wireNumber(y)];

@@ -7,7 +7,7 @@ import { shown } from "./canvas.js";
 import { send, told } from "./channel.js";
 import { editing } from "./editing.js";
 import { areFree, freeHand, freshHand, handAt } from "./hands.js";
-import { nearest, onScreen, rounded, screen, worldAt } from "./screen.js";
+import { nearest, onScreen, wireNumber, screen, worldAt } from "./screen.js";
 import { viser } from "./viser.js";
 
 /** Pixels from a mass within which it is taken hold of. */
@@ -104,7 +104,7 @@ function press(event) {
   event.stopImmediatePropagation();
   canvas.setPointerCapture(event.pointerId);
   holds.set(event.pointerId, { mass, hand, start: place, at: place, moved: false, told: true });
-  send({ do: "grab", hand, mass, x: rounded(point.x), y: rounded(point.y) });
+  send({ do: "grab", hand, mass, x: wireNumber(point.x), y: wireNumber(point.y) });
 }
 
 /** @param {PointerEvent} event */
