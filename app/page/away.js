@@ -3,8 +3,8 @@
  * While there is no connection: the page says so, its clock stands, what was under way ends, and nothing that is
  * pressed is done, neither now nor late.
  */
-import { hangUp } from "./channel.js";
-import { lost } from "./keep.js";
+import { hangUp } from "../wire/channel.js";
+import { lost } from "./files/keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
 /** Where nothing says why the first connection does not come about. */
@@ -48,7 +48,7 @@ const endAll = () => window.dispatchEvent(new Event("blur"));
 /**
  * Begins to mind it, before anything else listens to the window.
  *
- * @returns {(line: import("./connection.js").Line) => void} to be told how the connection is
+ * @returns {(line: import("./viser/connection.js").Line) => void} to be told how the connection is
  */
 export function mindAbsence() {
   for (const kind of BEGINNINGS) window.addEventListener(kind, swallow, { capture: true, passive: false });

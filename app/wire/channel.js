@@ -5,7 +5,7 @@
  *
  * @typedef {import("./wire.js").Told} Told
  */
-import { viser } from "./viser.js";
+import { viser } from "../page/viser/viser.js";
 
 /** The name of that kind. */
 const CARRIER = "SoftrodMessage";
@@ -34,7 +34,7 @@ export function onTold(kind, reader) {
 /**
  * Takes what the server tells out of a message.
  *
- * @param {import("./viser.js").Message} message
+ * @param {import("../page/viser/viser.js").Message} message
  * @returns {boolean} whether it was for the script
  */
 export function hear({ type, text }) {

@@ -1,13 +1,13 @@
 // @ts-check
 /** Does a command of the table, whether it is the server's or the page's own. */
-import { fit } from "./camera.js";
+import { fit } from "../page/body/camera.js";
 import { has, onTold, send } from "./channel.js";
 import { COMMANDS } from "./commands.js";
-import { editing, setEditing } from "./editing.js";
-import { openGallery } from "./gallery.js";
-import { toggleProjector } from "./looks.js";
-import { takePicture } from "./picture.js";
-import { openShareDialog } from "./share.js";
+import { editing, setEditing } from "../page/edit/editing.js";
+import { openGallery } from "../page/scenes/gallery.js";
+import { toggleProjector } from "../page/looks/looks.js";
+import { takePicture } from "../page/files/picture.js";
+import { openShareDialog } from "../page/files/share.js";
 
 /** @typedef {import("./wire.js").CommandName} CommandName */
 

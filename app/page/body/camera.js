@@ -1,11 +1,11 @@
 // @ts-check
 /** The camera: seen from the front, moved and zoomed but never turned. */
 import { shown } from "./canvas.js";
-import { onTold, told } from "./channel.js";
+import { onTold, told } from "../../wire/channel.js";
 import { toWorld } from "../../drawing/static/draw.js";
-import { editing } from "./editing.js";
-import { placeTransport } from "./transport.js";
-import { viser } from "./viser.js";
+import { editing } from "../edit/editing.js";
+import { placeTransport } from "../time/transport.js";
+import { viser } from "../viser/viser.js";
 
 /** Room around the scene's frame. */
 const MARGIN = 1.04;
@@ -41,7 +41,7 @@ export const fitted = () => fits;
 /** Calls back after every fit. @param {() => void} listener */
 export const onFit = (listener) => listeners.push(listener);
 
-/** @param {import("./viser.js").Controls} controls */
+/** @param {import("../viser/viser.js").Controls} controls */
 function flatten(controls) {
   const { ACTION } = controls.constructor;
   controls.minAzimuthAngle = controls.maxAzimuthAngle = controls.azimuthAngle;

@@ -3,15 +3,15 @@
  * Draws the body: takes the plan, the frames and the damage out of viser's queue, and puts in what they mean for its
  * nodes.
  *
- * @typedef {import("./viser.js").Message} Message
- * @typedef {import("./viser.js").Viser} Viser
+ * @typedef {import("../viser/viser.js").Message} Message
+ * @typedef {import("../viser/viser.js").Viser} Viser
  * @typedef {import("../../drawing/static/plan.js").Plan} Plan
  * @typedef {import("../../drawing/static/plan.js").Frame} Frame
  * @typedef {import("../../drawing/static/draw.js").Instances} Instances
  */
 import * as draw from "../../drawing/static/draw.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "../../drawing/static/plan.js";
-import { hear } from "./channel.js";
+import { hear } from "../../wire/channel.js";
 import { Glide } from "./glide.js";
 
 const PLAN = "/softrod/plan";

@@ -2,11 +2,11 @@
 /** Thin marks over the body: the joint that is read out, the mass that is chosen, and a scale bar. */
 import { onFit } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
-import { onTold, told } from "./channel.js";
+import { onTold, told } from "../../wire/channel.js";
 import { wrapped } from "../../drawing/static/draw.js";
 import { addEdgeArrow } from "./edge.js";
 import { onScreen, screen } from "./screen.js";
-import { viser } from "./viser.js";
+import { viser } from "../viser/viser.js";
 
 /**
  * @typedef {import("../../drawing/static/plan.js").Plan} Plan

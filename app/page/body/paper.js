@@ -3,10 +3,10 @@
  * On paper: the scene's title and the time over the body, and below it the step of the lesson and the plots that are open.
  * looks.css leaves out everything else.
  */
-import { told } from "./channel.js";
-import { make } from "./dialog.js";
+import { told } from "../../wire/channel.js";
+import { make } from "../looks/dialog.js";
 import { frameMarks } from "./overlay.js";
-import { timeNow } from "./transport.js";
+import { timeNow } from "../time/transport.js";
 
 /** The words of the lesson's present step, but none of its buttons. */
 function lessonWords() {

@@ -1,6 +1,6 @@
 // @ts-check
 /** Between the scene, the page's world and the screen: the camera looks straight at the plane z = 0. */
-import { viser } from "./viser.js";
+import { viser } from "../viser/viser.js";
 
 /** @typedef {import("../../drawing/static/around.js").Screen} Screen */
 

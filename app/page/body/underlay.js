@@ -4,10 +4,10 @@
  */
 import { moving, standing, streaks } from "../../drawing/static/around.js";
 import { onPicture, shown } from "./canvas.js";
-import { onTold, told } from "./channel.js";
+import { onTold, told } from "../../wire/channel.js";
 import { SVG, sight } from "./overlay.js";
-import { timeNow } from "./transport.js";
-import { viser } from "./viser.js";
+import { timeNow } from "../time/transport.js";
+import { viser } from "../viser/viser.js";
 
 /** Milliseconds between two pictures of the wind around a body at rest, of which no frames come. */
 const DRIFT_EVERY = 40;

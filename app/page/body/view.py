@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 
 from sim import Scene
 
-from ..drawing.colors import palette
-from ..drawing.plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
-from ..drawing.shapes import meshes
-from ..drawing.sketch import Z_GIZMO, Floats, Sketch
-from ..session.session import Session
+from ...drawing.colors import palette
+from ...drawing.plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
+from ...drawing.shapes import meshes
+from ...drawing.sketch import Z_GIZMO, Floats, Sketch
+from ...session.session import Session
 
 STILL = 0.1
 """Movement (in pixels of a 600 pixel high frame) below which a picture counts as unchanged."""
@@ -30,7 +30,7 @@ MAX_GIZMOS = 12
 
 PLAN, FRAME = "/softrod/plan", "/softrod/frame"
 DAMAGE = "/softrod/damage"
-"""Nodes that only carry arrays to the page's script (static/canvas.js)."""
+"""Nodes that only carry arrays to the page's script (canvas.js)."""
 
 # Ambient light only and no shadows: every mesh shows its own colour, and software rendering is twice as fast.
 _FLAT: dict[str, Any] = {"material": "toon3", "lod": "off", "cast_shadow": False, "receive_shadow": False}

@@ -3,11 +3,11 @@
  * Copying parts of a body and pasting them, also into another tab: by the clipboard where the browser lets a page have
  * it, and by the storage that the tabs of one server share.
  */
-import { onTold, send } from "./channel.js";
+import { onTold, send } from "../../wire/channel.js";
 import { editing } from "./editing.js";
-import { sendParts } from "./links.js";
-import { sight } from "./overlay.js";
-import { worldAt } from "./screen.js";
+import { sendParts } from "../files/links.js";
+import { sight } from "../body/overlay.js";
+import { worldAt } from "../body/screen.js";
 
 const STORED = "softrod-clipboard";
 const BEGINS = '{"type":"softrod-fragment"';

@@ -3,21 +3,21 @@
  * Building and changing the body by the pointer. The page finds what is under the pointer and draws what is under way,
  * so that nothing lags; the server makes the edit.
  */
-import { onPicture, shown } from "./canvas.js";
-import { onTold, send, told } from "./channel.js";
+import { onPicture, shown } from "../body/canvas.js";
+import { onTold, send, told } from "../../wire/channel.js";
 import {
   CORNER, directionTo, distanceTo, isNothing, isSelected, partAt, REACH, snapped, turnable, within, world,
 } from "./edit_places.js";
 import { change, countSelected, editing, giveUp } from "./editing.js";
 import { directionAt, restAt, restDirection } from "./joint_rest.js";
-import { swallow } from "./keys.js";
+import { swallow } from "../hands/keys.js";
 import { moveSelected } from "./move.js";
-import { sight } from "./overlay.js";
+import { sight } from "../body/overlay.js";
 import * as pick from "./pick.js";
-import { massAt } from "./pointer.js";
-import { nearest } from "./screen.js";
-import { perform } from "./perform.js";
-import { viser } from "./viser.js";
+import { massAt } from "../hands/pointer.js";
+import { nearest } from "../body/screen.js";
+import { perform } from "../../wire/perform.js";
+import { viser } from "../viser/viser.js";
 
 /**
  * @typedef {import("./pick.js").Place} Place

@@ -3,17 +3,17 @@
  * Editing by keys: the tools' letters, undo and redo everywhere, and on the body itself, which the Tab key reaches, all
  * that the pointer can do.
  */
-import { shown } from "./canvas.js";
-import { send } from "./channel.js";
+import { shown } from "../body/canvas.js";
+import { send } from "../../wire/channel.js";
 import { pasteHere, toClipboard } from "./clipboard.js";
 import { line, stepBack } from "./edit.js";
 import { step } from "./edit_places.js";
 import { change, countSelected, editing, giveUp, isEditable, isTool, setTool } from "./editing.js";
-import { commandOf } from "./key_table.js";
-import { isFree, swallow } from "./keys.js";
+import { commandOf } from "../hands/key_table.js";
+import { isFree, swallow } from "../hands/keys.js";
 import { moveSelected } from "./move.js";
-import { chosenMass, sight } from "./overlay.js";
-import { massAt } from "./pointer.js";
+import { chosenMass, sight } from "../body/overlay.js";
+import { massAt } from "../hands/pointer.js";
 
 /** @type {Record<string, [number, number]>} */
 const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };

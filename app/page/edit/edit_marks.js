@@ -1,16 +1,16 @@
 // @ts-check
 /** What is drawn of an edit: what is selected, and what the pointer is doing. */
-import { shown } from "./canvas.js";
+import { shown } from "../body/canvas.js";
 import { CORNER, partAt, snapped, turnable } from "./edit_places.js";
 import { editing, onEditing } from "./editing.js";
 import { wrapped } from "../../drawing/static/draw.js";
 import { restAt, restDirection } from "./joint_rest.js";
-import { degrees, onSight, putUp, sight, SVG } from "./overlay.js";
+import { degrees, onSight, putUp, sight, SVG } from "../body/overlay.js";
 import { armsOf, cornersOf, crossed, turnTo } from "./pick.js";
-import { massAt } from "./pointer.js";
+import { massAt } from "../hands/pointer.js";
 
 /**
- * @typedef {import("./overlay.js").Sight} Sight
+ * @typedef {import("../body/overlay.js").Sight} Sight
  * @typedef {import("./pick.js").Place} Place
  */
 

@@ -1,13 +1,13 @@
 // @ts-check
 /** Where things are for an edit: what is under the pointer, the nearest crossing of the grid, directions and distances. */
 import { gridStep } from "../../drawing/static/around.js";
-import { shown } from "./canvas.js";
-import { told } from "./channel.js";
+import { shown } from "../body/canvas.js";
+import { told } from "../../wire/channel.js";
 import { editing } from "./editing.js";
-import { sight } from "./overlay.js";
+import { sight } from "../body/overlay.js";
 import { jointAt, rounded, springAt } from "./pick.js";
-import { massAt } from "./pointer.js";
-import { worldAt } from "./screen.js";
+import { massAt } from "../hands/pointer.js";
+import { worldAt } from "../body/screen.js";
 
 /**
  * @typedef {import("./pick.js").Place} Place

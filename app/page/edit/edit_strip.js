@@ -1,21 +1,21 @@
 // @ts-check
 /** The tools at the left of the canvas, undo and redo, and what can be done to what is selected. */
-import { onTold, send } from "./channel.js";
+import { onTold, send } from "../../wire/channel.js";
 import { toClipboard, pasteHere } from "./clipboard.js";
-import { COMMANDS } from "./commands.js";
-import { make, makeButton } from "./dialog.js";
+import { COMMANDS } from "../../wire/commands.js";
+import { make, makeButton } from "../looks/dialog.js";
 import { stepBack } from "./edit.js";
 import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
-import { withKey } from "./key_table.js";
-import { hasWords, larger } from "./looks.js";
+import { withKey } from "../hands/key_table.js";
+import { hasWords, larger } from "../looks/looks.js";
 import { setTakesNew, takesNew } from "./move.js";
-import { onSight } from "./overlay.js";
-import { perform } from "./perform.js";
-import { viser } from "./viser.js";
+import { onSight } from "../body/overlay.js";
+import { perform } from "../../wire/perform.js";
+import { viser } from "../viser/viser.js";
 
 /** @type {import("./editing.js").Tool[]} */
 const TOOLS = ["hand", "build", "joint", "select", "cut"];
-/** What can be done to what is selected. @type {import("./wire.js").Act["what"][]} */
+/** What can be done to what is selected. @type {import("../../wire/wire.js").Act["what"][]} */
 const ACTIONS = ["pin", "remove", "duplicate", "mirror"];
 /** Also without a selection: then for the whole body. @type {typeof ACTIONS} */
 const ALWAYS = ["corners", "triangulate", "rest"];
@@ -35,7 +35,7 @@ function taken(name) {
   return width ? width + GAP : 0;
 }
 
-/** @param {import("./wire.js").CommandName} name @param {() => void} press */
+/** @param {import("../../wire/wire.js").CommandName} name @param {() => void} press */
 function iconButton(name, press) {
   const { icon, word, label, hint } = COMMANDS[name];
   const button = makeButton("", press, "");
@@ -65,7 +65,7 @@ export function addEditStrip(tracing) {
   bar.setAttribute("role", "toolbar");
   bar.ariaLabel = "What is selected";
   const count = make("span", "softrod-edit-count");
-  /** @param {import("./wire.js").Act["what"]} what */
+  /** @param {import("../../wire/wire.js").Act["what"]} what */
   const actionButton = (what) => {
     const { label, hint = "" } = COMMANDS[what];
     const button = makeButton(label, () => send({ do: "act", what }), "");

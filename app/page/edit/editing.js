@@ -13,7 +13,7 @@
  * @typedef {{kind: "turn", joint: number, angle: number}} Turn degrees
  * @typedef {Line | Marquee | Move | Stroke | Turn} Drag
  */
-import { has } from "./channel.js";
+import { has } from "../../wire/channel.js";
 
 export const editing = {
   /** Whether the tools are out. */

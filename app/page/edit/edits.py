@@ -17,12 +17,12 @@ from sim.edit.values import number, set_number, take_as_rest
 from sim.errors import SceneError, SettingError
 from sim.scene.numbers import Vector
 
-from ..drawing.sketch import Mapping
-from ..session import commands
-from ..session.session import Notice, Session
-from ..wire import from_page as asks
-from ..wire.carrier import Mail
-from ..wire.to_page import Copied, Selected, TextsTaken, Versions
+from ...drawing.sketch import Mapping
+from ...session import commands
+from ...session.session import Notice, Session
+from ...wire import from_page as asks
+from ...wire.carrier import Mail
+from ...wire.to_page import Copied, Selected, TextsTaken, Versions
 
 ASIDE = 0.3
 """By how much a copy lies to the right and below of what it was made of, in the page's world."""

@@ -1,9 +1,9 @@
 // @ts-check
 /** Moving what is selected: whether its springs rest as they are then is asked once, and the tab remembers. */
-import { onTold, send, told } from "./channel.js";
-import { make, makeButton, makeDialog } from "./dialog.js";
+import { onTold, send, told } from "../../wire/channel.js";
+import { make, makeButton, makeDialog } from "../looks/dialog.js";
 import { change } from "./editing.js";
-import { kept, store } from "./storage.js";
+import { kept, store } from "../files/storage.js";
 
 const STORED = "softrod-moved-rest";
 

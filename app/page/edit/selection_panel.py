@@ -28,10 +28,10 @@ from sim.edit.values import (
     values_of,
 )
 
-from ..session import commands
-from ..session.notices import Notice
-from ..session.session import Session
-from .slider_box import DECIMALS, TOUCHED, Limits, alike, rounded
+from ...session import commands
+from ...session.notices import Notice
+from ...session.session import Session
+from ..viser.slider_box import DECIMALS, TOUCHED, Limits, alike, rounded
 
 EVERY = 0.1
 """Seconds between two looks at the numbers; held arrow keys change some of them all the time."""

@@ -6,14 +6,14 @@
  * @typedef {{data: string, x: number, y: number, width: number, ratio: number, opacity: number}} Picture
  *   its address, the middle and the width in the world, height over width, and how opaque it is
  */
-import { make, makeButton } from "./dialog.js";
+import { make, makeButton } from "../looks/dialog.js";
 import { editing, onEditing } from "./editing.js";
-import { isFree, swallow } from "./keys.js";
-import { SVG } from "./overlay.js";
-import { screen } from "./screen.js";
-import { kept, store } from "./storage.js";
-import { onUnderlay } from "./underlay.js";
-import { viser } from "./viser.js";
+import { isFree, swallow } from "../hands/keys.js";
+import { SVG } from "../body/overlay.js";
+import { screen } from "../body/screen.js";
+import { kept, store } from "../files/storage.js";
+import { onUnderlay } from "../body/underlay.js";
+import { viser } from "../viser/viser.js";
 
 const STORED = "softrod-picture";
 /** Pixels of the longer side that are kept: the storage has room for some megabytes. */

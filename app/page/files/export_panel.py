@@ -16,11 +16,11 @@ import viser
 import sim
 from sim.errors import InputError
 
-from ..export.clip import Clip, Shot
-from ..export.workshop import Breath, workshop
-from ..session.notices import Notice
-from ..session.session import Session
-from .comma_switch import CommaSwitch
+from ...export.clip import Clip, Shot
+from ...export.workshop import Breath, workshop
+from ...session.notices import Notice
+from ...session.session import Session
+from ..viser.comma_switch import CommaSwitch
 
 SECONDS = (1, 20)
 """Of a film or a replay that a page can have."""
@@ -162,21 +162,21 @@ class ExportPanel:
         return Clip((Shot.of(moment, ghost) for moment, ghost in moments), seconds)
 
     def _gif(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
-        from ..export import film  # as the others: what a page can do without does not delay its start
+        from ...export import film  # as the others: what a page can do without does not delay its start
 
         return "gif", film.gif(self._clip(), dark=self._is_dark(), progress=tell)
 
     def _replay(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
-        from ..export import replay
+        from ...export import replay
 
         clip = self._clip()
         tell(0.3)
         return "html", replay.replay_html(clip)
 
     def _body(self, kind: str, tell: Callable[[float], None]) -> tuple[str, bytes]:
-        from ..export.body.body import Body
-        from ..export.body.data import body_csv, body_json
-        from ..export.body.program import c_program, python_program
+        from ...export.body.body import Body
+        from ...export.body.data import body_csv, body_json
+        from ...export.body.program import c_program, python_program
 
         body = Body.of(self._moment())
         tell(0.3)
@@ -190,7 +190,7 @@ class ExportPanel:
         return "py" if kind == _PYTHON else "c", data
 
     def _model(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
-        from ..export.model import glb
+        from ...export.model import glb
 
         shot = Shot.of(self._moment())
         tell(0.3)

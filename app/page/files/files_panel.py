@@ -18,9 +18,9 @@ from sim.errors import InputError, SceneError
 from sim.scene import files
 from sim.scene.places import as_utf8
 
-from ..session import commands, log
-from ..session.session import Notice, Session
-from .shelf import Shelf
+from ...session import commands, log
+from ...session.session import Notice, Session
+from ..scenes.shelf import Shelf
 
 ABOUT_LOGS = (
     '<div class="softrod-text">A log is all that was done since the start or the last reset; opened as a '

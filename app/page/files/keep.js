@@ -3,7 +3,7 @@
  * What survives a reload, a lost connection and a restart of the server: the tab's own storage keeps what the
  * server says of the session now and then, and every new connection gets it back.
  */
-import { onTold, told } from "./channel.js";
+import { onTold, told } from "../../wire/channel.js";
 import { sendParts } from "./links.js";
 import { kept, store } from "./storage.js";
 

@@ -10,7 +10,7 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta
 
-from ..session.plots import Wish
+from ...session.plots import Wish
 
 MOST_BYTES = 8_000_000
 """Of what a page gives back, unpacked: a scene of the largest size, and what belongs to it."""

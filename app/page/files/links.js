@@ -3,7 +3,7 @@
  * Links that hold a scene after their #. A browser keeps that to itself, so it is sent to the server here. Nothing in
  * it is read in the page, and the address is given back without it: a reload then goes on with what is kept.
  */
-import { send, told } from "./channel.js";
+import { send, told } from "../../wire/channel.js";
 
 /** The end of such a link's path; the page itself may be in a folder. */
 const PATH = /\/s$/;

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import threading
 
-from ..session.versions import Versions
+from ...session.versions import Versions
 
 MOST_PAGES, MOST_BYTES = 64, 128_000_000
 """Pages of which it is kept at most, and what all of it may take; the newest always is."""

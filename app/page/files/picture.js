@@ -6,13 +6,13 @@
  * Every SVG and canvas element belongs to it whose class begins with `softrod-`, unless it is a part of a button or of
  * the panel.
  *
- * @typedef {import("./viser.js").Renderer} Renderer
+ * @typedef {import("../viser/viser.js").Renderer} Renderer
  */
-import { hold } from "./canvas.js";
-import { told } from "./channel.js";
-import { SVG } from "./overlay.js";
-import { timeNow } from "./transport.js";
-import { viser } from "./viser.js";
+import { hold } from "../body/canvas.js";
+import { told } from "../../wire/channel.js";
+import { SVG } from "../body/overlay.js";
+import { timeNow } from "../time/transport.js";
+import { viser } from "../viser/viser.js";
 
 /** Pixels of a picture for a pixel of the page, at least. */
 const FINE = 2;
@@ -32,7 +32,7 @@ const STYLES = [
   "transform-origin", "transform-box", "mix-blend-mode",
 ];
 
-/** Once viser has drawn. @returns {Promise<[Renderer, import("./viser.js").Scene, unknown]>} */
+/** Once viser has drawn. @returns {Promise<[Renderer, import("../viser/viser.js").Scene, unknown]>} */
 function drawn() {
   const { scene, requestRender } = viser() ?? {};
   if (!scene) return Promise.reject(new Error("there is no scene"));

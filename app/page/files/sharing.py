@@ -13,12 +13,12 @@ from sim.scene.link import PATH, pack_scene
 from sim.scene.types import Scene
 from sim.settings import settings_of
 
-from ..linking import short_address
-from ..session.session import Notice, Session
-from ..wire.carrier import Mail
-from ..wire.from_page import Share
-from ..wire.to_page import Link
-from .panel import foremost
+from ...linking import short_address
+from ...session.session import Notice, Session
+from ...wire.carrier import Mail
+from ...wire.from_page import Share
+from ...wire.to_page import Link
+from ..panel import foremost
 
 MOST_IN_QR = 1200
 """Characters of the longest link that gets a QR code; the squares of a longer one are too small for a camera

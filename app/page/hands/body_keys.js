@@ -3,11 +3,11 @@
  * The body by keys alone, for those who have no pointer: a stop of the Tab key over the canvas. There the arrows
  * choose a mass, Space takes hold of it and lets go, and the arrows then move it. A live region says what happened.
  */
-import { onPicture, shown } from "./canvas.js";
-import { onTold, send, told } from "./channel.js";
-import { choose, chosenMass } from "./overlay.js";
+import { onPicture, shown } from "../body/canvas.js";
+import { onTold, send, told } from "../../wire/channel.js";
+import { choose, chosenMass } from "../body/overlay.js";
 import { freeHand, freshHand, handAt } from "./hands.js";
-import { wireNumber } from "./screen.js";
+import { wireNumber } from "../body/screen.js";
 
 /** How far an arrow moves a mass, in units of the world: a hundredth of the scene's frame. */
 const STEP = 0.06;

@@ -2,7 +2,7 @@
 /**
  * The hands that hold masses, by number: one for each pointer that drags, and one for the keys. The server knows as many.
  */
-import { wireNumber } from "./screen.js";
+import { wireNumber } from "../body/screen.js";
 
 const MOST = 10;
 /** @type {Set<number>} */

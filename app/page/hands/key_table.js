@@ -3,9 +3,9 @@
  * The page's keys, by what is printed on them: letters stand in other places on Dvorak and AZERTY keyboards, and a key is
  * looked for by its letter.
  *
- * @typedef {import("./wire.js").CommandName} CommandName
+ * @typedef {import("../../wire/wire.js").CommandName} CommandName
  */
-import { COMMANDS } from "./commands.js";
+import { COMMANDS } from "../../wire/commands.js";
 
 /** What the places of keys have on them on an American keyboard. @type {Record<string, string>} */
 const PLACES = { Space: " ", Comma: ",", Period: "." };
@@ -22,7 +22,7 @@ export function printed({ key, code }) {
   return PLACES[code] ?? (/^(?:Key([A-Z])|Digit(\d))$/.test(code) ? code.slice(-1).toLowerCase() : key);
 }
 
-const rows = /** @type {[CommandName, import("./commands.js").Row][]} */ (Object.entries(COMMANDS));
+const rows = /** @type {[CommandName, import("../../wire/commands.js").Row][]} */ (Object.entries(COMMANDS));
 
 /**
  * The command that a key gives, with Ctrl or without; with Shift it may be another one.

@@ -1,11 +1,11 @@
 // @ts-check
 /** Keys and the arrow pad: what is held, and what is pressed once. */
-import { onTold, send, told } from "./channel.js";
+import { onTold, send, told } from "../../wire/channel.js";
 import { commandOf } from "./key_table.js";
-import { perform } from "./perform.js";
-import { nextStep } from "./transport.js";
+import { perform } from "../../wire/perform.js";
+import { nextStep } from "../time/transport.js";
 
-/** @typedef {import("./wire.js").Keys["held"][number]} Key */
+/** @typedef {import("../../wire/wire.js").Keys["held"][number]} Key */
 /** @type {Record<string, Key>} */
 const ARROWS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right" };
 /** What Space presses, once it was reached by keys. */

@@ -3,12 +3,12 @@
  * Taking hold of masses with a mouse, pens and fingers, each with a mass of its own. Where the pointers are in the scene is
  * told to the server at every animation frame while it matters.
  */
-import { shown } from "./canvas.js";
-import { send, told } from "./channel.js";
-import { editing } from "./editing.js";
+import { shown } from "../body/canvas.js";
+import { send, told } from "../../wire/channel.js";
+import { editing } from "../edit/editing.js";
 import { areFree, freeHand, freshHand, handAt } from "./hands.js";
-import { nearest, onScreen, wireNumber, screen, worldAt } from "./screen.js";
-import { viser } from "./viser.js";
+import { nearest, onScreen, wireNumber, screen, worldAt } from "../body/screen.js";
+import { viser } from "../viser/viser.js";
 
 /** Pixels from a mass within which it is taken hold of. */
 const REACH = { mouse: 12, pen: 16, touch: 26, disc: 0 };

@@ -3,7 +3,7 @@
  * Which pointers are pressed on the page. All others hear of a pointer after this: a press whose release never reached the
  * page ends as if it had been cancelled, and the palm beside a pen is nobody's.
  */
-import { viser } from "./viser.js";
+import { viser } from "../viser/viser.js";
 
 /** Milliseconds around the use of a pen in which a finger that comes down is a palm. */
 const PALM = 500;

@@ -1,6 +1,6 @@
 // @ts-check
 /** Esc closes a question or the help, by the button that does nothing else: the last one. */
-import { swallow } from "./keys.js";
+import { swallow } from "../hands/keys.js";
 
 /** Begins to listen; before the keys are listened to, which leave an open dialog alone. */
 export function mindDialogs() {

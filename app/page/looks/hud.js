@@ -3,8 +3,8 @@
  * The head-up display: what the server writes, in an element that the panel cannot take away. It is behind the body, which
  * it never covers.
  */
-import { onTold } from "./channel.js";
-import { viser } from "./viser.js";
+import { onTold } from "../../wire/channel.js";
+import { viser } from "../viser/viser.js";
 
 /** @type {HTMLElement | null} */
 let hud = null;

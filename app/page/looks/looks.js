@@ -1,6 +1,6 @@
 // @ts-check
 /** How the page looks: projector mode, and where buttons have room for words and for their lists. */
-import { kept, store } from "./storage.js";
+import { kept, store } from "../files/storage.js";
 
 const NAME = "softrod-projector";
 /** Pixels of a window for which the panel has its usual size; in larger ones it grows with them. */

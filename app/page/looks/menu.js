@@ -1,11 +1,11 @@
 // @ts-check
 /** The View menu over the bar of time: how the page looks, and the help. */
-import { has, onTold, send, told } from "./channel.js";
-import { COMMANDS } from "./commands.js";
+import { has, onTold, send, told } from "../../wire/channel.js";
+import { COMMANDS } from "../../wire/commands.js";
 import { make, makeButton } from "./dialog.js";
 import { hasWords, isDark, isProjector, keepInView } from "./looks.js";
-import { onSight } from "./overlay.js";
-import { perform } from "./perform.js";
+import { onSight } from "../body/overlay.js";
+import { perform } from "../../wire/perform.js";
 
 const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
 
@@ -24,7 +24,7 @@ const toldSwitch = (what) => ({
   on: () => told()[what] ?? false,
   press: () => send({ do: "switch", what, on: !told()[what] }),
 });
-/** @param {import("./wire.js").CommandName} name @returns {Pick<Entry, "label" | "key" | "press">} */
+/** @param {import("../../wire/wire.js").CommandName} name @returns {Pick<Entry, "label" | "key" | "press">} */
 const command = (name) => ({ label: COMMANDS[name].label, key: COMMANDS[name].shown, press: () => perform(name) });
 
 /** @type {Entry[]} */

@@ -14,10 +14,10 @@ from sim.methods.registry import METHODS
 from sim.motion.quantities import ENERGY_UNIT, unit_in
 from sim.scene.types import is_loaded
 
-from ..drawing.colors import Palette
-from ..drawing.plan import broken_of, yielded_of
-from ..session.session import Session
-from ..wire.commands import key_lines
+from ...drawing.colors import Palette
+from ...drawing.plan import broken_of, yielded_of
+from ...session.session import Session
+from ...wire.commands import key_lines
 
 _NAMES = {
     "sine": "sine",
@@ -324,7 +324,7 @@ def description(scene: sim.Scene, editable: bool) -> str:
 
     Args:
         scene: whose.
-        editable: with the button that opens the form of static/texts.js, which stands in the same place.
+        editable: with the button that opens the form of texts.js, which stands in the same place.
     """
     text = f"<p>{html.escape(scene.description)}</p>" if scene.description else ""
     if editable:

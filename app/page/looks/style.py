@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..drawing.colors import Palette
+from ...drawing.colors import Palette
 
 
 def style_text(

@@ -1,6 +1,6 @@
 // @ts-check
 /** The styles that the server writes: those that depend on colours, and on which controls there are. */
-import { onTold } from "./channel.js";
+import { onTold } from "../../wire/channel.js";
 
 /** Begins to put them into the page, after all others. */
 export function showStyles() {

@@ -2,9 +2,9 @@
 /** Draws the arrows of forces, velocities and torques over the body, with what their lengths stand for. */
 import { arrow } from "../../drawing/static/arrow_shapes.js";
 import * as arrows from "./arrows.js";
-import { carry } from "./canvas.js";
-import { told } from "./channel.js";
-import { onSight, putUp, redrawMarks, SVG } from "./overlay.js";
+import { carry } from "../body/canvas.js";
+import { told } from "../../wire/channel.js";
+import { onSight, putUp, redrawMarks, SVG } from "../body/overlay.js";
 
 const CARRIER = "/softrod/arrows";
 /** Pixels of the longest arrow: a part of the canvas, within bounds. */
@@ -16,7 +16,7 @@ const AGAIN = 400;
 
 /**
  * @typedef {"forces" | "velocities" | "torques"} Kind
- * @typedef {import("./overlay.js").Sight} Sight
+ * @typedef {import("../body/overlay.js").Sight} Sight
  */
 /** @type {Kind[]} */
 const KINDS = ["forces", "velocities", "torques"];

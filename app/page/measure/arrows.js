@@ -4,10 +4,10 @@
  * outlines on the screen. Arithmetic only, without a page.
  *
  * @typedef {import("../../drawing/static/plan.js").Plan} Plan
- * @typedef {import("./edge.js").Box} Box
+ * @typedef {import("../body/edge.js").Box} Box
  */
 import { arrow, head, headOf } from "../../drawing/static/arrow_shapes.js";
-import { roundUp } from "./overlay.js";
+import { roundUp } from "../body/overlay.js";
 import { sections } from "../../drawing/static/plan.js";
 
 /** Sets of numbers that are kept to glide between. */

@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 
-from ..drawing.plan import joined
-from ..drawing.sketch import Floats
-from ..session.session import Session
+from ...drawing.plan import joined
+from ...drawing.sketch import Floats
+from ...session.session import Session
 
 ARROWS = "/softrod/arrows"
-"""The node that only carries the numbers to the page's script (static/arrows.js)."""
+"""The node that only carries the numbers to the page's script (arrows.js)."""
 
 KINDS = ("forces", "velocities", "torques")
 
@@ -108,7 +108,7 @@ def _similar(before: Floats, now: Floats, least: float) -> bool:
 def encode(
     plan: int, time: float, least: tuple[float, float, float], held: list[int], numbers: list[Floats]
 ) -> NDArray[np.float32]:
-    """The array that static/arrows.js reads.
+    """The array that arrows.js reads.
 
     Args:
         plan: number of the plan of the body.

@@ -1,11 +1,11 @@
 // @ts-check
 /** Where a mass is and how fast, in a small label beside it: of the one under the pointer, or chosen. */
-import { onPicture } from "./canvas.js";
-import { told } from "./channel.js";
-import { chosenMass, onSight, putUp, redrawMarks, SVG } from "./overlay.js";
-import { massAt } from "./pointer.js";
+import { onPicture } from "../body/canvas.js";
+import { told } from "../../wire/channel.js";
+import { chosenMass, onSight, putUp, redrawMarks, SVG } from "../body/overlay.js";
+import { massAt } from "../hands/pointer.js";
 import { onTools, tools } from "./tools.js";
-import { viser } from "./viser.js";
+import { viser } from "../viser/viser.js";
 
 /** Simulated seconds between two pictures beyond which they do not tell a speed. */
 const NEAR = 0.1;

@@ -6,7 +6,7 @@
  * @typedef {import("./instrument_shapes.js").Place} Place
  * @typedef {import("./instrument_shapes.js").Kept} Kept
  * @typedef {import("./instrument_shapes.js").Kind} Kind
- * @typedef {import("./overlay.js").Sight} Sight
+ * @typedef {import("../body/overlay.js").Sight} Sight
  * @typedef {object} Face
  * @property {SVGGElement} group
  * @property {SVGElement} body
@@ -15,10 +15,10 @@
  * @property {(kept: Kept, seen: Sight, places: Place[], size: number) => string} draw at the places of its points,
  *   with text of so many pixels; returns what it reads
  */
-import { told } from "./channel.js";
+import { told } from "../../wire/channel.js";
 import { protractorReading, rulerReading, strokes, watchReading } from "./instrument_shapes.js";
-import { SVG } from "./overlay.js";
-import { timeNow } from "./transport.js";
+import { SVG } from "../body/overlay.js";
+import { timeNow } from "../time/transport.js";
 
 /** Pixels: between a point and its grip, of a grip, and around it where it can be taken. */
 const [AWAY, GRIP, REACH] = [24, 8, 20];

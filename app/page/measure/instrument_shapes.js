@@ -8,10 +8,10 @@
  *
  * @typedef {{x: number, y: number}} Place pixels of the window
  * @typedef {{x: number, y: number, mass: number}} Point in the world, and the mass that it is on, or -1
- * @typedef {import("./screen.js").Screen} Screen
+ * @typedef {import("../body/screen.js").Screen} Screen
  */
-import { roundUp } from "./overlay.js";
-import { nearest, worldAt } from "./screen.js";
+import { roundUp } from "../body/overlay.js";
+import { nearest, worldAt } from "../body/screen.js";
 
 /** @typedef {"ruler" | "protractor" | "stopwatch"} Kind */
 /** Points of each kind. @type {Record<Kind, number>} */

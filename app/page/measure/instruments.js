@@ -6,20 +6,20 @@
  * @typedef {import("./instrument_shapes.js").Kind} Kind
  * @typedef {import("./instrument_shapes.js").Kept} Kept
  * @typedef {import("./instrument_shapes.js").Place} Place
- * @typedef {import("./overlay.js").Sight} Sight
+ * @typedef {import("../body/overlay.js").Sight} Sight
  * @typedef {Kept & {face: import("./instrument_faces.js").Face}} Instrument
  */
 import { NAMES, newFace } from "./instrument_faces.js";
 import * as shapes from "./instrument_shapes.js";
-import { has, onTold } from "./channel.js";
-import { COMMANDS } from "./commands.js";
-import { printed } from "./key_table.js";
-import { isFree } from "./keys.js";
-import { hasWords, keepInView } from "./looks.js";
-import { onSight, redrawMarks, sight, SVG } from "./overlay.js";
-import { kept, store } from "./storage.js";
-import { timeNow } from "./transport.js";
-import { viser } from "./viser.js";
+import { has, onTold } from "../../wire/channel.js";
+import { COMMANDS } from "../../wire/commands.js";
+import { printed } from "../hands/key_table.js";
+import { isFree } from "../hands/keys.js";
+import { hasWords, keepInView } from "../looks/looks.js";
+import { onSight, redrawMarks, sight, SVG } from "../body/overlay.js";
+import { kept, store } from "../files/storage.js";
+import { timeNow } from "../time/transport.js";
+import { viser } from "../viser/viser.js";
 
 const STORED = "softrod-instruments";
 /** Pixels after which a press on an instrument in the box drags it out. */

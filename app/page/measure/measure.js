@@ -3,7 +3,7 @@
  * Shows the Measure tab when the server asks for it, since viser has no way to turn to a tab, and tells the server
  * whether anybody sees the plots, which are not sent otherwise.
  */
-import { onTold, send, told } from "./channel.js";
+import { onTold, send, told } from "../../wire/channel.js";
 
 /** Milliseconds between two looks whether plots can be seen. */
 const LOOK_EVERY = 250;

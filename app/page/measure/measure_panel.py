@@ -16,11 +16,11 @@ from sim.motion.quantities import COUNTED
 from sim.scene.columns import ends
 from sim.scene.types import Scene
 
-from ..session.notices import Notice
-from ..session.plots import OFFERED, Wish
-from ..session.session import Session
-from . import readouts
-from .comma_switch import CommaSwitch
+from ...session.notices import Notice
+from ...session.plots import OFFERED, Wish
+from ...session.session import Session
+from ..looks import readouts
+from ..viser.comma_switch import CommaSwitch
 from .plot_list import SPANS, PlotList
 
 MOST_PARTS = 24

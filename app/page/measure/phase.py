@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..session.plots import LEAST_PART
+from ...session.plots import LEAST_PART
 
 Floats = NDArray[np.float64]
 
@@ -88,7 +88,7 @@ def phase_svg(
         if past and points[past - 1]:
             cx, cy = points[past - 1].split()
             curves.append(f'<circle cx="{cx}" cy="{cy}" r="4" style="fill:{color}"/>')
-    # For static/phase.js, which reads the values under the pointer.
+    # For phase.js, which reads the values under the pointer.
     edges = f"{left:g} {right:g} {bottom:g} {TOP:g}"
     ends = " ".join(f"{end:.9g}" for end in (x_low, x_high, y_bottom, y_top))
     return (

@@ -16,13 +16,13 @@ import viser
 from sim.errors import InputError
 from sim.scene.types import shown_name
 
-from ..drawing.colors import palette
-from ..export.workshop import workshop
-from ..session.notices import Notice
-from ..session.plots import MOST_PLOTS, Plot, Wish, curve
-from ..session.session import Session
+from ...drawing.colors import palette
+from ...export.workshop import workshop
+from ...session.notices import Notice
+from ...session.plots import MOST_PLOTS, Plot, Wish, curve
+from ...session.session import Session
+from ..viser.comma_switch import CommaSwitch
 from . import plots
-from .comma_switch import CommaSwitch
 
 EVERY = 0.1
 """Seconds between two updates of a plot, at least."""
@@ -256,7 +256,7 @@ class PlotList:
         title, name = shown_name(scene), f"{scene.name}-{plot.wish.names[0]}.png"
 
         def make() -> None:
-            from ..export.plot_picture import plot_png  # matplotlib does not delay the start
+            from ...export.plot_picture import plot_png  # matplotlib does not delay the start
 
             self._client.send_file_download(name, plot_png(plot, drawn, colors, title), save_immediately=True)
 

@@ -13,9 +13,9 @@ from viser import uplot
 import sim
 from sim.analysis.swings import swings
 
-from ..drawing.colors import Palette
-from ..session.plots import Drawn, Plot
-from . import readouts
+from ...drawing.colors import Palette
+from ...session.plots import Drawn, Plot
+from ..looks import readouts
 from .phase import phase_svg
 
 _COLORS = ("driven", "pulled", "torque_plus", "torque_minus", "held")
@@ -105,7 +105,7 @@ def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[
             "auto": bool(has_values),
             "points": {"show": False},
         }
-        # The legend has either this one or that, see static/page.css.
+        # The legend has either this one or that, see page.css.
         until.append({**line, "class": "softrod-until"})
         whole.append({**line, "class": "softrod-whole", "alpha": PALE})
     return {"label": "time, s"}, *until, *whole

@@ -1,8 +1,8 @@
 // @ts-check
 /** What is measured on the canvas, as the switches of the Measure tab (tools_panel.py) have it. */
-import { onTold } from "./channel.js";
+import { onTold } from "../../wire/channel.js";
 
-/** @typedef {import("./wire.js").Tools} Tools */
+/** @typedef {import("../../wire/wire.js").Tools} Tools */
 
 /** @type {Tools} */
 let state = { tell: "tools", traced: [], seconds: 5, chosen: -1, coordinates: false };

@@ -8,9 +8,9 @@ from typing import Any
 
 import viser
 
-from ..session.session import Session
-from ..wire.carrier import Mail
-from ..wire.to_page import Tools
+from ...session.session import Session
+from ...wire.carrier import Mail
+from ...wire.to_page import Tools
 from .arrows import KINDS, Arrows
 
 MOST_TRACES = 8
@@ -138,7 +138,7 @@ class ToolsPanel:
         self._arrows.draw(session, kinds, plan, now, exactly)
 
     def _show(self) -> None:
-        """Show what the controls have come to, in them and to the page's script (static/tools.js)."""
+        """Show what the controls have come to, in them and to the page's script (tools.js)."""
         traced = self._chosen in self._traced
         if self._trace.value != traced:
             self._trace.value = traced

@@ -1,10 +1,10 @@
 // @ts-check
 /** The paths of some masses during the last seconds, made of the positions that the page shows anyway. */
-import { onTold, told } from "./channel.js";
-import { onFrame, shown } from "./canvas.js";
-import { onSight, redrawMarks, SVG } from "./overlay.js";
+import { onTold, told } from "../../wire/channel.js";
+import { onFrame, shown } from "../body/canvas.js";
+import { onSight, redrawMarks, SVG } from "../body/overlay.js";
 import { onTools, tools } from "./tools.js";
-import { timeNow } from "./transport.js";
+import { timeNow } from "../time/transport.js";
 
 /** Points of a path, at most, about. */
 const MOST = 1200;
@@ -119,7 +119,7 @@ export function addTraces() {
     take(shown().frame);
     redrawMarks();
   };
-  /** @param {import("./overlay.js").Sight} seen */
+  /** @param {import("../body/overlay.js").Sight} seen */
   const draw = ({ plan, frame, on }) => {
     const { seconds } = tools();
     const scale = plan.scale * on.step;

@@ -3,11 +3,11 @@
  * The gallery: a dialog with a card for each scene. Arrows go from card to card, letters search, Enter opens. What a
  * user named is text here, never HTML.
  *
- * @typedef {import("./wire.js").Entry} Entry
+ * @typedef {import("../../wire/wire.js").Entry} Entry
  */
-import { onTold, send } from "./channel.js";
-import { make, makeButton, makeDialog } from "./dialog.js";
-import { isDark } from "./looks.js";
+import { onTold, send } from "../../wire/channel.js";
+import { make, makeButton, makeDialog } from "../looks/dialog.js";
+import { isDark } from "../looks/looks.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
 /** The preset with which one builds a body of one's own. */

@@ -15,11 +15,11 @@ from sim.errors import SceneError
 from sim.scene import own_scenes
 from sim.scene.files import read_scene
 
-from ..session import commands
-from ..session.session import Notice, Session
-from ..wire.carrier import Mail
-from ..wire.from_page import ChangeScene, ListScenes, OpenScene
-from ..wire.to_page import OfferGallery, SceneChanged, ScenePictures, Scenes, ShelfChanged
+from ...session import commands
+from ...session.session import Notice, Session
+from ...wire.carrier import Mail
+from ...wire.from_page import ChangeScene, ListScenes, OpenScene
+from ...wire.to_page import OfferGallery, SceneChanged, ScenePictures, Scenes, ShelfChanged
 from . import shelf, thumbnails
 from .shelf import Shelf
 

@@ -4,14 +4,14 @@
  * answered. Then it is tried: what to do and what to watch. What is right is told last, when the user asks for it.
  * How far the lesson is outlives a reload.
  */
-import { onTold, send, told } from "./channel.js";
-import { make, makeButton } from "./dialog.js";
-import { perform } from "./perform.js";
-import { kept, store } from "./storage.js";
+import { onTold, send, told } from "../../wire/channel.js";
+import { make, makeButton } from "../looks/dialog.js";
+import { perform } from "../../wire/perform.js";
+import { kept, store } from "../files/storage.js";
 
 /**
- * @typedef {import("./wire.js").Question} Question
- * @typedef {import("./wire.js").LessonStep} Step
+ * @typedef {import("../../wire/wire.js").Question} Question
+ * @typedef {import("../../wire/wire.js").LessonStep} Step
  * @typedef {object} Progress
  * @property {string} lesson
  * @property {number} at the step
@@ -42,7 +42,7 @@ function progressOf(lesson, count) {
   }
 }
 
-/** @param {import("./wire.js").Lesson} lesson */
+/** @param {import("../../wire/wire.js").Lesson} lesson */
 function take(lesson) {
   steps = lesson.steps;
   progress = progressOf(JSON.stringify(steps), steps.length);

@@ -1,6 +1,6 @@
 """The Lesson tab: the steps of the scene's lesson, with the sliders and plots that the present one needs.
 
-The text is the page's script's (static/lesson.js), which also knows how far the lesson is. Which step that is
+The text is the page's script's (lesson.js), which also knows how far the lesson is. Which step that is
 comes from there: with the begin of a step, or where the page goes on in the middle of one.
 """
 
@@ -14,16 +14,16 @@ from sim.errors import SettingError
 from sim.lesson_settings import scene_of_step
 from sim.scene.lesson import Lesson, Step
 
-from ..session import commands
-from ..session.notices import Notice
-from ..session.plots import wish_of
-from ..session.session import Session
-from ..wire.carrier import Mail
-from ..wire.from_page import BeginStep
-from ..wire.to_page import Lesson as LessonState
-from ..wire.to_page import LessonStep
-from .comma_switch import CommaSwitch
-from .plot_list import PlotList
+from ...session import commands
+from ...session.notices import Notice
+from ...session.plots import wish_of
+from ...session.session import Session
+from ...wire.carrier import Mail
+from ...wire.from_page import BeginStep
+from ...wire.to_page import Lesson as LessonState
+from ...wire.to_page import LessonStep
+from ..measure.plot_list import PlotList
+from ..viser.comma_switch import CommaSwitch
 
 PLACE = '<div id="softrod-lesson"></div>'
 """Where the script puts the lesson."""

@@ -19,8 +19,8 @@ from sim.errors import SceneError
 from sim.scene import files, own_scenes
 from sim.scene.files import SceneInfo
 
-from ..wire.from_page import Who
-from ..wire.to_page import Entry
+from ...wire.from_page import Who
+from ...wire.to_page import Entry
 from . import owner
 
 _FRESH = 1.0

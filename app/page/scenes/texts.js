@@ -3,8 +3,8 @@
  * The form for the scene's name and description, in the place where the description stands. What a user wrote is text
  * here, never HTML. It stays until the server has taken it.
  */
-import { onTold, send, told } from "./channel.js";
-import { make, makeButton } from "./dialog.js";
+import { onTold, send, told } from "../../wire/channel.js";
+import { make, makeButton } from "../looks/dialog.js";
 
 /** What a scene's file may have, see `Scene`. */
 const LONGEST_NAME = 60;

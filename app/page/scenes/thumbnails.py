@@ -1,4 +1,4 @@
-"""The small pictures of the gallery. `python -m app.page.thumbnails` makes those of the presets.
+"""The small pictures of the gallery. `python -m app.page.scenes.thumbnails` makes those of the presets.
 
 They are kept with the page's files, with the digest of the scene file that each was made from.
 """
@@ -16,11 +16,11 @@ import numpy as np
 import sim
 from sim.scene.files import built_in_files, read_scene, write_atomically
 
-from ..drawing.plan import Picture
-from ..drawing.sketch import Floats
-from ..export.painter import Painter
+from ...drawing.plan import Picture
+from ...drawing.sketch import Floats
+from ...export.painter import Painter
 
-FOLDER = Path(__file__).parent / "static" / "thumbnails"
+FOLDER = Path(__file__).parent / "thumbnails"
 SIZE = (264, 176)
 """Pixels of a picture."""
 

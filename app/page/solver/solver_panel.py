@@ -10,12 +10,12 @@ import viser
 from sim.methods.registry import METHODS
 from sim.settings import CHOICES
 
-from ..session import commands
-from ..session.ghost import FINER, REFERENCE
-from ..session.notices import Notice
-from ..session.session import Session
-from . import readouts
-from .choice_box import ChoiceBox
+from ...session import commands
+from ...session.ghost import FINER, REFERENCE
+from ...session.notices import Notice
+from ...session.session import Session
+from ..looks import readouts
+from ..viser.choice_box import ChoiceBox
 from .tuning_panel import TuningPanel
 
 NO_GHOST = "nothing"

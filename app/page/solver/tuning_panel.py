@@ -20,11 +20,11 @@ from sim.edit.tune import as_far_as_stable, damp_springs, is_limited, with_numbe
 from sim.errors import InputError, SceneError
 from sim.scene.types import is_surrounded
 
-from ..export.workshop import Workshop
-from ..session import commands
-from ..session.notices import Notice
-from ..session.session import Session
-from . import readouts
+from ...export.workshop import Workshop
+from ...session import commands
+from ...session.notices import Notice
+from ...session.session import Session
+from ..looks import readouts
 
 MOST_MASSES = 200
 """Masses of a body of which a page is told; pages would notice the work for larger ones."""

@@ -1,11 +1,11 @@
 // @ts-check
 /** The bar under the body: play and pause, steps, going back in time, speed and the clock. */
-import { awaySince } from "./away.js";
-import { onPicture, shown } from "./canvas.js";
-import { onTold, send, told } from "./channel.js";
-import { COMMANDS } from "./commands.js";
-import { withKey } from "./key_table.js";
-import { perform } from "./perform.js";
+import { awaySince } from "../away.js";
+import { onPicture, shown } from "../body/canvas.js";
+import { onTold, send, told } from "../../wire/channel.js";
+import { COMMANDS } from "../../wire/commands.js";
+import { withKey } from "../hands/key_table.js";
+import { perform } from "../../wire/perform.js";
 
 /** Milliseconds between two readings of the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
@@ -20,7 +20,7 @@ const FRACTIONS = { 0.125: "⅛", 0.25: "¼", 0.5: "½" };
  * @property {string} name for screen readers and the tooltip; it contains the word
  * @property {CommandName} does
  *
- * @typedef {import("./wire.js").CommandName} CommandName
+ * @typedef {import("../../wire/wire.js").CommandName} CommandName
  */
 
 /** @param {CommandName} does @returns {Face} */

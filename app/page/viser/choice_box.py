@@ -9,8 +9,8 @@ import viser
 from sim.scene.types import Scene
 from sim.settings import CHOICES
 
-from ..session import commands
-from ..session.session import Session
+from ...session import commands
+from ...session.session import Session
 
 
 class ChoiceBox:

@@ -3,8 +3,8 @@
  * The page that stands from the first bytes on until the body and the panel do; viser's own is not to be seen before
  * that. It also says why the page cannot work, with nothing under it.
  */
-import { onPicture } from "./canvas.js";
-import { onTold, told } from "./channel.js";
+import { onPicture } from "../body/canvas.js";
+import { onTold, told } from "../../wire/channel.js";
 
 /** Pictures of the screen that viser needs to put up the panel of which the page was told. */
 const SETTLING = 4;

@@ -6,7 +6,7 @@
  * While a box is being typed in, React hears of no input and cannot write into it. What is set is handed to it as if
  * it had been typed at once.
  */
-import { send } from "./channel.js";
+import { send } from "../../wire/channel.js";
 
 /** Milliseconds without a key after which what was typed is set. */
 const PAUSE = 2000;

@@ -13,8 +13,8 @@ from sim.edit.values import Number
 from sim.scene.types import Scene
 from sim.settings import Setting
 
-from ..session.notices import Notice
-from . import readouts
+from ...session.notices import Notice
+from ..looks import readouts
 
 TOUCHED = 0.4
 """Seconds for which a slider that its user moved is left alone by the server."""
@@ -30,7 +30,7 @@ class SliderBox:
     """A slider and a number box for one setting; the slider of a logarithmic one is over powers of ten.
 
     The slider covers the useful range, the box all that is allowed. What is out of range is not taken, and
-    its user is told so. The page's script sends whole numbers only, see `static/numbers.js`.
+    its user is told so. The page's script sends whole numbers only, see `numbers.js`.
 
     Args:
         client: the page.
