@@ -21,7 +21,7 @@ from ..session import commands
 from ..session.session import Notice, Session
 from ..wire.carrier import Mail
 from ..wire.commands import COMMANDS
-from ..wire.to_page import Hud, Styles
+from ..wire.to_page import Hud, Role, Styles
 from . import readouts
 from .choice_box import ChoiceBox
 from .comma_switch import CommaSwitch
@@ -32,7 +32,7 @@ from .plot_list import PlotList
 from .selection_panel import SelectionPanel
 from .slider_box import SliderBox, mixed_words
 from .solver_panel import SolverPanel
-from .style import style_text
+from .style import colors_css
 
 PANEL_WIDTH = 348
 FOREMOST = (
@@ -378,13 +378,16 @@ class Panel:
     def set_style(self, dark: bool) -> None:
         """Colours of the page, and the boxes that are hidden in it."""
         self._dark = dark
-        sliders = [(_id(slider_box.slider), _id(slider_box.box)) for slider_box in self._sliders]
-        outlined = [_id(button) for button in self.outlined]
-        colors = palette("softrod", dark)
         anew = self._play.anew if self._play is not None else None
-        css = style_text(colors, dark, sliders, outlined, beside=_id(anew) if anew else "")
+        roles: dict[str, Role] = {
+            **{_id(slider_box.slider): "slider" for slider_box in self._sliders},
+            **{_id(slider_box.box): "number" for slider_box in self._sliders},
+            **{_id(button): "outlined" for button in self.outlined},
+            **({_id(anew): "beside"} if anew else {}),
+        }
+        css = colors_css(palette("softrod", dark), dark)
         if "play" not in self._controls:
             # The page's script makes the bar of time for every page. Where it is empty, other buttons still
             # stand on it.
             css += ".softrod-dock{padding:0}.softrod-dock>*{display:none!important}"
-        self._mail.tell(Styles(css=css))
+        self._mail.tell(Styles(css=css, roles=roles))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
@@ -95,10 +95,16 @@ class Hud(State, frozen=True, kw_only=True):
     html: str
 
 
+Role = Literal["slider", "number", "outlined", "beside"]
+"""A slider beside the number box that stands in place of its own; that box; a button that is drawn as an
+outline; and one that stands beside the control before it, as its icon."""
+
+
 class Styles(State, frozen=True, kw_only=True):
-    """Colours of the page, and of its controls, CSS."""
+    """Colours of the page, CSS, and the controls that look otherwise than viser draws them, by their ids."""
 
     css: str
+    roles: dict[str, Role]
 
 
 class LessonStep(Struct, frozen=True):

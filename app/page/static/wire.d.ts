@@ -75,8 +75,8 @@ export type PageState = { tell: "pageState"; page: string; scene: number; title:
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
-/** Colours of the page, and of its controls, CSS. */
-export type Styles = { tell: "styles"; css: string };
+/** Colours of the page, CSS, and the controls that look otherwise than viser draws them, by their ids. */
+export type Styles = { tell: "styles"; css: string; roles: Record<string, "beside" | "number" | "outlined" | "slider"> };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; steps: LessonStep[] };
 /** What is selected. */
