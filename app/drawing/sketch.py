@@ -160,7 +160,7 @@ class Sketch:
     def ink_colors(self) -> NDArray[np.uint8]:
         """(4, 3) colours of the supports, the ring, the ghost and the mark of springs that have yielded."""
         colors = self.palette
-        return self.encode(np.vstack((colors.held, colors.driven, colors.driven, colors.ink)))
+        return self.encode(np.vstack((colors.held, colors.brand, colors.brand, colors.ink)))
 
     @property
     def pinned(self) -> NDArray[np.int64]:

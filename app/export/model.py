@@ -222,7 +222,7 @@ def _walls(sketch: Sketch, scene: sim.Scene) -> Trimesh | None:
         corners = ((wall.corners - origin) / (window.step, -window.step))[::-1]
         fan = np.column_stack((np.zeros(n - 2, int), np.arange(1, n - 1), np.arange(2, n)))
         vertices, faces = _thick(corners, fan, (corners,))
-        color = plain(np.tile(sketch.palette.grid_major, (len(vertices), 1)))
+        color = plain(np.tile(sketch.palette.line, (len(vertices), 1)))
         found.append(_colored(vertices * (1.0, 1.0, depth), faces, color))
     if not found:
         return None

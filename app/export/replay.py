@@ -21,6 +21,7 @@ import sim
 from sim.scene.types import shown_name
 
 from ..drawing.colors import palette, plain
+from ..drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
 from ..drawing.plan import encode_damage, encode_plan
 from ..drawing.sketch import Sketch
 from .bundle import bundle
@@ -39,12 +40,8 @@ STEPS = 65535
 
 _FOLDER = Path(__file__).parent / "static"
 _MESHES = ("disc", "ring", "pin", "bar", "slice")
-_ICONS = {
-    "play": "M7 4v16l13-8z",
-    "pause": "M6 4h4v16H6zM14 4h4v16h-4z",
-    "again": "M12 5V1L7 6l5 5V7a5 5 0 1 1-5 5H5a7 7 0 1 0 7-7z",
-}
-_SPEEDS = {"0.125": "⅛×", "0.25": "¼×", "0.5": "½×", "1": "1×", "2": "2×"}
+_ICONS = {"play": ICONS["play"], "pause": ICONS["pause"], "again": ICONS["reset"]}
+_FASTEST = 2.0
 
 
 def replay_html(clip: Clip) -> bytes:
@@ -64,8 +61,9 @@ def replay_html(clip: Clip) -> bytes:
     )
     icons = "".join(f'<path class="{name}" d="{path}"/>' for name, path in _ICONS.items())
     speeds = "".join(
-        f'<option value="{value}"{" selected" if value == "1" else ""}>{text}</option>'
-        for value, text in _SPEEDS.items()
+        f'<option value="{speed:g}"{" selected" * (speed == 1)}>{FRACTIONS.get(speed, int(speed))}×</option>'
+        for speed in SPEEDS
+        if speed <= _FASTEST
     )
     text = f"""<!doctype html>
 <html lang="en">
@@ -106,7 +104,8 @@ def _looks() -> tuple[str, str]:
     """The styles and the script."""
     script = bundle(_FOLDER / "replay.js")
     assert "</script" not in script.lower()
-    return (_FOLDER / "replay.css").read_text(encoding="utf-8"), script
+    colors = style_rules("@media (prefers-color-scheme: dark){*}")
+    return colors + (_FOLDER / "replay.css").read_text(encoding="utf-8"), script
 
 
 def _digest(text: str) -> str:

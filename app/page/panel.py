@@ -66,7 +66,7 @@ def _has_dial(setting: Setting, scene: Scene) -> bool:
 
 def set_theme(gui: viser.GuiApi, dark: bool) -> None:
     """viser's own colours, without its logo and without the button that would share the page."""
-    red, green, blue = (int(part) for part in palette("softrod", dark).driven)
+    red, green, blue = (int(part) for part in palette("softrod", dark).brand)
     gui.configure_theme(
         dark_mode=dark, show_logo=False, show_share_button=False, brand_color=(red, green, blue)
     )
@@ -443,9 +443,8 @@ class Panel:
         self._dark = dark
         sliders = [(_id(slider_box.slider), _id(slider_box.box)) for slider_box in self._sliders]
         outlined = [_id(button) for button in self.outlined]
-        colors = palette("softrod", dark)
         anew = self._play.anew if self._play is not None else None
-        content = script.style_html(colors, dark, sliders, outlined, beside=_id(anew) if anew else "")
+        content = script.style_html(sliders, outlined, beside=_id(anew) if anew else "")
         if "play" not in self._controls:
             # The page's script makes the bar of time for every page. Where it is empty, other buttons still
             # stand on it.

@@ -13,7 +13,6 @@ from typing import Literal
 
 from sim.scene.types import shown_name
 
-from ..drawing.colors import Palette
 from ..drawing.sketch import WORLD_SIZE, Mapping
 from ..session import commands
 from ..session.commands import Command
@@ -46,14 +45,10 @@ ONCE: dict[str, Command] = {
 """Commands that the script sends by a word; those in `_ASKED` are no commands, but words besides."""
 
 
-def style_html(
-    colors: Palette, dark: bool, sliders: list[tuple[str, str]], outlined: list[str], beside: str = ""
-) -> str:
-    """The styles in a palette's colours.
+def style_html(sliders: list[tuple[str, str]], outlined: list[str], beside: str = "") -> str:
+    """The styles of controls, which go by the ids that viser gives them.
 
     Args:
-        colors: the palette.
-        dark: whether the page is dark.
         sliders: ids of sliders, each with that of the number box that stands in place of the slider's own.
         outlined: ids of buttons that are drawn as an outline.
         beside: id of a button that stands beside the control before it, as its icon.
@@ -65,16 +60,6 @@ def style_html(
     if sliders:
         rules = f"{own}{{display:none}}"
         rules += f"{rows}{{padding-right:5.6em}}{boxes}{{width:5.2em;margin:-1.75em 0 0 auto;z-index:4}}"
-    root = {
-        "text": colors.css("text"),
-        "line": colors.css("grid_major"),
-        "grid": colors.css("grid"),
-        "brand": colors.css("driven"),
-        "on-brand": "#0b1020" if dark else "#ffffff",
-        "paper": colors.css("paper"),
-        "key": "#1a2230" if dark else "#f6f8fb",
-        "warn": "#ff922b" if dark else "#c2410c",
-    }
     if outlined:
         buttons = ",".join(f'button[id="{button}"]' for button in outlined)
         rules += f":is({buttons}){{background:transparent;color:var(--softrod-text);"
@@ -88,8 +73,7 @@ def style_html(
         rules += f'[id="{beside}"]{{width:30px;height:26px!important;padding:0;font-size:0}}'
         rules += f'[id="{beside}"] .mantine-Button-section{{margin:0!important;font-size:14px}}'
         rules += f'[id="{beside}"] svg{{left:0!important}}'
-    variables = ";".join(f"--softrod-{name}:{value}" for name, value in root.items())
-    return f"<style>:root{{{variables}}}{rules}</style>"
+    return f"<style>/* softrod */{rules}</style>"
 
 
 def told(

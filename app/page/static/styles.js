@@ -1,7 +1,7 @@
 // @ts-check
 /** The styles that the server writes, in a place from which folding the panel does not take them. */
 
-const SOURCE = "<style>:root{";
+const SOURCE = "<style>/* softrod */";
 /** @type {HTMLStyleElement | null} */
 let style = null;
 

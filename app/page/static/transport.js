@@ -3,19 +3,15 @@
 import { awaySince } from "./away.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
+import { FRACTIONS, ICONS as SHARED, SPEEDS } from "../../drawing/static/looks.js";
 import { keyOf } from "./key_table.js";
 
 /** Milliseconds between two readings of the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
-const SPEEDS = [0.125, 0.25, 0.5, 1, 2, 4];
-/** @type {Record<string, string>} */
-const FRACTIONS = { 0.125: "⅛", 0.25: "¼", 0.5: "½" };
 
 // Outlines of 24 by 24, filled.
 const ICONS = {
-  play: "M7 4v16l13-8z",
-  pause: "M6 4h4v16H6zM14 4h4v16h-4z",
-  reset: "M12 5V1L7 6l5 5V7a5 5 0 1 1-5 5H5a7 7 0 1 0 7-7z",
+  ...SHARED,
   back: "M18 5v14l-9-7zM6 5h2v14H6z",
   forward: "M6 5v14l9-7zM16 5h2v14h-2z",
   second: "M20 5v14l-8-7zM11 5v14l-8-7z",
@@ -84,7 +80,7 @@ export function timeNow() {
 }
 
 /** @param {number} speed */
-const speedText = (speed) => `${FRACTIONS[speed] ?? speed}×`;
+const speedText = (speed) => `${/** @type {Record<string, string>} */ (FRACTIONS)[speed] ?? speed}×`;
 
 /** How fast time goes. */
 function speedBox() {
