@@ -10,12 +10,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
 from rich.console import Console
 from rich.table import Table
 from websockets.asyncio.client import connect
 
+import sim
 from app.drawing.plan import FRAME_TIME
-from sim import Anchor, Integrator, LinearSpring, Mass, Scene
+from sim import Scene
 from sim.scene.files import encode_scene
 
 from .client import CAMERA, Decoder, options_of
@@ -202,18 +204,11 @@ async def _beside(port: int) -> tuple[float, float, float]:
 
 def cloth(side: int) -> Scene:
     """A square cloth of so many masses a side, held at two corners, by an implicit method."""
-    spacing = 500.0 / side
-    at = [(50.0 + spacing * i, 50.0 + spacing * j) for j in range(side) for i in range(side)]
-    ends = [(n, n + 1) for n in range(side * side) if (n + 1) % side]
-    ends += [(n, n + side) for n in range(side * (side - 1))]
-    return Scene(
-        name="cloth",
-        masses=tuple(Mass(position=position, radius=2.0) for position in at),
-        linear_springs=tuple(
-            LinearSpring(a=a, b=b, stiffness=1e4, damping=4.0, rest_length=spacing) for a, b in ends
-        ),
-        angular_springs=(),
-        anchors=(Anchor(mass=0), Anchor(mass=side - 1)),
-        gravity=(0.0, 981.0),
-        integrator=Integrator(method="generalized_alpha", dt=1.0 / 60.0),
-    )
+    width = 500.0 * (1.0 - 1.0 / side)
+    body = sim.Cloth(
+        columns=side, rows=side, width=width, height=width, start=(50.0, 50.0), diagonals=False,
+        stiffness=1e4, damping=4.0, mass=1.0, radius=2.0,
+    )  # fmt: skip
+    implicit = sim.Integrator(method="generalized_alpha", dt=1.0 / 60.0)
+    scene = sim.validate(Scene(name="cloth", bodies=(body,), gravity=(0.0, 981.0), integrator=implicit))
+    return replace(scene, bodies=(), angular_springs=())
