@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from .looks import COLORS, TUTORIAL_COLORS
 
@@ -30,15 +30,19 @@ def rgb(text: str) -> Rgb:
     return np.array([int(text[i : i + 2], 16) for i in (0, 2, 4)], float)
 
 
+def linear(color: ArrayLike) -> Rgb:
+    """Linear light 0..1 of (..., 3) sRGB colours 0..255."""
+    c = np.asarray(color, float) / 255.0
+    return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
+
+
 def sent(color: Rgb) -> NDArray[np.uint8]:
     """What to send for (..., 3) sRGB colours 0..255 so that the page shows them.
 
     Inverts, in order, the sRGB curve, the tone map's output matrix, its rational fit
     v (v + a) - b over v (c v + d) + e (Hill's fit of ACES), its input matrix, and the light.
     """
-    c = np.asarray(color, float) / 255.0
-    c = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4) @ _OUT_BACK
-    c = np.clip(c, 0.0, 0.985)  # the fit never reaches 1
+    c = np.clip(linear(color) @ _OUT_BACK, 0.0, 0.985)  # the fit never reaches 1
     p = 1.0 - 0.983729 * c
     q = 0.0245786 - 0.4329510 * c
     r = -0.000090537 - 0.238081 * c

@@ -15,7 +15,7 @@ from PIL import Image
 
 from sim import Scene
 
-from ..drawing.colors import palette, plain
+from ..drawing.colors import palette
 from ..drawing.looks import ARROW, LAYERS
 from ..drawing.plan import Picture, broken_of
 from ..drawing.sketch import Floats, Sketch
@@ -65,7 +65,7 @@ class Painter:
         if not all(SMALLEST <= side <= LARGEST for side in size):
             raise ValueError(f"a picture has {SMALLEST} to {LARGEST} pixels on each side, not {size}")
         self.scene = scene
-        self.sketch = Sketch(scene, palette(scene.view.colors, dark), plain)
+        self.sketch = Sketch.plain(scene, dark)
         self.window = window or Window.fit(self.sketch, scene.view.frame, size)
         self._own = palette("softrod", dark)
         self._rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])

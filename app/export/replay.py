@@ -20,7 +20,6 @@ from numpy.typing import ArrayLike, NDArray
 import sim
 from sim.scene.types import shown_name
 
-from ..drawing.colors import palette, plain
 from ..drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
 from ..drawing.plan import encode_damage, encode_plan
 from ..drawing.sketch import Sketch
@@ -146,7 +145,7 @@ def _described(clip: Clip) -> tuple[dict[str, object], str]:
     shots = list(clip.at(interval))
     rows = np.array([_row(shot, second) for shot in shots])
     least, quantum, differences = _quantised(rows)
-    sketch = Sketch(scene, palette(scene.view.colors, dark=False), plain)
+    sketch = Sketch.plain(scene)
     meshes = (*_MESHES, sketch.spring_shape)
     xmin, ymin, xmax, ymax = scene.view.frame
     left, right, low, high = bounds(sketch, scene.view.frame, clip.places())
@@ -212,10 +211,7 @@ def _plans(shots: list[Shot], store: _Store) -> list[dict[str, object]]:
             continue
         scene = shot.scene
         rest = np.array([joint.rest_angle for joint in scene.angular_springs])
-        light, dark = (
-            store.add(encode_plan(0, Sketch(scene, palette(scene.view.colors, night), plain), rest))
-            for night in (False, True)
-        )
+        light, dark = (store.add(encode_plan(0, Sketch.plain(scene, night), rest)) for night in (False, True))
         found.append({"from": number, "light": light, "dark": dark})
     return found
 

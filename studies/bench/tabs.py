@@ -21,7 +21,7 @@ from sim import Scene
 from sim.scene.files import encode_scene
 
 from .client import CAMERA, Decoder, options_of
-from .serving import is_frame, served, warm
+from .serving import Served, is_frame, served, warm
 
 MASSES = 200
 SETTLE, SPAN = 4.0, 6.0
@@ -116,20 +116,20 @@ async def _visit(
         await steering
 
 
-async def _visit_all(port: int, pages: int, used: Any) -> tuple[list[Visitor], float, float, float]:
+async def _visit_all(server: Served, pages: int) -> tuple[list[Visitor], float, float, float]:
     """The visitors, the span that was measured, and the server's share of a core."""
     visitors = [Visitor() for _ in range(pages)]
     stop = asyncio.Event()
     tasks = []
     for number, visitor in enumerate(visitors):
-        tasks.append(asyncio.create_task(_visit(port, visitor, number, stop)))
+        tasks.append(asyncio.create_task(_visit(server.port, visitor, number, stop)))
         await asyncio.sleep(0.1)
     await asyncio.sleep(SETTLE)
     for visitor in visitors:
         visitor.bytes = 0
-    begin, before = time.monotonic(), used()
+    begin, before = time.monotonic(), server.used()
     await asyncio.sleep(SPAN)
-    end, after = time.monotonic(), used()
+    end, after = time.monotonic(), server.used()
     stop.set()
     await asyncio.gather(*tasks)
     return visitors, begin, end, (after - before) / (end - begin)
@@ -146,14 +146,8 @@ def bench_tabs(console: Console, repeats: int) -> None:
         for pages in (1, 10, 20, 30, 50):
             best: tuple[float, ...] | None = None
             for _ in range(repeats):
-                with served("softrod", MASSES, cache) as (process, port, _):
-
-                    def used(process: Any = process) -> float:
-                        process.stdin.write("\n")
-                        process.stdin.flush()
-                        return float(process.stdout.readline())
-
-                    visitors, begin, end, share = asyncio.run(_visit_all(port, pages, used))
+                with served("softrod", MASSES, cache) as server:
+                    visitors, begin, end, share = asyncio.run(_visit_all(server, pages))
                 seen = [visitor.within(begin, end) for visitor in visitors]
                 rates, gaps, clocks = zip(*seen, strict=True)
                 size = sum(visitor.bytes for visitor in visitors) / pages / (end - begin) / 1e3
@@ -177,8 +171,8 @@ def bench_neighbour(console: Console) -> None:
         for side in CLOTHS:
             scene = Path(cache) / "cloth.json"
             scene.write_bytes(encode_scene(cloth(side)))
-            with served("softrod", str(scene), cache) as (_, port, _):
-                rate, gap, answer = asyncio.run(_beside(port))
+            with served("softrod", str(scene), cache) as server:
+                rate, gap, answer = asyncio.run(_beside(server.port))
             table.add_row(f"{side * side} masses", f"{rate:.1f}", f"{1e3 * gap:.0f}", f"{1e3 * answer:.0f}")
     console.print(table)
 
