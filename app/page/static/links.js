@@ -4,9 +4,10 @@
  * it is read in the page, and the address is given back without it: a reload then goes on with what is kept.
  */
 import { send, told } from "./channel.js";
+import { LINK_PATH } from "../../drawing/static/looks.js";
 
 /** The end of such a link's path; the page itself may be in a folder. */
-const PATH = /\/s$/;
+const PATH = new RegExp(`${LINK_PATH}$`);
 /** How the data begins: the number of its way of packing, and a dot. */
 const BEGIN = /^#\d+\./;
 /** Characters of a message; the gate takes 64 KiB. */

@@ -37,7 +37,7 @@ import { listenToPointer } from "./pointer.js";
 import { addPaper } from "./paper.js";
 import { listenToPresses } from "./presses.js";
 import { addShareDialog } from "./share.js";
-import { showStyles } from "./styles.js";
+import { markControls } from "./roles.js";
 import { addUnderlay } from "./underlay.js";
 import { addTexts } from "./texts.js";
 import { hearTools } from "./tools.js";
@@ -71,7 +71,7 @@ whenViser((viser) => {
   drawBody(viser);
   showHud();
   hearTools();
-  showStyles();
+  markControls();
   listenToCommands();
   keepFlat();
   mindDialogs();

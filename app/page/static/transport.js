@@ -3,15 +3,13 @@
 import { awaySince } from "./away.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
+import { FRACTIONS, SPEEDS } from "../../drawing/static/looks.js";
 import { COMMANDS } from "./commands.js";
 import { withKey } from "./key_table.js";
 import { perform } from "./perform.js";
 
 /** Milliseconds between two readings of the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
-const SPEEDS = [0.125, 0.25, 0.5, 1, 2, 4];
-/** @type {Record<string, string>} */
-const FRACTIONS = { 0.125: "⅛", 0.25: "¼", 0.5: "½" };
 
 /**
  * @typedef {object} Face what a button shows
@@ -80,7 +78,7 @@ export function timeNow() {
 }
 
 /** @param {number} speed */
-const speedText = (speed) => `${FRACTIONS[speed] ?? speed}×`;
+const speedText = (speed) => `${/** @type {Record<string, string>} */ (FRACTIONS)[speed] ?? speed}×`;
 
 /** How fast time goes. */
 function speedBox() {

@@ -1,12 +1,12 @@
 // @ts-check
 /**
- * The colours that the server tells, and the controls that look otherwise than viser draws them. These are marked by an
- * attribute, for the styles: a selector with `:has` would have the browser go through the whole page whenever a text
- * in it changes, which took half of the page's time.
+ * Controls that look otherwise than viser draws them. They are marked by an attribute, for the styles: a selector with
+ * `:has` would have the browser go through the whole page whenever a text in it changes, which took half of the page's
+ * time.
  */
 import { onTold } from "./channel.js";
 
-/** @typedef {import("./wire.js").Styles} Styles @typedef {Styles["roles"][string]} Role */
+/** @typedef {import("./wire.js").Roles["roles"][string]} Role */
 
 /** @type {Record<string, Role>} */
 let roles = {};
@@ -34,13 +34,11 @@ function mark() {
   document.querySelector(".tabler-icon-adjustments")?.closest("button")?.setAttribute("data-softrod", "developers");
 }
 
-/** Begins to put the colours into the page, after all other styles, and to mark controls as they come. */
-export function showStyles() {
-  const style = document.createElement("style");
-  document.body.append(style);
-  onTold("styles", (told) => {
-    style.textContent = told.css;
+/** Begins to mark controls as they come. */
+export function markControls() {
+  onTold("roles", (told) => {
     roles = told.roles;
+    document.documentElement.toggleAttribute("data-softrod-no-time", !told.time_bar);
     mark();
   });
   new MutationObserver(mark).observe(document.getElementById("root") ?? document.body, { childList: true, subtree: true });
