@@ -16,23 +16,7 @@ from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, bears, keeps_apart, settle
-from ..core.tables import (
-    CONTROLLER_DEGREE,
-    CONTROLLER_HEAD,
-    CONTROLLER_KNOWN,
-    CONTROLLER_MOST,
-    CONTROLLER_PAST,
-    CONTROLLER_SINCE,
-    CONTROLLER_SPACING,
-    CONTROLLER_STEP,
-    CONTROLLER_TIME,
-    COUNT_FORCES,
-    COUNT_REJECTED,
-    COUNT_STEPS,
-    COUNT_WHAT,
-    PAST,
-    SPARE,
-)
+from ..core.tables import PAST, SPARE
 from ..forces.drive import act_at, drive_to
 from .guard import GOOD, STUCK, sound
 from .kinks import ago, any_turns, kinks_matter, turn_past, with_kinks, without_kinks
@@ -97,21 +81,21 @@ def run_adams(problem, drive, end, tolerance, attempts):
         problem.balance,
     )
     method, near_limit = problem.adams, problem.near_limit
-    controller, count = integrator.controller, integrator.counts
-    q, v, past, rows = state.q, state.v, integrator.past, integrator.rows
+    run, adams = integrator.run, integrator.adams
+    q, v, past, rows = state.q, state.v, adams.past, integrator.rows
     to_q, to_v, to_a, ahead = rows[0], rows[1], rows[2], rows[3]
-    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
+    t, h = run.time, run.step
     degree, most, known, head, since, spacing = 0, method.degree, 1, 0, 0, 0.0
-    if controller[CONTROLLER_PAST] == t:
+    if adams.time == t:
         degree, head, since = (
-            int(controller[CONTROLLER_DEGREE]),
-            int(controller[CONTROLLER_HEAD]),
-            int(controller[CONTROLLER_SINCE]),
+            adams.degree,
+            adams.head,
+            adams.since,
         )
         most, known, spacing = (
-            int(controller[CONTROLLER_MOST]),
-            int(controller[CONTROLLER_KNOWN]),
-            controller[CONTROLLER_SPACING],
+            adams.most,
+            adams.known,
+            adams.spacing,
         )
     else:
         for j in range(1, q.size - SPARE):
@@ -119,9 +103,9 @@ def run_adams(problem, drive, end, tolerance, attempts):
         first = first_step(integrator, drive, 0.01 * tolerance)
         h = min(h, first) if h > 0.0 else first
     kinks = kinks_matter(state.air, past[head], h, method.error[degree], tolerance)
-    farthest, fastest = integrator.limits[0], integrator.limits[1]
+    farthest, fastest = run.farthest, run.fastest
     failures, tries, steps, swaps, shortest = 0, 0, 0, 0, 0.0
-    while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
+    while tries < attempts and t < end and run.what == GOOD:
         tries += 1
         step, rest = h, end - t
         if rest < (_EVENLY + 1e-6) * h:
@@ -200,23 +184,23 @@ def run_adams(problem, drive, end, tolerance, attempts):
             if failures > 2:
                 degree, known = 0, 1  # the past no longer predicts anything
             if h < SHORTEST_STEP:
-                count[COUNT_WHAT] = STUCK
+                run.what = STUCK
     if swaps % 2:
         replace_state(state.q, state.v, integrator.a, q, v, past[head])
     else:
         for j in range(1, q.size - SPARE):
             integrator.a[j] = past[head, j]
-    count[COUNT_FORCES] += tries + steps
-    count[COUNT_STEPS] += steps
-    count[COUNT_REJECTED] += tries - steps
-    controller[CONTROLLER_TIME], controller[CONTROLLER_STEP] = t, h
-    controller[CONTROLLER_PAST], controller[CONTROLLER_SPACING] = t, spacing
-    controller[CONTROLLER_DEGREE], controller[CONTROLLER_HEAD], controller[CONTROLLER_SINCE] = (
+    run.forces += tries + steps
+    run.steps += steps
+    run.rejected += tries - steps
+    run.time, run.step = t, h
+    adams.time, adams.spacing = t, spacing
+    adams.degree, adams.head, adams.since = (
         degree,
         head,
         since,
     )
-    controller[CONTROLLER_MOST], controller[CONTROLLER_KNOWN] = most, known
+    adams.most, adams.known = most, known
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)

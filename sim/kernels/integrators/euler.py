@@ -5,16 +5,7 @@ from __future__ import annotations
 from ..core.jit import FUSED, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, settle
-from ..core.tables import (
-    CONTROL_SCALE,
-    CONTROL_SHIFT,
-    CONTROLLER_TIME,
-    COUNT_FORCES,
-    COUNT_FRESH,
-    COUNT_STEPS,
-    COUNT_WHAT,
-    SPARE,
-)
+from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT, SPARE
 from ..forces.drive import lead_to, press, set_controls
 from .guard import GOOD, sound
 from .steps import fixed_steps, fixed_time
@@ -32,15 +23,15 @@ def run_euler(problem, drive, end, tolerance, attempts):
     the end of the step, as in the tutorial.
     """
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
-    controller, count, h = integrator.controller, integrator.counts, problem.fixed
+    run, h = integrator.run, problem.fixed
     q, v, a, kept_q, kept_v = state.q, state.v, integrator.a, integrator.rows[0], integrator.rows[1]
-    first = fixed_steps(problem, controller[CONTROLLER_TIME])
+    first = fixed_steps(problem, run.time)
     wanted = fixed_steps(problem, end) - first
     steps = min(wanted, attempts)
-    count[COUNT_FRESH] = 0  # `a` is never that of the state
+    run.current = False  # `a` is never that of the state
     free = _any_free(state.inverse_mass)
     done, stride = 0, CHECK_EVERY
-    while done < steps and count[COUNT_WHAT] == GOOD:
+    while done < steps and run.what == GOOD:
         batch = 1 if balance.active or problem.settle != 0 else min(stride, steps - done)
         scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
         _copy(q, v, kept_q, kept_v)
@@ -67,9 +58,9 @@ def run_euler(problem, drive, end, tolerance, attempts):
             if drive.gusty:
                 state.clock[0] = fixed_time(problem, first + done)
             stride = 1
-    count[COUNT_STEPS] += done
-    count[COUNT_FORCES] += done
-    controller[CONTROLLER_TIME] = fixed_time(problem, first + done)
+    run.steps += done
+    run.forces += done
+    run.time = fixed_time(problem, first + done)
 
 
 @kernel(fastmath=FUSED)

@@ -14,22 +14,7 @@ from ..around.contact import shortest_hit
 from ..around.walls import shortest_impact
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate, accumulate, bears, factorise, keeps_apart, settle, solve
-from ..core.tables import (
-    CONTROLLER_BEGUN,
-    CONTROLLER_CONTRACTION,
-    CONTROLLER_CUBE,
-    CONTROLLER_LAST,
-    CONTROLLER_LAST_BUT_ONE,
-    CONTROLLER_SOLVABLE,
-    CONTROLLER_STEP,
-    CONTROLLER_TIME,
-    COUNT_FORCES,
-    COUNT_MATRICES,
-    COUNT_REJECTED,
-    COUNT_STEPS,
-    COUNT_WHAT,
-    SPARE,
-)
+from ..core.tables import SPARE
 from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
 from .steps import (
@@ -101,7 +86,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
     ensure_acceleration(problem, drive)
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     matrix, fixed = problem.matrix, problem.fixed
-    controller, count = integrator.controller, integrator.counts
+    run, alpha = integrator.run, integrator.alpha
     q, v, rows = state.q, state.v, integrator.rows
     start, to_q, to_v, speed, move, guess, force, pull = (
         rows[0],
@@ -113,13 +98,13 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         rows[6],
         rows[8],
     )
-    late, missed = integrator.history[0], integrator.history[3]  # late: the method's own acceleration
-    if controller[CONTROLLER_BEGUN] == 0.0:
-        controller[CONTROLLER_CUBE] = 0.0
+    late, missed = alpha.rows[0], alpha.rows[3]  # late: the method's own acceleration
+    if alpha.steps == 0:
+        alpha.cube = 0.0
         for j in range(1, q.size - SPARE):
             late[j] = integrator.a[j]
     precision = 0.05 * _SPAN * tolerance if fixed == 0.0 else 1e-9
-    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
+    t, h = run.time, run.step
     goal = end
     if fixed > 0.0:
         h = min(h, fixed) if h > 0.0 else fixed
@@ -127,7 +112,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         h = 4.0 * first_step(integrator, drive, _SPAN * tolerance)
     failed = False
     for _ in range(attempts):
-        if not (t < end and count[COUNT_WHAT] == GOOD):
+        if not (t < end and run.what == GOOD):
             break
         # Equal steps up to the end: where steps change, what is kept from the last one is only of first
         # order. A fixed step is divided by itself, so that a run does not depend on how it is cut into calls.
@@ -142,7 +127,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         parts = math.ceil((goal - t - 4e-16 * abs(t)) / most - 1e-6)  # times are rounded
         step = (goal - t) / max(parts, 1)
         # Motions that are too fast for the coming steps show up in the accelerations: discard those.
-        calming = fixed == 0.0 and controller[CONTROLLER_BEGUN] < _CALMING
+        calming = fixed == 0.0 and alpha.steps < _CALMING
         am, af, gamma, beta, kept = _EULER if calming else _ALPHA
         weight = 1.0 / (1.0 - af)
         inverse = 1.0 / (beta * step * step)
@@ -150,7 +135,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         g2 = weight * (1.0 - am) * inverse
         g1 = gamma / (beta * step)
         # `late` belongs to a time that is off by a fraction of the step (Jay & Negrut, 2007): rescale it.
-        ratio = min(step / controller[CONTROLLER_LAST], 2.0) if controller[CONTROLLER_LAST] > 0.0 else 1.0
+        ratio = min(step / alpha.last, 2.0) if alpha.last > 0.0 else 1.0
         for j in range(1, q.size - SPARE):
             own = integrator.a[j] + ratio * (late[j] - integrator.a[j])
             start[j] = q[j] + step * v[j] + step * step * kept * own
@@ -161,20 +146,16 @@ def run_alpha(problem, drive, end, tolerance, attempts):
             drive_to(body, state, drive, t + step, to_q, to_v)
         predict(problem, step, to_q, rows[7])
         # The prediction is a polynomial of time, so its error is expected to resemble that of the last one.
-        h1, h0 = controller[CONTROLLER_LAST], controller[CONTROLLER_LAST_BUT_ONE]
+        h1, h0 = alpha.last, alpha.older
         cube = step * (step + h1) * (step + h1 + h0) if h0 > 0.0 else 0.0
-        again = cube / controller[CONTROLLER_CUBE] if controller[CONTROLLER_CUBE] > 0.0 else 0.0
+        again = cube / alpha.cube if alpha.cube > 0.0 else 0.0
         if again > 8.0:
             again = 0.0
         for j in range(1, q.size - SPARE):
             guess[j] = to_q[j]
             to_q[j] += again * missed[j]
         converged = False
-        surveyed = (
-            fixed == 0.0
-            and controller[CONTROLLER_CONTRACTION] > 0.0
-            and int(controller[CONTROLLER_BEGUN]) % _SURVEY > 0
-        )
+        surveyed = fixed == 0.0 and alpha.contraction > 0.0 and alpha.steps % _SURVEY > 0
         last = 1e300
         for iteration in range(_ITERATIONS):
             for j in range(1, q.size - SPARE):
@@ -188,9 +169,9 @@ def run_alpha(problem, drive, end, tolerance, attempts):
             # The second iteration is close enough to the first to use its matrix.
             if iteration != 1 or last > 10.0 * _SPAN * tolerance:
                 factorise(problem, to_q, to_v, g2, g1, False)
-                count[COUNT_MATRICES] += 1
+                run.matrices += 1
             solve(problem, move)
-            count[COUNT_FORCES] += 1
+            run.forces += 1
             size = max_abs(move)
             if not size < 1e8 or (iteration >= 3 and size > 0.5 * last):
                 break
@@ -198,13 +179,9 @@ def run_alpha(problem, drive, end, tolerance, attempts):
             if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
                 converged = True
             elif iteration == 0 and surveyed:
-                converged = (
-                    controller[CONTROLLER_CONTRACTION] * size * size < _SLIGHT * tolerance * step * step
-                )
+                converged = alpha.contraction * size * size < _SLIGHT * tolerance * step * step
             if iteration == 1:
-                controller[CONTROLLER_CONTRACTION] = max(
-                    size / (last * last), 0.5 * controller[CONTROLLER_CONTRACTION]
-                )
+                alpha.contraction = max(size / (last * last), 0.5 * alpha.contraction)
             if converged:
                 break
             last = size
@@ -216,7 +193,7 @@ def run_alpha(problem, drive, end, tolerance, attempts):
                 drive_to(body, state, drive, t + step, to_q, to_v)
             error = 0.0
             if fixed == 0.0:
-                part = _ERROR if controller[CONTROLLER_LAST_BUT_ONE] > 0.0 else 0.3 * _ERROR
+                part = _ERROR if alpha.older > 0.0 else 0.3 * _ERROR
                 error = (1.0 if calming else part) * max_abs_difference(to_q, guess) / (_SPAN * tolerance)
         good = error <= 1.5 and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
         good = good and keeps_apart(problem, q, to_q)
@@ -237,20 +214,20 @@ def run_alpha(problem, drive, end, tolerance, attempts):
                 q[j], v[j], missed[j] = to_q[j], to_v[j], to_q[j] - guess[j]
             _rest(drive, late)
             _rest(drive, integrator.a)
-            controller[CONTROLLER_CUBE] = 0.0 if calming else cube
-            controller[CONTROLLER_BEGUN] += 1.0
+            alpha.cube = 0.0 if calming else cube
+            alpha.steps += 1
             settle(problem, q)
-            count[COUNT_STEPS] += 1
+            run.steps += 1
         else:
             error = max(error, 2.0)
-            count[COUNT_REJECTED] += 1
+            run.rejected += 1
             act_at(body, state, drive, t)
         after = step_after(integrator, h, step, error, 3, good, failed, _LEFT)
         if not good and error >= HOPELESS:
-            controller[CONTROLLER_SOLVABLE] = after = _SOLVED * step
-        elif controller[CONTROLLER_SOLVABLE] > 0.0:
-            controller[CONTROLLER_SOLVABLE] *= _RAISE if fixed == 0.0 else _RAISE_FIXED
-            after = min(after, controller[CONTROLLER_SOLVABLE])
+            alpha.solvable = after = _SOLVED * step
+        elif alpha.solvable > 0.0:
+            alpha.solvable *= _RAISE if fixed == 0.0 else _RAISE_FIXED
+            after = min(after, alpha.solvable)
         if not good or after > _WORTH * h or after < 0.8 * h:
             h = after
         failed = not good
@@ -258,14 +235,13 @@ def run_alpha(problem, drive, end, tolerance, attempts):
             h = min(h, fixed)
         elif not good and h < 1e-6 and h > SHORTEST_STEP:
             # What was kept from earlier steps may be the cause: discard it.
-            controller[CONTROLLER_LAST] = controller[CONTROLLER_LAST_BUT_ONE] = controller[
-                CONTROLLER_BEGUN
-            ] = controller[CONTROLLER_CUBE] = 0.0
+            alpha.last = alpha.older = alpha.cube = 0.0
+            alpha.steps = 0
             accelerate(problem, q, v, integrator.a)
             for j in range(1, q.size - SPARE):
                 late[j] = integrator.a[j]
-    controller[CONTROLLER_TIME] = t
-    controller[CONTROLLER_STEP] = h
+    run.time = t
+    run.step = h
 
 
 @kernel(forceinline=True)

@@ -9,18 +9,7 @@ from __future__ import annotations
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, bears, factorise, keeps_apart, settle, solve
-from ..core.tables import (
-    ARM_ALPHA,
-    AUTO_STEP,
-    CONTROLLER_STEP,
-    CONTROLLER_TIME,
-    COUNT_FORCES,
-    COUNT_MATRICES,
-    COUNT_REJECTED,
-    COUNT_STEPS,
-    COUNT_WHAT,
-    SPARE,
-)
+from ..core.tables import ALPHA, SPARE
 from ..forces.drive import act_at, drive_to
 from ..linear.damping import add_resistance, remember_directions
 from .guard import GOOD, sound
@@ -52,20 +41,20 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
     ensure_acceleration(problem, drive)
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     matrix, method, fixed = problem.matrix, problem.implicit, problem.fixed
-    controller, count = integrator.controller, integrator.counts
+    run = integrator.run
     q, v, rows = state.q, state.v, integrator.rows
     xs, ws = rows[:_MOST_STAGES], rows[_MOST_STAGES : 2 * _MOST_STAGES]
     to_q, to_v, to_a = rows[2 * _MOST_STAGES], rows[2 * _MOST_STAGES + 1], rows[2 * _MOST_STAGES + 2]
     rest, right, by_time = rows[2 * _MOST_STAGES + 3], rows[2 * _MOST_STAGES + 4], rows[2 * _MOST_STAGES + 5]
     stages = method.stages
-    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
+    t, h = run.time, run.step
     if fixed > 0.0:
         h = fixed
     elif h <= 0.0:
         h = first_step(integrator, drive, 0.01 * tolerance)
     failed = False
     for _ in range(attempts):
-        if not (t < end and count[COUNT_WHAT] == GOOD):
+        if not (t < end and run.what == GOOD):
             break
         step = fitting_step(t, end, h)
         g = 1.0 / (method.gamma * step)
@@ -73,7 +62,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
         remember_directions(body, matrix, q)
         if drive.moving:
             _by_time(problem, drive, t, step, to_q, to_v, to_a, by_time)
-        count[COUNT_MATRICES] += 1
+        run.matrices += 1
         for i in range(stages + 1):
             if i == 0:
                 for j in range(1, q.size - SPARE):
@@ -103,7 +92,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
             solve(problem, x)
             for j in range(1, q.size - SPARE):
                 w[j] = g * x[j] - rest[j]
-        count[COUNT_FORCES] += stages
+        run.forces += stages
         error = 0.0
         if fixed == 0.0:
             error = largest_sum(method.error, xs, stages, rest) / (max(step, _SPAN) * tolerance)
@@ -121,14 +110,14 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
             if balance.active:
                 accumulate(problem, drive, t, to_q, to_v, to_a, step)
             t = end if step == end - t else t + step
-            if integrator.history.shape[0] > 0:  # in case generalized-alpha goes on from here
-                remember(problem, step, 0.5 * integrator.selector[AUTO_STEP + ARM_ALPHA])
+            if integrator.alpha.rows.shape[0] > 0:  # in case generalized-alpha goes on from here
+                remember(problem, step, 0.5 * integrator.auto.step[ALPHA])
             replace_state(q, v, integrator.a, to_q, to_v, to_a)
             settle(problem, q)
-            count[COUNT_STEPS] += 1
+            run.steps += 1
         else:
             error = max(error, 2.0)
-            count[COUNT_REJECTED] += 1
+            run.rejected += 1
             for i in range(2 * _MOST_STAGES):  # sums include stages with weight zero, which may be NaN
                 for j in range(1, q.size - SPARE):
                     rows[i, j] = 0.0
@@ -136,8 +125,8 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
         if fixed == 0.0:
             h = step_after(integrator, h, step, error, method.order, good, failed)
             failed = not good
-    controller[CONTROLLER_TIME] = t
-    controller[CONTROLLER_STEP] = h
+    run.time = t
+    run.step = h
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)

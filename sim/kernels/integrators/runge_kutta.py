@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, settle
-from ..core.tables import CONTROLLER_TIME, COUNT_FORCES, COUNT_STEPS, COUNT_WHAT, SPARE
+from ..core.tables import SPARE
 from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
 from .steps import ensure_acceleration, fixed_steps, fixed_time, replace_state
@@ -19,14 +19,14 @@ def run_runge_kutta(problem, drive, end, tolerance, attempts):
     """
     ensure_acceleration(problem, drive)
     body, state, integrator = problem.body, problem.state, problem.integrator
-    tableau, controller, count = problem.explicit, integrator.controller, integrator.counts
+    tableau, run = problem.explicit, integrator.run
     q, v, rates = state.q, state.v, integrator.rows
     to_q, to_v = rates[rates.shape[0] - 1], rates[rates.shape[0] - 2]
     stages, step = tableau.stages, problem.fixed
-    t, done = controller[CONTROLLER_TIME], 0
+    t, done = run.time, 0
     first = fixed_steps(problem, t)
     wanted = min(fixed_steps(problem, end) - first, attempts)
-    while done < wanted and count[COUNT_WHAT] == GOOD:
+    while done < wanted and run.what == GOOD:
         for j in range(1, q.size - SPARE):
             rates[0, j] = integrator.a[j]
         # The last one is the end of the step, whose accelerations are those of the next step's start.
@@ -35,7 +35,7 @@ def run_runge_kutta(problem, drive, end, tolerance, attempts):
             if drive.moving:
                 drive_to(body, state, drive, t + tableau.c[i] * step, to_q, to_v)
             accelerate(problem, to_q, to_v, rates[i])
-        count[COUNT_FORCES] += stages
+        run.forces += stages
         if not sound(body, integrator, to_q, to_v, True):
             act_at(body, state, drive, t)
             break
@@ -45,8 +45,8 @@ def run_runge_kutta(problem, drive, end, tolerance, attempts):
         t = fixed_time(problem, first + done)
         replace_state(q, v, integrator.a, to_q, to_v, rates[stages])
         settle(problem, q)
-    count[COUNT_STEPS] += done
-    controller[CONTROLLER_TIME] = t
+    run.steps += done
+    run.time = t
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)

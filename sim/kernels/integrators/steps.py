@@ -10,15 +10,7 @@ from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time, whole_eights
 from ..core.shared import accelerate
-from ..core.tables import (
-    CONTROLLER_ORIGIN,
-    CONTROLLER_PAST,
-    CONTROLLER_TIME,
-    COUNT_FORCES,
-    COUNT_FRESH,
-    COUNT_WHAT,
-    SPARE,
-)
+from ..core.tables import SPARE
 from ..core.vectors import from_to
 from ..forces.chain import is_chain_like
 from ..forces.drive import drive_to
@@ -51,13 +43,13 @@ HOPELESS = 1e30
 def ensure_acceleration(problem, drive):
     """Move held masses to where they should be and update the accelerations, unless both are up to date."""
     body, state, integrator = problem.body, problem.state, problem.integrator
-    if integrator.counts[COUNT_FRESH] == 0:
+    if not integrator.run.current:
         if drive.moving:
-            drive_to(body, state, drive, integrator.controller[CONTROLLER_TIME], state.q, state.v)
+            drive_to(body, state, drive, integrator.run.time, state.q, state.v)
         accelerate(problem, state.q, state.v, integrator.a)
-        integrator.counts[COUNT_FORCES] += 1
-        integrator.counts[COUNT_FRESH] = 1
-        integrator.controller[CONTROLLER_PAST] = -1.0
+        integrator.run.forces += 1
+        integrator.run.current = True
+        integrator.adams.time = -1.0
 
 
 @kernel(forceinline=True)
@@ -151,7 +143,7 @@ def fitting_step(t, end, h):
 @kernel(forceinline=True)
 def fixed_steps(problem, t):
     """The number of whole steps of a fixed length from where the run began to time t."""
-    passed = t - problem.integrator.controller[CONTROLLER_ORIGIN]
+    passed = t - problem.integrator.run.origin
     # Times are rounded, the more the later it is.
     return int((passed + 4e-16 * abs(t)) / problem.fixed + 1e-6)
 
@@ -159,7 +151,7 @@ def fixed_steps(problem, t):
 @kernel(forceinline=True)
 def fixed_time(problem, number):
     """The time of a step of a fixed length, s; the same bits however the run is cut into calls."""
-    return problem.integrator.controller[CONTROLLER_ORIGIN] + number * problem.fixed
+    return problem.integrator.run.origin + number * problem.fixed
 
 
 @kernel(fastmath=FAST)
@@ -192,7 +184,7 @@ def step_after(integrator, h, step, error, order, good, after_failure, left=0.5)
     if not good:
         h = step * min(factor, left)
         if h < SHORTEST_STEP:
-            integrator.counts[COUNT_WHAT] = STUCK
+            integrator.run.what = STUCK
         return h
     return step_after_good(h, step, factor, after_failure)
 

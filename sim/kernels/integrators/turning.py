@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.jit import FAST, kernel
-from ..core.tables import CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, SPARE
+from ..core.tables import SPARE
 
 _LEAST = 1e-100
 """Lower bound, px², of a squared length that is divided by."""
@@ -26,11 +26,11 @@ def remember(problem, step, least):
     Steps that together are shorter than `least` (s) count as one, since the next step is much longer.
     """
     matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
-    controller, slots = integrator.controller, q.size // 2
-    if 0.0 < controller[CONTROLLER_LAST] < least:
-        controller[CONTROLLER_LAST] += step
+    alpha, slots = integrator.alpha, q.size // 2
+    if 0.0 < alpha.last < least:
+        alpha.last += step
         return
-    last, older = integrator.history[1], integrator.history[2]
+    last, older = alpha.rows[1], alpha.rows[2]
     for j in range(1, q.size - SPARE):
         older[j] = last[j]
     if matrix.straight:
@@ -41,8 +41,8 @@ def remember(problem, step, least):
             m = matrix.walk[i]
             p = matrix.parent[m]
             last[m], last[slots + m] = q[m] - q[p], q[slots + m] - q[slots + p]
-    controller[CONTROLLER_LAST_BUT_ONE] = controller[CONTROLLER_LAST]
-    controller[CONTROLLER_LAST] = step
+    alpha.older = alpha.last
+    alpha.last = step
 
 
 @kernel(internal=True, fastmath=FAST)
@@ -53,9 +53,9 @@ def predict(problem, step, to_q, vector):
     those without a parent keep their positions in `to_q`; `vector` is scratch.
     """
     matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
-    controller, slots = integrator.controller, q.size // 2
-    last, older = integrator.history[1], integrator.history[2]
-    h1, h0 = controller[CONTROLLER_LAST], controller[CONTROLLER_LAST_BUT_ONE]
+    alpha, slots = integrator.alpha, q.size // 2
+    last, older = alpha.rows[1], alpha.rows[2]
+    h1, h0 = alpha.last, alpha.older
     if h1 == 0.0:
         return
     c1, c0 = step / h1, 0.0

@@ -6,17 +6,7 @@ from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, bears, keeps_apart, settle
-from ..core.tables import (
-    CONTROLLER_CAP,
-    CONTROLLER_HELD,
-    CONTROLLER_STEP,
-    CONTROLLER_TIME,
-    COUNT_FORCES,
-    COUNT_REJECTED,
-    COUNT_STEPS,
-    COUNT_WHAT,
-    SPARE,
-)
+from ..core.tables import SPARE
 from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
 from .steps import (
@@ -81,25 +71,25 @@ def run_verlet(problem, drive, end, tolerance, attempts):
         problem.balance,
     )
     fixed, near_limit = problem.fixed, problem.near_limit
-    controller, count = integrator.controller, integrator.counts
+    run, verlet = integrator.run, integrator.verlet
     q, v, a, rows = state.q, state.v, integrator.a, integrator.rows
     to_q, to_v, to_a, driven, slope, to_slope = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]
     slots = q.size // 2
-    farthest, fastest = integrator.limits[0], integrator.limits[1]
-    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
+    farthest, fastest = run.farthest, run.fastest
+    t, h = run.time, run.step
     first = 0
     if fixed > 0.0:
         h, first = fixed, fixed_steps(problem, t)
         end = fixed_time(problem, fixed_steps(problem, end))
     elif h <= 0.0:
         h = 0.5 * first_step(integrator, drive, 0.01 * tolerance)
-        controller[CONTROLLER_CAP] = 1e9
-    cap = controller[CONTROLLER_CAP]
+        verlet.cap = 1e9
+    cap = verlet.cap
     for j in range(a.size):
         slope[j] = a[j]
     failures = 0  # consecutive ones
     steps, tries, held, swaps, shortest = 0, 0, 0, 0, 0.0
-    while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
+    while tries < attempts and t < end and run.what == GOOD:
         tries += 1
         step = fixed if fixed > 0.0 else fitting_step(t, end, h)
         half = 0.5 * step
@@ -168,11 +158,11 @@ def run_verlet(problem, drive, end, tolerance, attempts):
             failures = 0
     if swaps % 2:
         replace_state(state.q, state.v, integrator.a, q, v, a)
-    count[COUNT_FORCES] += tries
-    count[COUNT_STEPS] += steps
-    count[COUNT_REJECTED] += tries - steps
-    controller[CONTROLLER_TIME], controller[CONTROLLER_STEP], controller[CONTROLLER_CAP] = t, h, cap
-    controller[CONTROLLER_HELD] = held / max(tries, 1)
+    run.forces += tries
+    run.steps += steps
+    run.rejected += tries - steps
+    run.time, run.step, verlet.cap = t, h, cap
+    verlet.limited = held / max(tries, 1)
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
