@@ -39,12 +39,14 @@ from ..kernels.core.tables import (
     Floats,
     IntegratorState,
     Matrix,
+    Phase,
     Problem,
     Rosenbrock,
     Run,
     Scratch,
     State,
     Tableau,
+    Trial,
     VerletState,
     Work,
 )
@@ -64,7 +66,7 @@ from ..scene.types import Scene
 from .arms import LONG, LOW_TOLERANCE, costs_of_steps, tolerance_factors
 from .stability import quick_limit
 
-_ROWS, _ALPHA_ROWS = 24, 4
+_ROWS, _ALPHA_ROWS = 20, 4
 """Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
 
 _NEAR_LIMIT = 0.6
@@ -119,14 +121,18 @@ class Solver:
         past, kept = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
         count = kept + (_ALPHA_ROWS if remembers else 0)
         (room,) = slab([(count * wide, 1)], page_offset=2560)
+        new_q, new_v, new_a = slab([(wide, 1)] * 3, page_offset=0)
         rows = room.reshape(-1, wide)  # a whole number of cache lines each
         self.integrator = IntegratorState(
             a=rows[0],
+            old=Phase(q=state.q, v=state.v, a=rows[0]),
+            new=Phase(q=new_q, v=new_v, a=new_a),
             rows=rows[1:past],
             run=Run(
                 farthest=MAX_COORDINATE,
                 fastest=MAX_SPEED if self._info.adaptive else RUNAWAY_SPEED,
             ),
+            trial=Trial(),
             verlet=VerletState(),
             alpha=AlphaState(rows=rows[kept:]),
             adams=AdamsState(past=rows[past:kept]),
@@ -182,7 +188,14 @@ class Solver:
         Nothing of them is left, not even in scratch, which loops over padding read.
         """
         integrator, run = self.integrator, self.integrator.run
-        for array in (integrator.a, integrator.rows, integrator.alpha.rows, integrator.adams.past):
+        new_vectors = integrator.new.q, integrator.new.v, integrator.new.a
+        for array in (
+            integrator.a,
+            *new_vectors,
+            integrator.rows,
+            integrator.alpha.rows,
+            integrator.adams.past,
+        ):
             array[:] = 0.0
         for _, array in self.scratch.arrays():
             array[:] = 0.0

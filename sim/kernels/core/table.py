@@ -85,6 +85,7 @@ class _Block:
 
     mutable: ClassVar[bool] = False
     numbers: ClassVar[tuple[str, ...]]  # of a record: names of the fields that are numbers
+    _starts: ClassVar[list[int]]  # where these are kept, as in `_Field`
     fields: ClassVar[dict[str, _Field]]
     numba_type: ClassVar[TableType]
     _numba_type_: ClassVar[TableType]
@@ -165,6 +166,7 @@ class Record(_Block):
         cls.numbers = tuple(
             n for n, f in cls.fields.items() if isinstance(f.type, (types.Number, types.Boolean))
         )
+        cls._starts = [cls.fields[name].start for name in cls.numbers]
         for name in cls.numbers:
             setattr(cls, name, _number(cls.fields[name]))
 
@@ -178,13 +180,11 @@ class Record(_Block):
 
     def clear(self) -> None:
         """Set all numbers to zero."""
-        for name in self.numbers:
-            setattr(self, name, 0)
+        self.__dict__["_block"][self._starts] = 0
 
     def take_over(self, other: Self) -> None:
         """Set all numbers to those of another record."""
-        for name in self.numbers:
-            setattr(self, name, getattr(other, name))
+        self.__dict__["_block"][self._starts] = other.__dict__["_block"][self._starts]
 
 
 def _number(field: _Field) -> property:

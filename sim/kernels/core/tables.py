@@ -244,11 +244,34 @@ class Run(Record):
     fallbacks: int  # fallback steps
 
 
+class Phase(Table):
+    """A point of the motion: what a step leads from, and to; vectors as in `State`."""
+
+    q: Floats  # (2 slots) positions, px
+    v: Floats  # (2 slots) velocities, px/s
+    a: Floats  # (2 slots) accelerations, px/s²; of no meaning for methods that do not keep them
+
+
+class Trial(Record):
+    """One step that is tried, see `integrators.loop`."""
+
+    h: float  # its length, s
+    end: float  # the time that it leads to, s
+    far: float  # its largest coordinate, px; infinite where unknown, as are the next two
+    fast: float  # its largest velocity component, px/s
+    moved: float  # largest change of a coordinate, px, if the last forces are those at its end
+    failures: int  # number of steps refused since the last good one
+    number: int  # of fixed steps before it
+    most: int  # number of fixed steps that may be done at once
+    count: int  # number that was done
+
+
 class VerletState(Record):
     """What velocity Verlet keeps from step to step."""
 
     cap: float  # the largest step that seems to be stable, s
-    limited: float  # the share of steps in its last turn that were limited by stability
+    limited: int  # number of steps in this call that were limited by stability
+    row: int  # the row with the accelerations that predict velocities
 
 
 class AlphaState(Record):
@@ -260,9 +283,8 @@ class AlphaState(Record):
     solvable: float  # the largest step for which Newton's method seems to converge, s; 0 where unknown
     steps: int  # number of steps since it took over
     contraction: float  # size of Newton's second update by the square of the first, 1/px; 0: unknown
-    cube: (
-        float  # a product of three time spans, s³, to which the error of the last prediction is proportional
-    )
+    next_cube: float  # three time spans of the step that is tried multiplied, s³
+    cube: float  # those of the last step, to which the error of its prediction is proportional; 0: unknown
 
 
 class AdamsState(Record):
@@ -276,6 +298,8 @@ class AdamsState(Record):
     head: int  # the row with the latest acceleration
     known: int  # number of rows, from the latest on, at the present spacing
     since: int  # number of steps since the step size changed
+    kinks: bool  # the kinks of air friction matter, see `integrators.kinks`
+    turns: bool  # in the step that is tried, a velocity changes its sign, and they matter
 
 
 VERLET, ROSENBROCK, ALPHA, ADAMS = 0, 1, 2, 3
@@ -297,14 +321,18 @@ class AutoState(Record):
     turn: int  # the method whose turn it is, or -1
     began: float  # time at which this turn began, s
     tried: int  # the number of steps that had been tried by then
+    limited: float  # the share of steps in Verlet's last turn that were limited by stability
 
 
 class IntegratorState(Table):
     """Mutable: what an integrator keeps from step to step, and its scratch; vectors as in `State`."""
 
     a: Floats  # accelerations of the state, px/s²
+    old: Phase  # the state and these accelerations
+    new: Phase  # room for a step
     rows: Rows  # (R, 2 slots) scratch
     run: Run
+    trial: Trial
     verlet: VerletState
     alpha: AlphaState
     adams: AdamsState

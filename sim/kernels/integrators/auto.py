@@ -80,7 +80,7 @@ def next_turn(problem, end, whole_tolerance, left):
         tolerance; and how many steps were tried in the last turn.
     """
     integrator, costs = problem.integrator, problem.costs
-    run, verlet, alpha, auto = integrator.run, integrator.verlet, integrator.alpha, integrator.auto
+    run, alpha, auto = integrator.run, integrator.alpha, integrator.auto
     tries = 0
     if auto.turn >= 0:
         tries = run.steps + run.rejected - auto.tried
@@ -89,10 +89,10 @@ def next_turn(problem, end, whole_tolerance, left):
         left -= max(tries, 1)
     if not (run.time < end and left > 0 and run.what == GOOD):
         return -1, 0, 0.0, tries
-    arm, limit = _whose_turn(auto, costs, _LONG_STEP * whole_tolerance**0.2, verlet.limited)
+    arm, limit = _whose_turn(auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited)
     began, step = run.time, auto.step[arm]
     tolerance = problem.tolerance_factor[arm] * whole_tolerance
-    if _is_delicate(problem.body, problem.state, problem.state.q):
+    if _near_singular(problem.body, problem.state, problem.state.q):
         tolerance *= _WITH_CARE
     auto.turn, auto.began = arm, began
     auto.tried = run.steps + run.rejected
@@ -119,6 +119,8 @@ def _enter_turn(integrator, costs, arm, tries, end):
             alpha.last = alpha.older = 0.0
     auto.step[arm] = run.step
     auto.last = arm
+    if arm == VERLET:
+        auto.limited = integrator.verlet.limited / max(tries, 1)
     pace = went / (max(tries, 1) * costs[arm])
     if run.what == STUCK and arm != ROSENBROCK and costs[ROSENBROCK] > 0.0:
         run.what = GOOD  # another method may still find a step
@@ -191,11 +193,11 @@ def _whose_turn(auto, costs, long_step, held):
 
 
 @kernel(fastmath=FAST)
-def _is_delicate(body, state, q):
+def _near_singular(body, state, q):
     """Whether any spring is short, or any joint is bent by over 90 degrees from rest: A . R(-r) B < 0."""
     short = _SHORT * state.controls[CONTROL_SCALE]
     if body.chain:
-        return _chain_is_delicate(body, state, q, short)
+        return _chain_near_singular(body, state, q, short)
     for s in range(body.springs):
         x, y = from_to(q, body.spring_a[s], body.spring_b[s])
         least = short * body.rest_length[s]
@@ -212,8 +214,8 @@ def _is_delicate(body, state, q):
 
 
 @kernel(noalias=True, fastmath=FAST)
-def _chain_is_delicate(body, state, q, short):
-    """`_is_delicate` of a chain, vectorised; padding springs and joints never count."""
+def _chain_near_singular(body, state, q, short):
+    """`_near_singular` of a chain, vectorised; padding springs and joints never count."""
     slots = q.size // 2
     x, y, cosine, sine = q[:slots], q[slots:], state.torque_cos, state.torque_sin
     delicate = 0

@@ -15,7 +15,7 @@ from ..core.vectors import from_to
 from ..energy.energies import energies
 from ..forces.drive import act_at, drive_to
 from ..linear.damping import add_resistance, remember_directions
-from .guard import GOOD, sound
+from .guard import GOOD, state_ok
 from .steps import max_abs
 
 
@@ -24,7 +24,7 @@ def run_fallback(problem, drive, h, shortest, reach):
     """One step of h seconds from a state in which the integrators are stuck.
 
     Args:
-        problem, drive: as of `run_verlet`.
+        problem, drive: as of `integrators.loop.advance`.
         h: length of the step, s.
         shortest: length to which shorter springs are set, px.
         reach: largest distance that a mass moves, px.
@@ -63,7 +63,7 @@ def run_fallback(problem, drive, h, shortest, reach):
     for i in range(drive.mass.size):
         m = drive.mass[i]
         move[m], move[slots + m] = 0.0, 0.0
-    add_resistance(problem, v, v, -1.0, move)
+    add_resistance(problem, q, v, v, -1.0, move)
     solve(problem, move)
     for m in range(1, body.masses + 1):
         size = math.sqrt(move[m] * move[m] + move[slots + m] * move[slots + m])
@@ -84,7 +84,7 @@ def run_fallback(problem, drive, h, shortest, reach):
         if after <= before and max_abs(to_q) <= run.farthest and max_abs(to_v) <= run.fastest:
             break
         part *= 0.5
-    if not sound(body, integrator, to_q, to_v, True):
+    if not state_ok(body, integrator, to_q, to_v, True):
         for j in range(q.size):  # a driven mass is out of bounds
             q[j], v[j] = kept_q[j], kept_v[j]
         act_at(body, state, drive, t)

@@ -13,7 +13,7 @@ but springs have yielded or broken, so that the run has to begin anew."""
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def sound(body, integrator, q, v, final):
+def state_ok(body, integrator, q, v, final):
     """Whether all numbers of a state are within the limits.
 
     If not, and `final`, what is wrong is written into `integrator.run`, which ends the run. Otherwise a

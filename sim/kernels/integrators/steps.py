@@ -53,7 +53,7 @@ def ensure_acceleration(problem, drive):
 
 
 @kernel(forceinline=True)
-def is_gentle(body, state, q, to_q, step):
+def all_rotations_ok(body, state, q, to_q, step):
     """Whether no spring has turned by more than 60 degrees in a step.
 
     If one has, for instance because its ends passed each other, the forces in between were never evaluated.
@@ -62,12 +62,12 @@ def is_gentle(body, state, q, to_q, step):
     if step < _SHORTEST_TURN:
         return True
     if body.chain:
-        return _chain_is_gentle(body, state.inverse_mass, q, to_q)
-    return _any_is_gentle(body, state.inverse_mass, q, to_q)
+        return _chain_rotations_ok(body, state.inverse_mass, q, to_q)
+    return _any_rotations_ok(body, state.inverse_mass, q, to_q)
 
 
 @kernel(noalias=True, fastmath=FAST)
-def _chain_is_gentle(body, inverse_mass, q, to_q):
+def _chain_rotations_ok(body, inverse_mass, q, to_q):
     slots = q.size // 2
     qx, qy, to_qx, to_qy = q[:slots], q[slots:], to_q[:slots], to_q[slots:]
     turned = 0
@@ -84,7 +84,7 @@ def _chain_is_gentle(body, inverse_mass, q, to_q):
 
 
 @kernel(fastmath=FAST)
-def _any_is_gentle(body, inverse_mass, q, to_q):
+def _any_rotations_ok(body, inverse_mass, q, to_q):
     for s in range(body.springs):
         a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
         x, y = from_to(q, a, b)
@@ -106,15 +106,15 @@ def _has_turned(x, y, to_x, to_y, softening):
 
 
 @kernel(forceinline=True)
-def stays_gentle(body, state, q, to_q, step, moved, shortest):
-    """`is_gentle`, but quicker where no mass has moved far.
+def rotation_ok(body, state, q, to_q, step, moved, shortest):
+    """`all_rotations_ok`, but quicker where no mass has moved far.
 
     Args:
-        body, state, q, to_q, step: as of `is_gentle`.
+        body, state, q, to_q, step: as of `all_rotations_ok`.
         moved: largest change of a coordinate in the step, px.
         shortest: length of the shortest spring at the start, px, or less.
     """
-    return _BOTH_ENDS * moved < _SURE * shortest or is_gentle(body, state, q, to_q, step)
+    return _BOTH_ENDS * moved < _SURE * shortest or all_rotations_ok(body, state, q, to_q, step)
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -130,14 +130,16 @@ def shortest_of(body, scratch):
 
 
 @kernel(forceinline=True)
-def fitting_step(t, end, h):
-    """The step to try, s: at most h, not beyond the end, and without leaving a tiny rest."""
+def fitting_step(t, end, h, equal_steps):
+    """The step to try, s: at most h, not beyond the end, and without leaving a tiny rest.
+
+    So many steps before the end are made equally long: where steps change, what a method keeps from the last
+    ones is worth less.
+    """
     rest = end - t
-    if h >= 0.999999 * rest:
-        return rest
-    if 2.0 * h > rest:
-        return 0.5 * rest
-    return h
+    if rest >= (equal_steps + 1e-6) * h:
+        return h
+    return rest / max(math.ceil(rest / h - 1e-6), 1)
 
 
 @kernel(forceinline=True)

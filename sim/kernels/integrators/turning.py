@@ -20,12 +20,12 @@ _LEAST = 1e-100
 
 
 @kernel(internal=True, fastmath=FAST)
-def remember(problem, step, least):
-    """Add a step to the history of the springs' vectors; called before the state is replaced.
+def remember(problem, q, step, least):
+    """Add a step from positions q to the history of the springs' vectors.
 
     Steps that together are shorter than `least` (s) count as one, since the next step is much longer.
     """
-    matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
+    matrix, integrator = problem.matrix, problem.integrator
     alpha, slots = integrator.alpha, q.size // 2
     if 0.0 < alpha.last < least:
         alpha.last += step
@@ -46,13 +46,13 @@ def remember(problem, step, least):
 
 
 @kernel(internal=True, fastmath=FAST)
-def predict(problem, step, to_q, vector):
-    """Predict positions by extrapolating how each spring of the forest turned and stretched in two steps.
+def predict(problem, q, step, to_q, vector):
+    """Extrapolate from positions q how each spring of the forest turned and stretched in two steps.
 
     z - z²/2, the logarithm of 1 + z to second order, is extrapolated as a polynomial of time. Held masses and
     those without a parent keep their positions in `to_q`; `vector` is scratch.
     """
-    matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
+    matrix, integrator = problem.matrix, problem.integrator
     alpha, slots = integrator.alpha, q.size // 2
     last, older = alpha.rows[1], alpha.rows[2]
     h1, h0 = alpha.last, alpha.older
