@@ -1,6 +1,6 @@
 // @ts-check
 /** Where things are for an edit: what is under the pointer, the nearest crossing of the grid, directions and distances. */
-import { gridStep } from "./around.js";
+import { gridStep } from "../../drawing/static/around.js";
 import { shown } from "./canvas.js";
 import { told } from "./channel.js";
 import { editing } from "./editing.js";
@@ -51,7 +51,7 @@ export function step() {
   const seen = sight();
   const { plan, on } = seen ?? {};
   if (!plan || !on) return 1;
-  return gridStep(Math.max(Number(told().width), Number(told().height)) / plan.scale, plan.scale * on.step);
+  return gridStep(Math.max(told().width ?? 0, told().height ?? 0) / plan.scale, plan.scale * on.step);
 }
 
 /**

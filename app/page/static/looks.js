@@ -1,6 +1,5 @@
 // @ts-check
 /** How the page looks: projector mode, and where buttons have room for words and for their lists. */
-import { onMail } from "./mail.js";
 import { kept, store } from "./storage.js";
 
 const NAME = "softrod-projector";
@@ -60,7 +59,6 @@ function keepRoom() {
 /** Keeps the sizes of projector mode, and turns it on if it was on before the page was loaded. */
 export function restoreLooks() {
   root().classList.toggle(NAME, kept(NAME) === "1");
-  onMail("larger", toggleProjector);
   enlarge();
   window.addEventListener("resize", enlarge);
   setInterval(keepRoom, LOOK_EVERY);

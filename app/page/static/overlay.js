@@ -3,14 +3,14 @@
 import { onFit } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
-import { wrapped } from "./draw.js";
+import { wrapped } from "../../drawing/static/draw.js";
 import { addEdgeArrow } from "./edge.js";
 import { onScreen, screen } from "./screen.js";
 import { viser } from "./viser.js";
 
 /**
- * @typedef {import("./plan.js").Plan} Plan
- * @typedef {import("./plan.js").Frame} Frame
+ * @typedef {import("../../drawing/static/plan.js").Plan} Plan
+ * @typedef {import("../../drawing/static/plan.js").Frame} Frame
  * @typedef {import("./screen.js").Screen} Screen
  * @typedef {object} Sight a picture, and where it is on the screen
  * @property {Plan} plan
@@ -162,7 +162,7 @@ export function addOverlay() {
     point(seen.places, { left, right, top, bottom: Math.min(seen.box.bottom, dock?.top ?? Infinity) });
   };
   onPicture(redraw);
-  onTold(redraw);
+  onTold("pageState", redraw);
   onFit(redraw);
   followCamera();
 }
@@ -178,7 +178,7 @@ function jointMark(add) {
   const angle = add("text", "softrod-angle");
   /** @param {Sight} seen */
   return ({ plan, frame, on, places }) => {
-    const joint = Number(told().joint ?? -1);
+    const joint = told().joint ?? -1;
     const has = joint >= 0 && 4 * joint < plan.joints.length && !plan.many;
     arc.style.display = angle.style.display = has ? "" : "none";
     if (!has) return;

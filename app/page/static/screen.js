@@ -2,12 +2,7 @@
 /** Between the scene, the page's world and the screen: the camera looks straight at the plane z = 0. */
 import { viser } from "./viser.js";
 
-/**
- * @typedef {object} Screen pixels of the window = origin + step * world
- * @property {number} x
- * @property {number} y
- * @property {number} step pixels of a unit of the world; y of the screen grows downwards
- */
+/** @typedef {import("../../drawing/static/around.js").Screen} Screen */
 
 /** How the world lies on the screen now. @returns {Screen | null} */
 export function screen() {
@@ -30,7 +25,7 @@ export function screen() {
 /**
  * Where masses are on the screen: x and y of each.
  *
- * @param {import("./plan.js").Plan} plan
+ * @param {import("../../drawing/static/plan.js").Plan} plan
  * @param {Float32Array} positions px of the scene
  * @param {Screen} on
  */
@@ -52,8 +47,8 @@ export function onScreen(plan, positions, on) {
  */
 export const worldAt = (place, on) => ({ x: (place.x - on.x) / on.step, y: (on.y - place.y) / on.step });
 
-/** A point of the world as a message has it. @param {{x: number, y: number}} point */
-export const pointText = ({ x, y }) => `${x.toFixed(6)},${y.toFixed(6)}`;
+/** A number of the world as a message has it. @param {number} value */
+export const rounded = (value) => Number(value.toFixed(6));
 
 /**
  * The mass to take hold of at a place on the screen: the nearest one within reach, or -1.

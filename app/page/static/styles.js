@@ -1,18 +1,10 @@
 // @ts-check
-/** The styles that the server writes, in a place from which folding the panel does not take them. */
+/** The styles that the server writes: those that depend on colours, and on which controls there are. */
+import { onTold } from "./channel.js";
 
-const SOURCE = "<style>:root{";
-/** @type {HTMLStyleElement | null} */
-let style = null;
-
-/** Takes the styles that a message has, if they are softrod's. @param {unknown} content */
-export function keepStyles(content) {
-  if (typeof content !== "string" || !content.startsWith(SOURCE)) return;
-  const template = document.createElement("template");
-  template.innerHTML = content;
-  if (!style) {
-    style = document.createElement("style");
-    document.head.append(style);
-  }
-  style.textContent = [...template.content.children].map((one) => one.textContent).join("\n");
+/** Begins to put them into the page, after all others. */
+export function showStyles() {
+  const style = document.createElement("style");
+  document.body.append(style);
+  onTold("styles", ({ css }) => (style.textContent = css));
 }
