@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from sim import Anchor
-from sim.kernels.integrators.steps import all_rotations_ok, shortest_of, rotation_ok
+from sim.kernels.integrators.steps import all_rotations_ok, rotation_ok, shortest_of
 from tests.sim.arrays import Arrays
 
 STEP = 1e-3
