@@ -37,7 +37,7 @@ import { listenToPointer } from "./hands/pointer.js";
 import { addPaper } from "./body/paper.js";
 import { listenToPresses } from "./hands/presses.js";
 import { addShareDialog } from "./files/share.js";
-import { showStyles } from "./looks/styles.js";
+import { markControls } from "./viser/roles.js";
 import { addUnderlay } from "./body/underlay.js";
 import { addTexts } from "./scenes/texts.js";
 import { hearTools } from "./measure/tools.js";
@@ -71,7 +71,7 @@ whenViser((viser) => {
   drawBody(viser);
   showHud();
   hearTools();
-  showStyles();
+  markControls();
   listenToCommands();
   keepFlat();
   mindDialogs();

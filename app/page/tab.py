@@ -416,7 +416,7 @@ class Tab:
         if self._files is not None:
             self._files.build()
         self._show_lessons_things(session)
-        self._panel.set_style(dark)
+        self._panel.tell_roles()
         if self._measure is not None:
             self._measure.build(dark)
         self._moved_at = session.now()

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
+from ..drawing.looks import ICONS
 from ..session import commands
 from ..session.session import Session
 
@@ -94,7 +95,7 @@ _HAND = (
 
 COMMANDS: dict[str, Row] = {
     # ------------------------------------------------------------------------- time
-    "play": Row("Play or pause", commands.Play(), ("Space",), "play or pause", icon="M7 4v16l13-8z"),
+    "play": Row("Play or pause", commands.Play(), ("Space",), "play or pause", icon=ICONS["play"]),
     "step": Row(
         "1 step", commands.DoSteps(1), ("N",), "one step; with Shift ten", word="Step",
         icon="M6 5v14l9-7zM16 5h2v14h-2z",
@@ -118,11 +119,11 @@ COMMANDS: dict[str, Row] = {
     ),
     "reset": Row(
         "Reset", commands.Reset(), ("R",), "reset", word="Reset",
-        icon="M12 5V1L7 6l5 5V7a5 5 0 1 1-5 5H5a7 7 0 1 0 7-7z",
+        icon=ICONS["reset"],
     ),
     "pause": Row(
         "Pause", commands.Play(False), ("Esc",), "pause; close this help, or a question", word="Pause",
-        icon="M6 4h4v16H6zM14 4h4v16h-4z",
+        icon=ICONS["pause"],
     ),
     "run": Row("Play", commands.Play(True), palette=False),
     "forget": Row("Take the line away", commands.ForgetFuture(), palette=False),

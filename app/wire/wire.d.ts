@@ -75,8 +75,8 @@ export type PageState = { tell: "pageState"; page: string; scene: number; title:
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
-/** Colours of the page, and of its controls, CSS. */
-export type Styles = { tell: "styles"; css: string };
+/** Controls that look otherwise than viser draws them, by their ids; whether there is a bar of time. */
+export type Roles = { tell: "roles"; roles: Record<string, "beside" | "number" | "outlined" | "slider">; time_bar: boolean };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; steps: LessonStep[] };
 /** What is selected. */
@@ -107,6 +107,6 @@ export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, st
 export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
-export type ToPage = PageState | Tools | Hud | Styles | Lesson | Selected | Versions | Keepsake | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link;
+export type ToPage = PageState | Tools | Hud | Roles | Lesson | Selected | Versions | Keepsake | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; hud: Hud; styles: Styles; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link };
+export type Told = { pageState: PageState; tools: Tools; hud: Hud; roles: Roles; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link };

@@ -3,16 +3,13 @@
 import { shown } from "./canvas.js";
 import { onTold, told } from "../../wire/channel.js";
 import { toWorld } from "../../drawing/static/draw.js";
+import { MARGIN, NEAR, STRIP } from "../../drawing/static/looks.js";
 import { editing } from "../edit/editing.js";
 import { placeTransport } from "../time/transport.js";
 import { viser } from "../viser/viser.js";
 
-/** Room around the scene's frame. */
-const MARGIN = 1.04;
 /** How many times larger than the scene's frame a view may be; a body farther away is left out. */
 const LARGEST = 20;
-/** How near to the scene's frame a wall is shown with it, and how deep, as parts of its size. */
-const [NEAR, STRIP] = [0.2, 0.05];
 /** Pixels of a canvas below which the buttons over the bar of time have no room beside a body, and those around them. */
 const [NARROW, ROOM] = [480, 18];
 /** Width of a phone's canvas at most, and pixels that the words at its upper left take: the scene stands below them there. */

@@ -3,10 +3,11 @@
  * Links that hold a scene after their #. A browser keeps that to itself, so it is sent to the server here. Nothing in
  * it is read in the page, and the address is given back without it: a reload then goes on with what is kept.
  */
+import { LINK_PATH } from "../../drawing/static/looks.js";
 import { send, told } from "../../wire/channel.js";
 
 /** The end of such a link's path; the page itself may be in a folder. */
-const PATH = /\/s$/;
+const PATH = new RegExp(`${LINK_PATH}$`);
 /** How the data begins: the number of its way of packing, and a dot. */
 const BEGIN = /^#\d+\./;
 /** Characters of a message; the gate takes 64 KiB. */

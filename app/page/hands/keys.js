@@ -46,7 +46,7 @@ const isSlider = (target) =>
  */
 function isTaken({ target, code, key }) {
   if (!(target instanceof Element)) return false;
-  if (key === "Escape") return target.closest(".softrod-box:has(> .softrod-box-tools:not([hidden]))") !== null;
+  if (key === "Escape") return target.closest(".softrod-box[data-open]") !== null;
   return target.matches(".softrod-body, .softrod-grip") && (key in ARROWS || code === "Space");
 }
 /**

@@ -1,6 +1,7 @@
 // @ts-check
 /** How the page looks: projector mode, and where buttons have room for words and for their lists. */
 import { kept, store } from "../files/storage.js";
+import { viser } from "../viser/viser.js";
 
 const NAME = "softrod-projector";
 /** Pixels of a window for which the panel has its usual size; in larger ones it grows with them. */
@@ -49,6 +50,7 @@ const enlarge = () => root().style.setProperty("--softrod-larger", larger().toFi
 /** viser leaves room for the panel beside the canvas by the width that this would have without being larger. */
 function keepRoom() {
   if (!root().classList.contains(NAME)) return;
+  viser()?.canvas?.closest("[data-dock-root] > div")?.setAttribute("data-softrod", "canvas");
   for (const side of ["left", "right"]) {
     const panel = document.querySelector(`[data-dock-region="${side}"]`);
     const width = panel ? panel.getBoundingClientRect().width : 0;

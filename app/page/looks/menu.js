@@ -77,6 +77,7 @@ export function addMenu() {
       if (entry.on) item.ariaChecked = String(entry.on());
     }
     list.hidden = !on;
+    element.toggleAttribute("data-open", on);
     lid.ariaExpanded = String(on);
     if (!on) return;
     keepInView(list);

@@ -275,6 +275,7 @@ function addBox() {
   /** @param {boolean} open */
   const open = (open) => {
     content.hidden = !open;
+    element.toggleAttribute("data-open", open);
     lid.ariaExpanded = String(open);
     if (open) keepInView(content);
   };

@@ -63,6 +63,7 @@ export function addGallery() {
   const cards = make("div", "");
   body.append(none, cards);
   const foot = make("div", "softrod-dialog-foot");
+  foot.hidden = true;
   const said = make("span", "softrod-said");
   said.setAttribute("role", "status");
   dialog.append(foot);
@@ -114,6 +115,7 @@ export function addGallery() {
   const say = (...content) => {
     said.replaceChildren(...content.filter((part) => typeof part === "string"));
     foot.replaceChildren(said, ...content.filter((part) => typeof part !== "string"));
+    foot.hidden = content.length === 0;
   };
   const list = () => send({ do: "listScenes", dark: isDark() });
 
@@ -153,6 +155,7 @@ export function addGallery() {
     cell.setAttribute("role", "gridcell");
     const button = makeButton("", () => open(entry), "softrod-open");
     if (name === present) button.setAttribute("aria-current", "true");
+    row.toggleAttribute("data-current", name === present);
     const image = make("img", "");
     image.alt = "";
     image.loading = "lazy";

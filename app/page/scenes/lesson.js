@@ -198,6 +198,7 @@ export function addLesson() {
   setInterval(() => {
     const place = document.getElementById("softrod-lesson");
     if (card && place && card.parentElement !== place) place.replaceChildren(card);
+    document.documentElement.toggleAttribute("data-softrod-lesson", place !== null);
   }, LOOK_EVERY);
   show();
 }

@@ -57,6 +57,7 @@ export function addTexts() {
   };
   const look = () => {
     const place = document.getElementById("softrod-about");
+    place?.toggleAttribute("data-open", of !== "");
     if (of && place && form.parentElement !== place) place.append(form);
     if (!of && performance.now() < back && document.activeElement === document.body) place?.querySelector("button")?.focus();
   };

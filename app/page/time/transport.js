@@ -1,5 +1,6 @@
 // @ts-check
 /** The bar under the body: play and pause, steps, going back in time, speed and the clock. */
+import { FRACTIONS, SPEEDS } from "../../drawing/static/looks.js";
 import { awaySince } from "../away.js";
 import { onPicture, shown } from "../body/canvas.js";
 import { onTold, send, told } from "../../wire/channel.js";
@@ -9,9 +10,6 @@ import { perform } from "../../wire/perform.js";
 
 /** Milliseconds between two readings of the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
-const SPEEDS = [0.125, 0.25, 0.5, 1, 2, 4];
-/** @type {Record<string, string>} */
-const FRACTIONS = { 0.125: "⅛", 0.25: "¼", 0.5: "½" };
 
 /**
  * @typedef {object} Face what a button shows
@@ -80,7 +78,7 @@ export function timeNow() {
 }
 
 /** @param {number} speed */
-const speedText = (speed) => `${FRACTIONS[speed] ?? speed}×`;
+const speedText = (speed) => `${/** @type {Record<string, string>} */ (FRACTIONS)[speed] ?? speed}×`;
 
 /** How fast time goes. */
 function speedBox() {
