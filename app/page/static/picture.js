@@ -9,7 +9,7 @@
  * @typedef {import("./viser.js").Renderer} Renderer
  */
 import { hold } from "./canvas.js";
-import { onTold, told } from "./channel.js";
+import { told } from "./channel.js";
 import { SVG } from "./overlay.js";
 import { timeNow } from "./transport.js";
 import { viser } from "./viser.js";
@@ -196,14 +196,4 @@ export async function takePicture() {
   } finally {
     busy = false;
   }
-}
-
-/** Takes a picture whenever the server says that somebody asked for one. */
-export function mindPictures() {
-  let last = Number(told().picture ?? 0);
-  onTold(() => {
-    const asked = Number(told().picture ?? 0);
-    if (asked > last) void takePicture();
-    last = asked;
-  });
 }

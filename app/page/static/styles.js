@@ -1,18 +1,47 @@
 // @ts-check
-/** The styles that the server writes, in a place from which folding the panel does not take them. */
+/**
+ * The styles that the server tells, and the controls that look otherwise than viser draws them. These are marked by an
+ * attribute, for the styles: a selector with `:has` would have the browser go through the whole page whenever a text
+ * in it changes, which took half of the page's time.
+ */
+import { onTold } from "./channel.js";
 
-const SOURCE = "<style>/* softrod */";
-/** @type {HTMLStyleElement | null} */
-let style = null;
+/** @typedef {import("./wire.js").Styles} Styles @typedef {Styles["roles"][string]} Role */
 
-/** Takes the styles that a message has, if they are softrod's. @param {unknown} content */
-export function keepStyles(content) {
-  if (typeof content !== "string" || !content.startsWith(SOURCE)) return;
-  const template = document.createElement("template");
-  template.innerHTML = content;
-  if (!style) {
-    style = document.createElement("style");
-    document.head.append(style);
+/** @type {Record<string, Role>} */
+let roles = {};
+
+/** Each role's elements, from the one that has the control's id. @type {Record<Role, (element: Element) => [string, Element | null | undefined][]>} */
+const MARKS = {
+  slider: (element) => [["slider", element.parentElement]],
+  number: (element) => [["number", element.closest(".mantine-NumberInput-root")]],
+  outlined: (element) => [["outlined", element]],
+  beside: (element) => [
+    ["icon", element],
+    ["icon-row", element.parentElement],
+    ["before-icon", element.parentElement?.previousElementSibling],
+  ],
+};
+
+function mark() {
+  for (const [id, role] of Object.entries(roles)) {
+    const element = document.getElementById(id);
+    for (const [name, part] of element ? MARKS[role](element) : []) {
+      if (part && part.getAttribute("data-softrod") !== name) part.setAttribute("data-softrod", name);
+    }
   }
-  style.textContent = [...template.content.children].map((one) => one.textContent).join("\n");
+  // viser's own page for developers, which changes what softrod sets.
+  document.querySelector(".tabler-icon-adjustments")?.closest("button")?.setAttribute("data-softrod", "developers");
+}
+
+/** Begins to put them into the page, after all other styles, and to mark controls as they come. */
+export function showStyles() {
+  const style = document.createElement("style");
+  document.body.append(style);
+  onTold("styles", (told) => {
+    style.textContent = told.css;
+    roles = told.roles;
+    mark();
+  });
+  new MutationObserver(mark).observe(document.getElementById("root") ?? document.body, { childList: true, subtree: true });
 }

@@ -89,7 +89,7 @@ export function addUnderlay() {
     const { left, top, width, height } = seen.box;
     set(svg, "viewBox", `${left} ${top} ${width} ${height}`);
     const view = [viewOf(seen), told().width, told().height].join(" ");
-    if (view !== stood) show(standing(seen, Math.max(Number(told().width), Number(told().height)) / seen.plan.scale));
+    if (view !== stood) show(standing(seen, Math.max(told().width ?? 0, told().height ?? 0) / seen.plan.scale));
     stood = view;
     for (const other of others) other(seen, svg);
     show(moving(seen, shown().damage.broken));
@@ -109,8 +109,8 @@ export function addUnderlay() {
     else draw();
   };
   onPicture(listen);
-  onTold(listen);
+  onTold("pageState", listen);
   setInterval(() => {
-    if (told().rest === "1" && shown().plan?.wind.length && !still.matches) draw();
+    if (told().rest && shown().plan?.wind.length && !still.matches) draw();
   }, DRIFT_EVERY);
 }
