@@ -131,6 +131,13 @@ SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0)
 FRACTIONS = {0.125: "⅛", 0.25: "¼", 0.5: "½"}
 """How speeds are written that are no whole numbers."""
 
+ICONS = {
+    "play": "M7 4v16l13-8z",
+    "pause": "M6 4h4v16H6zM14 4h4v16h-4z",
+    "reset": "M12 5V1L7 6l5 5V7a5 5 0 1 1-5 5H5a7 7 0 1 0 7-7z",
+}
+"""Filled outlines of 24 by 24."""
+
 LINK_PATH = PATH
 """How the path of a link to a scene ends."""
 

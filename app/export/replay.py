@@ -20,10 +20,9 @@ from numpy.typing import ArrayLike, NDArray
 import sim
 from sim.scene.types import shown_name
 
-from ..drawing.looks import FRACTIONS, SPEEDS, style_rules
+from ..drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
 from ..drawing.plan import encode_damage, encode_plan
 from ..drawing.sketch import Sketch
-from ..wire.commands import COMMANDS
 from .bundle import bundle
 from .clip import Clip, Shot
 from .outlines import outlines
@@ -40,8 +39,7 @@ STEPS = 65535
 
 _FOLDER = Path(__file__).parent / "static"
 _MESHES = ("disc", "ring", "pin", "bar", "slice")
-_ICONS = {"play": "play", "pause": "pause", "again": "reset"}
-"""Of the button, each that of a command."""
+_ICONS = {"play": ICONS["play"], "pause": ICONS["pause"], "again": ICONS["reset"]}
 _FASTEST = 2.0
 
 
@@ -60,7 +58,7 @@ def replay_html(clip: Clip) -> bytes:
             "form-action 'none'",
         )
     )
-    icons = "".join(f'<path class="{name}" d="{COMMANDS[of].icon}"/>' for name, of in _ICONS.items())
+    icons = "".join(f'<path class="{name}" d="{path}"/>' for name, path in _ICONS.items())
     speeds = "".join(
         f'<option value="{speed:g}"{" selected" * (speed == 1)}>{FRACTIONS.get(speed, int(speed))}×</option>'
         for speed in SPEEDS

@@ -21,17 +21,17 @@ from ..session import commands
 from ..session.session import Notice, Session
 from ..wire.carrier import Mail
 from ..wire.commands import COMMANDS
-from ..wire.to_page import Hud, Role, Styles
-from . import readouts
-from .choice_box import ChoiceBox
-from .comma_switch import CommaSwitch
+from ..wire.to_page import Hud, Role, Roles
 from .controls import Controls
-from .lesson_panel import LessonPanel
+from .edit.selection_panel import SelectionPanel
+from .looks import readouts
+from .measure.plot_list import PlotList
 from .play_panel import PlayPanel
-from .plot_list import PlotList
-from .selection_panel import SelectionPanel
-from .slider_box import SliderBox, mixed_words
-from .solver_panel import SolverPanel
+from .scenes.lesson_panel import LessonPanel
+from .solver.solver_panel import SolverPanel
+from .viser.choice_box import ChoiceBox
+from .viser.comma_switch import CommaSwitch
+from .viser.slider_box import SliderBox, mixed_words
 
 PANEL_WIDTH = 348
 FOREMOST = (
@@ -330,7 +330,7 @@ class Panel:
         """Show what is selected, if it may be edited."""
         if self._selection is not None and self._selection.tick():
             self.outlined += self._selection.outlined
-            self.set_style()
+            self.tell_roles()
 
     def show_help(self) -> None:
         """Open the help."""
@@ -373,8 +373,8 @@ class Panel:
         if self._solver is not None:
             self._solver.refresh_readouts()
 
-    def set_style(self) -> None:
-        """Which controls look otherwise than viser draws them, and whether the bar of time is there."""
+    def tell_roles(self) -> None:
+        """Say which controls look otherwise than viser draws them."""
         anew = self._play.anew if self._play is not None else None
         roles: dict[str, Role] = {
             **{_id(slider_box.slider): "slider" for slider_box in self._sliders},
@@ -382,9 +382,4 @@ class Panel:
             **{_id(button): "outlined" for button in self.outlined},
             **({_id(anew): "beside"} if anew else {}),
         }
-        css = ""
-        if "play" not in self._controls:
-            # The page's script makes the bar of time for every page. Where it is empty, other buttons still
-            # stand on it.
-            css = ".softrod-dock{padding:0}.softrod-dock>*{display:none!important}"
-        self._mail.tell(Styles(css=css, roles=roles))
+        self._mail.tell(Roles(roles=roles, time_bar="play" in self._controls))

@@ -100,11 +100,11 @@ Role = Literal["slider", "number", "outlined", "beside"]
 outline; and one that stands beside the control before it, as its icon."""
 
 
-class Styles(State, frozen=True, kw_only=True):
-    """Styles of this page alone, CSS, and the controls that do not look as viser draws them, by their ids."""
+class Roles(State, frozen=True, kw_only=True):
+    """Controls that look otherwise than viser draws them, by their ids; whether there is a bar of time."""
 
-    css: str
     roles: dict[str, Role]
+    time_bar: bool
 
 
 class LessonStep(Struct, frozen=True):

@@ -47,7 +47,7 @@ from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
 from ..kernels.linear.surrounded import add_surrounding_damping, factorise_surrounded, solve_surrounded
-from ..methods.registry import ARM_METHODS, METHODS
+from ..methods.registry import AUTO_METHODS, METHODS
 
 _FLOAT, _INT = types.float64, types.int64
 
@@ -100,7 +100,7 @@ def _entry_points() -> dict[str, EntryPoint]:
     problem, drive = Problem.numba_type, Drive.numba_type
     run = (problem, drive, _FLOAT, _FLOAT, _INT)
     # In the order in which they are needed: those that `auto` uses come first.
-    methods = sorted(METHODS.values(), key=lambda method: method not in ARM_METHODS)
+    methods = sorted(METHODS.values(), key=lambda method: method not in AUTO_METHODS)
     points = [
         ("forces", accelerations, ACCELERATIONS.args),
         ("the choice of methods", next_turn, (problem, _FLOAT, _FLOAT, _INT)),
@@ -149,7 +149,7 @@ def needed_by(method: str, surrounded: bool) -> tuple[str, ...]:
     """
     info = METHODS[method]
     if info.kernel is None:
-        return _around(("accelerations", ARM_METHODS[0].kernel.py_func.__name__, "next_turn"), surrounded)
+        return _around(("accelerations", AUTO_METHODS[0].kernel.py_func.__name__, "next_turn"), surrounded)
     implicit = for_fallback(surrounded) if info.implicit else ()
     return *_around(("accelerations",), surrounded), *implicit, info.kernel.py_func.__name__
 
@@ -166,7 +166,7 @@ def _around(names: tuple[str, ...], surrounded: bool) -> tuple[str, ...]:
 
 def all_of(method: str, surrounded: bool) -> tuple[str, ...]:
     """Names of all entry points that a run by a method may come to, with the energy balance."""
-    arms = [arm.name for arm in ARM_METHODS] if METHODS[method].kernel is None else []
+    arms = [arm.name for arm in AUTO_METHODS] if METHODS[method].kernel is None else []
     needed = [name for one in (method, *arms) for name in needed_by(one, surrounded)]
     return tuple(dict.fromkeys((*needed, *for_fallback(surrounded), *FOR_DAMAGE, *FOR_ENERGY)))
 

@@ -42,4 +42,9 @@ export const FRACTIONS = {
   "0.25": "¼",
   "0.5": "½",
 };
+export const ICONS = {
+  "play": "M7 4v16l13-8z",
+  "pause": "M6 4h4v16H6zM14 4h4v16h-4z",
+  "reset": "M12 5V1L7 6l5 5V7a5 5 0 1 1-5 5H5a7 7 0 1 0 7-7z",
+};
 export const LINK_PATH = "/s";

@@ -10,7 +10,6 @@ from ..around.walls import gather_others, mark_quick, power_of_walls, work_of_qu
 from ..around.wind import power_of_wind
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate
-from ..core.tables import WORK_AIR, WORK_ANCHORS, WORK_DAMPING, WORK_KEYS, WORK_LAW, WORK_WALLS
 from ..core.vectors import deflection, length_of
 from ..forces.drive import drive_to, hand_speed
 from ..forces.forces import spring_forces
@@ -98,8 +97,8 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
             gather_others(body, q, v, a, _WEIGHTS[i], quick)
         gather_dampers(body, q, v, _WEIGHTS[i], balance.dampers)
     if any_quick:
-        balance.work[WORK_WALLS] += work_of_quick(body, state.v, v1, h, quick)
-    balance.work[WORK_DAMPING] -= taken_away(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
+        balance.work.walls += work_of_quick(body, state.v, v1, h, quick)
+    balance.work.damping -= taken_away(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
     if drive.pressed or drive.gusty:
         drive_to(body, state, drive, t + h, q, v)
 
@@ -110,7 +109,7 @@ def _add_powers(problem, drive, t, h, q, v, still, quick):
     body, state, scratch, balance = problem.body, problem.state, problem.scratch, problem.balance
     slots = q.size // 2
     x, y, vx, vy = q[:slots], q[slots:], v[:slots], v[slots:]
-    sums, mass = balance.work, balance.mass
+    work, mass = balance.work, balance.mass
     fx, fy, free = scratch.fx, scratch.fy, state.inverse_mass
     # The force of springs, joints, fillings and contact, and then that of the dampers, friction and bouncing.
     _internal_forces(body, state, scratch, x, y, still[:slots], still[slots:])
@@ -119,29 +118,29 @@ def _add_powers(problem, drive, t, h, q, v, still, quick):
         # Its true velocity; in `v` it may be zero.
         ux, uy = hand_speed(drive, i, t)
         tx, ty = vx[m] + (1.0 - drive.hand[i]) * ux, vy[m] + (1.0 - drive.hand[i]) * uy
-        sums[WORK_ANCHORS] -= h * (fx[m] * tx + fy[m] * ty)
+        work.anchors -= h * (fx[m] * tx + fy[m] * ty)
     for i in range(1, body.masses + 1):
         if free[i] > 0.0:
             drag = state.air[i] * mass[i]
-            sums[WORK_AIR] -= h * drag * (vx[i] * vx[i] * abs(vx[i]) + vy[i] * vy[i] * abs(vy[i]))
+            work.air -= h * drag * (vx[i] * vx[i] * abs(vx[i]) + vy[i] * vy[i] * abs(vy[i]))
     if body.surroundings.present:
-        sums[WORK_WALLS] += h * power_of_walls(body, free, x, y, vx, vy, quick)
-        sums[WORK_AIR] += h * power_of_wind(body, state, x, y, vx, vy)
+        work.walls += h * power_of_walls(body, free, x, y, vx, vy, quick)
+        work.air += h * power_of_wind(body, state, x, y, vx, vy)
         if body.surroundings.contact.present:
-            sums[WORK_WALLS] += h * power_of_contact(body, free, x, y, vx, vy)
+            work.walls += h * power_of_contact(body, free, x, y, vx, vy)
     damped = body.damped or body.joint_damped or body.surroundings.contact.present
     if damped and drive.mass.size > 0:
         for i in range(drive.mass.size):
             m = drive.mass[i]
-            sums[WORK_ANCHORS] += h * (fx[m] * vx[m] + fy[m] * vy[m])
+            work.anchors += h * (fx[m] * vx[m] + fy[m] * vy[m])
         _internal_forces(body, state, scratch, x, y, vx, vy)
         for i in range(drive.mass.size):
             m = drive.mass[i]
-            sums[WORK_ANCHORS] -= h * (fx[m] * vx[m] + fy[m] * vy[m])
+            work.anchors -= h * (fx[m] * vx[m] + fy[m] * vy[m])
     if body.law == TUTORIAL:
-        sums[WORK_LAW] += h * _power_of_law(body, state, x, y, vx, vy, drive, t)
+        work.law += h * _power_of_law(body, state, x, y, vx, vy, drive, t)
     if drive.pressed:
-        sums[WORK_KEYS] += h * _power_of_keys(body, state, drive, x, y)
+        work.keys += h * _power_of_keys(body, state, drive, x, y)
 
 
 @kernel(fastmath=FAST)

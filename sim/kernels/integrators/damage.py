@@ -17,7 +17,6 @@ import math
 from ..around.broad_phase import update_pairs
 from ..around.contact import energy_on_spring
 from ..core.jit import FAST, kernel
-from ..core.tables import COUNT_FRESH, COUNT_WHAT, WORK_BROKEN, WORK_PLASTIC
 from ..core.vectors import deflection, from_to, length_of
 from ..energy.energies import angular_energy
 from ..forces.drive import wrap
@@ -75,21 +74,21 @@ def settle(problem, q):
             state.set_length[s] += moved
             state.hardened[s] += strength.hardening[s] * abs(moved)
             state.pull[s] += stiffness * moved
-            balance.work[WORK_PLASTIC] -= 0.5 * (force * force - after * after) / stiffness
+            balance.work.plastic -= 0.5 * (force * force - after * after) / stiffness
             force, changed = after, True
         if abs(force) > strength.breaking[s] and state.broken[s] == 0.0:
             state.broken[s] = 1.0
-            balance.work[WORK_BROKEN] -= 0.5 * force * force / stiffness
+            balance.work.broken -= 0.5 * force * force / stiffness
             if body.surroundings.contact.present:
                 x, y = q[:slots], q[slots:]
                 update_pairs(body, x, y)
-                balance.work[WORK_BROKEN] -= energy_on_spring(body, x, y, s)
+                balance.work.broken -= energy_on_spring(body, x, y, s)
             changed = True
     for j in range(body.joints):
         changed |= _settle_joint(problem, q, j)
     if changed:
-        problem.integrator.counts[COUNT_WHAT] = CHANGED
-        problem.integrator.counts[COUNT_FRESH] = 0
+        problem.integrator.run.what = CHANGED
+        problem.integrator.run.current = False
 
 
 @kernel(fastmath=FAST)
@@ -104,7 +103,7 @@ def _settle_joint(problem, q, j):
     bx, by = from_to(q, body.spring_a[r], body.spring_b[r])
     before = size * angular_energy(body.law, ax, ay, bx, by, state.torque_rest[j + 1], soft)
     if state.broken[s] + state.broken[r] > 0.0:
-        balance.work[WORK_BROKEN] -= before
+        balance.work.broken -= before
         return True
     moved, _, _, _ = _bent_by(body, state, q, j)
     if moved == 0.0:
@@ -114,7 +113,7 @@ def _settle_joint(problem, q, j):
     state.torque_rest[j + 1] = rest
     state.torque_cos[j + 1], state.torque_sin[j + 1] = size * math.cos(rest), size * math.sin(rest)
     after = size * angular_energy(body.law, ax, ay, bx, by, rest, soft)
-    balance.work[WORK_PLASTIC] -= before - after
+    balance.work.plastic -= before - after
     return True
 
 

@@ -35,11 +35,11 @@ def _chain_directions(springs, soft, x_of, y_of, ux, uy, inverse):
 
 
 @kernel(forceinline=True)
-def add_resistance(problem, v, z, factor, out):
-    """out += factor Jv z, with Jv of the whole problem, at velocities v and the positions of its state."""
+def add_resistance(problem, q, v, z, factor, out):
+    """out += factor Jv z, with Jv of the whole problem, at positions q and velocities v."""
     add_damping_product(problem.body, problem.state, problem.matrix, v, z, factor, out)
     if problem.resistance != 0:
-        add_damping_around(problem, v, z, factor, out)
+        add_damping_around(problem, q, v, z, factor, out)
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
