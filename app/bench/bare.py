@@ -84,7 +84,6 @@ def softrod(shown: str) -> tuple[int, contextlib.ExitStack]:
     """Serve softrod's page of a preset, or of a rope of so many masses; returns the port and what ends it."""
     import sim
     from sim.compiling.compiler import needed_by
-    from sim.scene.types import is_surrounded
 
     from ..server.serve import serving
 
@@ -100,7 +99,7 @@ def softrod(shown: str) -> tuple[int, contextlib.ExitStack]:
 
     def compile_soon() -> None:
         ticker.drawn.wait(timeout=0.5)
-        compiler.want(needed_by(scene.integrator.method, is_surrounded(scene)))
+        compiler.want(needed_by(scene.integrator.method))
         compiler.start()
 
     threading.Thread(target=compile_soon, daemon=True).start()

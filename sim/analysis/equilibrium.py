@@ -10,13 +10,10 @@ import numpy as np
 from ..body.sparsity import new_matrix
 from ..body.system import build_system, damage_of, new_scratch, start_of, unsoftened
 from ..errors import InputError
-from ..kernels.around.around import accelerations_around
 from ..kernels.around.contact import stays_apart
 from ..kernels.core.tables import Floats, Indices
 from ..kernels.forces.forces import accelerations
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
-from ..kernels.linear.surrounded import factorise_surrounded, solve_surrounded
-from ..kernels.linear.two_sided_lu import inverse_pivots
 from ..physics import Physics
 from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Pose, Scene
@@ -210,8 +207,7 @@ class Resting:
     def accelerations(self, q: Floats) -> Floats:
         """The accelerations at positions q and at rest, px/s²."""
         a = np.zeros_like(q)
-        force = accelerations_around if self.surrounded else accelerations
-        force(self.tables, self.state, self.scratch, q, self.still, a)
+        accelerations(self.tables, self.state, self.scratch, q, self.still, a)
         return a
 
     def factorise(self, q: Floats, shift: float, definite: bool = False) -> bool:
@@ -223,30 +219,21 @@ class Resting:
         has negative ones (Haynsworth 1968). The blocks that join a mass to a spring that it touches are not
         among the pivots, and are ignored here.
         """
-        matrix, n = self.matrix, self.tables.masses
-        kernel = factorise_surrounded if self.surrounded else factorise_matrix
-        if not kernel(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite):
+        matrix = self.matrix
+        if not factorise_matrix(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite):
             return False
-        if self.tables.chain:
-            inverse = inverse_pivots(matrix.blocks, n)
-        else:
-            inverse = matrix.blocks.reshape(-1, 4)[matrix.diagonal]
-        xx, xy, yx, yy = inverse[self.state.inverse_mass[self._rows] > 0.0].T
+        inverse = matrix.blocks.reshape(-1, 4)[matrix.diagonal]
+        xx, xy, yx, yy = inverse[self.state.inverse_mass[matrix.order] > 0.0].T
         both, one = xx + yy < 0.0, xx * yy - xy * yx < 0.0
         negative = int(np.where(one, 1, 2 * both).sum())
         if self.tables.surroundings.fillings.size:
             negative -= int((np.linalg.eigvals(matrix.corrections[:-1]).real < 0.0).sum())
         return negative == 0
 
-    @property
-    def _rows(self) -> np.ndarray:
-        """The slot of the mass that each row of the matrix belongs to."""
-        return np.arange(1, self.tables.masses + 1) if self.tables.chain else self.matrix.order
-
     def solve(self, b: Floats) -> Floats:
         """The solution with the last factors."""
         x = b.copy()
-        (solve_surrounded if self.surrounded else solve_matrix)(self.tables, self.matrix, x)
+        solve_matrix(self.tables, self.matrix, x)
         return x
 
     def vectors(self, q: Floats) -> tuple[Floats, Floats]:

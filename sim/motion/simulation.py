@@ -396,7 +396,7 @@ class Simulation(Reading):
     def _needed(self) -> tuple[str, ...]:
         """Names of the compiled entry points without which NumPy moves the body."""
         damage = FOR_DAMAGE if self._body.strength.present else ()
-        return *needed_by(self.method, bool(self._body.surroundings.present)), *damage
+        return *needed_by(self.method), *damage
 
     def _new_stepper(self) -> Stepper:
         scene, system, state = self._scene, self._system, self._state

@@ -10,8 +10,7 @@ from ..around import filling_energy
 from ..body.damage import without_broken
 from ..body.sparsity import NO_MATRIX, clear_factors, new_matrix
 from ..body.system import System, refresh, slab
-from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, fetch, for_fallback, is_ready, needed_by
-from ..kernels.around.around import accelerations_around
+from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, FOR_FALLBACK, fetch, is_ready, needed_by
 from ..kernels.around.contact import stays_apart
 from ..kernels.core.shared import (
     ACCELERATIONS,
@@ -68,8 +67,7 @@ from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
-from ..kernels.linear.implicit import factorise_matrix, solve_matrix
-from ..kernels.linear.surrounded import add_surrounding_damping, factorise_surrounded, solve_surrounded
+from ..kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from ..methods.registry import ARM_METHODS, METHODS
 from ..methods.tableaux import RK4
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
@@ -128,7 +126,6 @@ class Solver:
         self.slots = state.q.size // 2
         wide = state.q.size
         self._info = METHODS[scene.integrator.method]
-        self._surrounded = bool(system.body.surroundings.present)
         auto = self._info.name == "auto"
         remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
         past, history = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
@@ -164,8 +161,6 @@ class Solver:
     @system.setter
     def system(self, system: System) -> None:
         self._system, self._problem = system, None
-        if self._matrix is not None:
-            self._matrix.damping[1:] = system.body.damping
 
     @property
     def matrix(self) -> Matrix:
@@ -180,8 +175,8 @@ class Solver:
         if self._wait:
             return True
         arms = ARM_METHODS if self._info.kernel is None else ()
-        own = [name for arm in arms for name in needed_by(arm.name, self._surrounded)]
-        return is_ready((*own, *(for_fallback(self._surrounded) if self._info.implicit else ())))
+        own = [name for arm in arms for name in needed_by(arm.name)]
+        return is_ready((*own, *(FOR_FALLBACK if self._info.implicit else ())))
 
     @property
     def time(self) -> float:
@@ -213,7 +208,7 @@ class Solver:
         """
         left = attempts - self._run(until, drive, attempts)
         counts = self.integrator.counts
-        can_fall_back = self._info.implicit and (self._wait or is_ready(for_fallback(self._surrounded)))
+        can_fall_back = self._info.implicit and (self._wait or is_ready(FOR_FALLBACK))
         while (what := int(counts[COUNT_WHAT])) != guard.GOOD:
             if what == guard.CHANGED:
                 self._take_damage()
@@ -268,7 +263,7 @@ class Solver:
                 problem = self._bind(True)
             if arm not in self._fetched:
                 self._fetched.add(arm)
-                self._fetch(needed_by(method.name, self._surrounded))
+                self._fetch(needed_by(method.name))
             method.kernel(problem, drive, until, tolerance, limit)
 
     def _bind(self, implicit: bool) -> Problem:
@@ -288,13 +283,9 @@ class Solver:
             self._take_in()
         costs = np.zeros(ARMS) if self._costs is None else self._costs.copy()
         costs[list(self._missing)] = 0.0
-        around, damageable = self._surrounded, self.system.body.strength.present
-        force = accelerations_around if around else accelerations
-        factorise, solve = (
-            (factorise_surrounded, solve_surrounded) if around else (factorise_matrix, solve_matrix)
-        )
-        self._fetch(needed_by(info.name, around))
-        self._fetch((*(for_fallback(around) if implicit else ()), *(FOR_DAMAGE if damageable else ())))
+        damageable = self.system.body.strength.present
+        self._fetch(needed_by(info.name))
+        self._fetch((*(FOR_FALLBACK if implicit else ()), *(FOR_DAMAGE if damageable else ())))
         self._problem = Problem(
             body=self.system.body,
             state=self.state,
@@ -302,13 +293,13 @@ class Solver:
             matrix=self.matrix if implicit else NO_MATRIX,
             integrator=self.integrator,
             balance=self.balance,
-            accelerations=address_of(force, ACCELERATIONS),
+            accelerations=address_of(accelerations, ACCELERATIONS),
             accumulate=address_of(accumulate_work, ACCUMULATE) if self.balance.active else 0,
-            factorise=address_of(factorise, FACTORISE) if implicit else 0,
-            solve=address_of(solve, SOLVE) if implicit else 0,
+            factorise=address_of(factorise_matrix, FACTORISE) if implicit else 0,
+            solve=address_of(solve_matrix, SOLVE) if implicit else 0,
             overstrained=address_of(overstrained, OVERSTRAINED) if damageable else 0,
             settle=address_of(settle, SETTLE) if damageable else 0,
-            resistance=address_of(add_surrounding_damping, RESISTANCE) if implicit and around else 0,
+            resistance=address_of(add_damping_product, RESISTANCE) if implicit else 0,
             apart=address_of(stays_apart, APART) if self.system.body.surroundings.contact.present else 0,
             fixed=0.0 if info.adaptive else integrator.dt,
             near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,
@@ -325,7 +316,7 @@ class Solver:
         ready = {
             arm
             for arm in self._missing
-            if self._wait or arm == ARM_VERLET or is_ready(needed_by(ARM_METHODS[arm].name, self._surrounded))
+            if self._wait or arm == ARM_VERLET or is_ready(needed_by(ARM_METHODS[arm].name))
         }
         if ready:
             self._missing -= ready

@@ -39,8 +39,7 @@ def test_every_method_has_an_entry_point_of_its_own() -> None:
         ENTRY_POINTS["run_fallback"].kernel
     }
     for method in METHODS:
-        for surrounded in (False, True):
-            assert set(needed_by(method, surrounded)) <= set(ENTRY_POINTS)
+        assert set(needed_by(method)) <= set(ENTRY_POINTS)
 
 
 @pytest.mark.parametrize("method", part_of([*METHODS], 3))
@@ -50,7 +49,7 @@ def test_what_a_method_needs_is_all_that_its_first_step_calls(method: str, tmp_p
 import sim
 from numba.core import event
 from sim.compiling.compiler import (ENTRY_POINTS, needed_by)
-for name in needed_by({method!r}, False):
+for name in needed_by({method!r}):
     ENTRY_POINTS[name].load()
 with event.install_recorder("numba:compile") as compiled:
     simulation = sim.Simulation(sim.rope(5), integrator={method!r}, wait=False)
@@ -76,7 +75,7 @@ def test_a_simulation_that_does_not_wait_moves_by_numpy_and_then_goes_on(
         with pytest.raises(sim.InputError, match="energy: its kernels are still being compiled"):
             simulation.energy()
         assert not sim.Simulation(sim.load_scene("tutorial-3.3")).plain
-    for name in needed_by(simulation.method, False):
+    for name in needed_by(simulation.method):
         ENTRY_POINTS[name].load()
     assert simulation.step(100) == 100
     assert not simulation.plain
@@ -89,15 +88,15 @@ def test_a_simulation_that_does_not_wait_moves_by_numpy_and_then_goes_on(
 def test_auto_begins_with_what_is_there_and_takes_the_others_in(monkeypatch: pytest.MonkeyPatch) -> None:
     # A stiff rope, for which `auto` takes an implicit method as soon as it can.
     scene = sim.load_scene("study-w4")
-    ready = set(needed_by("auto", False))
+    ready = set(needed_by("auto"))
     monkeypatch.setattr(EntryPoint, "ready", property(lambda point: point.name in ready))
-    for name in (*needed_by("auto", False), *needed_by("rodas4", False)):
+    for name in (*needed_by("auto"), *needed_by("rodas4")):
         ENTRY_POINTS[name].load()
     simulation = sim.Simulation(scene, wait=False)
     simulation.step(10)
     assert not simulation.plain
     assert simulation.stats().matrices == 0
-    ready |= set(needed_by("rodas4", False))
+    ready |= set(needed_by("rodas4"))
     simulation.step(40)
     assert simulation.stats().matrices > 0
     whole = sim.Simulation(scene)

@@ -132,8 +132,8 @@ def solve(problem, b):
 
 
 @kernel(inline="always")
-def add_damping_around(problem, v, z, factor, out):
-    """`linear.surrounded.add_surrounding_damping` at the positions of the problem's state."""
+def add_damping(problem, v, z, factor, out):
+    """`linear.implicit.add_damping_product` at the positions of the problem's state."""
     _call_resistance(problem.resistance, problem.body, problem.state, problem.state.q, v, z, factor, out)
 
 

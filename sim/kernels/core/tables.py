@@ -167,18 +167,13 @@ SPARE = 7
 
 
 class Matrix(Table):
-    """The factors of the matrix of an implicit step and, unless the body is a chain, their pattern."""
+    """The factors of the matrix of an implicit step, and their pattern."""
 
-    blocks: Floats  # the factors; see `linear.two_sided_lu` and `linear.sparse`
-    parts: Floats  # scratch of a chain; see `linear.band`
-    ux: Floats  # (S padded + 1) unit vector of spring s at index s + 1, where the matrix was built
-    uy: Floats
-    inverse: Floats  # 1 / length there, 1/px, likewise
-    damping: Floats  # of the springs, kg/s, likewise
+    blocks: Floats  # the factors; see `linear.sparse`
     # A spanning forest: an order of the masses in which every mass comes after its parent.
     walk: Indices  # (n,) slots of the masses in this order
     parent: Indices  # (slots,) slot of the parent; 0 for a mass that is held or first in its part of the body
-    # Empty for a chain. Rows are numbered in the order of elimination.
+    # Rows are numbered in the order of elimination.
     order: Indices  # (n,) slot of the mass that row i belongs to
     row_start: Indices  # (n + 1,) first block of each row
     column: Indices  # of each block, ascending in a row
@@ -187,7 +182,7 @@ class Matrix(Table):
     spring_target: Indices  # (4 S,) blocks that a spring adds to, at rows and columns bb, ba, ab, aa
     joint_target: Indices  # (16 J,) blocks that a joint adds to, likewise for each pair of its springs
     loop_target: Indices  # (2 M,) for each mass of a loop, blocks of its row with the masses before and after
-    # For the products of gradients of L fillings, see `linear.surrounded`.
+    # For the products of gradients of L fillings, see `linear.implicit`.
     borders: Rows  # (2 L, 2 slots)
     corrections: Rows  # (L + 1, L)
     # For contact, see `linear.contact`; empty where there is none.
@@ -196,7 +191,6 @@ class Matrix(Table):
     touched: Rows  # (3, 2 slots) positions, velocities and inverse masses for which the matrix was built
     krylov: Rows  # (K + 3, 2 slots) basis of a Krylov space, and scratch
     hessenberg: Rows  # (K + 4, K + 1) scratch of GMRES
-    straight: bool  # the parent of every mass that has one is in the slot before it
 
 
 class Drive(Table):

@@ -26,6 +26,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..around.contact import push_apart
+from ..around.fillings import press_from_inside
+from ..around.walls import push_from_walls
+from ..around.wind import blow
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time, scalar_gathers_on_amd, whole_eights
 from ..core.roots import inverse_root
@@ -259,11 +263,21 @@ def any_accelerations(body, state, scratch, x, y, vx, vy, a):
     scalar_gathers_on_amd()
     eight_at_a_time()
     spring_forces(body, state, scratch, x, y, vx, vy)
-    from_forces(body, state, scratch, vx, vy, a)
+    around = body.surroundings
+    if around.present:
+        press_from_inside(around, x, y, scratch.fx, scratch.fy)
+        if around.contact.present:
+            push_apart(body, state.inverse_mass, x, y, vx, vy, scratch.fx, scratch.fy)
+    _from_forces(body, state, scratch, vx, vy, a)
+    if around.present:
+        ax, ay = a[: x.size], a[x.size :]
+        push_from_walls(body, state.inverse_mass, x, y, vx, vy, ax, ay)
+        if around.air_friction > 0.0:
+            blow(body, state, scratch, x, y, vx, vy, ax, ay)
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
-def from_forces(body, state, scratch, vx, vy, a):
+def _from_forces(body, state, scratch, vx, vy, a):
     """Accelerations by the forces in `scratch.fx` and `scratch.fy`, still air and gravity."""
     eight_at_a_time()
     slots = vx.size

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from ..core.jit import FAST, kernel
-from ..core.shared import accelerate, factorise, solve
+from ..core.shared import accelerate, add_damping, factorise, solve
 from ..core.tables import (
     CONTROLLER_LAST,
     CONTROLLER_LAST_BUT_ONE,
@@ -26,7 +26,6 @@ from ..core.tables import (
 from ..core.vectors import from_to
 from ..energy.energies import energies
 from ..forces.drive import act_at, drive_to
-from ..linear.damping import add_resistance, remember_directions
 from .guard import GOOD, sound
 from .steps import max_abs
 
@@ -42,7 +41,6 @@ def run_fallback(problem, drive, h, shortest, reach):
         reach: largest distance that a mass moves, px.
     """
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
-    matrix = problem.matrix
     slots = state.q.size // 2
     controller, q, v, rows = integrator.controller, state.q, state.v, integrator.rows
     to_q, to_v, a, move, parts = rows[0], rows[1], rows[2], rows[3], rows[4]
@@ -69,13 +67,12 @@ def run_fallback(problem, drive, h, shortest, reach):
     accelerate(problem, q, v, a)
     g = 1.0 / h
     factorise(problem, q, v, g * g, g, True)
-    remember_directions(body, matrix, q)
     for j in range(q.size):
         move[j] = a[j] + g * v[j]
     for i in range(drive.mass.size):
         m = drive.mass[i]
         move[m], move[slots + m] = 0.0, 0.0
-    add_resistance(problem, v, v, -1.0, move)
+    add_damping(problem, v, v, -1.0, move)
     solve(problem, move)
     for m in range(1, body.masses + 1):
         size = math.sqrt(move[m] * move[m] + move[slots + m] * move[slots + m])

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate, bears, factorise, keeps_apart, settle, solve
+from ..core.shared import accelerate, accumulate, add_damping, bears, factorise, keeps_apart, settle, solve
 from ..core.tables import (
     ARM_ALPHA,
     AUTO_STEP,
@@ -22,7 +22,6 @@ from ..core.tables import (
     SPARE,
 )
 from ..forces.drive import act_at, drive_to
-from ..linear.damping import add_resistance, remember_directions
 from .guard import GOOD, sound
 from .steps import (
     HOPELESS,
@@ -51,7 +50,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
     eight_at_a_time()
     ensure_acceleration(problem, drive)
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
-    matrix, method, fixed = problem.matrix, problem.implicit, problem.fixed
+    method, fixed = problem.implicit, problem.fixed
     controller, count = integrator.controller, integrator.counts
     q, v, rows = state.q, state.v, integrator.rows
     xs, ws = rows[:_MOST_STAGES], rows[_MOST_STAGES : 2 * _MOST_STAGES]
@@ -70,7 +69,6 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
         step = fitting_step(t, end, h)
         g = 1.0 / (method.gamma * step)
         regular = factorise(problem, q, v, g * g, g, False)
-        remember_directions(body, matrix, q)
         if drive.moving:
             _by_time(problem, drive, t, step, to_q, to_v, to_a, by_time)
         count[COUNT_MATRICES] += 1
@@ -99,7 +97,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
                 x[j] = to_a[j] + right[j] + g * rest[j]
             if drive.gusty:  # the derivatives are those at the start of the step, like the matrix
                 state.clock[0] = t
-            add_resistance(problem, v, rest, -1.0, x)
+            add_damping(problem, v, rest, -1.0, x)
             solve(problem, x)
             for j in range(1, q.size - SPARE):
                 w[j] = g * x[j] - rest[j]

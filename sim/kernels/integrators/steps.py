@@ -60,7 +60,7 @@ def ensure_acceleration(problem, drive):
         integrator.controller[CONTROLLER_PAST] = -1.0
 
 
-@kernel(forceinline=True)
+@kernel(fastmath=FAST)
 def is_gentle(body, state, q, to_q, step):
     """Whether no spring has turned by more than 60 degrees in a step.
 
@@ -69,37 +69,13 @@ def is_gentle(body, state, q, to_q, step):
     """
     if step < _SHORTEST_TURN:
         return True
-    if body.chain:
-        return _chain_is_gentle(body, state.inverse_mass, q, to_q)
-    return _any_is_gentle(body, state.inverse_mass, q, to_q)
-
-
-@kernel(noalias=True, fastmath=FAST)
-def _chain_is_gentle(body, inverse_mass, q, to_q):
-    slots = q.size // 2
-    qx, qy, to_qx, to_qy = q[:slots], q[slots:], to_q[:slots], to_q[slots:]
-    turned = 0
-    for s in range(whole_eights(body.springs)):
-        x, y, to_x, to_y = (
-            qx[s + 2] - qx[s + 1],
-            qy[s + 2] - qy[s + 1],
-            to_qx[s + 2] - to_qx[s + 1],
-            to_qy[s + 2] - to_qy[s + 1],
-        )
-        free = s < body.springs and inverse_mass[s + 1] + inverse_mass[s + 2] > 0.0
-        turned += free and _has_turned(x, y, to_x, to_y, body.softening)
-    return turned == 0
-
-
-@kernel(fastmath=FAST)
-def _any_is_gentle(body, inverse_mass, q, to_q):
+    inverse_mass = state.inverse_mass
     for s in range(body.springs):
         a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
         x, y = from_to(q, a, b)
         to_x, to_y = from_to(to_q, a, b)
         free = inverse_mass[a] + inverse_mass[b] > 0.0
-        # Not vectorised as for chains: gathering the ends of eight springs at a time is slower than one by
-        # one.
+        # Not vectorised: gathering the ends of eight springs at a time is slower than one by one.
         if free and _has_turned(x, y, to_x, to_y, body.softening):
             return False
     return True

@@ -76,13 +76,6 @@ def assemble(body, state, matrix, q, v, g, definite):
 
 
 @kernel(internal=True, fastmath=FAST)
-def factorise_sparse(body, state, matrix, q, v, a, g, definite):
-    """`implicit.factorise_matrix` of any body but a chain."""
-    assemble(body, state, matrix, q, v, g, definite)
-    return eliminate(body, state, matrix, v, a, g)
-
-
-@kernel(internal=True, fastmath=FAST)
 def eliminate(body, state, matrix, v, a, g):
     """Turn the derivatives of forces that are in the pattern into the matrix, and factorise it."""
     slots = v.size // 2
@@ -125,7 +118,7 @@ def eliminate(body, state, matrix, v, a, g):
 
 @kernel(internal=True, fastmath=FAST)
 def solve_sparse(body, matrix, b):
-    """`implicit.solve_matrix` of any body but a chain."""
+    """Solve with the sparse factors alone."""
     slots = b.size // 2
     r, start, column, diagonal, order = (
         matrix.blocks,
