@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import io
-import math
-import os
 import sys
 from dataclasses import dataclass, field
-from functools import partial
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Protocol
 
 import tyro
 from rich.console import Console
@@ -30,7 +27,6 @@ from .lessons import check_lesson
 from .linking import Link
 from .page.controls import of_scene
 from .session.log import Log
-from .sweep.measures import MEASURES, parse_measures
 
 DEFAULT_SCENE = "rope"
 
@@ -229,236 +225,36 @@ def _note_on_tolerance(scene: sim.Scene) -> str:
     )
 
 
-@dataclass
-class Bench:
-    """Measure softrod on this machine, beside other programs that do the same."""
-
-    what: Annotated[
-        Positional[
-            Literal[
-                "kernels", "growth", "heap", "frames", "matrices", "compile", "start", "page", "tabs", "edit"
-            ]
-        ],
-        arg(metavar="{kernels,growth,heap,frames,matrices,compile,start,page,tabs,edit}"),
-    ]
-    """kernels: the step by several programs; growth: the step as the body grows; heap: rings that fall into a
-    heap; frames: time and error of a rod led in a circle, and time of one torn to and fro; matrices: what
-    implicit steps of any topology factorise; compile: processor time of compiling; start: until each preset
-    moves; page: cost and latency; tabs: many pages at once; edit: of one part of a large body."""
-    repeats: int = 5
-    """Repeats, of which the fastest counts."""
+class Command(Protocol):
+    """What a command line is read into."""
 
     def run(self) -> int:
-        """Measure and print."""
-        from .bench.compiling import bench_compile
-        from .bench.editing import bench_edit
-        from .bench.frames import bench_frames
-        from .bench.growth import bench_growth
-        from .bench.heap import bench_heap
-        from .bench.kernels import bench
-        from .bench.matrices import bench_matrices
-        from .bench.serving import bench_page, bench_start
-        from .bench.tabs import bench_tabs
-
-        if not 1 <= self.repeats <= 1000:
-            return fail("--repeats: it must be from 1 to 1000")
-        benches = {
-            "kernels": bench,
-            "growth": bench_growth,
-            "heap": bench_heap,
-            "frames": bench_frames,
-            "matrices": bench_matrices,
-            "compile": bench_compile,
-            "start": bench_start,
-            "page": bench_page,
-            "tabs": bench_tabs,
-            "edit": bench_edit,
-        }
-        benches[self.what](Console(), self.repeats)
-        return 0
+        """Do it; the exit status."""
+        ...
 
 
-@dataclass
-class Validate:
-    """Hold the solver against exact results; the exit status is 1 if a target is missed."""
-
-    out: Path | None = None
-    """Folder for the report: validate.md, validate.csv.gz and figures."""
-    fast: bool = False
-    """Leave out what takes long."""
-
-    def run(self) -> int:
-        """Compute, print and write."""
-        from .studies.validate import validate
-
-        return validate(self.out, self.fast, Console())
-
-
-@dataclass
-class Stability:
-    """Map where each integrator breaks, over two numbers of a scene, or run them all on hard cases."""
-
-    scene: Annotated[Positional[str], arg(metavar="SCENE")] = "tutorial-3.1"
-    """A preset's name, a file's path or a link."""
-    out: Path = Path("stability")
-    """Folder for the report: stability.md, stability.csv.gz and maps, or hard-cases.md, hard-cases.csv.gz."""
-    x: str | None = None
-    """What varies from left to right: dt, stiffness, damping, angular_stiffness, angular_damping,
-    air_friction, mass_ratio (of one mass to the next) or masses. Five maps unless --x and --y are given."""
-    y: str | None = None
-    """What varies from bottom to top."""
-    x_range: str | None = None
-    """From and to, as in 1e-4,0.05; scales are logarithmic."""
-    y_range: str | None = None
-    """Likewise."""
-    size: int = 64
-    """Cells along each side, 2 to 512."""
-    integrators: str | None = None
-    """Names, separated by commas; all that have a fixed step unless given."""
-    duration: float = 1.0
-    """Simulated seconds of each cell."""
-    hard_cases: bool = False
-    """Run every integrator on the hard cases instead."""
-    settings: Settings = ()
-
-    def run(self) -> int:
-        """Compute, print and write."""
-        from .studies.hard_case_report import hard_case_report
-        from .studies.stability import stability
-        from .studies.stability_axes import AXES
-
-        if self.hard_cases:
-            return hard_case_report(self.out, Console())
-        if (self.x is None) != (self.y is None):
-            return fail("stability: --x and --y belong together")
-        for name, key in (("--x", self.x), ("--y", self.y)):
-            if key is not None and key not in AXES:
-                return fail(f"{name}: {key!r} is not one of {', '.join(AXES)}")
-        if self.x is None and (self.x_range is not None or self.y_range is not None):
-            return fail("stability: --x-range and --y-range need --x and --y")
-        if not 2 <= self.size <= 512:
-            return fail(f"--size: {self.size} is not in the range 2..512")
-        if not 0.01 <= self.duration <= 100.0:
-            return fail(f"--duration: {self.duration:g} is not in the range 0.01..100 s")
-        ranges = _range("--x-range", self.x_range), _range("--y-range", self.y_range)
-        axes = (self.x, self.y) if self.x is not None and self.y is not None else None
-        methods = [name.strip() for name in self.integrators.split(",")] if self.integrators else []
-        scene = scene_of(self.scene, self.settings)
-        return stability(scene, axes, ranges, self.size, methods, self.duration, self.out, Console())
-
-
-def _range(name: str, text: str | None) -> tuple[float, float] | None:
-    """Two numbers with a comma between them.
-
-    Raises:
-        InputError: they are not that.
-    """
-    if text is None:
-        return None
-    try:
-        low, high = (float(part) for part in text.split(","))
-    except ValueError:
-        low = high = math.nan
-    if not (math.isfinite(low) and math.isfinite(high)):
-        raise InputError(f"{name} {text}: two finite numbers with a comma between them are expected")
-    return low, high
-
-
-@dataclass
-class Study:
-    """Measure computing time against error, of softrod's methods and of SciPy's and CVODE."""
-
-    out: Path
-    """Folder for the report: study.md, study.csv.gz, bodies.csv.gz and figures."""
-    scenes: Annotated[Positional[tuple[str, ...]], arg(metavar="SCENE")] = ()
-    """Presets' names or files' paths; without any, the presets of the group study."""
-    integrators: str = ""
-    """Methods, separated by commas; without any, all there are, the other solvers among them."""
-    errors: str = "1,0.1,1e-3,1e-6"
-    """Errors to ask about, px, separated by commas."""
-    random: int = 0
-    """Random bodies to hold auto's tolerance against."""
-
-    def run(self) -> int:
-        """Measure, print and write."""
-        from .studies.study import parse_errors, parse_integrators, study, study_scenes
-
-        if not 0 <= self.random <= 100_000:
-            return fail(f"--random: {self.random} is not in the range 0..100000")
-        scenes = [(name, sim.load_scene(name)) for name in self.scenes or study_scenes()]
-        integrators, errors = parse_integrators(self.integrators), parse_errors(self.errors)
-        return study(scenes, integrators, errors, self.random, self.out, Console())
-
-
-@dataclass
-class Sweep:
-    """Run a scene many times over a grid of its settings; write a table and a plot of what is measured."""
-
-    scene: Annotated[Positional[str], arg(metavar="SCENE")]
-    """A preset's name, a file's path or a link."""
-    out: Path
-    """Folder for table.csv, plot.png and sweep.jsonl; the same command goes on with what is missing there."""
-    vary: Annotated[
-        UseAppendAction[tuple[str, ...]],
-        arg(
-            metavar="KEY=VALUES",
-            help="a setting, as for --set, and its values: KEY=A..B:N for N numbers from A to B, "
-            "KEY=A..B:N:log for equal ratios, KEY=VALUE,VALUE,... for a list; may be repeated, and all are "
-            "combined with each other",
-        ),
-    ] = ()
-    measure: Annotated[
-        UseAppendAction[tuple[str, ...]],
-        arg(
-            metavar="NAME",
-            help="what is measured; may be repeated. "
-            + "; ".join(f"{measure.name}: {measure.summary}" for measure in MEASURES.values()),
-        ),
-    ] = ()
-    duration: float = 10.0
-    """Simulated seconds of each run."""
-    jobs: int | None = None
-    """Processes that compute at the same time; one for each core unless given."""
-    cluster: str | None = None
-    """Address of a Dask scheduler whose workers compute instead, as in tcp://host:8786."""
-    csv_comma: CsvComma = False
-    settings: Settings = ()
-
-    def run(self) -> int:
-        """Compute and write."""
-        from .sweep.grid import make_grid
-        from .sweep.sweep import sweep
-        from .sweep.workers import cluster, processes
-
-        if not 1e-3 <= self.duration <= 1e4:
-            return fail(f"--duration: {self.duration:g} is not in the range 0.001..10000 s")
-        if self.jobs is not None and not 1 <= self.jobs <= 1000:
-            return fail(f"--jobs: {self.jobs} is not in the range 1..1000")
-        if self.jobs is not None and self.cluster is not None:
-            return fail("--jobs: how many compute is up to the cluster")
-        grid = make_grid(sim.load_scene(self.scene), self.settings, self.vary)
-        measures, address = parse_measures(self.measure), self.cluster
-        jobs = self.jobs or os.cpu_count() or 1
-        workers = partial(processes, jobs) if address is None else partial(cluster, address)
-        return sweep(grid, measures, self.duration, workers, self.out, Console(), self.csv_comma)
-
-
-COMMANDS = {
+_COMMANDS: dict[str, type[Command]] = {
     "run": Run,
     "scenes": Scenes,
     "check": Check,
     "link": Link,
-    "bench": Bench,
-    "validate": Validate,
-    "stability": Stability,
-    "study": Study,
-    "sweep": Sweep,
     "export": Export,
 }
 
+STUDIES = ("bench", "validate", "stability", "study", "sweep")
+"""Commands of the package `studies`, which is loaded for them alone."""
 
-_SOLVING = (Run, Bench, Validate, Stability, Study, Sweep, Export)
+_SOLVING = ("run", "export", *STUDIES)
 """Commands that compile the solver before they do anything; the page says it while it compiles."""
+
+
+def _command(name: str) -> type[Command] | None:
+    """The command of that name, if there is one."""
+    if name in STUDIES:
+        from studies.commands import COMMANDS
+
+        return COMMANDS[name]
+    return _COMMANDS.get(name)
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -467,25 +263,21 @@ def main(arguments: list[str] | None = None) -> None:
         # Names may have letters that the terminal's encoding lacks. The error stream does this anyway.
         sys.stdout.reconfigure(errors="backslashreplace")
     words = sys.argv[1:] if arguments is None else arguments
-    command = COMMANDS.get(words[0]) if words else None
-    sys.exit(_main(command or Serve, words[1:] if command else words))
-
-
-def _main(
-    command: type[
-        Serve | Run | Scenes | Check | Link | Bench | Validate | Stability | Study | Sweep | Export
-    ],
-    words: list[str],
-) -> int:
-    program = "softrod" if command is Serve else f"softrod {command.__name__.lower()}"
-    description = None
-    if command is Serve:
-        others = "\n".join(f"  softrod {name}: {kind.__doc__}" for name, kind in COMMANDS.items())
-        description = f"Serve a scene in the browser.\n\nOther commands (each has --help):\n{others}"
-    if command in _SOLVING and (trouble := cache_trouble()):
+    name = words[0] if words else ""
+    command, program, description = _command(name), f"softrod {name}", None
+    if command is not None:
+        words = words[1:]
+    else:
+        command, program = Serve, "softrod"
+        if {"-h", "--help"} & set(words):
+            kinds = ((other, _command(other)) for other in (*_COMMANDS, *STUDIES))
+            others = "\n".join(f"  softrod {other}: {kind.__doc__}" for other, kind in kinds)
+            description = f"{Serve.__doc__}\n\nOther commands (each has --help):\n{others}"
+    if name in _SOLVING and (trouble := cache_trouble()):
         print(f"softrod: the solver is {trouble}", file=sys.stderr)
     parsed = tyro.cli(command, prog=program, description=description, args=words)
     try:
-        return parsed.run()
+        status = parsed.run()
     except (InputError, SceneError, SettingError) as error:
-        return fail(error)
+        status = fail(error)
+    sys.exit(status)

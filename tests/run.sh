@@ -84,7 +84,7 @@ part "compiling the rest"
 wait "$compiling"
 
 # In the order of their names: browser tests, which mostly wait, stand between those of `app` and `sim`, and
-# the small files of `sim` come last.
+# the small files of `sim` and of the studies come last.
 part "tests"
 uv run pytest --numprocesses=2 --dist=loadfile --no-loadscope-reorder "$@" tests
 

@@ -1,4 +1,4 @@
-"""Modules of the page's script as one script, for a file that fetches nothing.
+"""Modules of a script as one script, for a file that fetches nothing.
 
 Each module becomes a function that returns what it exports. It knows the forms of import and export that
 softrod's own modules use, and refuses others; it is no bundler for scripts in general.

@@ -150,9 +150,8 @@ class Export:
     ) -> dict[str, Callable[[], bytes]]:
         from . import film, picture, replay
         from .body.body import Body
-        from .body.c import c_program
         from .body.data import body_csv, body_json
-        from .body.python import python_program
+        from .body.program import c_program, python_program
 
         last = Shot.of(moments[-1])
         # The start of a film; of a log there is only its end.

@@ -11,7 +11,10 @@ import viser
 
 from ..gate.gate import PAGE_PATHS, GateError, StaticFile
 
-_FOLDER = Path(__file__).parent / "static"
+_APP = Path(__file__).parents[1]
+_FOLDER = _APP / "page" / "static"
+_SCRIPTS = (_APP / "drawing" / "static", _FOLDER)
+"""Scripts have the same places relative to each other as on the disk."""
 _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp"}
 _FOREVER = "public, max-age=31536000, immutable"
 _STYLES = (
@@ -42,8 +45,8 @@ def page_files() -> dict[str, StaticFile]:
     Raises:
         GateError: viser's page is not as it is known here.
     """
-    paths = (path for path in sorted(_FOLDER.rglob("*")) if path.suffix in _TYPES)
-    sources = {path.relative_to(_FOLDER).as_posix(): path.read_bytes() for path in paths}
+    paths = (path for folder in _SCRIPTS for path in sorted(folder.rglob("*")) if path.suffix in _TYPES)
+    sources = {path.relative_to(_APP).as_posix(): path.read_bytes() for path in paths}
     digest = hashlib.sha256(b"".join(sources.values())).hexdigest()[:12]
     # Without a slash before it, since the page may be in a folder of another site.
     folder = f"softrod/{digest}/"
@@ -80,12 +83,12 @@ def _index(folder: str, scripts: list[str]) -> str:
             '<!doctype html><html lang="en"><head><meta charset="utf-8" />',
             '<meta name="viewport" content="width=device-width, initial-scale=1" />',
             "<title>softrod</title>",
-            f'<link rel="icon" href="{folder}icon.svg" />',
+            f'<link rel="icon" href="{folder}page/static/icon.svg" />',
             *(f'<link rel="modulepreload" href="{name}" />' for name in scripts),
             f"<style>{styles}</style></head><body>",
             (_FOLDER / "loading.html").read_text(encoding="utf-8"),
             _ROOT,
-            f'<script type="module" src="{folder}main.js"></script>',
+            f'<script type="module" src="{folder}page/static/main.js"></script>',
             f'<script type="text/plain"{script.removeprefix("<script")}</script></body></html>',
         )
     )

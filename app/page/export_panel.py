@@ -171,9 +171,8 @@ class ExportPanel:
 
     def _body(self, kind: str, tell: Callable[[float], None]) -> tuple[str, bytes]:
         from ..export.body.body import Body
-        from ..export.body.c import c_program
         from ..export.body.data import body_csv, body_json
-        from ..export.body.python import python_program
+        from ..export.body.program import c_program, python_program
 
         body = Body.of(self._moment())
         tell(0.3)

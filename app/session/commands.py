@@ -1,110 +1,183 @@
 """What a page can ask of its session: small values that callbacks enqueue and the ticker applies.
 
-Positions are in the scene's unit (px), in the scene's own coordinates. Nothing here is trusted: the session
-checks every number when it applies the command.
+Positions are in the scene's unit (px), in the scene's own coordinates. Nothing here is trusted: every number
+is checked when the command is applied.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Literal
 
 from sim import Moment, Scene
-from sim.edit.edit import Edit, Selection
+from sim.edit.edit import Edit, Selection, carried, existing
+from sim.edit.texts import as_own
+from sim.errors import InputError
+from sim.motion.simulation import KEYS
+from sim.scene.types import shown_name
+from sim.settings import CHOICES, settings_of
 
+from .ghost import Ghost
+from .hand import DRAG_EVENT, FRAME
 from .log import Log
+from .pacing import is_large
+from .session import SPEEDS, Changed, Command, Session
+from .shadow import Foresight
 from .versions import Versions
 
+_MOST_STEPS = 1000
+"""Single steps that are done at once, at most."""
 
+
+# ------------------------------------------------------------------------- by hand
 @dataclass(frozen=True)
-class HoldKeys:
+class HoldKeys(Command):
     """The arrow keys that are down now; it is repeated while any are."""
 
     keys: frozenset[str]
 
+    def apply(self, session: Session, at: float) -> None:
+        session.hold_keys(self.keys & KEYS, at)
+
+    def takes_over(self, session: Session) -> bool:
+        return bool(self.keys)
+
 
 @dataclass(frozen=True)
-class Point:
+class Point(Command):
     """Where a hand's pointer is; used while it has a mass, and that of hand 0 while something follows."""
 
     x: float
     y: float
     hand: int = 0
 
+    def apply(self, session: Session, at: float) -> None:
+        # What follows the pointer must not disturb a moment that was gone back to.
+        if session.hands.is_full(self.hand) or not session.history.scrubbed:
+            session.hands.point(self.hand, self.x, self.y, at + FRAME)
+
 
 @dataclass(frozen=True)
-class Points:
+class Points(Command):
     """Where the pointers of several hands are."""
 
     points: tuple[Point, ...]
 
+    def apply(self, session: Session, at: float) -> None:
+        for point in self.points:
+            point.apply(session, at)
+
 
 @dataclass(frozen=True)
-class Follow:
+class Follow(Command):
     """Whether the driven mass follows the pointer without a button."""
 
     on: bool
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.follow = self.on and session.driven is not None
+        session.hands.forget_pointer()
+
+    def takes_over(self, session: Session) -> bool:
+        return self.on
 
 
 @dataclass(frozen=True)
-class DragStart:
+class DragStart(Command):
     """A hand took hold of a mass, with its pointer at (x, y); see `hand.GIZMO` for that of a gizmo."""
 
     mass: int
     x: float
     y: float
     hand: int = 0
+    acts = True
+
+    def apply(self, session: Session, at: float) -> None:
+        session.hands.take(self.hand, self.mass, self.x, self.y)
 
 
 @dataclass(frozen=True)
-class DragTo:
+class DragTo(Command):
     """As `Point`, from whom the next report comes later."""
 
     x: float
     y: float
     hand: int = 0
 
+    def apply(self, session: Session, at: float) -> None:
+        session.hands.point(self.hand, self.x, self.y, at + DRAG_EVENT)
+
 
 @dataclass(frozen=True)
-class DragEnd:
+class DragEnd(Command):
     """A hand let go of its mass."""
 
     hand: int = 0
 
+    def apply(self, session: Session, at: float) -> None:
+        session.hands.let_go(self.hand, session.following)
 
+
+# ------------------------------------------------------------------------- settings
 @dataclass(frozen=True)
-class SetValue:
+class SetValue(Command):
     """A setting's slider or box has a new value."""
 
     key: str
     value: float
+    acts = True
+
+    def apply(self, session: Session, at: float) -> None:
+        setting = next((s for s in settings_of(session.simulation.scene) if s.key == self.key), None)
+        if setting is None or not math.isfinite(self.value):
+            return
+        value = min(max(self.value, setting.low), setting.high)
+        session.change(lambda: session.recorder.set_value(self.key, value), setting.label, self.key)
 
 
 @dataclass(frozen=True)
-class Visit:
+class Visit(Command):
     """A slider was pressed, or a number box entered: what is changed from here on is another step of undo."""
 
+    def apply(self, session: Session, at: float) -> None:
+        session.versions.end_step()
+
 
 @dataclass(frozen=True)
-class SetChoice:
+class SetChoice(Command):
     """Something of a list was chosen, by its key in `sim.settings.CHOICES`."""
 
     key: str
     value: str
+    acts = True
+    changes = Changed.CONTROLS
+
+    def apply(self, session: Session, at: float) -> None:
+        label = CHOICES[self.key].label if self.key in CHOICES else self.key
+        session.change(lambda: session.recorder.set_choice(self.key, self.value), label)
+        if self.key == "method" and session.books:
+            # What is left over is the error of one method, not of two.
+            session.recorder.keep_books(False)
+            session.recorder.keep_books(True)
 
 
 @dataclass(frozen=True)
-class OwnValues:
+class OwnValues(Command):
     """The settings are to be those that the scene was opened with, of the body or of the solver."""
 
     of: Literal["body", "solver"]
+    acts = True
+    changes = Changed.CONTROLS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.own_values(self.of)
 
 
 @dataclass(frozen=True)
-class Compare:
+class Compare(Command):
     """A second body is wanted that does the same by another method, or a reference, or none ("").
 
     Its time step, or its tolerance, is to be so many times smaller.
@@ -113,22 +186,57 @@ class Compare:
     method: str
     law: str
     finer: int = 1
+    acts = True
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.history.forget("ghost")
+        session.companions.ghost = (
+            Ghost(session.simulation, self.method, self.law, self.finer, session.can_wait)
+            if self.method
+            else None
+        )
 
 
 @dataclass(frozen=True)
-class Foretell:
+class Foretell(Command):
     """Whether it is to be told how fast errors grow."""
 
     on: bool
+    acts = True
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.history.forget("foresight")
+        session.companions.foresight = Foresight(session.simulation, session.can_wait) if self.on else None
 
 
 @dataclass(frozen=True)
-class KeepBooks:
+class KeepBooks(Command):
     """Whether the energy is to be followed."""
 
     on: bool
+    acts = True
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.books = self.on
+        session.recorder.keep_books(self.on)
 
 
+@dataclass(frozen=True)
+class SelectJoint(Command):
+    """The joint whose angle is read out."""
+
+    joint: int
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        if 0 <= self.joint < len(session.simulation.scene.angular_springs):
+            session.joint = self.joint
+
+
+# ------------------------------------------------------------------------- editing
 MakeEdit = Callable[[Moment, Selection], Edit]
 """Makes an edit of a moment's scene and of what is selected; raises SceneError or SettingError where that
 cannot be done.
@@ -137,14 +245,9 @@ cannot be done.
 FindParts = Callable[[Moment, Selection], Selection]
 """Finds what is to be selected, from a moment and what is selected now."""
 
-StepVersions = Callable[[Moment], tuple[Moment, Edit | None] | None]
-"""Leads from the present moment to that of another version of the scene, if there is one, and says over which
-edit; None for another body.
-"""
-
 
 @dataclass(frozen=True)
-class Change:
+class Change(Command):
     """The body is to be edited; edits with the same key that follow each other are one step of undo.
 
     Attributes:
@@ -156,27 +259,60 @@ class Change:
     make: MakeEdit
     key: str = ""
     within: float = math.inf
+    acts = True
+
+    def apply(self, session: Session, at: float) -> None:
+        before = session.simulation.capture()
+        edit = as_own(self.make(before, session.selection), before.scene)
+        if edit.scene is not before.scene:
+            session.branch()
+            session.versions.add_edit(edit, before, self.key, session.now(), self.within)
+            session.go_on_at(carried(edit, before), edit)
 
 
 @dataclass(frozen=True)
-class Select:
+class Select(Command):
     """Other parts of the body are to be selected."""
 
     find: FindParts
 
+    def apply(self, session: Session, at: float) -> None:
+        moment = session.simulation.capture()
+        session.selection = existing(self.find(moment, session.selection), moment.scene)
+
 
 @dataclass(frozen=True)
-class Undo:
+class Undo(Command):
     """The last change of the scene is to be taken back; the run goes on."""
 
+    def apply(self, session: Session, at: float) -> None:
+        _go_on_at(session, session.versions.undo(session.simulation.capture()))
+
+    def takes_over(self, session: Session) -> bool:
+        return session.versions.has_undo(session.simulation.capture().scene)
+
 
 @dataclass(frozen=True)
-class Redo:
+class Redo(Command):
     """What was taken back last is to be done again."""
 
+    def apply(self, session: Session, at: float) -> None:
+        _go_on_at(session, session.versions.redo(session.simulation.capture()))
 
+    def takes_over(self, session: Session) -> bool:
+        return session.versions.has_redo(session.simulation.capture().scene)
+
+
+def _go_on_at(session: Session, version: tuple[Moment, Edit | None] | None) -> None:
+    """Go on at another version of the scene, if there is one."""
+    if version is not None:
+        session.branch()
+        session.go_on_at(*version)
+
+
+# ------------------------------------------------------------------------- another body
 @dataclass(frozen=True)
-class Open:
+class Open(Command):
     """Another scene is to be shown from its beginning.
 
     Attributes:
@@ -187,119 +323,144 @@ class Open:
     scene: Scene
     begun: bool = False
     waits: bool = False
+    brings_body = True
+
+    def apply(self, session: Session, at: float) -> None:
+        # What stopped the clock was the other body's.
+        stopped = session.simulation.divergence is not None or session.waits
+        before = session.simulation.capture()
+        session.open(self.scene)
+        session.lesson_begun = self.begun
+        opened = session.simulation.capture()
+        session.versions.add_leap(f"opening {shown_name(self.scene)}", before, opened)
+        if stopped or self.waits:
+            session.play(not self.waits)
+        session.waits = self.waits
+
+    @property
+    def is_heavy(self) -> bool:
+        return is_large(self.scene)
 
 
 @dataclass(frozen=True)
-class Play:
+class Replay(Command):
+    """A log is to be played, at the pace at which time passed in it."""
+
+    log: Log
+    brings_body = True
+
+    def apply(self, session: Session, at: float) -> None:
+        session.begin_replay(self.log)
+
+
+@dataclass(frozen=True)
+class Resume(Command):
+    """A page is to go on where a keepsake was made, see `Session.resume`."""
+
+    keepsake: bytes
+    versions: Versions | None = None
+    brings_body = True
+
+    def apply(self, session: Session, at: float) -> None:
+        session.resume(self.keepsake, self.versions)
+
+
+# ------------------------------------------------------------------------- time
+@dataclass(frozen=True)
+class Play(Command):
     """Run, from the moment that is shown; pause; or the other of the two (None)."""
 
     on: bool | None = None
 
+    def apply(self, session: Session, at: float) -> None:
+        session.play(self.playing_after(session.playing))
+
+    def playing_after(self, playing: bool) -> bool:
+        return not playing if self.on is None else self.on
+
 
 @dataclass(frozen=True)
-class DoSteps:
+class DoSteps(Command):
     """Pause, and do some steps."""
 
     steps: int
+    acts = True
+
+    def apply(self, session: Session, at: float) -> None:
+        session.do_steps(max(0, min(self.steps, _MOST_STEPS)))
+
+    def playing_after(self, playing: bool) -> bool:
+        return False
 
 
 @dataclass(frozen=True)
-class Reset:
+class Reset(Command):
     """Back to the scene's start."""
 
+    acts = True
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.reset()
+
 
 @dataclass(frozen=True)
-class Speed:
+class Speed(Command):
     """Simulated seconds per second."""
 
     factor: float
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        factor = self.factor if math.isfinite(self.factor) else 1.0
+        session.pacer.speed = min(max(factor, SPEEDS[0]), SPEEDS[-1])
 
 
 @dataclass(frozen=True)
-class SelectJoint:
-    """The joint whose angle is read out."""
-
-    joint: int
-
-
-@dataclass(frozen=True)
-class Snapshot:
-    """The scene as it is now is wanted, to be saved; the result is set between two frames."""
-
-    name: str
-    with_pose: bool
-    result: Future[Scene]
-
-
-@dataclass(frozen=True)
-class Recent:
-    """The moments of the last simulated seconds before the one that is shown are wanted, each with the second
-    body's, or None."""
-
-    seconds: float
-    result: Future[list[tuple[Moment, Moment | None]]]
-
-
-@dataclass(frozen=True)
-class GoTo:
+class GoTo(Command):
     """Pause, and show the moment nearest to a simulated time, s."""
 
     time: float
 
+    def apply(self, session: Session, at: float) -> None:
+        if not math.isfinite(self.time):
+            raise InputError(f"t = {self.time} s: that is no time to go to")
+        session.show(session.history.nearest(self.time))
+
 
 @dataclass(frozen=True)
-class GoBack:
+class GoBack(Command):
     """Pause, and show the moment so many simulated seconds before the one shown; 0 is one frame."""
 
     seconds: float = 0.0
 
+    def apply(self, session: Session, at: float) -> None:
+        if not math.isfinite(self.seconds):
+            raise InputError(f"{self.seconds} s: that is no time to go back by")
+        session.show(session.history.back(self.seconds))
+
 
 @dataclass(frozen=True)
-class GoForward:
+class GoForward(Command):
     """Pause, and show the moment one frame after the one shown."""
 
+    def apply(self, session: Session, at: float) -> None:
+        session.show(min(session.history.shown + 1, session.history.last))
+
 
 @dataclass(frozen=True)
-class ForgetFuture:
+class ForgetFuture(Command):
     """The old future is no longer wanted."""
 
+    changes = Changed.SETTINGS
+
+    def apply(self, session: Session, at: float) -> None:
+        session.old_future = None
+
 
 @dataclass(frozen=True)
-class BackBeforeDivergence:
+class BackBeforeDivergence(Command):
     """Pause, and show the body as it was before it ran away."""
 
-
-@dataclass(frozen=True)
-class SaveLog:
-    """The log until now is wanted, as a file's bytes; the result is set between two frames."""
-
-    result: Future[bytes]
-
-
-@dataclass(frozen=True)
-class Replay:
-    """A log is to be played, at the pace at which time passed in it."""
-
-    log: Log
-
-
-@dataclass(frozen=True)
-class Resume:
-    """A page is to go on where a keepsake was made, see `Session.keepsake`.
-
-    Attributes:
-        keepsake: as above.
-        versions: what it had to undo, if that is known; the session's own from then on.
-    """
-
-    keepsake: bytes
-    versions: Versions | None = None
-
-
-Command = (
-    HoldKeys | Point | Points | Follow | DragStart | DragTo | DragEnd | SetValue | Visit | SetChoice
-    | OwnValues
-    | Compare | Foretell | KeepBooks | Change | Select | Undo | Redo | Open | Play | DoSteps | Reset | Speed
-    | SelectJoint | Snapshot | Recent
-    | GoTo | GoBack | GoForward | ForgetFuture | BackBeforeDivergence | SaveLog | Replay | Resume
-)  # fmt: skip
+    def apply(self, session: Session, at: float) -> None:
+        session.show(session.history.before_runaway())

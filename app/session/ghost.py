@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import msgspec
@@ -12,6 +13,7 @@ import sim
 from sim.methods.registry import METHODS
 from sim.settings import CHOICES, SETTINGS, set_choice
 
+from .history import sharing, size_of
 from .pacing import attempts_within, smoothed
 
 REFERENCE = "reference"
@@ -37,9 +39,17 @@ class GhostMoment(NamedTuple):
     owed: float
     worst: float
 
+    def size(self, before: GhostMoment | None) -> int:
+        """See `Beside`."""
+        return size_of(self.moment, before.moment if before else None)
+
+    def sharing(self, before: GhostMoment | None) -> GhostMoment:
+        """See `Beside`."""
+        return self._replace(moment=sharing(self.moment, before.moment if before else None))
+
 
 class Ghost:
-    """The second body of a session.
+    """The second body of a session, a `Companion`.
 
     It has the time that the first body leaves of a frame. Where that does not suffice it is late, and catches
     up later.
@@ -59,6 +69,8 @@ class Ghost:
         distance: largest distance between a mass and its counterpart, px, when it was last not late.
         worst: the largest that it has been.
     """
+
+    span = 0.0
 
     def __init__(
         self, simulation: sim.Simulation, method: str, law: str, finer: int = 1, wait: bool = True
@@ -93,21 +105,26 @@ class Ghost:
         """Whether its method is still being compiled; by NumPy, it would say nothing of that method."""
         return self.simulation.plain
 
+    @property
+    def bodies(self) -> tuple[sim.Simulation]:
+        """Its body."""
+        return (self.simulation,)
+
     def is_ready(self, simulation: sim.Simulation) -> bool:
-        """Whether it may go on; when its method has just become ready, it starts from the first body."""
+        """See `Companion`."""
         if not self.waits:
             return True
         if self.simulation.take_compiled():
-            self.start_from(simulation)
+            self.begin(simulation)
         return False
 
-    def change(self, scene: sim.Scene) -> None:
-        """Go on with other settings of the first body, whose scene is this one now."""
-        self.simulation.replace(self.variant(scene))
+    def adapt(self, simulation: sim.Simulation) -> None:
+        """See `Companion`."""
+        self.simulation.replace(self.variant(simulation.scene))  # with what keys have changed
 
-    def start_from(self, simulation: sim.Simulation) -> None:
+    def begin(self, simulation: sim.Simulation) -> None:
         """Take the first body's settings, place, speed and time."""
-        self.change(simulation.scene)  # with what keys have changed
+        self.adapt(simulation)
         self._start(simulation)
 
     def _start(self, simulation: sim.Simulation) -> None:
@@ -118,11 +135,12 @@ class Ghost:
         """Where it is now, to come back to; None while it `waits`."""
         return None if self.waits else GhostMoment(self.simulation.capture(), self._owed, self.worst)
 
-    def go_back(self, then: GhostMoment | None, simulation: sim.Simulation) -> None:
-        """Be where it was at the moment that the first body has gone to; if none is kept, start from that."""
-        if then is None:
-            self.start_from(simulation)
+    def go_back(self, past: Sequence[tuple[float, GhostMoment]], simulation: sim.Simulation) -> None:
+        """Be where it was at the moment that the first body has gone to; if none is kept, begin with that."""
+        if not past:
+            self.begin(simulation)
             return
+        then = past[-1][1]
         self.simulation.restore(then.moment)
         self._owed, self.worst = then.owed, then.worst
         self._compare(simulation)

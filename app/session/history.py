@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections.abc import Mapping
 from dataclasses import replace
 from itertools import takewhile
-from typing import NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,16 +14,13 @@ from numpy.typing import NDArray
 from sim import Moment
 from sim.scene.types import Damage
 
-from .ghost import GhostMoment
-from .shadow import ShadowMoment
-
 SPAN = 3600
 """Frames that are kept: a minute at 60 Hz."""
 
 MOST_BYTES = 64_000_000
 """What all moments of a page take at most."""
 
-_OVERHEAD = 400
+OVERHEAD = 400
 """Bytes of a moment beside its numbers, about."""
 
 _PER_PART = 250
@@ -44,20 +42,30 @@ _CALM = 2.0
 """Speed of a body that is sound, at most, in sizes of the body per second, on average over its masses."""
 
 
+class Beside(Protocol):
+    """What is kept of something that goes along with the body, in one moment."""
+
+    def size(self, before: Any, /) -> int:
+        """Bytes that it takes, about, beside what it shares with the one before, which may be None."""
+        ...
+
+    def sharing(self, before: Any, /) -> Beside:
+        """The same, with what is as in the one before kept once."""
+        ...
+
+
 class _Frame(NamedTuple):
     """What is kept of one frame.
 
     Attributes:
         number: of the frame, counted from when the history began.
         moment: of the body.
-        ghost: of the second body, if there was one.
-        shadow: of what tells how errors grow, if it was wanted.
+        beside: of what goes along with it, by name.
     """
 
     number: int
     moment: Moment
-    ghost: GhostMoment | None
-    shadow: ShadowMoment | None
+    beside: Mapping[str, Beside]
 
 
 class History:
@@ -90,32 +98,27 @@ class History:
     def __getitem__(self, index: int) -> Moment:
         return self._frames[index].moment
 
-    def ghost(self, index: int) -> GhostMoment | None:
-        """Where the second body was in a moment; None if there was none, or it was another one."""
-        return self._frames[index].ghost
-
-    def shadows(self, index: int, span: float) -> list[tuple[float, ShadowMoment]]:
-        """The shadow in a moment and in those before it without a gap, with their times, s.
+    def beside(self, name: str, index: int, span: float) -> list[tuple[float, Any]]:
+        """What was beside the body in a moment and in those before it without a gap, with their times, s.
 
         Args:
+            name: what of all that is meant.
             index: of the moment.
             span: s before the moment that they cover at most.
         """
-        found: list[tuple[float, ShadowMoment]] = []
+        found: list[tuple[float, Any]] = []
         for frame in reversed(self._frames[: index + 1]):
-            if frame.shadow is None or frame.moment.time < self[index].time - span:
+            if name not in frame.beside or frame.moment.time < self[index].time - span:
                 break
-            found.append((frame.moment.time, frame.shadow))
+            found.append((frame.moment.time, frame.beside[name]))
         return found[::-1]
 
-    def forget_shadows(self) -> None:
-        """How errors grew is no longer wanted."""
-        self._frames = [frame._replace(shadow=None) for frame in self._frames]
-        self._count()
-
-    def forget_ghosts(self) -> None:
-        """The second body is no longer the one that it was."""
-        self._frames = [frame._replace(ghost=None) for frame in self._frames]
+    def forget(self, name: str) -> None:
+        """What was beside the body is no longer the one that it was."""
+        self._frames = [
+            frame._replace(beside={key: kept for key, kept in frame.beside.items() if key != name})
+            for frame in self._frames
+        ]
         self._count()
 
     @property
@@ -143,9 +146,7 @@ class History:
         """What all of it takes, about."""
         return self._bytes
 
-    def add(
-        self, moment: Moment, ghost: GhostMoment | None = None, shadow: ShadowMoment | None = None
-    ) -> None:
+    def add(self, moment: Moment, beside: Mapping[str, Beside] | None = None) -> None:
         """The next frame's moment, and what is beside the body; it is shown.
 
         What is not before it is dropped.
@@ -154,11 +155,11 @@ class History:
         while frames and frames[-1].moment.time >= moment.time:
             self._drop_last()
         before = frames[-1] if frames else None
-        moment = _sharing(moment, before.moment if before else None)
-        if ghost is not None and before is not None and before.ghost is not None:
-            ghost = ghost._replace(moment=_sharing(ghost.moment, before.ghost.moment))
+        moment = sharing(moment, before.moment if before else None)
+        last = before.beside if before else {}
+        kept = {name: one.sharing(last.get(name)) for name, one in (beside or {}).items()}
         self._number += 1
-        frame = _Frame(self._number, moment, ghost, shadow)
+        frame = _Frame(self._number, moment, kept)
         self._bytes += _size(frame, before)
         frames.append(frame)
         if len(frames) > SPAN or frames[0].number <= self._number - SPAN:
@@ -167,13 +168,11 @@ class History:
             self._thin()
         self.shown = self.last
 
-    def amend(
-        self, moment: Moment, ghost: GhostMoment | None = None, shadow: ShadowMoment | None = None
-    ) -> None:
+    def amend(self, moment: Moment, beside: Mapping[str, Beside] | None = None) -> None:
         """The newest moment is this one after all."""
         if self._frames:
             self._drop_last()
-        self.add(moment, ghost, shadow)
+        self.add(moment, beside)
 
     def nearest(self, time: float) -> int:
         """Index of the moment nearest to a time, s; there must be one."""
@@ -187,14 +186,14 @@ class History:
         before = max(self.shown - 1, 0)
         return min(before, self.nearest(self[self.shown].time - seconds)) if seconds > 0.0 else before
 
-    def recent(self, seconds: float) -> list[tuple[Moment, Moment | None]]:
-        """The moments of so many seconds before the one that is shown, and that one, each with the second
-        body's."""
+    def recent(self, seconds: float) -> list[tuple[Moment, Mapping[str, Beside]]]:
+        """The moments of so many seconds before the one that is shown, and that one, each with what was
+        beside the body."""
         if self.shown < 0:
             return []
         # One more, so that all of the seconds are covered.
         first = max(self.nearest(self[self.shown].time - seconds) - 1, 0)
-        return [(f.moment, f.ghost.moment if f.ghost else None) for f in self._frames[first : self.shown + 1]]
+        return [(frame.moment, frame.beside) for frame in self._frames[first : self.shown + 1]]
 
     def cut(self) -> list[Moment]:
         """Drop what is newer than what is shown, and return it, the moment shown first; or nothing at all."""
@@ -300,17 +299,14 @@ class OldFuture:
 
 def _size(frame: _Frame, before: _Frame | None) -> int:
     """Bytes of a frame that follows another one, about."""
-    size = _size_of(frame.moment, before.moment if before else None)
-    if frame.ghost is not None:
-        last = before.ghost if before else None
-        size += _size_of(frame.ghost.moment, last.moment if last else None)
-    if frame.shadow is not None:
-        size += frame.shadow.hair.nbytes + _OVERHEAD
-    return size
+    last = before.beside if before else {}
+    beside = sum(one.size(last.get(name)) for name, one in frame.beside.items())
+    return size_of(frame.moment, before.moment if before else None) + beside
 
 
-def _size_of(moment: Moment, before: Moment | None) -> int:
-    size, scene = moment.rows.nbytes + _OVERHEAD, moment.scene
+def size_of(moment: Moment, before: Moment | None) -> int:
+    """Bytes of a moment, about, beside what it shares with the one before."""
+    size, scene = moment.rows.nbytes + OVERHEAD, moment.scene
     if before is None or scene is not before.scene:
         parts = len(scene.masses) + len(scene.linear_springs) + len(scene.angular_springs)
         size += _PER_PART * parts
@@ -321,7 +317,7 @@ def _size_of(moment: Moment, before: Moment | None) -> int:
     return size
 
 
-def _sharing(moment: Moment, before: Moment | None) -> Moment:
+def sharing(moment: Moment, before: Moment | None) -> Moment:
     """A moment that keeps no damage of its own where that is as in the one before."""
     if before is None or moment.damage is None or moment.damage != before.damage:
         return moment

@@ -22,7 +22,7 @@ from sim.motion.quantities import PARTS, Kind
 from sim.motion.recording import table_text
 
 from .history import SPAN
-from .running import Running
+from .session import Session
 
 Floats = NDArray[np.float64]
 
@@ -154,7 +154,7 @@ class Plot:
         """Whether any quantity is an entry of the energy balance."""
         return any(q.kind.of == "energy" for q in self.quantities)
 
-    def sample(self, session: Running) -> None:
+    def sample(self, session: Session) -> None:
         """Note the present values, if they are of a later time than all before; drop what will not come."""
         history, time = session.history, session.simulation.time
         end = self._end
@@ -170,7 +170,7 @@ class Plot:
             self.version += 1
         self.shown = time
 
-    def _look_again(self, session: Running) -> None:
+    def _look_again(self, session: Session) -> None:
         """Note what may be found while the clock stands: the stability limit."""
         last = self._room[self._end - 1, 1:]
         for i, quantity in enumerate(self.quantities):
@@ -293,7 +293,7 @@ def _rounded(values: Floats) -> Floats:
     return np.rint(values / step) * step
 
 
-def _value(session: Running, quantity: sim.Quantity) -> float:
+def _value(session: Session, quantity: sim.Quantity) -> float:
     """The present value of a quantity; NaN where there is none."""
     simulation, of = session.simulation, quantity.kind.of
     if of == "ghost":

@@ -5,34 +5,37 @@ Callbacks only call `post`, from any thread. Everything else is called by the ti
 
 from __future__ import annotations
 
+import enum
 import math
 import threading
 import time
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
-from dataclasses import replace
-from typing import TypeVar
+from dataclasses import dataclass, replace
+from typing import ClassVar, Generic, Literal, TypeVar
 
 import msgspec
 
 import sim
+from sim.body.system import same_topology
+from sim.edit.edit import Edit, Selection, still_selected
 from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
-from sim.motion.simulation import KEYS
-from sim.motion.stability import Look
-from sim.scene.types import shown_name
-from sim.settings import CHOICES
+from sim.motion.stability import StabilityEstimate
 
-from . import commands, keepsakes
-from .commands import Command
-from .editing import Editing
+from . import keepsakes
+from .companions import Companions
 from .ghost import Ghost
-from .hand import DRAG_EVENT, FRAME
+from .hand import FRAME, Body, PointerHands
+from .history import History, OldFuture
+from .log import Log
 from .notices import Notice, runaway
-from .pacing import HEAVY_UNIT, is_large
+from .pacing import HEAVY_UNIT, Pacer, is_large
+from .record import Recorder
+from .replay import Player
 from .shadow import Foresight
-from .timeline import MOST_SECONDS
+from .stability import StabilityWatch
 from .versions import Versions
 
 __all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "SPEEDS", "Notice", "Session"]
@@ -44,61 +47,208 @@ SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0)
 MAX_QUEUE = 4000
 """Commands that wait at most; beyond that the page is not a person, and the oldest are dropped."""
 
-STABILITY_EVERY, STABILITY_SHARE = 0.25, 0.02
-"""Seconds between two looks at the stability limit, at least; and the share of the budget that they may
-take."""
-LOOK_SHARE = 0.1
-"""Share of a frame's budget that a look may take: that at a large body goes on over many frames."""
+MOST_SECONDS = 0.5
+"""Seconds of computing that single steps, or one call of a replay, may take, by what steps have cost."""
+
+_AFTER_REPLAY = "it begins where a replay was left"
 
 T = TypeVar("T")
 
-_OTHER_BODY = (commands.Open, commands.Replay, commands.Resume)
-"""Commands that bring another body."""
+
+class Changed(enum.Enum):
+    """What something changes that the page looks at only when it is told to."""
+
+    NOTHING = enum.auto()
+    SETTINGS = enum.auto()
+    """Numbers and switches; the body is drawn exactly."""
+    CONTROLS = enum.auto()
+    """The nodes and controls are to be those of another body or method, too."""
+    BODY = enum.auto()
+    """Another body takes the place of the one before: it is fitted to the window, too."""
 
 
-class Session(Editing):
+class Command:
+    """Something that a page can ask of its session; the ticker applies it between two frames.
+
+    Attributes:
+        changes: what it changes beside the motion.
+        acts: whether it does something to the body, by which a replay ends.
+        brings_body: whether it brings another body: then it takes the place of any other such that still
+            waits, since they may be of many megabytes.
+    """
+
+    changes: ClassVar[Changed] = Changed.NOTHING
+    acts: ClassVar[bool] = False
+    brings_body: ClassVar[bool] = False
+
+    def apply(self, session: Session, at: float) -> None:
+        """Do it.
+
+        Args:
+            session: of the page.
+            at: wall time at which it was asked for, s.
+
+        Raises:
+            InputError, SettingError, SceneError: it cannot be done; the user is told.
+        """
+        raise NotImplementedError
+
+    def takes_over(self, session: Session) -> bool:
+        """Whether it ends a replay that is going on."""
+        return self.acts
+
+    @property
+    def is_heavy(self) -> bool:
+        """Whether it may take longer than other pages can wait for."""
+        return self.brings_body
+
+    def playing_after(self, playing: bool) -> bool:
+        """Whether the clock runs once it is applied, if it runs or stands before."""
+        return playing
+
+
+@dataclass(frozen=True)
+class _Question(Command, Generic[T]):
+    """Something is wanted that only the ticker may look at; it is answered between two frames."""
+
+    find: Callable[[], T]
+    result: Future[T]
+
+    def apply(self, session: Session, at: float) -> None:
+        try:
+            self.result.set_result(self.find())
+        except (InputError, SceneError) as error:
+            self.result.set_exception(error)
+
+
+class Session:
     """The simulation of one page, and what its user is doing with it.
 
-    Args and attributes: see `Running`.
+    Args:
+        scene: what it shows first.
+        clock: wall time, s.
+        wait: whether a step may wait for the compiler. A page cannot: it moves by NumPy until then.
+
+    Attributes:
+        simulation: the body in motion; the ticker's alone.
+        playing: whether the clock runs.
+        follow: whether the driven mass follows the pointer.
+        joint: the angular spring that is read out.
+        generation: a new number means that nodes and controls are to be those of another body.
+        openings: counts bodies that took the place of another; a new one is fitted to the window.
+        revision: counts changes of settings, other than by the arrow keys.
+        notices: what the page has still to be told.
+        pacer: the clock.
+        companions: what goes along with the body.
+        stability_watch: keeps `stability` up to date.
+        versions: what undo and redo lead to.
+        selection: the parts of the body that are selected.
+        books: whether the energy is followed.
+        fallbacks: fallback steps since the scene was opened or reset.
+        recorder: what acts on the body, and keeps its log; not while a log is played.
+        history: the moments that are past, and which of them is shown.
+        old_future: what would have come, where the user has gone back and on; or None.
+        offer_back: whether the body ran away and can be taken back to just before that.
+        replay: the log that is played, if one is.
+        opened: the scene as it was opened.
+        lesson_begun: whether a step of the scene's lesson has begun; if not, the page says which.
+        waits: whether the clock stands only until a question of the scene's lesson is answered.
+        hands: what the pointers do.
+        preparing: what is being compiled, for the page to say; empty when nothing is.
     """
 
     def __init__(
         self, scene: sim.Scene, clock: Callable[[], float] = time.monotonic, wait: bool = True
     ) -> None:
-        super().__init__(scene, clock, wait)
+        self._clock, self.can_wait = clock, wait
         self._lock = threading.Lock()
         self._queue: deque[tuple[float, Command]] = deque(maxlen=MAX_QUEUE)
-        self._estimated = -1  # revision at the last look at the stability limit
-        self._looked = 0.0  # seconds of computing that the present look has taken
         self._keys_at = -math.inf
+        self.simulation = sim.Simulation(scene, wait=wait)
+        self.opened = self.simulation.capture().scene
+        self.recorder = Recorder(self.simulation)
+        self.companions = Companions()
+        self.history = History()
+        self._begin_history()
+        self.replay: Player | None = None
+        self._viewer: sim.Simulation | None = None  # shows what is past in a replay
+        self.pacer = Pacer()
+        self.playing = True
+        self.follow = False
+        self.joint = 0
+        self.lesson_begun = False
+        self.waits = False
+        self.generation = self.openings = self.revision = 0
+        self.versions = Versions()
+        self.selection = Selection()
+        self.notices: list[Notice] = []
+        self.stability_watch = StabilityWatch()
+        self.hands = PointerHands(self._bodies, clock)
+        self.books = False
+        self.fallbacks = 0
+        self.preparing = ""
+
+    # --------------------------------------------------------------------- what the page looks at
+    def now(self) -> float:
+        """Wall time, s, by the clock that everything here goes by."""
+        return self._clock()
 
     @property
-    def heavy(self) -> bool:
-        """Whether the next frame may take longer than others can wait for."""
-        waiting = self._waiting()
-        beside = self.ghost, self.foresight
-        opened = [command.scene for command in waiting if isinstance(command, commands.Open)]
-        return (
-            max([self.pacer.unit_cost, *(other.unit_cost for other in beside if other)]) > HEAVY_UNIT
-            or any(map(is_large, (self.simulation.scene, *opened)))
-            or any(isinstance(command, commands.Resume | commands.Replay) for command in waiting)
-        )
+    def scene(self) -> sim.Scene:
+        """The scene as it is now, with what the arrow keys did."""
+        return self.simulation.scene
+
+    @property
+    def driven(self) -> int | None:
+        """The mass that the pointer drives, if the scene has one."""
+        return next((a.mass for a in self.simulation.anchors if a.driven), None)
+
+    @property
+    def dragged(self) -> tuple[int, ...]:
+        """The masses in hand, in the order in which they were taken."""
+        return self.hands.masses
+
+    @property
+    def following(self) -> int | None:
+        """The mass that follows the pointer without a button."""
+        return self.driven if self.follow else None
+
+    @property
+    def ghost(self) -> Ghost | None:
+        """The second body, if one is wanted."""
+        return self.companions.ghost
+
+    @property
+    def foresight(self) -> Foresight | None:
+        """What tells how fast errors grow, if that is wanted."""
+        return self.companions.foresight
+
+    @property
+    def stability(self) -> StabilityEstimate:
+        """The last look at the stability limit."""
+        return self.stability_watch.estimate
 
     @property
     def is_looking(self) -> bool:
         """Whether `stability` is still to be that of the present body."""
-        return self._look is not None
+        return self.stability_watch.is_looking
+
+    @property
+    def heavy(self) -> bool:
+        """Whether the next frame may take longer than others can wait for."""
+        costs = [self.pacer.unit_cost, *(one.unit_cost for one in self.companions)]
+        return (
+            max(costs) > HEAVY_UNIT
+            or is_large(self.simulation.scene)
+            or any(command.is_heavy for command in self._waiting())
+        )
 
     @property
     def will_play(self) -> bool:
         """Whether the clock runs once the commands that wait are applied."""
         playing = self.playing
         for command in self._waiting():
-            match command:
-                case commands.Play(on):
-                    playing = not playing if on is None else on
-                case commands.DoSteps():
-                    playing = False
+            playing = command.playing_after(playing)
         return playing
 
     def _waiting(self) -> list[Command]:
@@ -110,46 +260,80 @@ class Session(Editing):
     def post(self, command: Command) -> None:
         """Hand a command to the ticker."""
         with self._lock:
-            if isinstance(command, _OTHER_BODY):
-                # It may be of many megabytes, and takes the place of any other that still waits.
-                waiting = (entry for entry in self._queue if not isinstance(entry[1], _OTHER_BODY))
+            if command.brings_body:
+                waiting = (entry for entry in self._queue if not entry[1].brings_body)
                 self._queue = deque(waiting, maxlen=MAX_QUEUE)
             self._queue.append((self._clock(), command))
 
     def snapshot(self, name: str, with_pose: bool) -> sim.Scene:
         """The scene as it is now, to be saved; with the present pose, or with the one it started from.
 
-        Any thread may ask; the ticker makes it between two frames.
-
         Raises:
             InputError: the ticker did not answer.
         """
-        request = commands.Snapshot(name, with_pose, Future())
-        self.post(request)
-        return _answer(request.result)
+
+        def find() -> sim.Scene:
+            scene = msgspec.structs.replace(self.simulation.scene, name=name)
+            return msgspec.structs.replace(scene, pose=self.simulation.pose()) if with_pose else scene
+
+        return self._ask(find)
 
     def log_file(self) -> bytes:
-        """The log until now, as a file, see `app.session.log`. Any thread may ask.
+        """The log until now, as a file, see `app.session.log`.
 
         Raises:
             InputError: a log is being played, or the ticker did not answer.
             SceneError: the scene cannot be written.
         """
-        request = commands.SaveLog(Future())
-        self.post(request)
-        return _answer(request.result)
+
+        def find() -> bytes:
+            if self.replay is not None:
+                raise InputError("a log is being played; there is nothing else to save")
+            return self.recorder.file()
+
+        return self._ask(find)
 
     def recent(self, seconds: float) -> list[tuple[sim.Moment, sim.Moment | None]]:
-        """What the page has shown in the last simulated seconds; see `commands.Recent`. Any thread may ask.
+        """What the page has shown in the last simulated seconds before the moment that is shown: the body's
+        moments, each with the second body's, or None.
 
         Raises:
             InputError: the ticker did not answer.
         """
-        request = commands.Recent(seconds, Future())
-        self.post(request)
-        return _answer(request.result)
+        past = self._ask(lambda: self.history.recent(seconds))
+        return [(moment, getattr(beside.get("ghost"), "moment", None)) for moment, beside in past]
+
+    def _ask(self, find: Callable[[], T]) -> T:
+        """What the ticker finds between two frames; any thread may ask.
+
+        Raises:
+            InputError: it did not answer, or there is no answer.
+        """
+        result: Future[T] = Future()
+        self.post(_Question(find, result))
+        try:
+            return result.result(timeout=5.0)
+        except TimeoutError:
+            raise InputError("the scene is busy; try again") from None
 
     # --------------------------------------------------------------------- the ticker's
+    def drain(self) -> None:
+        """Apply the commands that wait; also while the clock stands."""
+        for _ in range(len(self._queue)):
+            with self._lock:
+                if not self._queue:
+                    break
+                at, command = self._queue.popleft()
+            try:
+                if self.replay is not None and command.takes_over(self):
+                    self._end_replay("You have taken over from the replay.")
+                command.apply(self, at)
+                self.note(command.changes)
+            except (InputError, SettingError, SceneError) as error:
+                self.notices.append(Notice("error", "That cannot be done", str(error)))
+        if self.replay is None and (not self.playing or self.simulation.divergence is not None):
+            self.hands.steer(self.following, glide=False)
+
     def tick(self, budget: float) -> None:
         """Go on by one frame, as far as the clock and the budget allow; `drain` comes before.
 
@@ -158,23 +342,17 @@ class Session(Editing):
         """
         now = self._clock()
         if self.replay is None and now - self._keys_at > KEYS_FORGOTTEN_AFTER:
-            self._hold(frozenset())
+            self.hold_keys(frozenset(), self._keys_at)
         running = self.playing and (self.replay is not None or self.simulation.divergence is None)
         if running and self.replay is not None:
             self._play_log(self.replay, now, budget)
         elif running:
             self._step(now, budget)
-        # While the clock stands, only what its user changes can move the limit.
         running = running and self.playing  # it may have ended just now
-        due = now >= self._stability_due and (running or self._estimated != self.revision)
-        if self._look is None and due:
-            self._estimated, self._looked = self.revision, 0.0
-            self._look = self.simulation.stability_in_parts()
-        if self._look is not None:
-            self._go_on_looking(self._look, now, budget)
+        self.stability_watch.tick(self.simulation, self.revision, running, now, budget)
 
     def keepsake(self) -> bytes:
-        """What is needed to go on later where this page is now, see `commands.Resume`; the ticker's, too."""
+        """What is needed to go on later where this page is now, see `resume`."""
         ghost = self.ghost
         return keepsakes.encode(
             self.simulation.capture(),
@@ -189,227 +367,293 @@ class Session(Editing):
             self.opened,
         )
 
-    def drain(self) -> None:
-        """Apply the commands that wait; also while the clock stands."""
-        for _ in range(len(self._queue)):
-            with self._lock:
-                if not self._queue:
-                    break
-                at, command = self._queue.popleft()
-            try:
-                if self.replay is not None and self._is_input(command):
-                    self._end_replay("You have taken over from the replay.")
-                if not (self._apply_to_time(command) or self._apply_to_scene(command)):
-                    self._apply(command, at)
-            except (InputError, SettingError, SceneError) as error:
-                self.notices.append(Notice("error", "That cannot be done", str(error)))
-        if self.replay is None and (not self.playing or self.simulation.divergence is not None):
-            self.hands.steer(self._following, glide=False)
+    # --------------------------------------------------------------------- what commands do
+    def note(self, changed: Changed) -> None:
+        """Have the page look at what has changed."""
+        self.revision += changed is not Changed.NOTHING
+        self.generation += changed in (Changed.CONTROLS, Changed.BODY)
+        self.openings += changed is Changed.BODY
 
-    # --------------------------------------------------------------------- inside
-    def _go_on_looking(self, look: Look, now: float, budget: float) -> None:
-        """Go on with a look at the stability limit, for a share of a frame, but by one part at least."""
-        began = time.perf_counter()
-        try:
-            next(look)
-            while time.perf_counter() - began < LOOK_SHARE * budget:
-                next(look)
-        except StopIteration as end:
-            self._look, self.stability = None, end.value
-        self._looked += time.perf_counter() - began
-        if self._look is None and self._estimated == self.revision:
-            share = STABILITY_SHARE * budget / FRAME
-            self._stability_due = now + max(STABILITY_EVERY, self._looked / share)
+    def play(self, on: bool) -> None:
+        """Let the clock run, from the moment that is shown, or stand."""
+        if on:
+            self.branch()
+            self.offer_back = self.waits = False
+        if on != self.playing:
+            self.playing = on
+            self.pacer.restart()
+            self.note(Changed.SETTINGS)
 
-    def _apply(self, command: Command, at: float) -> None:
-        match command:
-            case commands.HoldKeys(keys):
-                self._hold(keys & KEYS)
-                self._keys_at = at
-            case commands.Point():
-                self._point(command, at)
-            case commands.Points(points):
-                for point in points:
-                    self._point(point, at)
-            case commands.DragTo(x, y, hand):
-                self.hands.point(hand, x, y, at + DRAG_EVENT)
-            case commands.Follow(on):
-                self.follow = on and self.driven is not None
-                self.hands.forget_pointer()
-            case commands.DragStart(mass, x, y, hand):
-                self.hands.take(hand, mass, x, y)
-            case commands.DragEnd(hand):
-                self.hands.let_go(hand, self._following)
-            case commands.SetValue(key, value):
-                self._set(key, value)
-            case commands.SetChoice(key, value):
-                label = CHOICES[key].label if key in CHOICES else key
-                self._change(lambda: self.recorder.set_choice(key, value), label)
-                self.generation += 1  # other controls
-                if key == "method" and self.books:
-                    # What is left over is the error of one method, not of two.
-                    self.recorder.keep_books(False)
-                    self.recorder.keep_books(True)
-            case commands.OwnValues(of):
-                self._own_values(of)
-                self.generation += 1
-            case commands.Compare(method, law, finer):
-                self.history.forget_ghosts()
-                self.ghost = Ghost(self.simulation, method, law, finer, self._wait) if method else None
-                self.revision += 1
-            case commands.Foretell(on):
-                self.history.forget_shadows()
-                self.foresight = Foresight(self.simulation, self._wait) if on else None
-                self.revision += 1
-            case commands.KeepBooks(on):
-                self.books = on
-                self.recorder.keep_books(on)
-                self.revision += 1
-            case commands.Open(scene, begun, waits):
-                # What stopped the clock was the other body's.
-                stopped = self.simulation.divergence is not None or self.waits
-                before = self.simulation.capture()
-                self._open(scene)
-                self.lesson_begun = begun
-                opened = self.simulation.capture()
-                self.versions.add_leap(f"opening {shown_name(scene)}", before, opened)
-                if stopped or waits:
-                    self.play(not waits)
-                self.waits = waits
-            case commands.Play(on):
-                self.play(not self.playing if on is None else on)
-            case commands.DoSteps(steps):
-                self.play(False)
-                self._branch()
-                self.hands.steer(self._following, glide=True)
-                led = list(self.simulation.behind)
-                done = self.recorder.step(max(0, min(steps, 1000)), self.pacer.attempts(MOST_SECONDS))
-                self._follow(done, led, MOST_SECONDS)
-                self._after_steps()
-            case commands.Reset():
-                self._let_go()
-                self.recorder.reset()
-                self.fallbacks = 0
-                self._begin_history()
-                if self.ghost is not None:
-                    self.ghost.start_from(self.simulation)
-                if self.foresight is not None:
-                    self.foresight.begin(self.simulation)
-                self.pacer.restart()
-                self.revision += 1
-            case commands.Speed(factor):
-                self.pacer.speed = min(max(factor, SPEEDS[0]), SPEEDS[-1]) if math.isfinite(factor) else 1.0
-                self.revision += 1
-            case commands.Snapshot(name, with_pose, result):
-                scene = msgspec.structs.replace(self.simulation.scene, name=name)
-                if with_pose:
-                    scene = msgspec.structs.replace(scene, pose=self.simulation.pose())
-                result.set_result(scene)
-            case commands.Recent(seconds, result):
-                result.set_result(self.history.recent(seconds))
-            case commands.SaveLog(result):
-                self._save_log(result)
-            case commands.Replay(record):
-                self._begin_replay(record)
-            case commands.Resume(keepsake, versions):
-                self._resume(keepsake, versions)
-            case commands.SelectJoint(joint):
-                if 0 <= joint < len(self.simulation.scene.angular_springs):
-                    self.joint = joint
-
-    def _point(self, point: commands.Point, at: float) -> None:
-        # What follows the pointer must not disturb a moment that was gone back to.
-        if self.hands.is_full(point.hand) or not self.history.scrubbed:
-            self.hands.point(point.hand, point.x, point.y, at + FRAME)
-
-    def _step(self, now: float, budget: float) -> None:
-        """Go on by a frame."""
-        # A method with steps of its own is held to the budget by what it may try.
-        own = METHODS[self.simulation.method].adaptive
-        steps = self.pacer.grant(now, self.simulation.dt, math.inf if own else budget)
-        self.hands.steer(self._following, glide=True)
+    def do_steps(self, steps: int) -> None:
+        """Stand, and do some steps."""
+        self.play(False)
+        self.branch()
+        self.hands.steer(self.following, glide=True)
         led = list(self.simulation.behind)
-        began = time.perf_counter()
-        done = self.recorder.step(steps, attempts=self.pacer.attempts(budget))
-        seconds, stats = time.perf_counter() - began, self.simulation.stats()
-        self.fallbacks += stats.fallbacks
-        self.pacer.record(now, self.simulation.dt, done, seconds, stats, missed=steps - done)
-        self._follow(done, led, budget - seconds)
+        done = self.recorder.step(steps, self.pacer.attempts(MOST_SECONDS))
+        self.companions.follow(self.simulation, done, led, MOST_SECONDS)
         self._after_steps()
 
-    def _is_input(self, command: Command) -> bool:
-        """Whether a command does something to the body."""
-        match command:
-            case commands.HoldKeys(keys):
-                return bool(keys)
-            case commands.Follow(on):
-                return on
-            case commands.DragStart() | commands.SetValue() | commands.SetChoice() | commands.DoSteps():
-                return True
-            case commands.Change():
-                return True
-            case commands.Undo():
-                return self.versions.has_undo(self.simulation.capture().scene)
-            case commands.Redo():
-                return self.versions.has_redo(self.simulation.capture().scene)
-            case commands.Reset() | commands.KeepBooks() | commands.Compare() | commands.Foretell():
-                return True
-            case commands.OwnValues():
-                return True
-            case _:
-                return False
+    def hold_keys(self, keys: frozenset[str], at: float) -> None:
+        """These arrow keys are held, as was said at a wall time, s."""
+        self._keys_at = at
+        for body in self._bodies():
+            body.keys = keys
 
-    # --------------------------------------------------------------------- logs and keepsakes
-    def _save_log(self, result: Future[bytes]) -> None:
-        try:
-            if self.replay is not None:
-                raise InputError("a log is being played; there is nothing else to save")
-            result.set_result(self.recorder.file())
-        except (InputError, SceneError) as error:
-            result.set_exception(error)
+    def let_go(self) -> None:
+        """Have all hands let go."""
+        self.hands.let_all_go(self.following)
 
-    def _resume(self, data: bytes, versions: Versions | None) -> None:
+    def change(self, change: Callable[[], None], label: str, key: str = "") -> None:
+        """Go on with changed settings.
+
+        Args:
+            change: changes them.
+            label: what they are called.
+            key: of a number, whose changes are one for undo until another control is used.
+        """
+        before = self.simulation.capture()
+        change()
+        after = self.simulation.capture()
+        rebuilt = not same_topology(before.scene, self.simulation.scene)
+        if rebuilt:
+            self.versions.add_leap(label, before, after, key)
+            # Another body, whose time begins anew: what is past belongs to the other one.
+            self.hands.drop()
+            self._begin_history()
+            self._choose_joint()
+            self.selection = Selection()
+            self.companions.begin(self.simulation, self.history)
+        else:
+            if after.scene is not before.scene:
+                self.versions.add_change(label, before, after, key)
+            self.companions.adapt(self.simulation)
+        self.note(Changed.BODY if rebuilt else Changed.SETTINGS)
+        self.stability_watch.hurry()
+
+    def own_values(self, of: Literal["body", "solver"]) -> None:
+        """Go on with the settings that the scene was opened with."""
+        present = self.simulation.capture().scene
+        with_body, with_solver = (self.opened, present) if of == "body" else (present, self.opened)
+        scene = msgspec.structs.replace(
+            with_body, force_law=with_solver.force_law, integrator=with_solver.integrator
+        )
+        self.let_go()
+        self.change(lambda: self.recorder.set_scene(scene, keys_too=of == "body"), f"own values of the {of}")
+
+    def go_on_at(self, moment: sim.Moment, edit: Edit | None) -> None:
+        """Go on at a moment of an edited scene, at the same time.
+
+        Args:
+            moment: of the scene as it is now.
+            edit: what made it of the one before; None where it is another body's.
+        """
+        self.hands.drop()
+        self.lesson_begun = True  # it goes on where it was
+        self.recorder.restore(moment)
+        self.selection = Selection() if edit is None else still_selected(edit, self.selection)
+        if edit is None or edit.moves_parts:
+            self.old_future = None
+            self._choose_joint()
+            self.follow = self.follow and self.driven is not None
+        self.companions.begin(self.simulation, self.history)
+        self.history.amend(self.simulation.capture(), self.companions.capture())
+        self.note(Changed.BODY if edit is None else Changed.CONTROLS)
+        self.stability_watch.hurry()
+
+    def open(self, scene: sim.Scene) -> None:
+        """Have another body, at the beginning of its scene, with nothing beside it."""
+        simulation = sim.Simulation(scene, wait=self.can_wait)
+        self.opened = simulation.capture().scene
+        self.lesson_begun = True
+        self.hands.drop()
+        self.simulation, self.recorder = simulation, Recorder(simulation)
+        if self.books:
+            self.recorder.keep_books(True)
+        self._begin_history()
+        self.replay = self._viewer = None
+        self.companions = Companions()
+        self.fallbacks = 0
+        self.follow = False
+        self.joint = 0
+        self.selection = Selection()
+        self.pacer = Pacer(self.pacer.speed)  # what the last body cost says nothing
+        self.stability_watch.forget()
+        self.note(Changed.BODY)
+
+    def reset(self) -> None:
+        """Back to the scene's start."""
+        self.let_go()
+        self.recorder.reset()
+        self.fallbacks = 0
+        self._begin_history()
+        self.companions.begin(self.simulation, self.history)
+        self.pacer.restart()
+
+    def resume(self, keepsake: bytes, versions: Versions | None) -> None:
+        """Go on where a keepsake was made.
+
+        Args:
+            keepsake: see `keepsake`.
+            versions: what there was to undo, if that is known; the session's own from then on.
+
+        Raises:
+            SceneError: it makes no sense.
+        """
         try:
-            kept = keepsakes.decode(data)
+            kept = keepsakes.decode(keepsake)
         except SceneError as error:
             raise SceneError(f"could not be resumed: {error}") from None
         moment, wishes = kept.moment, kept.wishes
         known = versions.return_to(moment.scene) if versions is not None else None
         if known is not None:
             moment = replace(moment, scene=known)  # by which the versions know it
-        self._open(moment.scene)
+        self.open(moment.scene)
         self.versions = versions if versions is not None and known is not None else Versions()
         self.opened = kept.opened
         self.recorder.restore(moment)
         self._begin_history()
         self.follow = wishes.follow and self.driven is not None
-        self.joint = min(wishes.joint, max(0, len(moment.scene.angular_springs) - 1))
+        self.joint = wishes.joint
+        self._choose_joint()
         self.pacer.speed = wishes.speed
-        if wishes.ghost is not None:
-            second = wishes.ghost
-            self.ghost = Ghost(self.simulation, second.method, second.law, second.finer, self._wait)
+        if (second := wishes.ghost) is not None:
+            self.companions.ghost = Ghost(
+                self.simulation, second.method, second.law, second.finer, self.can_wait
+            )
         if wishes.foretell:
-            self.foresight = Foresight(self.simulation, self._wait)
+            self.companions.foresight = Foresight(self.simulation, self.can_wait)
         self.play(wishes.playing)
+
+    # --------------------------------------------------------------------- time
+    def branch(self) -> None:
+        """What comes from here on takes the place of what came after the moment that is shown."""
+        if self.replay is not None:
+            if self.history.scrubbed:
+                self.show(self.history.last)
+        elif newer := self.history.cut():
+            self.old_future = OldFuture.of(newer)
+            self.note(Changed.SETTINGS)
+
+    def show(self, index: int) -> None:
+        """Stand, and show a moment that is past."""
+        self.play(False)
+        history, before = self.history, self.simulation.capture().scene
+        if self.replay is None:
+            self.let_go()
+            if not history.scrubbed:
+                # What was changed since the last frame is not to be lost.
+                history.amend(self.simulation.capture(), self.companions.capture())
+            self.recorder.restore(history[index])
+        elif index == history.last:
+            self.simulation = self.replay.simulation  # it has to go on as if nobody had looked back
+        else:
+            self._viewer = self._viewer or sim.Simulation(history[index].scene, wait=self.can_wait)
+            self._viewer.restore(history[index])
+            self.simulation = self._viewer
+        self.hands.forget_pointer()
+        history.shown = index
+        self.offer_back = False
+        self._changed_from(before)
+        self.companions.go_back(history, index, self.simulation)
+        self.note(Changed.SETTINGS)
+        self.stability_watch.hurry()
+
+    def begin_replay(self, record: Log) -> None:
+        """Show a log's body, and play what was done to it."""
+        self.open(record.scene)
+        self.replay = Player(record, self.simulation)
+        self.play(True)
+
+    # --------------------------------------------------------------------- inside
+    def _bodies(self) -> list[Body]:
+        """The body, and those that go along with it."""
+        return [self.recorder, *self.companions.bodies]
+
+    def _choose_joint(self) -> None:
+        """Read out a joint that the scene has."""
+        self.joint = min(self.joint, max(0, len(self.simulation.scene.angular_springs) - 1))
+
+    def _begin_history(self) -> None:
+        self.history.clear()
+        self.history.add(self.simulation.capture())
+        self.old_future: OldFuture | None = None
+        self.offer_back = False
+
+    def _remember(self) -> None:
+        """Keep this frame's moment, if time has passed."""
+        if self.simulation.time != self.history.end:
+            self.history.add(self.simulation.capture(), self.companions.capture())
+
+    def _step(self, now: float, budget: float) -> None:
+        """Go on by a frame."""
+        # A method with steps of its own is held to the budget by what it may try.
+        own = METHODS[self.simulation.method].adaptive
+        steps = self.pacer.grant(now, self.simulation.dt, math.inf if own else budget)
+        self.hands.steer(self.following, glide=True)
+        led = list(self.simulation.behind)
+        began = time.perf_counter()
+        done = self.recorder.step(steps, attempts=self.pacer.attempts(budget))
+        seconds = self._count(now, done, steps - done, began)
+        self.companions.follow(self.simulation, done, led, budget - seconds)
+        self._after_steps()
+
+    def _count(self, now: float, done: int, missed: int, began: float) -> float:
+        """Enter steps that were done since `began` into the clock's books; returns the seconds they took."""
+        seconds, stats = time.perf_counter() - began, self.simulation.stats()
+        self.fallbacks += stats.fallbacks
+        self.pacer.record(now, self.simulation.dt, done, seconds, stats, missed=missed)
+        return seconds
 
     def _after_steps(self) -> None:
         self._remember()
-        if self.simulation.divergence is not None:
+        if (divergence := self.simulation.divergence) is not None:
             self.play(False)
             self.offer_back = True
             # The limit that is told is that of the body when it ran away, not of what is left of it.
-            self.stability = self.simulation.divergence.stability
-            self._look, self._estimated = None, self.revision
-            self.notices.append(runaway(self.simulation.divergence, self.simulation.scene))
+            self.stability_watch.set(divergence.stability, self.revision)
+            self.notices.append(runaway(divergence, self.simulation.scene))
 
+    def _changed_from(self, before: sim.Scene) -> None:
+        """Have the page look at the settings again, if they are no longer those of a scene."""
+        scene = self.simulation.capture().scene
+        if scene is before:
+            return
+        self.versions.find(scene)
+        other = not same_topology(before, scene)
+        if other:
+            self._choose_joint()
+            self.selection = Selection()  # other parts may have its numbers
+            self.old_future = None
+        controls = (scene.force_law, scene.integrator.method)
+        differ = other or controls != (before.force_law, before.integrator.method)
+        self.note(Changed.CONTROLS if differ else Changed.SETTINGS)
 
-def _answer(result: Future[T]) -> T:
-    """What the ticker gives.
+    def _play_log(self, player: Player, now: float, budget: float) -> None:
+        """Go on by a frame of a replay."""
+        simulation = player.simulation
+        if not simulation.complete:
+            simulation.take_compiled()  # by other methods, it would not be the same
+            return
+        steps = self.pacer.grant(now, simulation.dt, math.inf)
+        scene, began = simulation.capture().scene, time.perf_counter()
+        try:
+            most, attempts = self.pacer.affordable(MOST_SECONDS), self.pacer.attempts(MOST_SECONDS)
+            done = player.advance(steps * simulation.dt, budget, most, attempts)
+        except InputError as error:
+            self._end_replay(f"It cannot go on: {error}.")
+            return
+        self._count(now, done, 0, began)
+        self._remember()
+        self._changed_from(scene)
+        if player.ended:
+            self.play(False)
+            begins = "It agrees with the log: " if player.agrees else "It does not agree with the log: it "
+            self._end_replay(f"{begins}{player.verdict}.", "info" if player.agrees else "warning")
 
-    Raises:
-        InputError: it took too long.
-    """
-    try:
-        return result.result(timeout=5.0)
-    except TimeoutError:
-        raise InputError("the scene is busy; try again") from None
+    def _end_replay(self, text: str, kind: Literal["info", "warning"] = "info") -> None:
+        self.replay = self._viewer = None
+        self.recorder = Recorder(self.simulation, _AFTER_REPLAY)
+        self.recorder.keys = frozenset()
+        self.note(Changed.SETTINGS)
+        self.notices.append(Notice(kind, "The replay has ended", text))

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 import sim
 from sim.analysis.predictability import MANY, Shadow, factor_of, growth_within, verdict
 
+from .history import OVERHEAD
 from .pacing import attempts_within, smoothed
 
 SPAN = 1.0
@@ -36,9 +37,17 @@ class ShadowMoment(NamedTuple):
     hair: NDArray[np.float64]
     level: float
 
+    def size(self, _: ShadowMoment | None) -> int:
+        """See `Beside`."""
+        return self.hair.nbytes + OVERHEAD
+
+    def sharing(self, _: ShadowMoment | None) -> ShadowMoment:
+        """See `Beside`; two moments share nothing."""
+        return self
+
 
 class Foresight:
-    """Tells how fast errors grow in the motion of a session's body.
+    """Tells how fast errors grow in the motion of a session's body; a `Companion`.
 
     Args:
         simulation: the body.
@@ -49,6 +58,8 @@ class Foresight:
         cost: seconds of computing in the last frames, on average.
         unit_cost: seconds of a step of the two that they try, on average.
     """
+
+    span = WINDOW
 
     def __init__(self, simulation: sim.Simulation, wait: bool = True) -> None:
         self.shadow = Shadow(simulation, wait)
@@ -64,34 +75,43 @@ class Foresight:
         """Whether its method is still being compiled."""
         return any(one.plain for one in self.shadow.pair)
 
-    def place(self, simulation: sim.Simulation) -> None:
+    @property
+    def bodies(self) -> tuple[sim.Simulation, ...]:
+        """The two bodies."""
+        return self.shadow.pair
+
+    def is_ready(self, simulation: sim.Simulation) -> bool:
+        """See `Companion`."""
+        if not self.waits:
+            return True
+        ready = [one.take_compiled() for one in self.shadow.pair]
+        if all(ready):
+            self.begin(simulation)
+        return False
+
+    def adapt(self, simulation: sim.Simulation) -> None:
         """Go on from where the body is now, after something else than steps was done to it."""
         self.shadow.place(simulation)
         self._owed = 0
 
     def begin(self, simulation: sim.Simulation) -> None:
         """Forget what was, as for another motion."""
-        self.place(simulation)
+        self.adapt(simulation)
         self._samples = deque([(self._seen, self.shadow.level)])
 
     def capture(self) -> ShadowMoment:
         """What there is to come back to."""
         return ShadowMoment(self.shadow.hair, self.shadow.level)
 
-    def go_back(self, then: Sequence[tuple[float, ShadowMoment]], simulation: sim.Simulation) -> None:
-        """Be as at the moment that the body has gone to.
-
-        Args:
-            then: the moments until that one, with their times, s; it is the last.
-            simulation: the body.
-        """
-        if not then:
+    def go_back(self, past: Sequence[tuple[float, ShadowMoment]], simulation: sim.Simulation) -> None:
+        """See `Companion`."""
+        if not past:
             self.begin(simulation)
             return
-        self._seen, last = then[-1]
+        self._seen, last = past[-1]
         self.shadow.place(simulation, last.hair)
         self.shadow.level, self._owed = last.level, 0
-        self._samples = deque((at, moment.level) for at, moment in then)
+        self._samples = deque((at, moment.level) for at, moment in past)
 
     def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
         """Go on by what the body has just done, as far as there is time.
@@ -104,11 +124,6 @@ class Foresight:
         self._owed += steps
         if not self._owed or simulation.divergence is not None:
             return
-        if self.waits:
-            ready = [one.take_compiled() for one in self.shadow.pair]
-            if all(ready):
-                self.begin(simulation)
-            return
         began = time.perf_counter()
         affordable = max(1, int(budget / self._step_cost)) if self._step_cost else self._owed
         steps = min(self._owed, affordable)
@@ -120,7 +135,7 @@ class Foresight:
             while self._samples[0][0] < self._seen - WINDOW:
                 self._samples.popleft()
         if not arrived or self._owed * simulation.dt > _LATE or (self.shadow.due and not self._owed):
-            self.place(simulation)
+            self.adapt(simulation)
         took = time.perf_counter() - began
         self.cost += 0.1 * (took - self.cost)
         self._step_cost = smoothed(self._step_cost, took / steps)

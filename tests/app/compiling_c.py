@@ -17,10 +17,10 @@ def compiler() -> str:
     return found
 
 
-def compiled(source: Path) -> Path:
-    """The program made of a source file; a warning of the compiler is a failure."""
-    program = source.with_suffix("")
-    flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-pedantic-errors", "-Werror"]
+def compiled(source: Path, *more: str, program: Path | None = None) -> Path:
+    """The program made of a source file, with more options; a warning of the compiler is a failure."""
+    program = program or source.with_suffix("")
+    flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-pedantic-errors", "-Werror", *more]
     words = [compiler(), *flags, str(source), "-o", str(program), "-lm"]
     run = subprocess.run(words, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr

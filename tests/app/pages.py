@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import TypeVar
+
 import sim
 from app.session import commands
 from app.session.session import Session
+
+T = TypeVar("T")
 
 FRAME = 1.0 / 60.0
 
@@ -37,3 +43,12 @@ class SessionPage:
             self.wall.time += FRAME
             self.session.drain()
             self.session.tick(BUDGET)
+
+
+def answered(session: Session, ask: Callable[[], T]) -> T:
+    """What another thread is answered that asks a session for something, while this one drains it."""
+    with ThreadPoolExecutor(1) as other:
+        result = other.submit(ask)
+        while not result.done():
+            session.drain()
+        return result.result()

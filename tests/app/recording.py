@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from concurrent.futures import Future
 
 import msgspec
 import numpy as np
@@ -12,15 +11,12 @@ import sim
 from app.session import commands
 from app.session.log import decode_log
 from app.session.replay import Player
-from tests.app.pages import SessionPage
+from tests.app.pages import SessionPage, answered
 
 
 def log_of(page: SessionPage) -> bytes:
     """The log of a page until now."""
-    result: Future[bytes] = Future()
-    page.session.post(commands.SaveLog(result))
-    page.session.drain()
-    return result.result(timeout=0)
+    return answered(page.session, page.session.log_file)
 
 
 def busy_page(scene: sim.Scene, play_on: bool = True) -> SessionPage:

@@ -13,7 +13,7 @@ import sim
 from app.drawing.plan import Picture
 from app.export import instances
 from app.export.body.body import Body
-from app.export.body.python import python_program
+from app.export.body.program import python_program
 from tests.app.page_script import drawn, sketch_of
 from tests.sim.bodies import body
 from tests.sim.directions import some_flipped

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from concurrent.futures import Future
 
 import numpy as np
 import pytest
@@ -16,7 +15,7 @@ from sim.edit.build import extend, positions_of, remove
 from sim.edit.edit import Edit, Selection
 from sim.edit.shape import move
 from sim.edit.values import number, set_number
-from tests.app.pages import SessionPage
+from tests.app.pages import SessionPage, answered
 
 NOTHING = Selection()
 
@@ -176,11 +175,7 @@ def test_an_edited_run_is_replayed_bit_for_bit(page: SessionPage) -> None:
     page.frames(20, commands.Change(stiffer))
     page.frames(20, commands.Change(shorter))
     page.frames(20, commands.Undo())
-    request: Future[bytes] = Future()
-    page.session.post(commands.SaveLog(request))
-    page.session.drain()
-    data = request.result(0)
-    record = log.decode_log(data, "log")
+    record = log.decode_log(answered(page.session, page.session.log_file), "log")
     player = Player(record, sim.Simulation(record.scene))
     while not player.ended:
         player.do()

@@ -9,7 +9,6 @@ import json
 import re
 import threading
 import zlib
-from concurrent.futures import Future
 from dataclasses import replace
 from pathlib import Path
 
@@ -31,6 +30,7 @@ from app.session.session import Session
 from sim.errors import InputError
 from sim.scene.types import Damage
 from tests.app.clips import swing
+from tests.app.pages import answered
 
 ROPE = sim.rope(masses=5, length=200.0)
 
@@ -72,10 +72,8 @@ def test_a_session_hands_out_what_its_page_has_shown() -> None:
     session = Session(ROPE, lambda: float(next(clock)))
 
     def recent(seconds: float) -> list[sim.Moment]:
-        command = commands.Recent(seconds, Future())
-        session.post(command)
-        session.drain()
-        return [moment for moment, ghost in command.result.result(0) if ghost is None]
+        moments = answered(session, lambda: session.recent(seconds))
+        return [moment for moment, ghost in moments if ghost is None]
 
     assert len(recent(1.0)) <= 1
     for _ in range(60):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 import subprocess
 import sys
 import zipfile
@@ -18,11 +19,10 @@ from msgspec.structs import replace as changed
 
 import sim
 from app.cli import main
+from app.export.body import program
 from app.export.body.body import Body
-from app.export.body.c import c_program
 from app.export.body.data import body_csv, body_json
-from app.export.body.program import LAWS_IN_PROGRAMS, plain
-from app.export.body.python import python_program
+from app.export.body.program import LAWS_IN_PROGRAMS, c_program, plain, python_program
 from sim.errors import InputError
 from sim.kernels.forces.laws import LAWS, Law
 from sim.scene.types import Circle, Damage, ForceLaw
@@ -165,6 +165,28 @@ def test_the_stable_spring_may_break_too(tmp_path: Path) -> None:
     simulation.step(100)
     for places in moved_by_programs(body, tmp_path, 100):
         assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+
+
+# ------------------------------------------------------------------------- templates
+TEMPLATES = Path(program.__file__).with_name("templates")
+
+
+@pytest.mark.parametrize("law", ["", *LAWS_IN_PROGRAMS])
+def test_the_template_in_c_compiles_as_it_stands(law: str, tmp_path: Path) -> None:
+    """With all that a body can have, for each law of joints; and with nothing."""
+    names = set(re.findall(r"HAS_\w+", (TEMPLATES / "program.c").read_text()))
+    laws = {name for name in names if name.endswith(("_LAW", "_ENERGY"))}
+    energy = set() if law == "tutorial" else {"HAS_JOINT_ENERGY"}
+    has = (names - laws | {f"HAS_{law.upper()}_LAW"} | energy) if law else set()
+    words = (f"-D{name}" for name in ("TEMPLATE", *sorted(has)))
+    built = compiled(TEMPLATES / "program.c", *words, program=tmp_path / "program")
+    assert printed([str(built), "0"]).shape == (1, 2)
+
+
+def test_the_template_in_python_is_clean_as_it_stands() -> None:
+    words = [sys.executable, "-m", "ruff", "check", "--no-cache", str(TEMPLATES / "program.py")]
+    run = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stdout
 
 
 # ------------------------------------------------------------------------- what programs say
@@ -416,7 +438,7 @@ def test_a_program_refuses_a_law_that_it_does_not_know(monkeypatch: pytest.Monke
     body = body_of(BENT)
     scene = changed(body.scene, force_law="made-up")
     other = replace(body, moment=replace(body.moment, scene=scene))
-    for program in (python_program, c_program):
+    for write in (python_program, c_program):
         with pytest.raises(InputError, match="a program cannot do the force law 'made-up', but tut"):
-            program(other)
+            write(other)
     assert set(LAWS_IN_PROGRAMS) == set(get_args(ForceLaw))

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 import sim
-from app.bench import frames
 from app.drawing.colors import palette
 from app.page import readouts
 from app.session import commands
 from app.session import ghost as ghost_module
 from app.session.ghost import FINER
 from app.session.pacing import HEAVY_UNIT
+from studies.bench import frames
 from tests.app.pages import BUDGET, FRAME, SessionPage
 
 

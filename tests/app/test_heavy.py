@@ -7,13 +7,13 @@ import threading
 import pytest
 
 import sim
-from app.bench.tabs import cloth
 from app.page.tab import Tab
 from app.server.ticker import LONGEST_FRAME, next_frame
 from app.session import commands
 from app.session.pacing import HEAVY_UNIT, Pacer, is_large
 from app.session.session import FRAME, Session
 from sim.motion.solver import SolverStats
+from studies.bench.tabs import cloth
 from tests.app.test_serving import Stage, eventually, say, session_of, stage  # noqa: F401
 
 

@@ -69,7 +69,7 @@ def test_of_a_body_of_which_hardly_one_moment_fits_the_last_is_kept(monkeypatch:
     monkeypatch.setattr(history, "MOST_BYTES", 3000)
     ring = History()
     for i in range(10):
-        ring.add(moment(i * FRAME, sim.rope(masses=3)), GhostMoment(moment(0.0), 0.0, 0.0))
+        ring.add(moment(i * FRAME, sim.rope(masses=3)), {"ghost": GhostMoment(moment(0.0), 0.0, 0.0)})
         assert ring.end == i * FRAME
         assert len(ring) <= 2
 
@@ -104,8 +104,8 @@ def test_the_ring_stays_in_order_and_counts_its_bytes(steps: list[tuple[str, flo
     for i, (what, seconds) in enumerate(steps):
         if what == "add":
             time = ring.end + seconds
-            second = GhostMoment(moment(time, scenes[i % 3 % 2]), 0.0, 0.0) if i % 5 else None
-            ring.add(moment(time, scenes[i % 2]), second)
+            second = GhostMoment(moment(time, scenes[i % 3 % 2]), 0.0, 0.0)
+            ring.add(moment(time, scenes[i % 2]), {"ghost": second} if i % 5 else None)
         elif what == "amend":
             ring.amend(moment(ring.end))
         elif what == "back":

@@ -51,9 +51,12 @@ def test_the_wheel_has_everything_that_runs(wheel: Path) -> None:
     assert {
         "sim/py.typed",
         "app/py.typed",
+        "app/drawing/static/draw.js",
         "app/page/static/main.js",
         "app/page/static/page.css",
-        "app/bench/fused.c",
+        "app/export/body/templates/program.c",
+        "studies/bench/fused.c",
+        "studies/py.typed",
     } <= names
     assert not any(name.startswith("tests/") for name in names)
     metadata = next(name for name in names if name.endswith("METADATA"))

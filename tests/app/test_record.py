@@ -97,7 +97,7 @@ def test_whatever_is_done_a_log_leads_to_the_same_bits(acts: list[tuple[commands
 
 
 def test_a_log_of_a_body_that_comes_late() -> None:
-    from app.bench import frames
+    from studies.bench import frames
 
     page = SessionPage(frames.rod(100, sim.Integrator()))
     page.frames(10)

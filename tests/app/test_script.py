@@ -105,7 +105,7 @@ def test_a_scene_without_joints_has_no_readout() -> None:
 
 def test_the_meter_says_when_the_step_is_too_large() -> None:
     session = Session(sim.set_value(sim.load_scene("tutorial-3.3"), "angular_stiffness", 60_000.0))
-    session.stability = session.simulation.stability()
+    session.stability_watch.estimate = session.simulation.stability()
     text = readouts.hud(session, palette("softrod", dark=False), at_rest=False)
     assert re.search(r"time step 2\.5 ms, 1\d\d % of the limit: unstable<", text)
     # A straight body stands still until something bends it.
@@ -116,7 +116,7 @@ def test_the_meter_says_when_the_step_is_too_large() -> None:
     assert "touched" not in readouts.hud(session, palette("softrod", dark=False), at_rest=True)
     # Nothing is promised of a step that is not too large.
     session = Session(sim.load_scene("tutorial-3.3"))
-    session.stability = session.simulation.stability()
+    session.stability_watch.estimate = session.simulation.stability()
     text = readouts.hud(session, palette("softrod", dark=False), at_rest=True, meter=True)
     assert re.search(r"time step 2\.5 ms, \d\d % of the limit<", text)
     assert "stable" not in text
@@ -127,7 +127,7 @@ def test_the_meter_is_there_where_it_matters() -> None:
 
     def has_meter(scene: sim.Scene, meter: bool = False) -> bool:
         session = Session(scene)
-        session.stability = session.simulation.stability()
+        session.stability_watch.estimate = session.simulation.stability()
         return "softrod-meter" in readouts.hud(session, colors, False, meter)
 
     limit = sim.Simulation(scene).stability().limit
@@ -161,7 +161,7 @@ def test_energies_have_a_unit() -> None:
 @pytest.mark.parametrize("method", METHODS)
 def test_there_is_a_meter_for_every_method_that_has_a_limit(method: str) -> None:
     session = Session(sim.set_choice(sim.load_scene("tutorial-3.3"), "method", method))
-    session.stability = session.simulation.stability()
+    session.stability_watch.estimate = session.simulation.stability()
     shown = "softrod-meter" in readouts.hud(session, palette("softrod", dark=False), False, meter=True)
     assert shown == (method in ("symplectic_euler", "velocity_verlet", "rk4", "stable_spring"))
 

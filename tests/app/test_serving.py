@@ -17,7 +17,6 @@ import viser
 from rich.console import Console
 
 import sim
-from app.bench.client import Page
 from app.gate.gate import open_server
 from app.page import keeping, owner
 from app.page import tab as tab_module
@@ -31,6 +30,7 @@ from app.session.commands import DragStart, Open
 from app.session.session import Session
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.scene.link import pack_scene
+from studies.bench.client import Page
 
 PATIENCE = 30.0
 

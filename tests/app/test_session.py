@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from concurrent.futures import Future
 
 import msgspec
 import numpy as np
@@ -13,7 +12,7 @@ import sim
 from app.session import commands
 from app.session.hand import GIZMO, MOST_HANDS
 from app.session.session import KEYS_FORGOTTEN_AFTER, MAX_QUEUE
-from tests.app.pages import FRAME, SessionPage
+from tests.app.pages import FRAME, SessionPage, answered
 from tests.sim.builders import tutorial_preset
 
 
@@ -415,16 +414,14 @@ def test_the_meter_follows_changes_while_paused(page: SessionPage) -> None:
 
 def test_a_snapshot_holds_the_keys_work_and_the_pose(page: SessionPage) -> None:
     page.frames(20, commands.HoldKeys(frozenset({"up"})))
-    bare: Future[sim.Scene] = Future()
-    posed: Future[sim.Scene] = Future()
     page.frames(1, commands.Play(False))
-    page.frames(1, commands.Snapshot("a", False, bare), commands.Snapshot("b", True, posed))
-    scene = posed.result(timeout=0)
+    bare = answered(page.session, lambda: page.session.snapshot("a", with_pose=False))
+    scene = answered(page.session, lambda: page.session.snapshot("b", with_pose=True))
     assert scene.rest_length_scale > 1.0
     again = sim.Simulation(scene)
     assert np.array_equal(again.positions, page.session.simulation.positions)
     assert np.array_equal(again.velocities, page.session.simulation.velocities)
-    assert bare.result(timeout=0).pose is None
+    assert bare.pose is None
 
 
 def test_of_bodies_that_are_to_come_the_last_waits_alone(page: SessionPage) -> None:

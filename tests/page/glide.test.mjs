@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Glide } from "../../app/page/static/glide.js";
-import { CLOCK_PERIOD } from "../../app/page/static/plan.js";
+import { CLOCK_PERIOD } from "../../app/drawing/static/plan.js";
 
 const SCREEN = 1 / 144;
 /** A body that moves at 1 px/s, seen at a moment of the server's clock. */

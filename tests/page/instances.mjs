@@ -1,8 +1,8 @@
 // Reads lines {plan, frame, damage} from standard input and writes, for each, what the page would draw.
 import { createInterface } from "node:readline";
-import * as draw from "../../app/page/static/draw.js";
-import { airAt, loops, outline, skin, wallInView } from "../../app/page/static/around.js";
-import { readDamage, readFrame, readPlan } from "../../app/page/static/plan.js";
+import * as draw from "../../app/drawing/static/draw.js";
+import { airAt, loops, outline, skin, wallInView } from "../../app/drawing/static/around.js";
+import { readDamage, readFrame, readPlan } from "../../app/drawing/static/plan.js";
 
 const plain = (instances) =>
   Object.fromEntries(Object.entries(instances).map(([name, array]) => [name.replace("batched_", ""), [...array]]));

@@ -1,4 +1,4 @@
-"""How the parts may depend on each other, and how long a module may be."""
+"""How the parts may depend on each other."""
 
 from __future__ import annotations
 

@@ -1,11 +1,14 @@
-"""What programs of a body have in common: what they cannot do, what they say of themselves, and how they are
-put together."""
+"""A body as a short program in Python or C: `templates/program.py` and `templates/program.c`, filled with its
+numbers and without what it does not need."""
 
 from __future__ import annotations
 
 import dataclasses
+import itertools
+import re
 import unicodedata
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -15,7 +18,7 @@ from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.types import ForceLaw, Method, is_damageable, shown_name
 
-from .body import Body, Floats
+from .body import Body
 
 STEPS = 400
 """Time steps that a program does unless it is told another number."""
@@ -26,6 +29,7 @@ WIDTH = 100
 _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .,:;()+-^/")
 """What is left of a user's text in a comment: nothing that could end the comment or mean anything in it."""
 
+_DIRECTIVE = re.compile(r" *# (?P<word>ifdef (?P<asked>\w+)|else|endif)")
 
 LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 """The force laws that the programs in Python and C are written for."""
@@ -65,41 +69,136 @@ class Plan:
         soft = body.scene.integrator.method == "stable_spring"
         return Plan(body.softened() if soft else body, _notes(body))
 
-    # What the program needs.
-    @property
-    def law(self) -> str:
-        """The force law of the joints; empty if there are none."""
-        return self.body.scene.force_law if len(self.body.joints) else ""
+    def features(self) -> dict[str, bool]:
+        """What the program needs, by the names of the templates."""
+        body, scene = self.body, self.body.scene
+        law = scene.force_law if len(body.joints) else ""
+        damped, joints_damped = bool(body.damping.any()), bool(body.joint_damping.any())
+        air = scene.air_friction > 0.0
+        has = {
+            "GRAVITY": any(scene.gravity),
+            "AIR": air,
+            "WIND": air and any(body.wind),
+            "HELD": bool(body.held.any()),
+            "SPRINGS": len(body.ends) > 0,
+            "DAMPING": damped,
+            "JOINTS": len(body.joints) > 0,
+            "JOINT_DAMPING": joints_damped,
+            "RATES": damped or joints_damped,
+            "ANGLE_LAW": law == "angle",
+            "CONSERVATIVE_LAW": law == "conservative",
+            "JOINT_ENERGY": law in ("angle", "conservative"),
+            "LOADS": bool(body.loads),
+            "FILLINGS": bool(body.loops),
+            "WALLS": len(body.walls) > 0,
+            "CIRCLES": bool(body.circles),
+            "MATHEMATICS": bool(len(body.ends) or air or len(body.walls) or body.circles),
+        }
+        return {"TEMPLATE": False, **{f"HAS_{name}": needed for name, needed in has.items()}}
 
-    @property
-    def damped(self) -> bool:
-        """Whether a linear spring has damping."""
-        return bool(self.body.damping.any())
+    def tables(self) -> dict[str, list[tuple[float | int, ...]]]:
+        """The rows of the program's tables, by the names of their places in the templates."""
+        body, has = self.body, self.features()
+        masses = [*body.positions.T, *body.velocities.T, body.mass]
+        springs = [*body.ends.T, body.stiffness, body.rest_length]
+        rest = np.radians(body.rest_angle)
+        joints = [*body.joints.T, body.joint_stiffness]
+        joints += [rest] if has["HAS_ANGLE_LAW"] else [np.cos(rest), np.sin(rest)]
+        if has["HAS_HELD"]:
+            masses.append(body.held.astype(int))
+        if has["HAS_DAMPING"]:
+            springs.append(body.damping)
+        if has["HAS_JOINT_DAMPING"]:
+            joints.append(body.joint_damping)
+        columns = {"MASSES": masses, "SPRINGS": springs, "JOINTS": joints, "WALLS": [*body.walls.T]}
+        return {
+            **{name: list(zip(*(c.tolist() for c in table), strict=True)) for name, table in columns.items()},
+            "LOADS": [(mass, *map(float, force)) for mass, force in body.loads.items()],
+            "CIRCLES": [
+                (mass, *place, circle.radius, circle.frequency, circle.ramp)
+                for mass, (circle, place) in body.circles.items()
+            ],
+        }
 
-    @property
-    def joints_damped(self) -> bool:
-        """Whether a joint has damping."""
-        return bool(self.body.joint_damping.any())
+    def numbers(self) -> dict[str, str]:
+        """The program's single numbers, by the names of their places in the templates."""
+        body, scene = self.body, self.body.scene
+        given = {
+            "START": body.moment.time,
+            "DT": scene.integrator.dt,
+            "AIR": scene.air_friction,
+            "GRAVITY_X": float(scene.gravity[0]),
+            "GRAVITY_Y": float(scene.gravity[1]),
+            "WIND_X": body.wind[0],
+            "WIND_Y": body.wind[1],
+        }
+        return {"STEPS": str(STEPS), **{name: repr(number) for name, number in given.items()}}
 
-    @property
-    def air(self) -> bool:
-        """Whether there is air friction."""
-        return self.body.scene.air_friction > 0.0
 
-    @property
-    def windy(self) -> bool:
-        """Whether the air moves."""
-        return self.air and any(self.body.wind)
+def python_program(body: Body) -> tuple[bytes, list[str]]:
+    """A program in Python with NumPy, and what whoever uses it should know: sentences without a full stop.
 
-    @property
-    def weighs(self) -> bool:
-        """Whether there is gravity."""
-        return any(self.body.scene.gravity)
+    Raises:
+        InputError: something acts on the body that a program cannot do.
+    """
+    plan = Plan.of(body)
+    places = {name: _table(map(repr, rows), "[", "]") for name, rows in plan.tables().items()}
+    loops = ((loop.is_gas, loop.pressure, loop.outside, loop.area, loop.masses) for loop in body.loops)
+    places["FILLINGS"] = _table(map(repr, loops), "[", "]")
+    places["ABOUT"] = "\n# ".join(_about(plan, "python FILE.py"))
+    return _filled("program.py", plan, places), plan.notes
 
-    @property
-    def holds(self) -> bool:
-        """Whether a mass is held."""
-        return bool(self.body.held.any())
+
+def c_program(body: Body) -> tuple[bytes, list[str]]:
+    """A program in C99 that needs no library but that of mathematics; otherwise as `python_program`."""
+    plan = Plan.of(body)
+    ends = itertools.accumulate(len(loop.masses) for loop in body.loops)
+    loops = [
+        (int(loop.is_gas), loop.pressure, loop.outside, loop.area, end - len(loop.masses), end)
+        for loop, end in zip(body.loops, ends, strict=True)
+    ]
+    places = {
+        name: _table((f"{{ {', '.join(map(repr, row))} }}" for row in rows), "{", "}")
+        for name, rows in (*plan.tables().items(), ("FILLINGS", loops))
+    }
+    around = wrapped(" ".join(f"{mass}," for loop in body.loops for mass in loop.masses))
+    places["AROUND"] = _table((line.removesuffix(",") for line in around), "{", "}")
+    places["ABOUT"] = "\n// ".join(_about(plan, "cc -O2 FILE.c -o FILE -lm; ./FILE"))
+    return _filled("program.c", plan, places), plan.notes
+
+
+def _table(rows: Iterable[str], opening: str, closing: str) -> str:
+    """Rows in brackets, a line each; numbers read back exactly as they are."""
+    return "\n".join((opening, *(f"    {row}," for row in rows), closing))
+
+
+def _filled(name: str, plan: Plan, places: dict[str, str]) -> bytes:
+    """A template with what the program needs of it.
+
+    In a template, `# ifdef NAME`, `# else` and `# endif` on lines of their own are directives, those of the
+    preprocessor in C and comments in Python, and words GIVEN_... are places for text. So a compiler and a
+    linter read the templates as they are.
+
+    Args:
+        name: of the template.
+        plan: of the program.
+        places: what stands in them, beside the plan's numbers, by what follows GIVEN_.
+    """
+    features, kept, shown = plan.features(), [], [True]
+    template = Path(__file__).with_name("templates") / name
+    for line in template.read_text(encoding="ascii").splitlines():
+        match = _DIRECTIVE.fullmatch(line)
+        if match is None:
+            kept += [line] * all(shown)
+        elif match["asked"]:
+            shown.append(features[match["asked"]])
+        elif match["word"] == "else":
+            shown.append(not shown.pop())
+        else:
+            shown.pop()
+    given = plan.numbers() | places
+    text = re.sub(r"\bGIVEN_(\w+)", lambda place: given[place[1]], "\n".join((*kept, "")))
+    return re.sub(r"\n{4,}", "\n\n\n", text).encode("ascii")
 
 
 def _notes(body: Body) -> list[str]:
@@ -138,27 +237,6 @@ def _limit(body: Body, method: Method) -> float:
 
 
 # ------------------------------------------------------------------------- text
-OF_WALLS = (
-    "Of each wall: a point and the unit vector to the free side, hardness (1/(px s^2)), friction, slip speed "
-    "(px/s), and how much harder masses are pushed that enter faster (s/px)."
-)
-OF_FILLINGS = (
-    "Of each filling: whether it is a gas, its pressure or the bulk modulus, the pressure outside (kg/s^2), "
-    "its area (px^2), and the masses around it"
-)
-OF_LOADS = "Of each mass with a constant force: which it is, and the force's x and y (kg px/s^2)."
-OF_CIRCLES = (
-    "Of each held mass that goes round: which it is, its place at time 0 (px), radius (px), turns per second "
-    "(Hz), and the time constant with which it speeds up (s)."
-)
-"""What stands in the tables that have the same columns in every language."""
-
-
-def comment(sign: str, text: str) -> list[str]:
-    """A text as lines of a comment."""
-    return [f"{sign} {line}" for line in wrapped(text)]
-
-
 def plain(text: str) -> str:
     """A user's text as it may stand in a comment of any language: ASCII letters, digits and a few signs."""
     letters = unicodedata.normalize("NFKD", text)
@@ -166,7 +244,7 @@ def plain(text: str) -> str:
     return "".join(shown).strip()
 
 
-def about(plan: Plan, run: str) -> list[str]:
+def _about(plan: Plan, run: str) -> list[str]:
     """The lines at the top of a program, without the signs of a comment.
 
     Args:
@@ -196,29 +274,6 @@ def wrapped(text: str, width: int = WIDTH - 4) -> list[str]:
             lines.append("")
         lines[-1] += f" {word}" if lines[-1] else word
     return lines
-
-
-def rows(columns: Sequence[Iterable[float | int]], before: str, after: str) -> list[str]:
-    """The lines of a table, a row each; numbers read back exactly as they are."""
-    return [
-        f"    {before}{', '.join(map(repr, row))}{after},"
-        for row in zip(*map(_numbers, columns), strict=True)
-    ]
-
-
-def _numbers(column: Iterable[float | int]) -> list[float | int]:
-    return column.tolist() if isinstance(column, np.ndarray) else list(column)
-
-
-def load_columns(body: Body) -> list[np.ndarray]:
-    """Which masses have constant forces on them, and the forces' x and y, kg px/s²."""
-    return [np.array(list(body.loads)), *np.array(list(body.loads.values()), float).T]
-
-
-def rest_terms(angles: Floats) -> tuple[Floats, Floats]:
-    """(J,) cosines and sines of rest angles in degrees."""
-    rest = np.radians(angles)
-    return np.cos(rest), np.sin(rest)
 
 
 def _counted(plan: Plan) -> str:

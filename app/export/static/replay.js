@@ -3,10 +3,10 @@
  * The script of a replay file: reads the motion that the file holds, and draws it into a canvas with what the page
  * draws by. It fetches nothing.
  *
- * @typedef {import("../../page/static/plan.js").Plan} Plan
- * @typedef {import("../../page/static/plan.js").Damage} Damage
- * @typedef {import("../../page/static/draw.js").Instances} Instances
- * @typedef {import("../../page/static/screen.js").Screen} Screen
+ * @typedef {import("../../drawing/static/plan.js").Plan} Plan
+ * @typedef {import("../../drawing/static/plan.js").Damage} Damage
+ * @typedef {import("../../drawing/static/draw.js").Instances} Instances
+ * @typedef {import("../../drawing/static/around.js").Screen} Screen
  * @typedef {[number, number]} Part where an array begins in the data, bytes, and how many numbers it has
  * @typedef {object} About what the file says of its motion
  * @property {number} frames how many
@@ -27,10 +27,10 @@
  * @property {Part} low bytes of the differences, one number after the other, each through all frames
  * @property {Part} high
  */
-import { moving, standing, streaks } from "../../page/static/around.js";
-import { loadArrows } from "../../page/static/arrow_shapes.js";
-import * as draw from "../../page/static/draw.js";
-import { readDamage, readPlan, UNHARMED } from "../../page/static/plan.js";
+import { moving, standing, streaks } from "../../drawing/static/around.js";
+import { loadArrows } from "../../drawing/static/arrow_shapes.js";
+import * as draw from "../../drawing/static/draw.js";
+import { readDamage, readPlan, UNHARMED } from "../../drawing/static/plan.js";
 
 /** What is smaller than that, in the world, is not to be seen. */
 const UNSEEN = 2e-6;
@@ -196,7 +196,7 @@ function painter(about, motion, canvas) {
   };
 }
 
-/** @param {About} about @param {(time: number) => import("../../page/static/plan.js").Frame} paint */
+/** @param {About} about @param {(time: number) => import("../../drawing/static/plan.js").Frame} paint */
 function player(about, paint) {
   const play = element("play", HTMLButtonElement);
   const slider = element("time", HTMLInputElement);

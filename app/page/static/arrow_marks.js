@@ -1,6 +1,6 @@
 // @ts-check
 /** Draws the arrows of forces, velocities and torques over the body, with what their lengths stand for. */
-import { arrow } from "./arrow_shapes.js";
+import { arrow } from "../../drawing/static/arrow_shapes.js";
 import * as arrows from "./arrows.js";
 import { carry } from "./canvas.js";
 import { told } from "./channel.js";

@@ -3,12 +3,12 @@
  * Arrows of forces, velocities and torques: reading their numbers (written by arrows.py), choosing a scale, and their
  * outlines on the screen. Arithmetic only, without a page.
  *
- * @typedef {import("./plan.js").Plan} Plan
+ * @typedef {import("../../drawing/static/plan.js").Plan} Plan
  * @typedef {import("./edge.js").Box} Box
  */
-import { arrow, head, headOf } from "./arrow_shapes.js";
+import { arrow, head, headOf } from "../../drawing/static/arrow_shapes.js";
 import { roundUp } from "./overlay.js";
-import { sections } from "./plan.js";
+import { sections } from "../../drawing/static/plan.js";
 
 /** Sets of numbers that are kept to glide between. */
 const KEPT = 8;

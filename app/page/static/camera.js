@@ -2,7 +2,7 @@
 /** The camera: seen from the front, moved and zoomed but never turned. */
 import { shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
-import { toWorld } from "./draw.js";
+import { toWorld } from "../../drawing/static/draw.js";
 import { editing } from "./editing.js";
 import { placeTransport } from "./transport.js";
 import { viser } from "./viser.js";
@@ -109,7 +109,7 @@ function besideTools(box) {
  * Makes room for the surfaces of walls that would be just beyond the edge.
  *
  * @param {{left: number, right: number, low: number, high: number}} seen is changed
- * @param {import("./plan.js").Plan} plan
+ * @param {import("../../drawing/static/plan.js").Plan} plan
  */
 export function showWalls(seen, { walls, scale, x, y, flip }) {
   const size = Math.max(seen.right - seen.left, seen.high - seen.low);

@@ -5,15 +5,15 @@
  *
  * @typedef {import("./viser.js").Message} Message
  * @typedef {import("./viser.js").Viser} Viser
- * @typedef {import("./plan.js").Plan} Plan
- * @typedef {import("./plan.js").Frame} Frame
- * @typedef {import("./draw.js").Instances} Instances
+ * @typedef {import("../../drawing/static/plan.js").Plan} Plan
+ * @typedef {import("../../drawing/static/plan.js").Frame} Frame
+ * @typedef {import("../../drawing/static/draw.js").Instances} Instances
  */
-import * as draw from "./draw.js";
+import * as draw from "../../drawing/static/draw.js";
 import { Glide } from "./glide.js";
 import { keep } from "./keep.js";
 import { isMail, open } from "./mail.js";
-import { readDamage, readFrame, readPlan, UNHARMED } from "./plan.js";
+import { readDamage, readFrame, readPlan, UNHARMED } from "../../drawing/static/plan.js";
 
 const PLAN = "/softrod/plan";
 const FRAME = "/softrod/frame";
@@ -105,7 +105,7 @@ function paint() {
   if (glide.busy) ask();
 }
 
-/** @param {Plan} plan @param {Frame} frame @param {import("./plan.js").Damage} damage */
+/** @param {Plan} plan @param {Frame} frame @param {import("../../drawing/static/plan.js").Damage} damage */
 function show(plan, frame, damage) {
   const world = draw.toWorld(plan, frame.positions);
   put("springs", draw.springs(plan, frame, world, damage));

@@ -12,7 +12,7 @@ const NEAR = 0.1;
 /** Pixels between a mass and its label. */
 const ASIDE = 10;
 
-/** @typedef {import("./plan.js").Frame} Frame */
+/** @typedef {import("../../drawing/static/plan.js").Frame} Frame */
 
 /**
  * The speed of a mass between two pictures, or NaN where they are not of the same motion.

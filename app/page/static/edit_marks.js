@@ -3,7 +3,7 @@
 import { shown } from "./canvas.js";
 import { CORNER, partAt, snapped, turnable } from "./edit_places.js";
 import { editing, onEditing } from "./editing.js";
-import { wrapped } from "./draw.js";
+import { wrapped } from "../../drawing/static/draw.js";
 import { restAt, restDirection } from "./joint_rest.js";
 import { degrees, onSight, putUp, sight, SVG } from "./overlay.js";
 import { armsOf, cornersOf, crossed, turnTo } from "./pick.js";
@@ -112,7 +112,7 @@ function selectedIn({ plan }) {
 }
 
 /** What marks the selection, and of which picture: it stays while only the pointer moves. */
-const marked = { of: "", selected: editing.selected, frame: /** @type {import("./plan.js").Frame | null} */ (null), marks: {} };
+const marked = { of: "", selected: editing.selected, frame: /** @type {import("../../drawing/static/plan.js").Frame | null} */ (null), marks: {} };
 
 /** @param {Sight} seen @returns {Partial<Record<Kind, string>>} */
 function selection(seen) {

@@ -6,9 +6,9 @@
  * that there are nearly always two to glide between. When the network stutters the last one stays; what comes
  * then is caught up with quickly, not in a leap.
  *
- * @typedef {import("./plan.js").Frame} Frame
+ * @typedef {import("../../drawing/static/plan.js").Frame} Frame
  */
-import { CLOCK_PERIOD } from "./plan.js";
+import { CLOCK_PERIOD } from "../../drawing/static/plan.js";
 
 /** Seconds that a picture waits at most for the frame after it. */
 const LONGEST_WAIT = 0.05;

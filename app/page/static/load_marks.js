@@ -1,6 +1,6 @@
 // @ts-check
 /** Draws the constant forces on masses over the body. */
-import { loadArrows } from "./arrow_shapes.js";
+import { loadArrows } from "../../drawing/static/arrow_shapes.js";
 import { onSight, putUp, SVG } from "./overlay.js";
 
 /** Puts up the marks of a body that has any. */

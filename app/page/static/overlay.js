@@ -3,14 +3,14 @@
 import { onFit } from "./camera.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
-import { wrapped } from "./draw.js";
+import { wrapped } from "../../drawing/static/draw.js";
 import { addEdgeArrow } from "./edge.js";
 import { onScreen, screen } from "./screen.js";
 import { viser } from "./viser.js";
 
 /**
- * @typedef {import("./plan.js").Plan} Plan
- * @typedef {import("./plan.js").Frame} Frame
+ * @typedef {import("../../drawing/static/plan.js").Plan} Plan
+ * @typedef {import("../../drawing/static/plan.js").Frame} Frame
  * @typedef {import("./screen.js").Screen} Screen
  * @typedef {object} Sight a picture, and where it is on the screen
  * @property {Plan} plan

@@ -2,12 +2,7 @@
 /** Between the scene, the page's world and the screen: the camera looks straight at the plane z = 0. */
 import { viser } from "./viser.js";
 
-/**
- * @typedef {object} Screen pixels of the window = origin + step * world
- * @property {number} x
- * @property {number} y
- * @property {number} step pixels of a unit of the world; y of the screen grows downwards
- */
+/** @typedef {import("../../drawing/static/around.js").Screen} Screen */
 
 /** How the world lies on the screen now. @returns {Screen | null} */
 export function screen() {
@@ -30,7 +25,7 @@ export function screen() {
 /**
  * Where masses are on the screen: x and y of each.
  *
- * @param {import("./plan.js").Plan} plan
+ * @param {import("../../drawing/static/plan.js").Plan} plan
  * @param {Float32Array} positions px of the scene
  * @param {Screen} on
  */

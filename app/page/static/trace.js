@@ -101,7 +101,7 @@ export function addTraces() {
     traces.get(mass)?.paths[0].parentElement?.remove();
     traces.delete(mass);
   };
-  /** @param {import("./plan.js").Frame | null} frame */
+  /** @param {import("../../drawing/static/plan.js").Frame | null} frame */
   const take = (frame) => {
     if (!frame) return;
     for (const [mass, { trail }] of traces) {

@@ -2,7 +2,7 @@
 /**
  * Behind the body: the grid, walls, how far contact reaches, what fills its loops, and the wind.
  */
-import { moving, standing, streaks } from "./around.js";
+import { moving, standing, streaks } from "../../drawing/static/around.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { SVG, sight } from "./overlay.js";
@@ -76,7 +76,7 @@ export function addUnderlay() {
   const blow = windMark(wind);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   let stood = "";
-  /** The picture that there was when viser drew last. @type {import("./plan.js").Frame | null} */
+  /** The picture that there was when viser drew last. @type {import("../../drawing/static/plan.js").Frame | null} */
   let before = null;
   const draw = () => {
     const { plan, frame } = shown();

@@ -1,0 +1,307 @@
+// @ts-check
+/**
+ * What surrounds and fills a body, as outlines on the screen: arithmetic only, without a page.
+ *
+ * @typedef {import("./plan.js").Plan} Plan
+ * @typedef {object} Screen pixels of the window = origin + step * world
+ * @property {number} x
+ * @property {number} y
+ * @property {number} step pixels of a unit of the world; y of the screen grows downwards
+ * @typedef {{left: number, right: number, top: number, bottom: number}} Box pixels of the window
+ * @typedef {{x: number, y: number}} Point pixels of the window
+ */
+
+/** Pixels between two lines of the grid below which it has only every fifth. */
+const DENSE = 5;
+/** Pixels between two strokes of the hatching of a wall, about, and their reach along and into the wall. */
+const [HATCH, STROKE] = [13, 8];
+/** Pixels between two streaks of the wind, about, and the length of one where the wind is as on average. */
+const [STREAKS, STREAK] = [150, 44];
+/** Straight parts of a streak. */
+const PARTS = 8;
+/** Pixels of the point of a streak. */
+const POINT = 4;
+/** Numbers of a wave of gusts. */
+const WAVE = 5;
+
+/** A point as a path has it. @param {Point} point */
+const text = ({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`;
+
+/**
+ * What the page shows of a wall.
+ *
+ * @param {Plan} plan
+ * @param {number} index of the wall
+ * @param {Screen} on
+ * @param {Box} view
+ * @returns {{at: Point, normal: Point, corners: Point[], surface: Point[]}} its point and normal, the
+ *   corners of the part in view, and the ends of the surface in view: two, or none
+ */
+export function wallInView(plan, index, on, view) {
+  const [px, py, nx, ny] = plan.walls.subarray(4 * index, 4 * index + 4);
+  const scale = plan.scale * on.step;
+  const at = { x: on.x + (px - plan.x) * scale, y: on.y - (py - plan.y) * scale * plan.flip };
+  const normal = { x: nx, y: -ny * plan.flip };
+  const { left, right, top, bottom } = view;
+  const box = [{ x: left, y: top }, { x: right, y: top }, { x: right, y: bottom }, { x: left, y: bottom }];
+  const depths = box.map(({ x, y }) => (at.x - x) * normal.x + (at.y - y) * normal.y);
+  /** @type {Point[]} */
+  const corners = [];
+  /** @type {Point[]} */
+  const surface = [];
+  box.forEach((corner, i) => {
+    const [depth, next, after] = [depths[i], depths[(i + 1) % 4], box[(i + 1) % 4]];
+    if (depth >= 0) corners.push(corner);
+    if (depth >= 0 === next >= 0) return;
+    const part = depth / (depth - next);
+    const crossing = { x: corner.x + part * (after.x - corner.x), y: corner.y + part * (after.y - corner.y) };
+    corners.push(crossing);
+    surface.push(crossing);
+  });
+  return { at, normal, corners, surface };
+}
+
+/**
+ * The part of a wall's surface that no other wall covers, as a line; nothing if there is none.
+ *
+ * @param {{surface: Point[]}} wall
+ * @param {{at: Point, normal: Point}[]} others
+ * @returns {Point[]} two ends, or none
+ */
+export function uncovered({ surface }, others) {
+  let ends = surface;
+  for (const { at, normal } of others) {
+    if (ends.length < 2) return [];
+    const [one, two] = ends;
+    const [a, b] = ends.map(({ x, y }) => (x - at.x) * normal.x + (y - at.y) * normal.y);
+    if (a < 0 && b < 0) return [];
+    if (a < 0 !== b < 0) {
+      const crossing = { x: one.x + (a / (a - b)) * (two.x - one.x), y: one.y + (a / (a - b)) * (two.y - one.y) };
+      ends = a < 0 ? [crossing, two] : [one, crossing];
+    }
+  }
+  return ends;
+}
+
+/** Between two of the grid's thick lines, px. @param {number} size of the scene's frame, px: the larger of its sides */
+function majorStep(size) {
+  const power = 10 ** Math.floor(Math.log10(size / 5));
+  return power * ([5, 2].find((step) => step * power <= (size / 5) * (1 + 1e-9)) ?? 1);
+}
+
+/**
+ * Between two lines of the grid that can be seen, px.
+ *
+ * @param {number} size of the scene's frame, px: the larger of its sides
+ * @param {number} scale pixels of a px
+ */
+export function gridStep(size, scale) {
+  const major = majorStep(size);
+  return (major / 5) * scale < DENSE ? major : major / 5;
+}
+
+/**
+ * Lines over all of the view.
+ *
+ * @param {Plan} plan
+ * @param {number} size of the scene's frame, px: the larger of its sides
+ * @param {Screen} on
+ * @param {Box} view
+ * @returns {{grid: string, major: string}} thin lines, and every fifth, at round numbers
+ */
+export function gridLines(plan, size, on, view) {
+  const scale = plan.scale * on.step;
+  const major = majorStep(size);
+  const lines = { grid: "", major: "" };
+  /** @param {number} start pixels of the window, where px are 0 @param {number} from @param {number} to @param {(at: string) => string} line */
+  const rule = (start, from, to, line) => {
+    const every = gridStep(size, scale) * scale;
+    for (let k = Math.ceil((from - start) / every); start + k * every <= to; k++) {
+      lines[every < major * scale * 0.9 && k % 5 ? "grid" : "major"] += line((start + k * every).toFixed(1));
+    }
+  };
+  if (major * scale < DENSE) return lines;
+  rule(on.x - plan.x * scale, view.left, view.right, (x) => `M${x} ${view.top}V${view.bottom}`);
+  rule(on.y + plan.y * scale * plan.flip, view.top, view.bottom, (y) => `M${view.left} ${y}H${view.right}`);
+  return lines;
+}
+
+/** A closed outline, of nothing if there are no corners. @param {Point[]} corners */
+export const outline = (corners) => corners.length ? `M${corners.map(text).join("L")}Z` : "";
+
+/**
+ * The strokes along a wall's surface, which stay where they are in the scene.
+ *
+ * @param {{at: Point, normal: Point, surface: Point[]}} wall
+ * @param {number} scale pixels of a px
+ */
+export function hatching({ at, normal, surface }, scale) {
+  if (surface.length < 2) return "";
+  const along = { x: -normal.y, y: normal.x };
+  const [one, two] = surface.map(({ x, y }) => (x - at.x) * along.x + (y - at.y) * along.y);
+  const gap = 2 ** Math.round(Math.log2(HATCH / scale)) * scale;
+  let strokes = "";
+  for (let k = Math.ceil(Math.min(one, two) / gap); k * gap <= Math.max(one, two); k++) {
+    const from = { x: at.x + k * gap * along.x, y: at.y + k * gap * along.y };
+    const to = { x: from.x - STROKE * (normal.x + along.x), y: from.y - STROKE * (normal.y + along.y) };
+    strokes += `M${text(from)}L${text(to)}`;
+  }
+  return strokes;
+}
+
+/** @param {number} a @param {number} b */
+const pair = (a, b) => `${Math.min(a, b)} ${Math.max(a, b)}`;
+
+/**
+ * The pairs of masses all springs between which are broken, as `leaking` in sim/body/damage.py has them.
+ *
+ * @param {ArrayLike<number>} springs both masses of each
+ * @param {Set<number>} broken
+ */
+function gapsOf(springs, broken) {
+  /** @param {number} s */
+  const ends = (s) => pair(springs[2 * s], springs[2 * s + 1]);
+  const gaps = new Set(Array.from(broken, ends));
+  for (let s = 0; gaps.size && s < springs.length / 2; s++) if (!broken.has(s)) gaps.delete(ends(s));
+  return gaps;
+}
+
+/**
+ * The outlines of the loops that are filled with gas, or with liquid, and from which it has not got out.
+ *
+ * @param {Plan} plan
+ * @param {Float64Array} places of the masses in pixels of the window, x and y of each
+ * @param {boolean} gas
+ * @param {Set<number>} broken
+ */
+export function loops({ fillings, springs }, places, gas, broken) {
+  let outlines = "";
+  const gaps = gapsOf(springs, broken);
+  for (let i = 0; i < fillings.length; i += 2 + fillings[i + 1]) {
+    if ((fillings[i] === 1) !== gas) continue;
+    const loop = Array.from(fillings.subarray(i + 2, i + 2 + fillings[i + 1]));
+    if (gaps.size && loop.some((mass, k) => gaps.has(pair(mass, loop[(k + 1) % loop.length])))) continue;
+    outlines += outline(loop.map((mass) => ({ x: places[2 * mass], y: places[2 * mass + 1] })));
+  }
+  return outlines;
+}
+
+/**
+ * What stays where it is as long as the camera does: the grid and the walls.
+ *
+ * @param {{plan: Plan, on: Screen, box: Box}} seen
+ * @param {number} size of the scene's frame, px: the larger of its sides
+ */
+export function standing({ plan, on, box }, size) {
+  const found = { wall: "", hatch: "", surface: "", ...gridLines(plan, size, on, box) };
+  const walls = Array.from({ length: plan.walls.length / 4 }, (_, i) => wallInView(plan, i, on, box));
+  for (const wall of walls) {
+    found.wall += outline(wall.corners);
+    const surface = uncovered(wall, walls.filter((other) => other !== wall));
+    found.hatch += hatching({ ...wall, surface }, plan.scale * on.step);
+    found.surface += outline(surface);
+  }
+  return found;
+}
+
+/**
+ * What moves with the body.
+ *
+ * @param {{plan: Plan, places: Float64Array}} seen
+ * @param {Set<number>} broken
+ */
+export const moving = ({ plan, places }, broken) => ({
+  skin: plan.contact ? skin(plan, places, broken) : "",
+  gas: loops(plan, places, true, broken),
+  liquid: loops(plan, places, false, broken),
+});
+
+/**
+ * The springs that are not broken, as lines: as wide as contact reaches, they touch where it begins.
+ *
+ * @param {Plan} plan
+ * @param {Float64Array} places of the masses in pixels of the window, x and y of each
+ * @param {Set<number>} broken
+ */
+export function skin({ springs }, places, broken) {
+  let lines = "";
+  for (let i = 0; i < springs.length / 2; i++) {
+    if (broken.has(i)) continue;
+    const [a, b] = [2 * springs[2 * i], 2 * springs[2 * i + 1]];
+    lines += `M${text({ x: places[a], y: places[a + 1] })}L${text({ x: places[b], y: places[b + 1] })}`;
+  }
+  return lines;
+}
+
+/**
+ * The velocity of the air, px/s, at a place that the mean wind carries along: gusts stand still there.
+ *
+ * @param {Float32Array} wind
+ * @param {number} x where the place was at time zero, px
+ * @param {number} y
+ */
+export function airAt(wind, x, y) {
+  let [u, v] = wind;
+  for (let k = 2; k + WAVE <= wind.length; k += WAVE) {
+    const sine = Math.sin(wind[k] * x + wind[k + 1] * y + wind[k + 4]);
+    u += wind[k + 2] * sine;
+    v += wind[k + 3] * sine;
+  }
+  return { u, v };
+}
+
+/** A number from 0 to 1 that looks like chance, always the same for a cell. @param {number} i @param {number} j @param {number} k */
+function chance(i, j, k) {
+  const value = Math.sin(127.1 * i + 311.7 * j + 74.7 * k) * 43758.5453;
+  return value - Math.floor(value);
+}
+
+/**
+ * Streaks of air, one in each cell of a lattice that drifts with the mean wind: each is a piece of the line along
+ * which the air moves, with a point at its end.
+ *
+ * @param {Plan} plan
+ * @param {number} time s
+ * @param {Screen} on
+ * @param {Box} view
+ */
+export function streaks(plan, time, on, view) {
+  const { wind } = plan;
+  const scale = plan.scale * on.step;
+  const speed = Math.hypot(wind[0], wind[1]);
+  if (!(speed > 0)) return "";
+  /** From px to pixels. @param {number} x @param {number} y */
+  const place = (x, y) => ({ x: on.x + (x - plan.x) * scale, y: on.y - (y - plan.y) * scale * plan.flip });
+  const cell = 2 ** Math.round(Math.log2(STREAKS / scale));
+  const drift = { x: wind[0] * time, y: wind[1] * time };
+  // The view in the scene, from low to high.
+  const [left, right] = [view.left, view.right].map((x) => plan.x + (x - on.x) / scale);
+  const ends = [view.top, view.bottom].map((y) => plan.y + ((on.y - y) / scale) * plan.flip);
+  const first = { i: Math.floor((left - drift.x) / cell), j: Math.floor((Math.min(...ends) - drift.y) / cell) };
+  const last = { i: Math.ceil((right - drift.x) / cell), j: Math.ceil((Math.max(...ends) - drift.y) / cell) };
+  const lasting = STREAK / (speed * scale * PARTS);
+  let lines = "";
+  for (let i = first.i; i <= last.i; i++) {
+    for (let j = first.j; j <= last.j; j++) {
+      let [x, y] = [(i + chance(i, j, 0)) * cell, (j + chance(i, j, 1)) * cell];
+      const points = [place(x + drift.x, y + drift.y)];
+      for (let part = 0; part < PARTS; part++) {
+        const { u, v } = airAt(wind, x, y);
+        x -= u * lasting;
+        y -= v * lasting;
+        points.push(place(x + drift.x, y + drift.y));
+      }
+      lines += `M${points.map(text).join("L")}${point(points[0], points[1])}`;
+    }
+  }
+  return lines;
+}
+
+/** The point of an arrow that comes from somewhere. @param {Point} tip @param {Point} from */
+function point(tip, from) {
+  const length = Math.hypot(tip.x - from.x, tip.y - from.y);
+  if (!(length > 0)) return "";
+  const [dx, dy] = [((from.x - tip.x) / length) * POINT, ((from.y - tip.y) / length) * POINT];
+  const [one, two] = [1, -1].map((side) => ({ x: tip.x + dx - side * dy * 0.7, y: tip.y + dy + side * dx * 0.7 }));
+  return `M${text(one)}L${text(tip)}L${text(two)}`;
+}

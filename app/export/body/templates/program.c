@@ -1,0 +1,286 @@
+// GIVEN_ABOUT
+# ifdef HAS_MATHEMATICS
+#include <math.h>
+# endif
+#include <stdio.h>
+#include <stdlib.h>
+
+# ifdef TEMPLATE
+// What stands for a scene's numbers while this file is compiled as it is.
+// `app/export/body/program.py` fills it.
+#define GIVEN_STEPS 400
+#define GIVEN_START 0.0
+#define GIVEN_DT 0.001
+#define GIVEN_GRAVITY_X 0.0
+#define GIVEN_GRAVITY_Y 900.0
+#define GIVEN_AIR 0.1
+#define GIVEN_WIND_X 10.0
+#define GIVEN_WIND_Y 0.0
+#define GIVEN_MASSES { { .mass = 1.0 } }
+#define GIVEN_SPRINGS { { 0 } }
+#define GIVEN_JOINTS { { 0 } }
+#define GIVEN_LOADS { { 0 } }
+#define GIVEN_FILLINGS { { 0 } }
+#define GIVEN_AROUND { 0 }
+#define GIVEN_WALLS { { 0 } }
+#define GIVEN_CIRCLES { { 0 } }
+
+# endif
+static const double DT = GIVEN_DT;  // time step, s
+# ifdef HAS_GRAVITY
+static const double GRAVITY_X = GIVEN_GRAVITY_X, GRAVITY_Y = GIVEN_GRAVITY_Y;  // px/s^2
+# endif
+# ifdef HAS_AIR
+static const double AIR = GIVEN_AIR;  // air friction, kg/px
+# endif
+# ifdef HAS_WIND
+static const double WIND_X = GIVEN_WIND_X, WIND_Y = GIVEN_WIND_Y;  // velocity of the air, px/s
+# endif
+
+static struct {
+    double x, y;    // where the mass is, px
+    double vx, vy;  // its velocity, px/s
+    double mass;    // kg
+# ifdef HAS_HELD
+    int held;
+# endif
+} m[] = GIVEN_MASSES;
+enum { MASSES = sizeof m / sizeof *m };
+static double ax[MASSES], ay[MASSES];  // forces (kg px/s^2), then accelerations (px/s^2)
+
+# ifdef HAS_SPRINGS
+static const struct {
+    int a, b;     // masses at the ends of the spring
+    double k;     // stiffness, kg/s^2
+    double rest;  // rest length, px
+# ifdef HAS_DAMPING
+    double c;     // damping, kg/s
+# endif
+} s[] = GIVEN_SPRINGS;
+enum { SPRINGS = sizeof s / sizeof *s };
+
+# endif
+# ifdef HAS_JOINTS
+static const struct {
+    int p, q;     // springs of the joint
+    double k;     // stiffness, kg/s^2
+# ifdef HAS_ANGLE_LAW
+    double rest;  // rest angle, radians
+# else
+    double cosine, sine;  // of the rest angle
+# endif
+# ifdef HAS_JOINT_DAMPING
+    double c;     // damping, kg/s
+# endif
+} j[] = GIVEN_JOINTS;
+enum { JOINTS = sizeof j / sizeof *j };
+
+static struct {
+    double x, y, length;  // of each spring now: its vector and length, px
+    double fx, fy;        // the force on mass b, kg px/s^2
+# ifdef HAS_JOINT_DAMPING
+    double rx, ry;        // how fast the vector changes, px/s
+# endif
+} now[SPRINGS];
+
+# endif
+# ifdef HAS_LOADS
+static const struct {
+    int mass;     // on which a constant force acts
+    double x, y;  // the force, kg px/s^2
+} load[] = GIVEN_LOADS;
+enum { LOADS = sizeof load / sizeof *load };
+
+# endif
+# ifdef HAS_FILLINGS
+static const struct {
+    int gas;          // or a liquid
+    double strength;  // pressure of a gas at its area, or bulk modulus, kg/s^2
+    double outside;   // the pressure outside, kg/s^2
+    double area;      // px^2
+    int first, end;   // the masses around it, as a part of `around`
+} filling[] = GIVEN_FILLINGS;
+enum { FILLINGS = sizeof filling / sizeof *filling };
+static const int around[] = GIVEN_AROUND;
+
+# endif
+# ifdef HAS_WALLS
+static const struct {
+    double x, y;      // a point of the wall, px
+    double nx, ny;    // the unit vector to the free side
+    double hardness;  // 1/(px s^2)
+    double friction;
+    double slip;      // slip speed, px/s
+    double loss;      // how much harder masses are pushed that enter faster, s/px
+} wall[] = GIVEN_WALLS;
+enum { WALLS = sizeof wall / sizeof *wall };
+
+# endif
+# ifdef HAS_CIRCLES
+static const struct {
+    int mass;          // a held mass that goes round
+    double x, y;       // its place at time 0, px
+    double radius;     // px
+    double frequency;  // turns per second, Hz
+    double ramp;       // time constant with which it speeds up, s
+} circle[] = GIVEN_CIRCLES;
+enum { CIRCLES = sizeof circle / sizeof *circle };
+
+# endif
+static void accelerate(void) {
+    for (int i = 0; i < MASSES; i++) ax[i] = ay[i] = 0.0;
+# ifdef HAS_LOADS
+    for (int i = 0; i < LOADS; i++) ax[load[i].mass] = load[i].x, ay[load[i].mass] = load[i].y;
+# endif
+# ifdef HAS_SPRINGS
+    for (int i = 0; i < SPRINGS; i++) {
+        int a = s[i].a, b = s[i].b;
+        double x = m[b].x - m[a].x, y = m[b].y - m[a].y;
+        double length = sqrt(x * x + y * y + 1e-300);  // never 0, to divide by it
+        double pull = -s[i].k * (length - s[i].rest);
+# ifdef HAS_RATES
+        double rx = m[b].vx - m[a].vx, ry = m[b].vy - m[a].vy;
+# endif
+# ifdef HAS_DAMPING
+        pull -= s[i].c * (x * rx + y * ry) / length;
+# endif
+        pull /= length;
+# ifdef HAS_JOINTS
+        now[i].fx = pull * x, now[i].fy = pull * y;
+        now[i].x = x, now[i].y = y, now[i].length = length;
+# ifdef HAS_JOINT_DAMPING
+        now[i].rx = rx, now[i].ry = ry;
+# endif
+# else
+        ax[b] += pull * x, ay[b] += pull * y;
+        ax[a] -= pull * x, ay[a] -= pull * y;
+# endif
+    }
+# endif
+# ifdef HAS_JOINTS
+    // Joints: the angle from p to q is drawn to the rest angle; see `sim.physics`.
+    for (int i = 0; i < JOINTS; i++) {
+        int p = j[i].p, q = j[i].q;
+        double pp = now[p].length * now[p].length, qq = now[q].length * now[q].length;
+        double cross = now[p].x * now[q].y - now[p].y * now[q].x;
+        double dot = now[p].x * now[q].x + now[p].y * now[q].y;
+# ifdef HAS_ANGLE_LAW
+        const double PI = 3.141592653589793;
+        double off = atan2(cross, dot) - j[i].rest;
+        if (off > PI) off -= 2.0 * PI;
+        if (off < -PI) off += 2.0 * PI;
+        double torque = j[i].k * now[p].length * now[q].length * off, energy = 0.5 * torque * off;
+# else
+        double torque = j[i].k * (j[i].cosine * cross - j[i].sine * dot);
+# endif
+# ifdef HAS_CONSERVATIVE_LAW
+        double energy = j[i].k * (now[p].length * now[q].length - j[i].cosine * dot - j[i].sine * cross);
+# endif
+# ifdef HAS_JOINT_DAMPING
+        double turning_p = (now[p].x * now[p].ry - now[p].y * now[p].rx) / pp;
+        double turning_q = (now[q].x * now[q].ry - now[q].y * now[q].rx) / qq;
+        torque += j[i].c * now[p].length * now[q].length * (turning_q - turning_p);
+# endif
+        now[p].fx -= torque * now[p].y / pp, now[p].fy += torque * now[p].x / pp;
+        now[q].fx += torque * now[q].y / qq, now[q].fy -= torque * now[q].x / qq;
+# ifdef HAS_JOINT_ENERGY
+        // The energy grows with the lengths, and so pulls along the springs.
+        now[p].fx -= energy * now[p].x / pp, now[p].fy -= energy * now[p].y / pp;
+        now[q].fx -= energy * now[q].x / qq, now[q].fy -= energy * now[q].y / qq;
+# endif
+    }
+    for (int i = 0; i < SPRINGS; i++) {
+        ax[s[i].b] += now[i].fx, ay[s[i].b] += now[i].fy;
+        ax[s[i].a] -= now[i].fx, ay[s[i].a] -= now[i].fy;
+    }
+# endif
+# ifdef HAS_FILLINGS
+    for (int k = 0; k < FILLINGS; k++) {
+        int first = filling[k].first, n = filling[k].end - first;
+        double x0 = m[around[first]].x, y0 = m[around[first]].y, area = 0.0, pressure;
+        for (int i = 0; i < n; i++) {
+            int here = around[first + i], next = around[first + (i + 1) % n];
+            area += 0.5 * ((m[here].x - x0) * (m[next].y - y0) - (m[here].y - y0) * (m[next].x - x0));
+        }
+        double part = area / filling[k].area;
+        if (!filling[k].gas) pressure = filling[k].strength * (1.0 - part);
+        else if (part > 0.01) pressure = filling[k].strength / part - filling[k].outside;
+        else  // nearly nothing is left: no division by zero
+            pressure = filling[k].strength * (2.0 - part / 0.01) / 0.01 - filling[k].outside;
+        for (int i = 0; i < n; i++) {
+            int before = around[first + (i + n - 1) % n], next = around[first + (i + 1) % n];
+            ax[around[first + i]] += 0.5 * pressure * (m[next].y - m[before].y);
+            ay[around[first + i]] += 0.5 * pressure * (m[before].x - m[next].x);
+        }
+    }
+# endif
+    for (int i = 0; i < MASSES; i++) {
+        ax[i] /= m[i].mass, ay[i] /= m[i].mass;
+# ifdef HAS_AIR
+        // Air friction acts along each axis.
+        double u = m[i].vx, w = m[i].vy;
+# ifdef HAS_WIND
+        u -= WIND_X, w -= WIND_Y;
+# endif
+        ax[i] -= AIR * u * fabs(u) / m[i].mass, ay[i] -= AIR * w * fabs(w) / m[i].mass;
+# endif
+# ifdef HAS_GRAVITY
+        ax[i] += GRAVITY_X, ay[i] += GRAVITY_Y;
+# endif
+# ifdef HAS_WALLS
+        // Walls push with the square of the depth, softened so that a long step makes no energy.
+        for (int k = 0; k < WALLS; k++) {
+            double nx = wall[k].nx, ny = wall[k].ny, rough = wall[k].friction;
+            double depth = (wall[k].x - m[i].x) * nx + (wall[k].y - m[i].y) * ny;
+            double out = m[i].vx * nx + m[i].vy * ny, along = m[i].vy * nx - m[i].vx * ny;
+            if (depth <= 0.0) continue;
+            double push = wall[k].hardness * depth * depth;
+            double power = pow(DT * (wall[k].loss * push + 4.0 * DT * wall[k].hardness * depth), 4);
+            double loss = wall[k].loss + 0.5 * DT / depth * power / (1.0 + power);
+            push *= fmax(1.0 - loss * out, 0.0) / pow(1.0 + power, 0.25);
+            double slip = pow(pow(wall[k].slip, 4) + pow(DT * rough * push, 4), 0.25);
+            double rub = rough * push * tanh(along / slip);
+            ax[i] += push * nx + rub * ny, ay[i] += push * ny - rub * nx;
+        }
+# endif
+    }
+}
+
+# ifdef HAS_CIRCLES
+// Puts masses on circles where they are at time t.
+static void lead(double t) {
+    for (int k = 0; k < CIRCLES; k++) {
+        const double TAU = 6.283185307179586;
+        double fade = exp(-t / circle[k].ramp), turn = TAU * circle[k].frequency;
+        double phase = turn * (t - circle[k].ramp * (1.0 - fade));
+        double radius = circle[k].radius, speed = radius * turn * (1.0 - fade);
+        int i = circle[k].mass;
+        m[i].x = circle[k].x + radius * sin(phase);
+        m[i].y = circle[k].y + radius * (1.0 - cos(phase));
+        m[i].vx = speed * cos(phase), m[i].vy = speed * sin(phase);
+    }
+}
+
+# endif
+// One time step.
+static void step(void) {
+# ifdef HAS_CIRCLES
+    static double t = GIVEN_START;  // s
+    lead(t += DT);
+# endif
+    accelerate();
+    for (int i = 0; i < MASSES; i++) {
+# ifdef HAS_HELD
+        if (m[i].held) continue;
+# endif
+        m[i].vx += DT * ax[i], m[i].vy += DT * ay[i];
+        m[i].x += DT * m[i].vx, m[i].y += DT * m[i].vy;
+    }
+}
+
+int main(int count, char **words) {
+    long steps = count > 1 ? atol(words[1]) : GIVEN_STEPS;
+    for (long i = 0; i < steps; i++) step();
+    for (int i = 0; i < MASSES; i++) printf("%.17g %.17g\n", m[i].x, m[i].y);
+    return 0;
+}

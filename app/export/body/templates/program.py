@@ -1,0 +1,210 @@
+# GIVEN_ABOUT
+import sys
+
+import numpy as np
+
+# ifdef TEMPLATE
+# What stands for a scene's numbers while this file is read as it is. `app/export/body/program.py` fills it.
+GIVEN_STEPS, GIVEN_START, GIVEN_DT, GIVEN_AIR = 400, 0.0, 0.001, 0.1
+GIVEN_GRAVITY_X, GIVEN_GRAVITY_Y, GIVEN_WIND_X, GIVEN_WIND_Y = 0.0, 900.0, 10.0, 0.0
+GIVEN_MASSES = [(0.0, 0.0, 0.0, 0.0, 1.0, 0)]
+GIVEN_SPRINGS = [(0, 0, 1.0, 1.0, 0.0)]
+GIVEN_JOINTS = [(0, 0, 1.0, 1.0, 0.0, 0.0)]
+GIVEN_LOADS = [(0, 0.0, 0.0)]
+GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
+GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0)]
+GIVEN_CIRCLES = [(0, 0.0, 0.0, 1.0, 1.0, 1.0)]
+# endif
+DT = GIVEN_DT  # time step, s
+# ifdef HAS_GRAVITY
+GRAVITY = np.array((GIVEN_GRAVITY_X, GIVEN_GRAVITY_Y))  # px/s^2
+# endif
+# ifdef HAS_AIR
+AIR = GIVEN_AIR  # air friction, kg/px
+# endif
+# ifdef HAS_WIND
+WIND = np.array((GIVEN_WIND_X, GIVEN_WIND_Y))  # velocity of the air, px/s
+# endif
+
+# A row for each mass: x, y (px), velocity x, y (px/s), mass (kg).
+MASSES = np.array(GIVEN_MASSES)
+MASS = MASSES[:, 4:5]
+# ifdef HAS_HELD
+FREE = MASSES[:, 5:6] == 0  # the last number is 1 where a mass is held
+# endif
+
+# ifdef HAS_SPRINGS
+SPRINGS = np.array(GIVEN_SPRINGS)
+A, B = SPRINGS[:, :2].astype(int).T  # masses at the ends of each spring
+K, REST = SPRINGS[:, 2:4].T  # stiffness (kg/s^2), rest length (px)
+# ifdef HAS_DAMPING
+C = SPRINGS[:, -1]  # damping, kg/s
+# endif
+
+# endif
+# ifdef HAS_JOINTS
+JOINTS = np.array(GIVEN_JOINTS)
+P, Q = JOINTS[:, :2].astype(int).T  # springs of each joint
+JOINT_K = JOINTS[:, 2]  # stiffness, kg/s^2
+# ifdef HAS_ANGLE_LAW
+REST_ANGLE = JOINTS[:, 3]  # radians
+# else
+COS, SIN = JOINTS[:, 3:5].T  # of the rest angle
+# endif
+# ifdef HAS_JOINT_DAMPING
+JOINT_C = JOINTS[:, -1]  # damping, kg/s
+# endif
+
+# endif
+# ifdef HAS_LOADS
+# A row for each constant force: the mass that it acts on, its x and y (kg px/s^2).
+LOADS = np.array(GIVEN_LOADS)
+
+# endif
+# ifdef HAS_FILLINGS
+# Of each filling: whether it is a gas, its pressure or the bulk modulus, the pressure outside (kg/s^2), its
+# area (px^2), and the masses around it.
+FILLINGS = GIVEN_FILLINGS
+
+# endif
+# ifdef HAS_WALLS
+# Of each wall: a point and the unit vector to the free side, hardness (1/(px s^2)), friction, slip speed
+# (px/s), and how much harder masses are pushed that enter faster (s/px).
+WALLS = GIVEN_WALLS
+
+# endif
+# ifdef HAS_CIRCLES
+# Of each held mass that goes round: which it is, its place at time 0 (px), radius (px), turns per second
+# (Hz), and the time constant with which it speeds up (s).
+CIRCLES = GIVEN_CIRCLES
+
+# endif
+
+
+def accelerations(x, v):
+    """Of all masses, px/s^2."""
+    force = np.zeros_like(x)
+    # ifdef HAS_LOADS
+    force[LOADS[:, 0].astype(int)] = LOADS[:, 1:]
+    # endif
+    # ifdef HAS_SPRINGS
+    spring = x[B] - x[A]
+    length = np.sqrt((spring * spring).sum(1) + 1e-300)  # never 0, to divide by it
+    pull = -K * (length - REST)
+    # ifdef HAS_RATES
+    rate = v[B] - v[A]
+    # endif
+    # ifdef HAS_DAMPING
+    pull -= C * (spring * rate).sum(1) / length
+    # endif
+    on_b = spring * (pull / length)[:, None]  # the force on mass b; minus it acts on a
+    # endif
+    # ifdef HAS_JOINTS
+    # Joints: the angle from p to q is drawn to the rest angle; see `sim.physics`.
+    p, q = spring[P], spring[Q]
+    cross = p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
+    dot = (p * q).sum(1)
+    # ifdef HAS_ANGLE_LAW
+    off = np.arctan2(cross, dot) - REST_ANGLE
+    off -= 2.0 * np.pi * np.round(off / (2.0 * np.pi))
+    torque = JOINT_K * length[P] * length[Q] * off
+    energy = 0.5 * torque * off
+    # else
+    torque = JOINT_K * (COS * cross - SIN * dot)
+    # endif
+    # ifdef HAS_CONSERVATIVE_LAW
+    energy = JOINT_K * (length[P] * length[Q] - COS * dot - SIN * cross)
+    # endif
+    # ifdef HAS_JOINT_DAMPING
+    turning = (spring[:, 0] * rate[:, 1] - spring[:, 1] * rate[:, 0]) / length**2
+    torque += JOINT_C * length[P] * length[Q] * (turning[Q] - turning[P])
+    # endif
+    across = np.stack((-spring[:, 1], spring[:, 0]), 1) / (length**2)[:, None]
+    np.add.at(on_b, P, torque[:, None] * across[P])
+    np.add.at(on_b, Q, -torque[:, None] * across[Q])
+    # ifdef HAS_JOINT_ENERGY
+    # The energy grows with the lengths, and so pulls along the springs.
+    along = spring / (length**2)[:, None]
+    np.add.at(on_b, P, -energy[:, None] * along[P])
+    np.add.at(on_b, Q, -energy[:, None] * along[Q])
+    # endif
+    # endif
+    # ifdef HAS_SPRINGS
+    np.add.at(force, B, on_b)
+    np.add.at(force, A, -on_b)
+    # endif
+    # ifdef HAS_FILLINGS
+    for is_gas, strength, outside, size, loop in FILLINGS:
+        before, after, off = np.roll(x[loop], 1, 0), np.roll(x[loop], -1, 0), x[loop] - x[loop[0]]
+        next_off = np.roll(off, -1, 0)
+        area = 0.5 * (off[:, 0] * next_off[:, 1] - off[:, 1] * next_off[:, 0]).sum()
+        if not is_gas:
+            pressure = strength * (1.0 - area / size)
+        elif area > 0.01 * size:
+            pressure = strength * size / area - outside
+        else:  # nearly nothing is left: no division by zero
+            pressure = strength * (2.0 - area / (0.01 * size)) / 0.01 - outside
+        way = after - before
+        np.add.at(force, loop, 0.5 * pressure * np.stack((way[:, 1], -way[:, 0]), 1))
+    # endif
+    a = force / MASS
+    # ifdef HAS_AIR
+    air = v
+    # ifdef HAS_WIND
+    air = v - WIND
+    # endif
+    a -= AIR * air * abs(air) / MASS  # along each axis
+    # endif
+    # ifdef HAS_GRAVITY
+    a += GRAVITY
+    # endif
+    # ifdef HAS_WALLS
+    # Walls push with the square of the depth, softened so that a long step makes no energy.
+    for px, py, nx, ny, hardness, friction, slip, loss in WALLS:
+        depth = np.maximum((px - x[:, 0]) * nx + (py - x[:, 1]) * ny, 0.0)
+        out, along = v[:, 0] * nx + v[:, 1] * ny, v[:, 1] * nx - v[:, 0] * ny
+        power = (DT * (loss * hardness * depth**2 + 4.0 * DT * hardness * depth)) ** 4
+        more = 0.5 * DT / np.maximum(depth, 1e-300) * power / (1.0 + power)
+        push = hardness * depth**2 * np.maximum(1.0 - (loss + more) * out, 0.0)
+        push /= (1.0 + power) ** 0.25
+        slips = (slip**4 + (DT * friction * push) ** 4) ** 0.25
+        rub = friction * push * np.tanh(along / slips)
+        a += np.stack((push * nx + rub * ny, push * ny - rub * nx), 1)
+    # endif
+    # ifdef HAS_HELD
+    return np.where(FREE, a, 0.0)
+    # else
+    return a
+    # endif
+
+
+# ifdef HAS_CIRCLES
+def lead(x, v, t):
+    """Put masses on circles where they are at time t."""
+    for mass, at_x, at_y, radius, frequency, ramp in CIRCLES:
+        fade, turn = np.exp(-t / ramp), 2.0 * np.pi * frequency
+        phase, speed = turn * (t - ramp * (1.0 - fade)), radius * turn * (1.0 - fade)
+        x[mass] = at_x + radius * np.sin(phase), at_y + radius * (1.0 - np.cos(phase))
+        v[mass] = speed * np.cos(phase), speed * np.sin(phase)
+
+
+# endif
+def step(x, v, t):
+    """One time step from time t (s), in place."""
+    # ifdef HAS_CIRCLES
+    lead(x, v, t + DT)
+    # endif
+    v += DT * accelerations(x, v)
+    x += DT * v
+    # ifdef HAS_CIRCLES
+    lead(x, v, t + DT)  # the step has moved them
+    # endif
+
+
+if __name__ == "__main__":
+    x, v = MASSES[:, 0:2].copy(), MASSES[:, 2:4].copy()
+    steps = int(sys.argv[1]) if len(sys.argv) > 1 else GIVEN_STEPS
+    for i in range(steps):
+        step(x, v, GIVEN_START + i * DT)
+    for at in x.tolist():
+        print(*at)

@@ -1,1 +1,0 @@
-"""Studies: the solver held against exact results."""

@@ -1,0 +1,143 @@
+"""A page without a browser: a WebSocket client that reads what the server sends, as viser's page does.
+
+What a browser adds (shaders, drawing) is the same whatever is served; what is measured here is ours.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from typing import Any
+
+import msgspec
+import numpy as np
+import viser
+import zstandard
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Origin, Subprotocol
+
+from app.page.view import FRAME
+
+CAMERA: dict[str, Any] = {
+    "type": "ViewerCameraMessage",
+    "wxyz": [0.0, 0.0, 1.0, 0.0],
+    "position": [0.0, 0.0, 62.0],
+    "fov": 0.1,
+    "near": 1.0,
+    "far": 2000.0,
+    "image_height": 760,
+    "image_width": 930,
+    "look_at": [0.0, 0.0, 0.0],
+    "up_direction": [0.0, 1.0, 0.0],
+}
+
+
+def options_of(address: str) -> dict[str, Any]:
+    """Arguments for a connection, as the page makes it."""
+    return {
+        "origin": Origin(f"http://{address}"),
+        "subprotocols": [Subprotocol(f"viser-v{viser.__version__}")],
+        "compression": None,
+        "max_size": None,
+    }
+
+
+class Decoder:
+    """Reads and writes viser's messages."""
+
+    def __init__(self) -> None:
+        self._unpack = zstandard.ZstdDecompressor()
+        self.encode = msgspec.msgpack.Encoder().encode
+
+    def decode(self, data: bytes) -> list[dict[str, Any]]:
+        """The messages of a frame, with softrod's arrays in place."""
+        # viser 1.1.1, infra/_infra.py: two lengths, compressed msgpack, then raw arrays.
+        size = int.from_bytes(data[8:16], "little")
+        payload = msgspec.msgpack.decode(self._unpack.decompress(data[16 : 16 + size]))
+        messages: list[dict[str, Any]] = payload["messages"]
+        lengths: list[int] = payload.get("binaryBufferLengths") or []
+        for message in messages:
+            updates = message.get("updates", {})
+            if message.get("name") == FRAME and "points" in updates:
+                index: int = updates["points"]["__binary_index"]
+                # Each array begins at a multiple of eight bytes.
+                before = sum(-(-length // 8) * 8 for length in lengths[:index])
+                start = -(-(16 + size) // 8) * 8 + before
+                updates["points"] = np.frombuffer(data, np.float32, lengths[index] // 4, start)
+        return messages
+
+
+class Page:
+    """A connected client; a context manager.
+
+    Attributes:
+        bytes: received so far.
+        messages: of the scene and the panel, received so far.
+    """
+
+    def __init__(self, port: int, patience: float = 60.0) -> None:
+        self._address = f"127.0.0.1:{port}"
+        self._patience = patience
+        self._decoder = Decoder()
+        self._unread: deque[dict[str, Any]] = deque()
+        self.bytes = 0
+        self.messages = 0
+
+    def __enter__(self) -> Page:
+        deadline = time.monotonic() + self._patience
+        while True:
+            try:
+                self._connection: ClientConnection = connect(
+                    f"ws://{self._address}", **options_of(self._address)
+                )
+                break
+            except (OSError, ConnectionClosed):
+                if time.monotonic() > deadline:
+                    raise
+                time.sleep(0.002)
+        self.send(CAMERA)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._connection.close()
+
+    def send(self, message: dict[str, Any]) -> None:
+        """Send one message, as the page does."""
+        self._connection.send(self._decoder.encode(message))
+
+    def receive(self, timeout: float) -> list[dict[str, Any]]:
+        """The messages of the next frame, with softrod's arrays in place; none after the timeout."""
+        try:
+            data = self._connection.recv(timeout=timeout, decode=False)
+        except TimeoutError:
+            return []
+        self.bytes += len(data)
+        messages = self._decoder.decode(data)
+        self.messages += len(messages)
+        return messages
+
+    def wait_for(self, wanted: Any, timeout: float = 60.0) -> dict[str, Any]:
+        """The first message for which `wanted(message)` holds.
+
+        Raises:
+            TimeoutError: none came.
+        """
+        deadline = time.monotonic() + timeout
+        while True:
+            # The rest of a frame is kept for whoever waits next.
+            while self._unread:
+                message = self._unread.popleft()
+                if wanted(message):
+                    return message
+            left = deadline - time.monotonic()
+            if left <= 0.0:
+                raise TimeoutError("the server did not send what was waited for")
+            self._unread.extend(self.receive(left))
+
+    def read_for(self, seconds: float) -> None:
+        """Read and count whatever comes, and forget it."""
+        self._unread.clear()
+        deadline = time.monotonic() + seconds
+        while (left := deadline - time.monotonic()) > 0:
+            self.receive(left)

@@ -1,0 +1,207 @@
+"""`softrod bench start` and `softrod bench page`: softrod's page beside a bare viser app of the same size."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+
+import sim
+from app.drawing.plan import FRAME_HEAD, FRAME_TIME
+from app.page.view import FRAME
+
+from .client import Page
+
+NODE = "/body/masses"
+
+
+@contextlib.contextmanager
+def served(kind: str, shown: str | int, cache: str) -> Iterator[tuple[subprocess.Popen[str], int, float]]:
+    """A server in a process of its own, its port, and the seconds until it listened."""
+    words = [sys.executable, "-m", "studies.bench.bare", str(shown), *([kind] if kind == "softrod" else [])]
+    began = time.perf_counter()
+    process = subprocess.Popen(
+        words,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "XDG_CACHE_HOME": cache},
+    )
+    try:
+        assert process.stdin is not None and process.stdout is not None
+        port = int(process.stdout.readline())
+        yield process, port, time.perf_counter() - began
+    finally:
+        process.stdin.close()  # type: ignore[union-attr]
+        process.wait(timeout=30.0)
+
+
+def _is_node(message: dict[str, Any]) -> bool:
+    return message.get("name") == NODE and "props" in message
+
+
+def _moves(message: dict[str, Any]) -> bool:
+    """Whether the masses are told to be elsewhere: by softrod, or by bare viser."""
+    updates = message.get("updates", {})
+    return message.get("name") in (NODE, FRAME) and ("points" in updates or "batched_positions" in updates)
+
+
+def _runs(message: dict[str, Any]) -> bool:
+    """Whether simulated time has passed: in a picture, or of a body that is told to be at rest."""
+    if is_frame(message):
+        return float(message["updates"]["points"][FRAME_TIME]) > 0.0
+    return 'data-rest="1"' in str(message.get("updates", {}).get("content", ""))
+
+
+def is_frame(message: dict[str, Any]) -> bool:
+    return message.get("name") == FRAME and "points" in message.get("updates", {})
+
+
+def _start(kind: str, shown: str | int, cache: str) -> dict[str, float]:
+    """Seconds until the port listens, the body is sent, and it moves."""
+    began = time.perf_counter()
+    with served(kind, shown, cache) as (_, port, listening), Page(port) as page:
+        page.wait_for(_is_node)
+        drawn = time.perf_counter() - began
+        if kind == "softrod":
+            page.wait_for(_runs)
+        else:
+            # The first picture is filled in at once; a body in motion sends more.
+            page.wait_for(_moves)
+            page.wait_for(_moves)
+        return {"port": listening, "drawn": drawn, "moving": time.perf_counter() - began}
+
+
+def warm(cache: str) -> None:
+    """Compile all kernels into a folder."""
+    words = [sys.executable, "-m", "sim.compiling.precompile", "all"]
+    subprocess.run(words, check=True, stdout=subprocess.DEVNULL, env={**os.environ, "XDG_CACHE_HOME": cache})
+
+
+def _import_numba() -> float:
+    began = time.perf_counter()
+    subprocess.run([sys.executable, "-c", "import numba"], check=True)
+    numba = time.perf_counter() - began
+    began = time.perf_counter()
+    subprocess.run([sys.executable, "-c", "pass"], check=True)
+    return numba - (time.perf_counter() - began)
+
+
+def bench_start(console: Console, repeats: int) -> None:
+    """Starts of each preset, cold (no machine code on the disk) and cached, and of bare viser."""
+    presets = [info.name for info in sim.list_scenes() if info.built_in]
+    best: dict[tuple[str, str], dict[str, float]] = {}
+    numba = float("inf")
+    with tempfile.TemporaryDirectory() as kept:
+        warm(kept)
+        for _ in range(repeats):
+            runs = {("bare viser", ""): _start("bare", 12, kept)}
+            for preset in presets:
+                with tempfile.TemporaryDirectory() as empty:
+                    runs[preset, "cold"] = _start("softrod", preset, empty)
+                runs[preset, "cached"] = _start("softrod", preset, kept)
+            numba = min(numba, _import_numba())
+            for row, times in runs.items():
+                old = best.setdefault(row, times)
+                best[row] = {key: min(old[key], times[key]) for key in times}
+    names = ("port", "drawn", "moving")
+    table = Table(
+        "seconds until", "", "the port listens", "it is drawn", "it moves", "cold - cached", box=None
+    )
+    for (name, start), times in best.items():
+        late = ""
+        if start == "cold":
+            late = f"{times['moving'] - best[name, 'cached']['moving']:+.2f}"
+        table.add_row(name, start, *(f"{times[key]:.2f}" for key in names), late)
+    console.print(table)
+    bare, rope = best["bare viser", ""], best["tutorial-3.3", "cached"]
+    console.print(
+        f"import of numba {numba:.2f} s; tutorial-3.3, cached / (bare viser + numba): "
+        f"port {rope['port'] / (bare['port'] + numba):.2f}, "
+        f"drawn {rope['drawn'] / (bare['drawn'] + numba):.2f}"
+    )
+
+
+def _processor_share(kind: str, masses: int, seconds: float, cache: str) -> tuple[float, float, float]:
+    """(processor time per second, kB per second, frames per second) of a server with one page."""
+    with served(kind, masses, cache) as (process, port, _), Page(port) as page:
+        assert process.stdin is not None and process.stdout is not None
+
+        def used() -> float:
+            process.stdin.write("\n")  # type: ignore[union-attr]
+            process.stdin.flush()  # type: ignore[union-attr]
+            return float(process.stdout.readline())  # type: ignore[union-attr]
+
+        page.wait_for(_moves)
+        page.read_for(3.0)  # compiling and first pictures are not what is measured
+        before, bytes_before, began = used(), page.bytes, time.perf_counter()
+        frames = 0
+        while (left := began + seconds - time.perf_counter()) > 0:
+            frames += any(_moves(message) for message in page.receive(left))
+        span = time.perf_counter() - began
+        return (used() - before) / span, (page.bytes - bytes_before) / span / 1e3, frames / span
+
+
+def _latencies(masses: int, count: int, cache: str) -> list[float]:
+    """Seconds from a pointer report to the frame in which the driven mass has moved, as a page sees it."""
+    with served("softrod", masses, cache) as (_, port, _), Page(port) as page:
+        channel = page.wait_for(
+            lambda m: m.get("type") == "GuiTextMessage" and m["props"]["label"] == "softrod"
+        )
+        page.read_for(4.0)
+        number = 0
+        driven = slice(FRAME_HEAD, FRAME_HEAD + 2)  # the first mass, x and y
+
+        def say(text: str) -> None:
+            nonlocal number
+            number += 1
+            page.send(
+                {
+                    "type": "GuiUpdateMessage",
+                    "uuid": channel["uuid"],
+                    "updates": {"value": f"{number}|{text}"},
+                }
+            )
+
+        say("do|follow")
+        page.read_for(1.0)
+        result = []
+        for i in range(count):
+            page.read_for(0.03 + 0.01 * (i % 4))
+            before = page.wait_for(is_frame)["updates"]["points"][driven]
+            began = time.perf_counter()
+            say(f"at|{0.5 * (i % 2):.6f},1.000000")
+            page.wait_for(lambda m: is_frame(m) and (m["updates"]["points"][driven] != before).any())  # noqa: B023
+            result.append(time.perf_counter() - began)
+        return result
+
+
+def bench_page(console: Console, repeats: int) -> None:
+    """Server cost of one page at 60 Hz beside bare viser, and the latency from pointer to page."""
+    table = Table("masses", "server", "% of a core", "kB/s", "frames/s", "softrod / viser", box=None)
+    with tempfile.TemporaryDirectory() as cache:
+        warm(cache)
+        for masses in (12, 200, 1000):
+            best: dict[str, tuple[float, float, float]] = {}
+            for _ in range(repeats):
+                for kind in ("bare viser", "softrod"):
+                    share = _processor_share(kind, masses, 5.0, cache)
+                    best[kind] = min(best.get(kind, share), share)
+            for kind, (share, rate, frames) in best.items():
+                ratio = f"{share / best['bare viser'][0]:.2f}" if kind == "softrod" else ""
+                table.add_row(str(masses), kind, f"{100 * share:.1f}", f"{rate:.0f}", f"{frames:.1f}", ratio)
+        console.print(table)
+        latencies = sorted(1e3 * value for value in _latencies(12, 60, cache))
+    console.print(
+        f"pointer to page, server side and loopback: median {statistics.median(latencies):.1f} ms, "
+        f"90 % under {latencies[int(0.9 * len(latencies))]:.1f} ms"
+    )

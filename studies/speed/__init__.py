@@ -1,0 +1,1 @@
+"""`softrod study`: computing time against error."""

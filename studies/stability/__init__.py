@@ -1,0 +1,1 @@
+"""`softrod stability`: where each method breaks."""

@@ -1,0 +1,263 @@
+"""Maps of stability: how each integrator ends over two parameters, and where theory has the border."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+
+import numpy as np
+from msgspec.structs import replace
+from numpy.typing import NDArray
+
+from sim import Integrator, Scene, Simulation, physics
+from sim.analysis.ensemble import Member, Track, marks, run_ensemble
+from sim.body.system import joint_stiffness
+from sim.kernels.forces.laws import LAWS
+from sim.motion.stability import largest_step
+
+from .axes import Axis, extent, in_cell
+
+Floats = NDArray[np.float64]
+
+UNKNOWN, ACCURATE, DAMPED_WRONGLY, UNSTABLE, NO_REFERENCE = -1, 0, 1, 2, 3
+ENDINGS = {
+    ACCURATE: "accurate",
+    DAMPED_WRONGLY: "damped wrongly",
+    UNSTABLE: "unstable",
+    NO_REFERENCE: "no reference",
+    UNKNOWN: "",
+}
+
+NEAR = 0.01
+"""Largest distance from the reference, in extents of the body, of an end that counts as accurate."""
+SAMPLES = 20
+"""Times within the duration at which bodies are looked at."""
+_SAMPLES = 400
+"""Samples of a reference, between which it is interpolated by cubics."""
+_ATTEMPTS = 20_000
+"""Steps between two samples that a reference may take."""
+
+
+@dataclass
+class Map:
+    """One map; rows are along y, columns along x.
+
+    Attributes:
+        x, y: what is varied; xs, ys: the values.
+        dt: time step, s, where no axis is.
+        endings: (rows, columns) of each method, see ENDINGS.
+        errors: largest distance from the reference at any look, in extents; NaN where a body ran away.
+        limits: the analytic limit of the step at each cell, s.
+    """
+
+    x: Axis
+    y: Axis
+    xs: Floats
+    ys: Floats
+    dt: float
+    endings: dict[str, NDArray[np.int64]] = field(default_factory=dict)
+    errors: dict[str, Floats] = field(default_factory=dict)
+    limits: dict[str, Floats] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """As its files are called."""
+        return f"{self.x.key}-{self.y.key}"
+
+    @property
+    def complete(self) -> bool:
+        """Whether every cell of every method that was begun is there."""
+        return all((ending != UNKNOWN).all() for ending in self.endings.values())
+
+    def steps(self) -> Floats:
+        """(rows, columns) the time step of each cell, s."""
+        if self.x.key == "dt":
+            return np.broadcast_to(self.xs, self.shape)
+        if self.y.key == "dt":
+            return np.broadcast_to(self.ys[:, None], self.shape)
+        return np.full(self.shape, self.dt)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+        return len(self.ys), len(self.xs)
+
+
+class ExactMotion:
+    """What a scene does: by `auto`, to a thousandth of what counts as accurate.
+
+    Attributes:
+        extent: of the body at the start, px.
+        budget: what energy has been put in, kg px²/s²: kinetic and elastic energy at the start, and what the
+            body's weight can do along its extent.
+        ceiling: the most that kinetic energy and height may come to in a stable motion: a budget more than in
+            the reference. The springs' energy is left out, since the stable spring's are not as stiff as it.
+    """
+
+    def __init__(self, scene: Scene, duration: float) -> None:
+        self.extent = extent(scene)
+        dt = duration / _SAMPLES
+        integrator = Integrator(method="auto", dt=dt, tolerance=min(1e-3 * NEAR * self.extent, 1.0))
+        simulation = Simulation(replace(scene, integrator=integrator))
+        shape = _SAMPLES + 1, len(scene.masses), 2
+        self._dt = dt
+        self._positions, self._velocities = np.full((2, *shape), np.nan)
+        for k in range(_SAMPLES + 1):
+            if k and simulation.step(attempts=_ATTEMPTS) < 1:
+                break
+            self._positions[k], self._velocities[k] = simulation.positions, simulation.velocities
+        self.known = bool(np.isfinite(self._positions).all())
+        self._energies = Energies(scene)
+        elastic = self._energies.elastic(self._positions[:1])
+        energy = self._energies.motion(self._positions, self._velocities)
+        weight = sum(m.mass for m in scene.masses) * math.hypot(*scene.gravity)
+        weight += sum(math.hypot(*m.force) for m in scene.masses if m.force)
+        kinetic = self._energies.kinetic(self._velocities[:1])
+        self.budget = float(kinetic[0] + elastic[0]) + weight * self.extent
+        self.ceiling = float(np.nanmax(energy)) + self.budget
+
+    def judge(self, track: Track, times: Floats) -> tuple[int, float]:
+        """How a body ended, and its largest distance from the reference, in extents."""
+        if not np.isfinite(track.positions).all():
+            return UNSTABLE, math.nan
+        energy = self._energies.motion(track.positions, track.velocities)
+        apart = track.positions - self._at(times)
+        error = float(np.hypot(apart[..., 0], apart[..., 1]).max()) / self.extent
+        if not np.max(energy) <= self.ceiling:
+            return UNSTABLE, error
+        if not self.known:
+            return NO_REFERENCE, math.nan
+        return (ACCURATE if error <= NEAR else DAMPED_WRONGLY), error
+
+    def _at(self, times: Floats) -> Floats:
+        """(samples, n, 2) positions at some times; beyond the end, as they go on from there."""
+        k = np.clip((times / self._dt).astype(np.int64), 0, _SAMPLES - 1)
+        u = (times / self._dt - k)[:, None, None]
+        p, q = self._positions[k], self._positions[k + 1]
+        v, w = self._dt * self._velocities[k], self._dt * self._velocities[k + 1]
+        return p + u * (v + u * (3.0 * (q - p) - 2.0 * v - w + u * (2.0 * (p - q) + v + w)))
+
+
+class Energies:
+    """Energies of a scene's body; under the tutorial's law, which has none, those of the conservative one."""
+
+    def __init__(self, scene: Scene) -> None:
+        self._scene = scene
+        springs = scene.linear_springs
+        self._mass = np.array([m.mass for m in scene.masses])
+        self._forces = np.outer(self._mass, scene.gravity)
+        self._forces += [mass.force or (0.0, 0.0) for mass in scene.masses]
+        self._ends = np.array([(s.a, s.b) for s in springs], np.int64).reshape(-1, 2)
+        self._stiffness = np.array([s.stiffness for s in springs])
+        self._rest = scene.rest_length_scale * np.array([s.rest_length for s in springs])
+        self._joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
+        self._couple = np.array(joint_stiffness(scene))
+        self._angle = np.radians([j.rest_angle for j in scene.angular_springs])
+
+    def kinetic(self, velocities: Floats) -> Floats:
+        """(samples,) of (samples, n, 2) velocities."""
+        return 0.5 * (self._mass[:, None] * velocities**2).sum((1, 2))
+
+    def motion(self, positions: Floats, velocities: Floats) -> Floats:
+        """(samples,) kinetic energy and height, with the energy of constant forces."""
+        height = -(positions * self._forces).sum((1, 2))
+        return self.kinetic(velocities) + height
+
+    def elastic(self, positions: Floats) -> Floats:
+        """(samples,) energy of all springs."""
+        along = positions[:, self._ends[:, 1]] - positions[:, self._ends[:, 0]]
+        lengths = np.hypot(along[..., 0], along[..., 1])
+        elastic = 0.5 * (self._stiffness * (lengths - self._rest) ** 2).sum(1)
+        a, b = along[:, self._joints[:, 0]], along[:, self._joints[:, 1]]
+        s = (a[..., 0] - 1j * a[..., 1]) * (b[..., 0] + 1j * b[..., 1]) * np.exp(-1j * self._angle)
+        bent = physics.LAWS[LAWS[self._scene.force_law].code](s)[1]
+        return elastic + (self._couple * bent).sum(1)
+
+
+def compute(
+    scene: Scene,
+    chart: Map,
+    methods: Sequence[str],
+    duration: float,
+    report: Callable[[int, int, str], None] = lambda done, of, what: None,
+) -> None:
+    """Fill in a map; what is done stays in it when this is interrupted.
+
+    Args:
+        scene: where all else comes from; something in it is free to move.
+        chart: the map.
+        methods: names of methods with a fixed step.
+        duration: simulated time of each cell, s.
+        report: hears how many parts of how many are done, and what is being done.
+
+    Raises:
+        InputError: the numbers of a cell make no valid scene.
+    """
+    rows, columns = chart.shape
+    steps = chart.steps()
+    keys = [[_key(chart, i, j) for j in range(columns)] for i in range(rows)]
+    scenes: dict[tuple[float, ...], Scene] = {}
+    for i in range(rows):
+        for j in range(columns):
+            values = {chart.x.key: float(chart.xs[j]), chart.y.key: float(chart.ys[i])}
+            if keys[i][j] not in scenes:
+                scenes[keys[i][j]] = in_cell(scene, {k: v for k, v in values.items() if k != "dt"})
+    total = 2 * len(scenes) + rows * columns * len(methods)
+    references: dict[tuple[float, ...], ExactMotion] = {}
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        jobs = {key: pool.submit(ExactMotion, at, duration) for key, at in scenes.items()}
+        try:
+            for key, job in jobs.items():
+                references[key] = job.result()
+                report(len(references), total, "references")
+        finally:
+            pool.shutdown(cancel_futures=True)
+    limits: dict[tuple[float, ...], dict[str, float]] = {}
+    for key, at in scenes.items():
+        limits[key] = {method: largest_step(at, method) for method in methods}
+        report(len(scenes) + len(limits), total, "analytic limits")
+    members = [
+        Member(scenes[keys[i][j]], float(steps[i, j]), marks(duration, float(steps[i, j]), SAMPLES))
+        for i in range(rows)
+        for j in range(columns)
+    ]
+    done = 2 * len(scenes)
+    for method in methods:
+        ending = chart.endings[method] = np.full(chart.shape, UNKNOWN)
+        errors = chart.errors[method] = np.full(chart.shape, np.nan)
+        chart.limits[method] = np.array([[limits[key][method] for key in row] for row in keys])
+        for index, track in run_ensemble(members, method):
+            i, j = divmod(index, columns)
+            times = members[index].dt * np.array(members[index].marks)
+            ending[i, j], errors[i, j] = references[keys[i][j]].judge(track, times)
+            done += 1
+            report(done, total, method)
+
+
+def _key(chart: Map, row: int, column: int) -> tuple[float, ...]:
+    """What a cell's scene depends on: the values that are no time step."""
+    values = ((chart.x.key, chart.xs[column]), (chart.y.key, chart.ys[row]))
+    return tuple(float(value) for key, value in values if key != "dt")
+
+
+def borders(chart: Map, method: str) -> Floats:
+    """The steps at which a method turns unstable, over the analytic limits; empty where no axis is the step.
+
+    Of each line of cells along the step, the geometric mean of the longest step that is stable, with all
+    shorter ones, and the next one; lines that are all stable or have no limit are left out.
+    """
+    if "dt" not in (chart.x.key, chart.y.key):
+        return np.empty(0)
+    unstable, limits = chart.endings[method] == UNSTABLE, chart.limits[method]
+    steps = chart.xs
+    if chart.y.key == "dt":
+        unstable, limits, steps = unstable.T, limits.T, chart.ys
+    found = []
+    for line, limit in zip(unstable, limits[:, 0], strict=True):
+        first = int(line.argmax())
+        if line.any() and first > 0 and math.isfinite(limit):
+            found.append(math.sqrt(steps[first - 1] * steps[first]) / limit)
+    return np.array(found)

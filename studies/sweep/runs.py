@@ -1,0 +1,145 @@
+"""One run of a sweep, as a function of nothing but its arguments, so that it can be computed anywhere."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+from importlib.metadata import version
+from typing import NamedTuple
+
+import msgspec
+import numpy as np
+
+import sim
+from app.session.log import this_machine
+from sim.scene.files import decode_scene, encode_scene
+from sim.settings import apply_assignments
+
+from .measures import GAVE_UP, Track, Value
+
+LOOKS = 120
+"""Looks at the body per simulated second, where time steps are not longer; a whole number of steps apart."""
+
+REFERENCE = "rodas5p"
+"""The method of near-exact runs: it bears any stiffness."""
+EXACT = 1e-9
+"""Its largest tolerance, px."""
+FINER = 1e-3
+"""Its tolerance relative to the smallest one of a sweep."""
+_FINEST = 1e-12
+
+MOST_ATTEMPTS = 1e7
+"""Steps that a method with error control may try per simulated second: with so many they are a tenth of the
+shortest step that a scene can have. With more it would hardly ever get to the end."""
+
+Points = tuple[tuple[float, float], ...]
+
+
+class Row(msgspec.Struct, frozen=True):
+    """What came of a run.
+
+    Attributes:
+        values: of the measures; None where there is none.
+        by: what computed it: machine and versions.
+    """
+
+    values: tuple[Value, ...]
+    by: str
+
+
+def run(
+    data: bytes,
+    assignments: Sequence[str],
+    duration: float,
+    measures: Sequence[str],
+    reference: Points | None = None,
+) -> Row:
+    """Simulate and measure.
+
+    Args:
+        data: the scene as a file has it.
+        assignments: what is changed in it, KEY=VALUE.
+        duration: s; rounded to whole time steps.
+        measures: names.
+        reference: near-exact positions at the end, px, for the measure `error`.
+    """
+    scene = apply_assignments(_decoded(data), assignments)
+    simulation = sim.Simulation(scene)
+    track = Track(simulation, measures)
+    track.look()
+    steps = steps_of(scene, duration)
+    between = max(1, round(1.0 / (LOOKS * scene.integrator.dt)))
+    while simulation.step_count < steps:
+        arrived = _go(simulation, min(between, steps - simulation.step_count))
+        if not arrived:
+            ended = GAVE_UP if simulation.divergence is None else False
+            return Row(tuple(ended if name == "survived" else None for name in measures), made_by())
+        track.look()
+    exact = None if reference is None else np.array(reference)
+    values = track.values(measures, exact)
+    return Row(tuple(map(_finite, values)), made_by())
+
+
+def _go(simulation: sim.Simulation, steps: int) -> bool:
+    """Do so many time steps, and return whether they could be done."""
+    attempts = math.ceil(MOST_ATTEMPTS * steps * simulation.dt)
+    return simulation.step(steps, attempts) == steps
+
+
+def _finite(value: Value) -> Value:
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def steps_of(scene: sim.Scene, duration: float) -> int:
+    """The time steps that a run of so many seconds has, at least one."""
+    return max(1, round(duration / scene.integrator.dt))
+
+
+class Reference(NamedTuple):
+    """A near-exact run.
+
+    Attributes:
+        data: its scene as a file has it.
+        end: simulated time, s.
+    """
+
+    data: bytes
+    end: float
+
+
+def reference_of(scene: sim.Scene, duration: float, smallest: float) -> Reference:
+    """The near-exact run of a scene.
+
+    It ends when the scene's own does, and is the same for all that differ in no more than method, tolerance
+    and steps of which a whole number makes the duration.
+
+    Args:
+        scene: of the run.
+        duration: of the run, s.
+        smallest: tolerance of all runs of the sweep, px.
+    """
+    tolerance = max(_FINEST, min(EXACT, FINER * smallest))
+    exact = sim.Integrator(method=REFERENCE, tolerance=tolerance)
+    # Rounded, since the same end is not quite the same product of different steps.
+    end = float(f"{steps_of(scene, duration) * scene.integrator.dt:.12g}")
+    return Reference(encode_scene(msgspec.structs.replace(scene, integrator=exact)), end)
+
+
+def run_reference(data: bytes, end: float) -> Points | None:
+    """The positions at the end of a near-exact run, px; None where it does not get there."""
+    parts = math.ceil(LOOKS * end)
+    simulation = sim.Simulation(decode_scene(data, "the reference"), dt=end / parts)
+    if not all(_go(simulation, 1) for _ in range(parts)):
+        return None
+    return tuple((x, y) for x, y in simulation.positions.tolist())
+
+
+@lru_cache(1)
+def _decoded(data: bytes) -> sim.Scene:
+    return decode_scene(data, "the scene of the sweep")
+
+
+def made_by() -> str:
+    """What the last digits of a row may depend on."""
+    return f"softrod {version('softrod')} on {this_machine()} and numpy {np.__version__}"

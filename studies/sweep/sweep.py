@@ -1,0 +1,184 @@
+"""`softrod sweep`: the loop that gives runs to workers and keeps what comes back."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import math
+from collections import deque
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from rich.console import Console
+
+from sim.compiling.compiler import all_of, fetch
+from sim.errors import InputError
+from sim.methods.registry import METHODS
+from sim.scene.files import decode_scene, encode_scene
+
+from ..reporting.output import Watch, write_figures
+from .folder import Folder, make_plan
+from .grid import Grid
+from .runs import REFERENCE, Points, Reference, Row, reference_of, run, run_reference
+from .workers import Making, Workers
+
+AHEAD = 1000
+"""Calls that workers have at a time: more than they can be at, and no more than fits in memory."""
+
+
+@dataclass
+class Sweep:
+    """What is swept.
+
+    Attributes:
+        grid: the scene and what is varied.
+        measures: names.
+        duration: simulated time of each run, s.
+        methods: names of all methods, once `check` has looked.
+        tolerance: then the smallest one of a method that has one, px; infinite where none has.
+    """
+
+    grid: Grid
+    measures: tuple[str, ...]
+    duration: float
+    methods: set[str] = field(default_factory=set)
+    tolerance: float = math.inf
+
+    def check(self) -> None:
+        """Look at the scene of every run.
+
+        Raises:
+            InputError: one is not valid.
+        """
+        for point in self.grid.points:
+            integrator = self.grid.scene_at(point).integrator
+            self.methods.add(integrator.method)
+            if METHODS[integrator.method].adaptive:
+                self.tolerance = min(self.tolerance, integrator.tolerance)
+
+    def rows(self, missing: Iterable[int], workers: Workers) -> Iterator[tuple[int, Row]]:
+        """Do the runs of these numbers, and give each with its row, in the order in which they are done.
+
+        The near-exact run that several have in common is done once, before them.
+
+        Raises:
+            InputError: no worker is left.
+        """
+        data = encode_scene(self.grid.scene)
+        waiting = deque(missing)
+        ready: deque[tuple[int, Points | None]] = deque()
+        exact: dict[Reference, Points | None] = {}
+        asked: dict[Reference, list[int]] = {}
+        running: dict[concurrent.futures.Future, int | Reference] = {}
+        submit = workers.executor.submit
+        try:
+            while waiting or ready or running:
+                while (waiting or ready) and len(running) < AHEAD:
+                    if ready:
+                        number, end = ready.popleft()
+                        assignments = self.grid.assignments(self.grid.points[number])
+                        call = submit(run, data, assignments, self.duration, self.measures, end)
+                        running[call] = number
+                    elif "error" not in self.measures:
+                        ready.append((waiting.popleft(), None))
+                    else:
+                        number = waiting.popleft()
+                        scene = self.grid.scene_at(self.grid.points[number])
+                        reference = reference_of(scene, self.duration, self.tolerance)
+                        if reference in exact:
+                            ready.append((number, exact[reference]))
+                        elif reference in asked:
+                            asked[reference].append(number)
+                        else:
+                            asked[reference] = [number]
+                            running[submit(run_reference, *reference)] = reference
+                done, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
+                for call in done:
+                    what = running.pop(call)
+                    if isinstance(what, int):
+                        yield what, call.result()
+                    else:
+                        exact[what] = call.result()
+                        ready.extend((number, exact[what]) for number in asked.pop(what))
+        except tuple(workers.failures) as error:
+            what = next(text for kind, text in workers.failures.items() if isinstance(error, kind))
+            if reason := " ".join(str(error).split()):
+                what += f" ({reason})"
+            raise InputError(f"sweep: {what}; what is done is kept, and the same command goes on") from None
+
+
+def sweep(
+    grid: Grid,
+    measures: tuple[str, ...],
+    duration: float,
+    workers: Making,
+    out: Path,
+    console: Console,
+    decimal_comma: bool = False,
+) -> int:
+    """Do all runs that are not done yet, and write the table and its plot.
+
+    Ctrl-C ends it early; what is done by then is kept, and the same call goes on from there.
+
+    Args:
+        grid: the scene and what is varied.
+        measures: names.
+        duration: simulated time of each run, s.
+        workers: makes those who compute.
+        out: folder; made if its parent exists.
+        console: where the progress goes.
+        decimal_comma: whether the table has decimal commas.
+
+    Returns:
+        The exit status: 0, or 130 if it was interrupted.
+
+    Raises:
+        InputError: a scene of the grid is not valid, the folder cannot be written to or has another sweep,
+            or no worker is left; what is done by then is kept.
+    """
+    what = Sweep(grid, measures, duration)
+    # As workers will, which have no way to say that a scene is too large.
+    decode_scene(encode_scene(grid.scene), grid.scene.name)
+    total = len(grid.points)
+    folder: Folder | None = None
+    with Watch(console, total) as watch:
+        watch.say("checking")
+        what.check()
+        folder = Folder(out, make_plan(grid, measures, duration))
+        try:
+            _compute(what, folder, workers, watch)
+        finally:
+            folder.write_table(grid, measures, decimal_comma)
+    if folder is not None and folder.rows:
+        _draw(what, folder, out)
+        if len({row.by for row in folder.rows.values()}) > 1:
+            console.print("Rows were computed by different machines or versions; last digits may differ.")
+    done = f"{len(folder.rows) if folder else 0} of {total} runs are done"
+    if watch.interrupted:
+        console.print(f"Interrupted: {done}; the same command goes on.")
+        return 130
+    console.print(f"{done} and written to {out}")
+    return 0
+
+
+def _compute(what: Sweep, folder: Folder, making: Making, watch: Watch) -> None:
+    total = len(what.grid.points)
+    missing = [number for number in range(total) if number not in folder.rows]
+    if not missing:
+        return
+    watch.say("compiling", len(folder.rows))
+    # Once, here, and not by each of several processes that start at the same time.
+    for method in sorted(what.methods | ({REFERENCE} if "error" in what.measures else set())):
+        fetch(all_of(method))
+    watch.say("starting", len(folder.rows))
+    with making() as workers:
+        for number, row in what.rows(missing, workers):
+            folder.add(number, row)
+            watch.say(f"{len(folder.rows)} of {total} runs", len(folder.rows))
+
+
+def _draw(what: Sweep, folder: Folder, out: Path) -> None:
+    # Here, not above: workers have no use for Matplotlib.
+    from .plot import plot
+
+    write_figures(out, {"plot": ("", lambda: plot(what.grid, what.measures, folder.rows))})

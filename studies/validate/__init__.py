@@ -1,0 +1,1 @@
+"""`softrod validate`: the solver held against exact results."""

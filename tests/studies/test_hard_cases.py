@@ -1,0 +1,87 @@
+"""Hard cases: no method ever shows a bad number, and `auto` survives them all."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sim import Simulation
+from sim.methods.registry import METHODS
+from sim.scene.types import ForceLaw
+from studies.stability import hard_case_report
+from studies.stability.hard_case_report import reference
+from studies.stability.hard_cases import HardCase, hard_cases, with_method
+
+CASES = hard_cases()
+FRAMES = 40
+NO_REFERENCE = {"masses 1:1e6", "anchor torn to and fro", "sliders flung"}
+"""Strict methods do not agree about these."""
+ATTEMPTS = 4000
+"""Steps that a method may try in a frame; a time step of a second is sixty frames."""
+
+
+def run(case: HardCase, method: str, law: ForceLaw, books: bool = False) -> tuple[Simulation, int]:
+    """The simulation after all frames, or when it stopped, and the time steps that it is behind."""
+    simulation = Simulation(with_method(case.scene, method, law))
+    simulation.keep_books(books)
+    rng = np.random.default_rng(0)
+    steps = max(1, round(1.0 / 60.0 / simulation.dt))
+    frames = FRAMES if steps > 1 else 3
+    behind = 0
+    for frame in range(frames):
+        case.act(simulation, frame, rng)
+        behind += steps - simulation.step(steps, attempts=ATTEMPTS * (1 if steps > 1 else 60))
+        assert np.isfinite(simulation.positions).all()
+        assert np.isfinite(simulation.velocities).all()
+        if simulation.divergence is not None:
+            break
+    return simulation, behind
+
+
+@pytest.mark.parametrize("law", ["conservative", "tutorial"])
+@pytest.mark.parametrize("name", CASES)
+def test_auto_survives_and_keeps_up(name: str, law: ForceLaw) -> None:
+    simulation, behind = run(CASES[name], "auto", law)
+    assert simulation.divergence is None
+    # Flung sliders put in so much energy that some frames need more steps than they may try: the clock lags.
+    assert behind <= (0.05 * simulation.step_count if name == "sliders flung" else 0)
+    # A rope under gravity stays within reach of its anchor, unless nothing holds it together.
+    if "stiffness, no air" not in name and "keys" not in name:
+        stretch = np.hypot(*(simulation.positions - simulation.positions[0]).T).max()
+        assert stretch < 1500.0
+
+
+@pytest.mark.parametrize("name", [name for name in CASES if name not in NO_REFERENCE])
+def test_auto_ends_within_its_tolerance(name: str) -> None:
+    """Folds, tangles and torn anchors make small errors large; tolerances beside each other tell of luck."""
+    case = HardCase(with_method(CASES[name].scene, "auto", "conservative"), CASES[name].act)
+    known = reference(case)
+    assert known is not None
+    off = []
+    for tolerance in (0.98, 1.0, 1.02):
+        outcome = hard_case_report.run(case, "auto", tolerance, books=False)
+        off.append(float(np.hypot(*(outcome.positions - known).T).max()) / case.scene.integrator.tolerance)
+    assert np.median(off) < 1.0
+    assert max(off) < 1.5
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_auto_makes_no_energy(name: str) -> None:
+    """The energy never grows by more than was put in, and the books agree on where it went."""
+    simulation, _ = run(CASES[name], "auto", "conservative", books=True)
+    book = simulation.energy()
+    turned_over = (
+        book.kinetic + book.linear + book.angular + abs(book.anchors) + abs(book.keys) + abs(book.changes)
+    )
+    weight = sum(m.mass for m in simulation.scene.masses) * abs(simulation.scene.gravity[1])
+    tolerated = weight * simulation.scene.integrator.tolerance
+    # The residual, without what was lost: positive only where the method made energy.
+    assert book.residual + book.damping + book.air < 0.02 * turned_over + tolerated
+    assert abs(book.residual) < 0.05 * (turned_over + abs(book.air)) + tolerated
+
+
+@pytest.mark.parametrize("method", [name for name in METHODS if name != "auto"])
+@pytest.mark.parametrize("name", CASES)
+def test_no_method_shows_a_bad_number(name: str, method: str) -> None:
+    """Most methods give up on some of these; they stop at a good state, and say so."""
+    run(CASES[name], method, "conservative")

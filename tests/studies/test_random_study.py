@@ -1,0 +1,75 @@
+"""How near `auto` keeps to its tolerance on random bodies, and how that is summed up."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from sim.body.system import build_system
+from studies.speed import random_study
+from studies.speed.random_bodies import random_body
+from studies.speed.random_study import measure_body, shares, shares_by_growth, shares_by_tolerance
+from tests.amount import part_of
+from tests.studies.results import some_body
+
+
+def test_random_bodies_are_the_same_every_time_and_of_all_kinds() -> None:
+    assert random_body(3) == random_body(3)
+    bodies = [random_body(seed) for seed in range(60)]
+    assert {body.name.partition("-")[0] for body in bodies} == {"chain", "ring", "tree", "grid", "tangle"}
+    assert {body.force_law for body in bodies} == {"tutorial", "conservative"}
+    assert any(anchor.circle for body in bodies for anchor in body.anchors)
+    assert {build_system(body).body.chain for body in bodies} == {True, False}
+
+
+def test_a_body_is_measured_and_chaos_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    body = measure_body(13)
+    assert (body.shape, body.masses, body.left_out) == ("chain", 5, "")
+    assert body.doubt < 1e-5
+    assert 0.1 < body.growth < 100.0
+    assert body.error < 0.3
+    monkeypatch.setattr(random_study, "CHAOTIC", 0.5 * body.growth)
+    assert measure_body(13).left_out == "chaotic"
+
+
+def test_shares_count_what_is_not_left_out() -> None:
+    bodies = [some_body(0, 0.1), some_body(1, 0.2), some_body(2, 1.5), some_body(3, math.inf)]
+    found = shares([*bodies, some_body(4, 7.0, "chaotic")])
+    assert (found.counted, found.within, found.within_three) == (4, 0.25, 0.5)
+    assert found.beyond == (3, 2)
+    assert shares(bodies, framed=True).within == 1.0
+
+
+def test_shares_by_tolerance_count_bodies_whose_references_are_sure() -> None:
+    bodies = [
+        some_body(0, 0.1),
+        some_body(1, 0.6),
+        some_body(2, 0.1, doubt=1e-4),
+        some_body(3, 9.0, "chaotic"),
+    ]
+    found = shares_by_tolerance(bodies)
+    assert [(s.tolerance, s.counted) for s in found] == [(1.0, 3), (0.1, 3), (0.01, 3), (1e-3, 2), (1e-4, 2)]
+    assert [s.within for s in found] == pytest.approx([2.0 / 3.0, 2.0 / 3.0, 1.0, 0.0, 1.0])
+    assert found[3].largest == pytest.approx(2.0)
+
+
+def test_shares_by_growth_count_chaotic_bodies_whose_references_agree() -> None:
+    bodies = [
+        some_body(0, 0.05, growth=2.0),
+        some_body(1, 0.05, growth=50.0),
+        some_body(2, 0.3, growth=150.0),
+        some_body(3, 7.0, "chaotic", growth=1e4),
+        some_body(4, 7.0, "chaotic", growth=1e9, doubt=1.0),
+    ]
+    found = shares_by_growth(bodies)
+    assert [s.counted for s in found.values()] == [1, 1, 1, 1]
+    assert [s.within for s in found.values()] == [1.0, 1.0, 0.0, 0.0]
+    assert list(found) == ["0 to 10", "10 to 100", "100 to 1000", "1000 and more"]
+
+
+def test_auto_keeps_to_large_tolerances_and_small_ones() -> None:
+    bodies = [measure_body(seed) for seed in part_of(range(36), 3)]
+    for found in shares_by_tolerance(bodies):
+        assert found.counted > 0.8 * len(bodies)
+        assert found.within > 0.9  # one of them may be unlucky
