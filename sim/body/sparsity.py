@@ -70,12 +70,12 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     def targets(pairs: Indices) -> Indices:
         return np.searchsorted(keys, (position[pairs[..., 0]] * n + position[pairs[..., 1]]).ravel())
 
-    fillings = body.surroundings.fillings.shape[0]
+    fillings = len(body.environment.fillings.rows)
     walk, parent = forest(body, held)
     diagonal = np.searchsorted(keys, np.arange(n) * n + np.arange(n))
     wide, of_mass = 2 * slots_of(body), np.zeros(0, np.int64)
     krylov = 0
-    if body.surroundings.contact.present:
+    if body.environment.contact.present:
         krylov, of_mass = _KRYLOV + 3, np.zeros(wide // 2, np.int64)
         of_mass[1 : n + 1] = diagonal[position]
     return Matrix(
@@ -124,7 +124,8 @@ def _pairs(rows: Indices, columns: Indices) -> Indices:
 
 def _loop_pairs(body: Body) -> Indices:
     """(M, 2, 2) the (row, column) of each mass of a loop with the masses before and after it."""
-    loop, start = body.surroundings.loop - 1, body.surroundings.loop_start
+    fillings = body.environment.fillings
+    loop, start = fillings.loop - 1, fillings.start
     before, after = loop.copy(), loop.copy()
     for first, behind in itertools.pairwise(start):
         before[first:behind] = np.roll(loop[first:behind], 1)

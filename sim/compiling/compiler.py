@@ -24,7 +24,8 @@ import numba
 import platformdirs
 from numba import types
 
-from ..kernels.around.contact import stays_apart
+from ..forces.all import accelerations
+from ..forces.contact import no_tunnelling
 from ..kernels.core.jit import cache_folder, module_of
 from ..kernels.core.shared import (
     ACCELERATIONS,
@@ -40,7 +41,6 @@ from ..kernels.core.shared import (
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
 from ..kernels.energy.work import accumulate_work
-from ..kernels.forces.forces import accelerations
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
@@ -109,7 +109,7 @@ def _entry_points() -> dict[str, EntryPoint]:
         *((method.label, method.kernel, run) for method in methods if method.kernel is not None),
         ("the work done in a step", accumulate_work, ACCUMULATE.args),
         ("energies", energies, (Body.numba_type, State.numba_type, *[FLOATS] * 4)),
-        ("steps with contact", stays_apart, APART.args),
+        ("steps with contact", no_tunnelling, APART.args),
         ("limits of springs", overstrained, OVERSTRAINED.args),
         ("yielding and breaking", settle, SETTLE.args),
     ]

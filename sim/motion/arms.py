@@ -78,7 +78,7 @@ def costs_of_steps(body: Body, matrix: Matrix, low: bool) -> Floats:
     force = 3.3 * n
     if not (body.chain or body.ring):
         force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
-    touching = 20.0 * body.springs if body.surroundings.contact.present else 0.0
+    touching = 20.0 * body.springs if body.environment.contact.present else 0.0
     force += touching
     later = matrix.row_start[1:] - matrix.diagonal - 1
     products = float((later * (later + 1)).sum())

@@ -6,12 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..around import filling_energy
 from ..body.damage import without_broken
 from ..body.sparsity import NO_MATRIX, clear_factors, new_matrix
 from ..body.system import System, refresh, slab
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, FOR_FALLBACK, fetch, is_ready, needed_by
-from ..kernels.around.contact import stays_apart
+from ..forces.all import accelerations
+from ..forces.contact import no_tunnelling
+from ..forces.fillings import FillingsTwin
 from ..kernels.core.shared import (
     ACCELERATIONS,
     ACCUMULATE,
@@ -61,8 +62,7 @@ from ..kernels.core.tables import (
     Tableau,
 )
 from ..kernels.energy.dissipation import DAMPER_ROWS
-from ..kernels.energy.work import QUICK_ROW, accumulate_work
-from ..kernels.forces.forces import accelerations
+from ..kernels.energy.work import accumulate_work
 from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.damage import overstrained, settle
@@ -144,7 +144,12 @@ class Solver:
         )
         no_rows = np.zeros((1, 0))
         self.balance = EnergyBalance(
-            active=False, work=np.zeros(WORKS), mass=np.zeros(self.slots), rows=no_rows, dampers=no_rows
+            active=False,
+            work=np.zeros(WORKS),
+            mass=np.zeros(self.slots),
+            rows=no_rows,
+            dampers=no_rows,
+            quick=no_rows,
         )
         self.balance.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
@@ -232,10 +237,10 @@ class Solver:
         if not (body.stiffness[broken].any() or body.damping[broken].any()):
             return  # springs have yielded, as often as not in every step; none has broken
         system = without_broken(self.system, self.state.broken)
-        if self.balance.active and system.body.surroundings.fillings.size:
+        if self.balance.active and system.body.environment.fillings.rows.size:
             # A filling that gets out takes its energy with it.
             x = self.state.x + 1j * self.state.y
-            before, after = (filling_energy(s.body.surroundings, x) for s in (self.system, system))
+            before, after = (FillingsTwin(s.body, self.state).energy(x) for s in (self.system, system))
             self.balance.work[WORK_BROKEN] += after - before
         self.system = system
         refresh(system.body, self.state)
@@ -300,7 +305,7 @@ class Solver:
             overstrained=address_of(overstrained, OVERSTRAINED) if damageable else 0,
             settle=address_of(settle, SETTLE) if damageable else 0,
             resistance=address_of(add_damping_product, RESISTANCE) if implicit else 0,
-            apart=address_of(stays_apart, APART) if self.system.body.surroundings.contact.present else 0,
+            apart=address_of(no_tunnelling, APART) if self.system.body.environment.contact.present else 0,
             fixed=0.0 if info.adaptive else integrator.dt,
             near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,
             explicit=own if isinstance(own, Tableau) else RK4,
@@ -346,10 +351,11 @@ class Solver:
         """Start the energy balance."""
         self._fetch(FOR_ENERGY)
         body = self.system.body
-        walls = len(body.surroundings.walls) if self._info.order != 1 else 0
-        rows = np.zeros((QUICK_ROW + walls, 2 * self.slots))
+        # Methods of first order move masses by other speeds than those that they have on average.
+        walls = len(body.environment.walls.rows) if self._info.order != 1 else 0
+        rows, quick = np.zeros((4, 2 * self.slots)), np.zeros((walls, 2 * self.slots))
         dampers = np.zeros((DAMPER_ROWS, body.springs + body.joints))
-        self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers)
+        self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers, quick=quick)
         self.balance.work[:] = 0.0
         self._problem = None
 

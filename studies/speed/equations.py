@@ -12,10 +12,10 @@ import numpy as np
 
 import sim
 from sim.body.sparsity import new_matrix
+from sim.forces.all import accelerations
+from sim.kernels.core.drive import drive_to
 from sim.kernels.core.table import Floats, Indices, Table
 from sim.kernels.core.tables import Body, Drive, Matrix, Scratch, State
-from sim.kernels.forces.drive import drive_to
-from sim.kernels.forces.forces import accelerations
 from sim.kernels.linear.sparse import assemble
 from sim.motion.driving import Driver
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from sim import Integrator, Scene, Simulation, physics
 from sim.analysis.ensemble import Member, Track, marks, run_ensemble
 from sim.body.system import joint_stiffness
-from sim.kernels.forces.laws import LAWS
+from sim.forces.joints import LAWS
 from sim.motion.stability import largest_step
 
 from .axes import Axis, extent, in_cell

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 from sim.body.sparsity import new_matrix
-from sim.kernels.energy.energies import ENERGIES, energies
-from sim.kernels.forces.forces import accelerations
+from sim.forces.all import ENERGIES, accelerations
+from sim.kernels.energy.energies import energies
 from sim.kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from sim.motion.solver import Solver
 

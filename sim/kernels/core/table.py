@@ -92,7 +92,7 @@ class Table:
                 cls.fields[name] = _Field(start, types.Array(item, dimensions, "C"), dtype, dimensions)
                 start += 1 + dimensions
             else:
-                type_ = _NUMBERS[kind] if kind in _NUMBERS else _CLASSES[kind].numba_type
+                type_ = _NUMBERS.get(kind) or TableType(kind)  # a table that may be declared later
                 cls.fields[name] = _Field(start, type_, is_float=kind == "float")
                 start += 1
         cls.numba_type = TableType(cls.__name__)

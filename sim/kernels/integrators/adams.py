@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 
 from ..core.bits import from_bits, size_bits
+from ..core.drive import act_at, drive_to
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, bears, keeps_apart, settle
@@ -33,7 +34,6 @@ from ..core.tables import (
     PAST,
     SPARE,
 )
-from ..forces.drive import act_at, drive_to
 from .guard import GOOD, STUCK, sound
 from .kinks import ago, any_turns, kinks_matter, turn_past, with_kinks, without_kinks
 from .steps import (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..core.drive import lead_to, press, set_controls
 from ..core.jit import FUSED, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, settle
@@ -15,7 +16,6 @@ from ..core.tables import (
     COUNT_WHAT,
     SPARE,
 )
-from ..forces.drive import lead_to, press, set_controls
 from .guard import GOOD, sound
 from .steps import fixed_steps, fixed_time
 
@@ -51,7 +51,7 @@ def run_euler(problem, drive, end, tolerance, attempts):
                 at = fixed_time(problem, first + step)
                 lead_to(drive, at, q, v)
                 press(body, state, drive, h)
-                if drive.gusty:
+                if drive.timed:
                     state.clock[0] = at
                 if free:
                     accelerate(problem, q, v, a)
@@ -64,7 +64,7 @@ def run_euler(problem, drive, end, tolerance, attempts):
             _copy(kept_q, kept_v, q, v)
             if drive.pressed:
                 set_controls(body, state, scale, shift)
-            if drive.gusty:
+            if drive.timed:
                 state.clock[0] = fixed_time(problem, first + done)
             stride = 1
     count[COUNT_STEPS] += done
@@ -82,7 +82,7 @@ def _step_with_balance(problem, drive, number):
     accelerate(problem, q, v, integrator.a)
     _copy(q, v, to_q, to_v)
     press(body, state, drive, h)
-    if drive.gusty:
+    if drive.timed:
         state.clock[0] = end
     scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
     lead_to(drive, end, to_q, to_v)

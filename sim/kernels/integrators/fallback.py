@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+from ..core.drive import act_at, drive_to
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate, add_damping, factorise, solve
 from ..core.tables import (
@@ -25,7 +26,6 @@ from ..core.tables import (
 )
 from ..core.vectors import from_to
 from ..energy.energies import energies
-from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
 from .steps import max_abs
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 
-from ..around.contact import shortest_hit
-from ..around.walls import shortest_impact
+from ...forces.all import impact_time
+from ..core.drive import act_at, drive_to
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate, accumulate, bears, factorise, keeps_apart, settle, solve
 from ..core.tables import (
@@ -30,7 +30,6 @@ from ..core.tables import (
     COUNT_WHAT,
     SPARE,
 )
-from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
 from .steps import (
     HOPELESS,
@@ -134,11 +133,8 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         most = h
         if fixed > 0.0:
             goal = fixed_time(problem, fixed_steps(problem, t) + 1)
-            if body.surroundings.present:
-                soonest = shortest_impact(body, state.inverse_mass, q, v, integrator.a, h)
-                if body.surroundings.contact.present:
-                    soonest = min(soonest, shortest_hit(body, state.inverse_mass, q, v, integrator.a, h))
-                most = min(h, _IMPACT * soonest)
+            if body.environment.present:
+                most = min(h, _IMPACT * impact_time(body, state, q, v, integrator.a, h))
         parts = math.ceil((goal - t - 4e-16 * abs(t)) / most - 1e-6)  # times are rounded
         step = (goal - t) / max(parts, 1)
         # Motions that are too fast for the coming steps show up in the accelerations: discard those.

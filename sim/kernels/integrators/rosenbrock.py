@@ -6,6 +6,7 @@ Velocities are eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solv
 
 from __future__ import annotations
 
+from ..core.drive import act_at, drive_to
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, add_damping, bears, factorise, keeps_apart, settle, solve
@@ -21,7 +22,6 @@ from ..core.tables import (
     COUNT_WHAT,
     SPARE,
 )
-from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
 from .steps import (
     HOPELESS,
@@ -95,7 +95,7 @@ def run_rosenbrock(problem, drive, end, tolerance, attempts):
                     rest[m], rest[q.size // 2 + m] = 0.0, 0.0
             for j in range(1, q.size - SPARE):
                 x[j] = to_a[j] + right[j] + g * rest[j]
-            if drive.gusty:  # the derivatives are those at the start of the step, like the matrix
+            if drive.timed:  # the derivatives are those at the start of the step, like the matrix
                 state.clock[0] = t
             add_damping(problem, v, rest, -1.0, x)
             solve(problem, x)
@@ -181,5 +181,5 @@ def _by_time(problem, drive, t, h, q, v, a, out):
         accelerate(problem, q, v, a)
         for j in range(1, q.size - SPARE):
             out[j] += sign * a[j] / (2.0 * part)
-    if drive.pressed or drive.gusty:
+    if drive.pressed or drive.timed:
         drive_to(body, state, drive, t, q, v)

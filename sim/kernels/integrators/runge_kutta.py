@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from ..core.drive import act_at, drive_to
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, settle
 from ..core.tables import CONTROLLER_TIME, COUNT_FORCES, COUNT_STEPS, COUNT_WHAT, SPARE
-from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
 from .steps import ensure_acceleration, fixed_steps, fixed_time, replace_state
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..core.bits import from_bits, size_bits
+from ..core.drive import act_at, drive_to
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, accumulate, bears, keeps_apart, settle
@@ -17,7 +18,6 @@ from ..core.tables import (
     COUNT_WHAT,
     SPARE,
 )
-from ..forces.drive import act_at, drive_to
 from .guard import GOOD, sound
 from .steps import (
     HOPELESS,
