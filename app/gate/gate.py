@@ -62,6 +62,8 @@ from app.gate.messages import (
     is_alike,
 )
 
+# viser reads messages of the kinds that there are when the first one comes.
+from ..wire import carrier as _carrier  # noqa: F401
 from . import messages as gate_messages
 from .replies import StaticFile, not_this_host, not_this_origin, respond, safety_headers
 from .uploads import Uploads

@@ -177,6 +177,12 @@ class FileTransferPart(PageMessage):
     content: bytes
 
 
+class SoftrodMessage(PageMessage):
+    """What the page's own script says: JSON, which `app.wire` reads and checks."""
+
+    text: str
+
+
 class BeatMessage(PageMessage):
     """The page has heard nothing for a while, and wants a sign of life. The gate gives it, not viser."""
 
@@ -204,6 +210,7 @@ _any_message = msgspec.msgpack.Decoder(
     | TransformControlsDragEndMessage
     | FileTransferStartUpload
     | FileTransferPart
+    | SoftrodMessage
     | BeatMessage
 )
 _upload_part = msgspec.msgpack.Decoder(FileTransferPart)

@@ -14,7 +14,10 @@ from typing import Any
 from sim.scene.types import Scene
 
 from ..session.session import Notice, Session
-from . import asks, keeping, mail, script
+from ..wire import from_page
+from ..wire.carrier import Mail
+from ..wire.to_page import Resumed
+from . import keeping
 from .controls import Controls
 from .edits import Edits
 from .gallery import Gallery
@@ -36,7 +39,7 @@ class Answers:
 
     Args:
         session: the page's simulation.
-        letters: to the page's script.
+        mail: to the page's script.
         notify: tells the user something.
         resume: goes on with what the page had kept.
         show: opens the scene of a link, after what the page had kept.
@@ -50,46 +53,32 @@ class Answers:
     def __init__(
         self,
         session: Session,
-        letters: mail.Mail,
+        mail: Mail,
         notify: Callable[[Notice], None],
         resume: Callable[[keeping.Kept], None],
         show: Callable[[Scene], None],
         for_others: Callable[[str], str],
         scenes: Shelf,
     ) -> None:
-        self._letters, self._shelf = letters, scenes
-        self.sharing = Sharing(session, letters, notify, show, for_others)
-        self.gallery = Gallery(session, letters, notify, scenes)
-        self.edits = Edits(session, letters, notify)
+        self._mail, self._shelf = mail, scenes
+        self.sharing = Sharing(session, mail, notify, show, for_others)
+        self.gallery = Gallery(session, mail, notify, scenes)
+        self.edits = Edits(session, mail, notify)
         self._notify, self._resume = notify, resume
         self._parts = {"resume": keeping.Parts(), "link": keeping.Parts(), "paste": keeping.Parts()}
         self._line = InOrder()
 
-    def take(self, message: object, controls: Controls) -> bool:
-        """Whether a message of the script is one of these; if so, what it asks for is done.
+    def ask(self, ask: from_page.Ask) -> None:
+        """Have a question answered after those before it."""
+        self._line.submit(self._answer, ask)
+
+    def take(self, part: from_page.Part, controls: Controls) -> None:
+        """Put together what comes in parts, and do what is to be done with it.
 
         Args:
-            message: the value of the hidden text element, which any client can set to anything.
+            part: the next one.
             controls: those of the page.
         """
-        if part := script.parse_part(message):
-            self._take_part(part, controls)
-        elif ask := asks.parse_ask(message):
-            if isinstance(ask, asks.Gesture):
-                if "edit" in controls:
-                    self.edits.do(ask)
-            elif isinstance(ask, asks.Texts):
-                if "edit" in controls:
-                    self.edits.set_texts(ask)
-            elif not isinstance(ask, asks.Offer):
-                self._line.submit(self._answer, ask)
-            elif "chooser" in controls:
-                self.gallery.offer()
-        else:
-            return False
-        return True
-
-    def _take_part(self, part: script.Part, controls: Controls) -> None:
         letters = self._parts[part.kind].add(part.number, part.of, part.letters)
         if letters is None:
             return
@@ -101,23 +90,23 @@ class Answers:
         elif kept := keeping.decode(letters):
             self._resume(kept)
         else:
-            self._letters.send("resumed")  # as far as it can be
+            self._mail.tell(Resumed())  # as far as it can be
 
-    def _answer(self, ask: asks.Ask) -> None:
+    def _answer(self, ask: from_page.Ask) -> None:
         match ask:
-            case asks.Share():
+            case from_page.Share():
                 self.sharing.share(ask)
-            case asks.Who():
+            case from_page.Who():
                 self._shelf.introduce(ask)
-            case asks.Unread(text):
+            case from_page.Unread(text):
                 self._notify(unread(text))
-            case asks.Unsent(what):
+            case from_page.Unsent(what):
                 self._notify(Notice("error", f"That cannot be {_DONE[what]}", UNSENT))
-            case asks.Scenes():
+            case from_page.ListScenes():
                 self.gallery.list(ask)
-            case asks.OpenScene():
+            case from_page.OpenScene():
                 self.gallery.open(ask)
-            case asks.Change():
+            case from_page.ChangeScene():
                 self.gallery.change(ask)
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import viser
 
+from ..drawing.looks import style_rules
 from ..gate.gate import PAGE_PATHS, GateError, StaticFile
 
 _APP = Path(__file__).parents[1]
@@ -77,7 +78,12 @@ def _index(folder: str, scripts: list[str]) -> str:
     script = text[begin : text.index("</script>", begin)].replace(
         _ITSELF, 'document.querySelector("script[data-p]")'
     )
-    styles = "\n".join((_FOLDER / name).read_text(encoding="utf-8") for name in _STYLES)
+    styles = "\n".join(
+        (
+            style_rules('html[data-mantine-color-scheme="dark"]*'),
+            *((_FOLDER / name).read_text(encoding="utf-8") for name in _STYLES),
+        )
+    )
     return "\n".join(
         (
             '<!doctype html><html lang="en"><head><meta charset="utf-8" />',

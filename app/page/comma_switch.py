@@ -12,13 +12,13 @@ class CommaSwitch:
     """The choice.
 
     Args:
-        act: passes on that its user has chosen, as ("commas", whether they want commas).
+        act: passes on whether its user wants commas.
 
     Attributes:
         on: whether tables have decimal commas, and semicolons between their columns.
     """
 
-    def __init__(self, act: Callable[[str, Any], None]) -> None:
+    def __init__(self, act: Callable[[bool], None]) -> None:
         self.on = False
         self._act = act
         self._shown: list[viser.GuiCheckboxHandle] = []
@@ -40,7 +40,7 @@ class CommaSwitch:
         @switch.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is not None:
-                self._act("commas", bool(switch.value))
+                self._act(bool(switch.value))
 
         return switch
 

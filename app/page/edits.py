@@ -20,8 +20,9 @@ from sim.scene.numbers import Vector
 from ..drawing.sketch import Mapping
 from ..session import commands
 from ..session.session import Notice, Session
-from . import asks
-from .mail import Mail
+from ..wire import from_page as asks
+from ..wire.carrier import Mail
+from ..wire.to_page import Copied, Selected, TextsTaken, Versions
 
 ASIDE = 0.3
 """By how much a copy lies to the right and below of what it was made of, in the page's world."""
@@ -37,37 +38,34 @@ class Edits:
 
     Args:
         session: the page's simulation.
-        letters: to the page's script.
+        mail: to the page's script.
         notify: tells the user something.
     """
 
-    def __init__(self, session: Session, letters: Mail, notify: Callable[[Notice], None]) -> None:
+    def __init__(self, session: Session, mail: Mail, notify: Callable[[Notice], None]) -> None:
         self._session = session
-        self._letters = letters
+        self._mail = mail
         self._notify = notify
         self._copy = False
         self._selected: Selection | None = None
-        self._versions: tuple[str, str, int] | None = None
 
     # --------------------------------------------------------------------- any thread
-    def do(self, ask: asks.Gesture) -> None:
-        """Do what a gesture asks for."""
+    def do(self, ask: asks.Edit) -> None:
+        """Do what a gesture, or the form of texts, asks for."""
         match ask:
-            case asks.Select() | asks.Marquee() | asks.Do(what="all"):
+            case asks.SetTexts():
+                self._set_texts(ask)
+            case asks.Select() | asks.Marquee() | asks.Act(what="all"):
                 self._session.post(commands.Select(lambda *now: selected(ask, *now)))
-            case asks.Do(what="copy"):
+            case asks.Act(what="copy"):
                 self._copy = True
-            case asks.Do(what="undo"):
-                self._session.post(commands.Undo())
-            case asks.Do(what="redo"):
-                self._session.post(commands.Redo())
             case asks.Move(keys=True):
                 move = commands.Change(lambda *now: edited(ask, *now), "moved by keys", within=NUDGES)
                 self._session.post(move)
-            case _:
+            case asks.Gesture():
                 self._session.post(commands.Change(lambda *now: edited(ask, *now)))
 
-    def set_texts(self, ask: asks.Texts) -> None:
+    def _set_texts(self, ask: asks.SetTexts) -> None:
         """Give the scene another name and description, or say in the page why not: what was typed is kept."""
         refused = ""
         try:
@@ -78,7 +76,7 @@ class Edits:
             self._session.post(
                 commands.Change(lambda moment, _: texts.set_texts(moment.scene, ask.name, ask.description))
             )
-        self._letters.send("texts", refused=refused)
+        self._mail.tell(TextsTaken(refused=refused))
 
     def paste(self, message: str) -> None:
         """Put in what was copied; in a thread, since it may be long.
@@ -106,20 +104,19 @@ class Edits:
     def tell(self) -> None:
         """Tell the script what is selected, what can be undone, and what it wanted to copy."""
         session = self._session
-        if session.selection != self._selected:
-            self._selected = selection = session.selection
-            parts = {kind: sorted(of) for kind, of in selection._asdict().items()}
-            self._letters.send("selected", **parts)
-        versions = (session.versions.undoable, session.versions.redoable, len(session.versions))
-        if versions != self._versions:
-            self._versions = versions
-            self._letters.send("versions", undo=versions[0], redo=versions[1])
+        if session.selection is not self._selected:
+            self._selected = session.selection
+            self._mail.tell(
+                Selected(**{kind: tuple(sorted(of)) for kind, of in self._selected._asdict().items()})
+            )
+        versions = session.versions
+        self._mail.tell(Versions(undo=versions.undoable, redo=versions.redoable, count=len(versions)))
         if self._copy:
             self._copy = False
             moment = session.simulation.capture()
             try:
                 fragment = _copied(moment, masses_of(moment.scene, session.selection))
-                self._letters.send("copied", text=copying.encode(fragment))
+                self._mail.tell(Copied(text=copying.encode(fragment)))
             except SceneError as error:
                 self._notify(Notice("error", "That cannot be copied", str(error)))
 
@@ -192,7 +189,7 @@ def edited(ask: asks.Gesture, moment: Moment, selection: Selection) -> Edit:
             origin, point = _point(scene, 0.0, 0.0), _point(scene, x, y)
             masses = masses_of(scene, _aimed(scene, selection, None, under))
             return _moved(moment, masses, (point[0] - origin[0], point[1] - origin[1]), rest)
-        case asks.Do(what, mass, under):
+        case asks.Act(what, mass, under):
             return _done(what, moment, _aimed(scene, selection, mass, under))
         case _:
             return Edit("", scene)

@@ -57,7 +57,8 @@ class ExportPanel:
         client: the page.
         session: its simulation.
         is_dark: whether the page is dark.
-        act: what the tab does: "picture", "notice".
+        perform: does a command of the table.
+        notify: tells the user something.
         commas: whether tables have decimal commas.
 
     Attributes:
@@ -69,11 +70,13 @@ class ExportPanel:
         client: viser.ClientHandle,
         session: Session,
         is_dark: Callable[[], bool],
-        act: Callable[[str, Any], None],
+        perform: Callable[[str], None],
+        notify: Callable[[Notice], None],
         commas: CommaSwitch,
     ) -> None:
         self._commas = commas
-        self._client, self._session, self._is_dark, self._act = client, session, is_dark, act
+        self._client, self._session, self._is_dark = client, session, is_dark
+        self._perform, self._notify = perform, notify
         self._busy = threading.Lock()
         gui = client.gui
         gui.add_divider()
@@ -90,13 +93,17 @@ class ExportPanel:
         commas.add(gui)
         self._progress = gui.add_progress_bar(0.0, visible=False)
         self.outlined = [picture, gif, replay_file, model]
-        for button, label, key, action in (
-            (picture, "Picture of the page (PNG)", "I", self._picture),
-            (gif, "Film of the last seconds (GIF)", "", lambda: self._start(self._gif)),
-            (replay_file, "Replay file of the last seconds (HTML)", "", lambda: self._start(self._replay)),
-            (model, "3D model (GLB)", "", lambda: self._start(self._model)),
+
+        @picture.on_click
+        async def _(_: object) -> None:
+            self._perform("picture")
+
+        for button, label, action in (
+            (gif, "Film of the last seconds (GIF)", lambda: self._start(self._gif)),
+            (replay_file, "Replay file of the last seconds (HTML)", lambda: self._start(self._replay)),
+            (model, "3D model (GLB)", lambda: self._start(self._model)),
         ):
-            command = gui.add_command(label, description=f"key {key}" if key else None)
+            command = gui.add_command(label)
 
             @button.on_click
             async def _(_: object, action: Callable[[], None] = action) -> None:
@@ -116,9 +123,6 @@ class ExportPanel:
             @command.on_trigger
             async def _(_: object, kind: str = kind) -> None:
                 self._start(partial(self._body, kind))
-
-    def _picture(self) -> None:
-        self._act("picture", None)
 
     def _start(self, make: Make) -> None:
         """Have a file made, unless one is being made for this page."""
@@ -200,7 +204,7 @@ class ExportPanel:
         return moments[-1][0]
 
     def _tell(self, kind: Any, title: str, text: str) -> None:
-        self._act("notice", Notice(kind, title, text))
+        self._notify(Notice(kind, title, text))
 
 
 def _sentence(text: str) -> str:

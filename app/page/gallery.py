@@ -17,9 +17,10 @@ from sim.scene.files import read_scene
 
 from ..session import commands
 from ..session.session import Notice, Session
+from ..wire.carrier import Mail
+from ..wire.from_page import ChangeScene, ListScenes, OpenScene
+from ..wire.to_page import OfferGallery, SceneChanged, ScenePictures, Scenes, ShelfChanged
 from . import shelf, thumbnails
-from .asks import Change, OpenScene, Scenes
-from .mail import Mail
 from .shelf import Shelf
 
 MOST_PAINTED = 200
@@ -47,11 +48,11 @@ class Gallery:
 
     def offer(self, why: str = "") -> None:
         """Have the page show it, with a sentence that says why, if there is one."""
-        self._mail.send("gallery", why=why)
+        self._mail.tell(OfferGallery(why=why))
 
     def changed(self) -> None:
         """Have the page ask anew, if it shows it."""
-        self._mail.send("shelf")
+        self._mail.tell(ShelfChanged())
 
     def open(self, ask: OpenScene) -> None:
         """Open a scene; if it cannot be read, nothing changes."""
@@ -65,22 +66,20 @@ class Gallery:
         else:
             self._session.post(commands.Open(scene))
 
-    def list(self, ask: Scenes) -> None:
+    def list(self, ask: ListScenes) -> None:
         """Send the page all scenes, then the pictures of those that are saved as they get ready."""
         scenes = self._shelf.scenes()
-        self._mail.send("scenes", scenes=shelf.entries(scenes), present=self._session.scene.name)
+        self._mail.tell(Scenes(scenes=tuple(shelf.entries(scenes)), present=self._session.scene.name))
         pictures: dict[str, str] = {}
-        part = 0
         saved = [info for info in scenes if not info.built_in][:MOST_PAINTED]
         for count, info in enumerate(saved, start=1):
             if picture := _picture(info.path, ask.dark):
                 pictures[info.name] = picture
             if count % PAINTED_AT_ONCE == 0 or count == len(saved):
-                # Each part has a kind of its own: none may be lost, and none is sent twice.
-                self._mail.send(f"pictures-{part}", pictures=pictures)
-                pictures, part = {}, part + 1
+                self._mail.tell(ScenePictures(pictures=pictures))
+                pictures = {}
 
-    def change(self, ask: Change) -> None:
+    def change(self, ask: ChangeScene) -> None:
         """Rename, copy, delete or bring back one of the page's own scenes, and say what was done."""
         trashed = ""
         try:
@@ -100,7 +99,7 @@ class Gallery:
                     said = f"{own_scenes.restore_user_scene(ask.name, folder)!r} is back."
         except SceneError as error:
             said = str(error)
-        self._mail.send("said", text=said, undo=trashed)
+        self._mail.tell(SceneChanged(text=said, undo=trashed))
 
 
 def _picture(path: Path, dark: bool) -> str:

@@ -6,10 +6,8 @@ comes from there: with the begin of a step, or where the page goes on in the mid
 
 from __future__ import annotations
 
-import html
 from collections.abc import Callable
 
-import msgspec
 import viser
 
 from sim.errors import SettingError
@@ -20,19 +18,15 @@ from ..session import commands
 from ..session.notices import Notice
 from ..session.plots import wish_of
 from ..session.session import Session
+from ..wire.carrier import Mail
+from ..wire.from_page import BeginStep
+from ..wire.to_page import Lesson as LessonState
+from ..wire.to_page import LessonStep
 from .comma_switch import CommaSwitch
 from .plot_list import PlotList
-from .script import Begin
 
-
-def lesson_html(lesson: Lesson) -> str:
-    """The element that carries a lesson, which may be anyone's: the script shows it as text only."""
-    steps = [
-        {"title": step.title, "do": step.do, "watch": step.watch, "question": step.question}
-        for step in lesson.steps
-    ]
-    data = html.escape(msgspec.json.encode(steps).decode())
-    return f'<div id="softrod-lesson" data-steps="{data}"></div>'
+PLACE = '<div id="softrod-lesson"></div>'
+"""Where the script puts the lesson."""
 
 
 class LessonPanel:
@@ -42,6 +36,7 @@ class LessonPanel:
         client: the page.
         tab: where it stands.
         session: whose scene has it.
+        mail: to the page's script.
         notify: tells the user something.
         commas: whether tables have decimal commas.
         page: the page's lists of plots, see `PlotList`.
@@ -56,13 +51,15 @@ class LessonPanel:
         client: viser.ClientHandle,
         tab: viser.GuiTabHandle,
         session: Session,
+        mail: Mail,
         notify: Callable[[Notice], None],
         commas: CommaSwitch,
         page: list[PlotList],
     ) -> None:
         self.tab = tab
-        self._session, self._notify = session, notify
+        self._session, self._mail, self._notify = session, mail, notify
         self._step = 0
+        self._lesson: Lesson | None = None
         with tab:
             self._text = client.gui.add_html("", order=1)
         self.plots = PlotList(client, tab, session, notify, commas, page)
@@ -81,16 +78,18 @@ class LessonPanel:
     def build(self, dark: bool) -> None:
         """Show the scene's lesson, and the plots of its present step."""
         lesson = self._session.scene.lesson
-        content = lesson_html(lesson) if lesson else ""
-        if self._text.content != content:
-            self._text.content = content
-            self._step = 0
+        if lesson is not self._lesson:
+            self._lesson, self._step = lesson, 0
+            self._text.content = PLACE if lesson else ""
+        if lesson is not None:
+            steps = (LessonStep(step.title, step.do, step.watch, step.question) for step in lesson.steps)
+            self._mail.tell(LessonState(steps=tuple(steps)))
         wishes = tuple(map(wish_of, (self.step.plots or ()) if self.step else ()))
         if wishes != self.plots.wishes:
             self.plots.remember(wishes)
         self.plots.build(dark)
 
-    def begin(self, begin: Begin) -> None:
+    def begin(self, begin: BeginStep) -> None:
         """Go to a step: the scene is opened anew as the step wants it, and waits for an answer if it asks.
 
         A page that is in the middle of it only has its sliders and plots shown.

@@ -53,9 +53,9 @@ class MeasurePanel:
         notify: tells the user something.
         commas: whether tables have decimal commas.
         page: the page's lists of plots, see `PlotList`.
+        turn_to: has the page turn to this tab.
 
     Attributes:
-        called: counts how often the tab was to be shown.
         plots: those that are open.
     """
 
@@ -67,12 +67,12 @@ class MeasurePanel:
         notify: Callable[[Notice], None],
         commas: CommaSwitch,
         page: list[PlotList],
+        turn_to: Callable[[], None],
     ) -> None:
-        self._session, self._notify = session, notify
+        self._session, self._notify, self._turn_to = session, notify, turn_to
         self._asked: deque[Callable[[], None]] = deque(maxlen=100)
         self._mass: int | None = None
         self._joint = -1
-        self.called = 0
         gui = client.gui
         with tab:
             gui.add_html(ABOUT, order=1)
@@ -171,7 +171,7 @@ class MeasurePanel:
     # --------------------------------------------------------------------- plots
     def _add_chosen(self) -> None:
         over = self._over.value
-        self.called += 1
+        self._turn_to()
         self.plots.add(Wish((self._chosen,), "" if over == TIME else over))
 
     def _add_angle(self) -> None:
@@ -179,7 +179,7 @@ class MeasurePanel:
         if not session.scene.angular_springs:
             self._notify(Notice("warning", "Nothing to plot", "This scene has no joints."))
             return
-        self.called += 1
+        self._turn_to()
         wish = Wish((f"joint{session.joint}.angle",))
         if wish not in self.plots.wishes:
             self.plots.add(wish)

@@ -18,9 +18,11 @@ from sim.settings import CHOICES, TEMPLATES, Setting, settings_of
 
 from ..drawing.colors import palette
 from ..session import commands
-from ..session.commands import Command
 from ..session.session import Notice, Session
-from . import keeping, readouts, script
+from ..wire.carrier import Mail
+from ..wire.commands import COMMANDS
+from ..wire.to_page import Hud, Role, Roles
+from . import readouts
 from .choice_box import ChoiceBox
 from .comma_switch import CommaSwitch
 from .controls import Controls
@@ -41,12 +43,6 @@ FOREMOST = (
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""
 
-NEEDED = {
-    "gallery": "chooser", "anew": "chooser", "share": "files", "plot": "measure", "energy": "solver",
-    "foretell": "solver", "help": "help",
-}  # fmt: skip
-"""Commands of the palette, and the controls without which they are left out."""
-
 SOLVER_DIALS = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""
 
@@ -66,7 +62,7 @@ def _has_dial(setting: Setting, scene: Scene) -> bool:
 
 def set_theme(gui: viser.GuiApi, dark: bool) -> None:
     """viser's own colours, without its logo and without the button that would share the page."""
-    red, green, blue = (int(part) for part in palette("softrod", dark).driven)
+    red, green, blue = (int(part) for part in palette("softrod", dark).brand)
     gui.configure_theme(
         dark_mode=dark, show_logo=False, show_share_button=False, brand_color=(red, green, blue)
     )
@@ -119,8 +115,9 @@ class Panel:
     Args:
         client: the page.
         session: its simulation.
-        act: what the tab does beyond the session's commands: "gallery", "notice", "fit", "follow", "energy",
-            "foretell", "plot", "anew", "share", "help".
+        mail: to the page's script.
+        perform: does a command of the table.
+        notify: tells the user something.
         controls: which there are; what there is not is not made.
         commas: whether tables have decimal commas.
 
@@ -128,21 +125,22 @@ class Panel:
         lesson: the Lesson tab, if the scene has a lesson.
         plots: all lists of plots that the page has.
         outlined: buttons that are not the first thing to press in their tab.
-        pictures: how many pictures of the page were asked for.
     """
 
     def __init__(
         self,
         client: viser.ClientHandle,
         session: Session,
-        act: Callable[[str, Any], None],
+        mail: Mail,
+        perform: Callable[[str], None],
+        notify: Callable[[Notice], None],
         controls: Controls,
         commas: CommaSwitch,
     ) -> None:
         self._controls = controls
         self._client = client
         self._session = session
-        self._act = act
+        self._mail, self._perform, self._notify = mail, perform, notify
         self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
         self._shown: tuple[list[Setting], tuple[str, ...]] | None = None
@@ -150,10 +148,7 @@ class Panel:
         self._templates: list[viser.GuiDropdownHandle[str]] = []
         self._choices: list[ChoiceBox] = []
         self.outlined: list[Any] = []
-        self.pictures = 0
         self._shown_revision = -1
-        self._dark = False
-        self._told: dict[str, object] = {}
         gui = client.gui
         gui.set_panel_label("softrod")
         gui.main_panel.dock_right()
@@ -163,11 +158,7 @@ class Panel:
             gui.main_panel.minimize()
         self._selection: SelectionPanel | None = None
         if "edit" in controls:
-            self._selection = SelectionPanel(client, session, lambda notice: act("notice", notice))
-        self.channel = gui.add_text("softrod", initial_value="", visible=False)
-        self._hud = gui.add_html("")
-        self._state = gui.add_html("")
-        self._style = gui.add_html("")
+            self._selection = SelectionPanel(client, session, notify)
         self.lesson: LessonPanel | None = None
         self.plots: list[PlotList] = []
         self._play_tab = self._solver_tab = None
@@ -179,9 +170,7 @@ class Panel:
             tabs = gui.add_tab_group()
             if has_lesson:
                 tab = tabs.add_tab("Lesson")
-                self.lesson = LessonPanel(
-                    client, tab, session, lambda notice: act("notice", notice), commas, self.plots
-                )
+                self.lesson = LessonPanel(client, tab, session, mail, notify, commas, self.plots)
             self._build_tabs(tabs)
         self._add_palette_commands()
 
@@ -191,62 +180,33 @@ class Panel:
         if controls.in_play_tab:
             self._play_tab = tabs.add_tab("Play")
             with self._play_tab:
-                self._play = PlayPanel(self._client, self._session, self._act, controls)
+                self._play = PlayPanel(self._client, self._session, self._perform, controls)
             self.outlined += self._play.outlined
         if "measure" in controls or "tools" in controls:
             self.measure_tab = tabs.add_tab("Measure")
         if "solver" in controls:
             self._solver_tab = tabs.add_tab("Solver")
             with self._solver_tab:
-                self._solver = SolverPanel(
-                    self._client, self._session, lambda notice: self._act("notice", notice)
-                )
+                self._solver = SolverPanel(self._client, self._session, self._notify)
             self.outlined += self._solver.outlined
         if "files" in controls:
             self.files_tab = tabs.add_tab("Share")
 
     # --------------------------------------------------------------------- what stays
     def _add_palette_commands(self) -> None:
-        """The keys again, for the command palette; the page's script acts on the keys themselves."""
-        gui = self._client.gui
-        entries: tuple[tuple[str, str, Command | str], ...] = (
-            ("Play or pause", "Space", commands.Play()),
-            ("One step", "N", commands.DoSteps(1)),
-            ("Ten steps", "Shift N", commands.DoSteps(10)),
-            ("Back one frame", ",", commands.GoBack()),
-            ("Forward one frame", ".", commands.GoForward()),
-            ("Back one second", "J", commands.GoBack(1.0)),
-            ("Back to before it exploded", "", commands.BackBeforeDivergence()),
-            ("Reset", "R", commands.Reset()),
-            ("Pause", "Esc", commands.Play(False)),
-            ("Follow the pointer, or stop", "F", "follow"),
-            ("Plot the joint's angle", "G", "plot"),
-            ("Show the whole scene", "0", "fit"),
-            ("Larger, for a projector", "P", "larger"),
-            ("Energy: follow it, or stop", "", "energy"),
-            ("Predictability: measure it, or stop", "", "foretell"),
-            ("Undo the last change of the body", "Ctrl Z", commands.Undo()),
-            ("Do again what was undone", "Ctrl Y", commands.Redo()),
-            ("Open this scene anew", "", "anew"),
-            ("Choose another scene", "O", "gallery"),
-            ("Share this scene by a link", "", "share"),
-            ("The body's own values", "", commands.OwnValues("body")),
-            ("The solver's own values", "", commands.OwnValues("solver")),
-            ("Every spring longer, shorter", "↑ ↓, held", "help"),
-            ("Every rest angle up, down", "→ ←, held", "help"),
-            ("Help", "", "help"),
-        )
-        for label, key, what in entries:
-            if isinstance(what, str) and what in NEEDED and NEEDED[what] not in self._controls:
+        """The table of commands, for the command palette; the page's script acts on the keys themselves."""
+        for name, row in COMMANDS.items():
+            if not row.palette or (row.needs and row.needs not in self._controls):
                 continue
-            command = gui.add_command(label, description=f"key {key}" if key else None)
+            keys = " or ".join(row.keys)
+            held = ", held" if row.where == "held" else ""
+            command = self._client.gui.add_command(
+                row.label, description=f"key {keys}{held}" if keys else None
+            )
 
             @command.on_trigger
-            async def _(_: object, what: Command | str = what) -> None:
-                if isinstance(what, str):
-                    self._act(what, None)
-                else:
-                    self._session.post(what)
+            async def _(_: object, name: str = name) -> None:
+                self._perform(name)
 
     # --------------------------------------------------------------------- what a scene needs
     def build(self) -> None:
@@ -343,11 +303,8 @@ class Panel:
         def post(value: float) -> None:
             self._session.post(commands.SetValue(setting.key, round(value) if setting.integer else value))
 
-        def tell(notice: Notice) -> None:
-            self._act("notice", notice)
-
         value = setting.read(self._session.scene)
-        slider_box = SliderBox(self._client, setting, value, post, tell, order)
+        slider_box = SliderBox(self._client, setting, value, post, self._notify, order)
         self._sliders.append(slider_box)
         self._body += [slider_box.slider, slider_box.box]
 
@@ -373,7 +330,7 @@ class Panel:
         """Show what is selected, if it may be edited."""
         if self._selection is not None and self._selection.tick():
             self.outlined += self._selection.outlined
-            self.set_style(self._dark)
+            self.tell_roles()
 
     def show_help(self) -> None:
         """Open the help."""
@@ -410,45 +367,19 @@ class Panel:
         """Show the clock, the angle and the rates as they are now; with `meter`, always that of stability."""
         session = self._session
         colors = palette(session.scene.view.colors, dark)
-        content = readouts.hud(session, colors, at_rest, meter)
-        if self._hud.content != content:
-            self._hud.content = content
+        self._mail.tell(Hud(html=readouts.hud(session, colors, at_rest, meter)))
         if self._play is not None:
             self._play.refresh_readouts()
         if self._solver is not None:
             self._solver.refresh_readouts()
 
-    def set_state(
-        self,
-        scene: str,
-        playing: bool,
-        at_rest: bool,
-        broken: int,
-        measures: int,
-        looks: keeping.Looks,
-    ) -> None:
-        """Tell the page's script what it has to know, see `script.told`."""
-        channel, session = _id(self.channel), self._session
-        told = script.told(channel, scene, session, playing, at_rest, broken, measures, self.pictures)
-        told.update({name: 1 for name in ("edit", "tools", "view", "help") if name in self._controls})
-        told.update({name: 1 for name in ("gizmos", "meter") if getattr(looks, name)})
-        if self.measure_tab is not None:
-            told["measuring"] = self.measure_tab._id
-        if told != self._told:
-            self._told = told
-            self._state.content = script.told_html(told)
-
-    def set_style(self, dark: bool) -> None:
-        """Colours of the page, and the boxes that are hidden in it."""
-        self._dark = dark
-        sliders = [(_id(slider_box.slider), _id(slider_box.box)) for slider_box in self._sliders]
-        outlined = [_id(button) for button in self.outlined]
-        colors = palette("softrod", dark)
+    def tell_roles(self) -> None:
+        """Say which controls look otherwise than viser draws them."""
         anew = self._play.anew if self._play is not None else None
-        content = script.style_html(colors, dark, sliders, outlined, beside=_id(anew) if anew else "")
-        if "play" not in self._controls:
-            # The page's script makes the bar of time for every page. Where it is empty, other buttons still
-            # stand on it.
-            content += "<style>.softrod-dock{padding:0}.softrod-dock>*{display:none!important}</style>"
-        if self._style.content != content:
-            self._style.content = content
+        roles: dict[str, Role] = {
+            **{_id(slider_box.slider): "slider" for slider_box in self._sliders},
+            **{_id(slider_box.box): "number" for slider_box in self._sliders},
+            **{_id(button): "outlined" for button in self.outlined},
+            **({_id(anew): "beside"} if anew else {}),
+        }
+        self._mail.tell(Roles(roles=roles, time_bar="play" in self._controls))

@@ -24,7 +24,7 @@ class PlayPanel:
     Args:
         client: the page.
         session: its simulation.
-        act: what the tab does beyond the session's commands, see `Panel`.
+        perform: does a command of the table.
         controls: which there are.
 
     Attributes:
@@ -36,11 +36,11 @@ class PlayPanel:
         self,
         client: viser.ClientHandle,
         session: Session,
-        act: Callable[[str, Any], None],
+        perform: Callable[[str], None],
         controls: Controls,
     ) -> None:
         self._session = session
-        self._act = act
+        self._perform = perform
         self._edits_texts = "edit" in controls
         self.outlined: list[Any] = []
         self.anew: Any = None
@@ -64,12 +64,12 @@ class PlayPanel:
         if "keys" in controls:
             self._pad = gui.add_html(readouts.PAD, visible=False, order=LAST + 2)
 
-    def _listen_to(self, button: viser.GuiButtonHandle, what: str) -> None:
+    def _listen_to(self, button: viser.GuiButtonHandle, command: str) -> None:
         self.outlined.append(button)
 
         @button.on_click
         async def _(_: object) -> None:
-            self._act(what, None)
+            self._perform(command)
 
     def _listen_to_switch(self, follow: viser.GuiCheckboxHandle) -> None:
         @follow.on_update

@@ -18,8 +18,8 @@ from ..session.plots import Drawn, Plot
 from . import readouts
 from .phase import phase_svg
 
-_COLORS = ("driven", "pulled", "torque_plus", "torque_minus", "held")
-_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "driven", "ghost": "held"}
+_COLORS = ("brand", "pulled", "torque_plus", "torque_minus", "held")
+_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "brand", "ghost": "held"}
 """The colours that things have on the canvas; a second one in a plot gets the next that is free."""
 
 _FONT = "12px system-ui, sans-serif"
@@ -112,7 +112,7 @@ def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[
 
 
 def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
-    text, grid = colors.css("text"), colors.css("grid_major")
+    text, grid = colors.css("text"), colors.css("line")
     common: uplot.Axis = {
         "stroke": text,
         "font": _FONT,

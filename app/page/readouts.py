@@ -18,6 +18,7 @@ from sim.scene.types import is_loaded
 from ..drawing.colors import Palette
 from ..drawing.plan import broken_of, yielded_of
 from ..session.session import Session
+from ..wire.commands import key_lines
 
 _NAMES = {
     "sine": "sine",
@@ -82,7 +83,7 @@ def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -
             f'squeezed<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>'
             "stretched"
         )
-    return f'<div id="softrod-hud" hidden>{"<br>".join(lines)}</div>'
+    return "<br>".join(lines)
 
 
 def _harm(session: Session, colors: Palette) -> list[str]:
@@ -353,10 +354,10 @@ PAD = (
         f'<button type="button" data-softrod-key="{key}" aria-label="{name}" '
         f'style="grid-area:{place}">{sign}</button>'
         for key, name, place, sign in (
-            ("U", "longer", "1 / 2", "▲"),
-            ("L", "rest angle down", "2 / 1", "◀"),
-            ("D", "shorter", "2 / 2", "▼"),
-            ("R", "rest angle up", "2 / 3", "▶"),
+            ("up", "longer", "1 / 2", "▲"),
+            ("left", "rest angle down", "2 / 1", "◀"),
+            ("down", "shorter", "2 / 2", "▼"),
+            ("right", "rest angle up", "2 / 3", "▶"),
         )
     )
     + "</div>"
@@ -391,28 +392,6 @@ HELP_PICTURES = (
 )
 """What can be done: a word, a picture of 150 by 96, and the rest of the sentence."""
 
-KEYS_HELP = (
-    ("Space", "play or pause"),
-    ("N", "one step; with Shift ten"),
-    (", or .", "one frame back, one frame forward"),
-    ("J", "one second back"),
-    ("R", "reset"),
-    ("Esc", "pause; close this help, or a question"),
-    ("O", "choose another scene"),
-    ("F", "the ringed mass follows the pointer, or stops following"),
-    ("G", "plot the angle of the joint"),
-    ("0", "show the whole scene"),
-    ("P", "larger, for a projector"),
-    ("T or L", "start or stop the stopwatch, a lap, once it is on the canvas"),
-    ("I", "a picture of the page, as a file"),
-    ("E", "the tools that build and change the body: Build, Joint, Select, Cut"),
-    ("Ctrl Z or Ctrl Y", "undo, redo"),
-    ("Tab", "to the body, and on: arrows choose a mass, Space takes it, arrows move it"),
-    ("↑ ↓", "held: every spring longer, shorter"),
-    ("→ ←", "held: every rest angle up, down"),
-    ("Ctrl K", "all commands"),
-)
-
 
 def help_html() -> str:
     """The help panel."""
@@ -422,7 +401,7 @@ def help_html() -> str:
         for title, picture, text in HELP_PICTURES
     )
     rows = "".join(
-        f"<tr><td><kbd translate='no'>{key}</kbd></td><td>{what}</td></tr>" for key, what in KEYS_HELP
+        f"<tr><td><kbd translate='no'>{key}</kbd></td><td>{what}</td></tr>" for key, what in key_lines()
     )
     return (
         f'<div class="softrod-text"><div class="softrod-help">{figures}</div>'

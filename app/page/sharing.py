@@ -15,8 +15,9 @@ from sim.settings import settings_of
 
 from ..linking import short_address
 from ..session.session import Notice, Session
-from .asks import Share
-from .mail import Mail
+from ..wire.carrier import Mail
+from ..wire.from_page import Share
+from ..wire.to_page import Link
 from .panel import foremost
 
 MOST_IN_QR = 1200
@@ -49,19 +50,15 @@ class Sharing:
         self._show = show
         self._for_others = for_others
 
-    def offer(self) -> None:
-        """Have the page show its dialog."""
-        self._mail.send("share")
-
     def share(self, ask: Share) -> None:
         """Send the page a link to its scene."""
         try:
             scene = self._session.snapshot(self._session.scene.name, ask.pose)
             link = self._link(scene, ask)
         except (InputError, SceneError) as error:
-            self._mail.send("link", problem=str(error))
+            self._mail.tell(Link(problem=str(error)))
             return
-        self._mail.send("link", link=link, qr=qr_code(link) if len(link) <= MOST_IN_QR else "")
+        self._mail.tell(Link(link=link, qr=qr_code(link) if len(link) <= MOST_IN_QR else ""))
 
     def _link(self, scene: Scene, ask: Share) -> str:
         base, controls = self._for_others(ask.page), _controls(scene, ask.controls)

@@ -14,15 +14,14 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
-import msgspec
-
 import sim
 from sim.errors import SceneError
 from sim.scene import files, own_scenes
 from sim.scene.files import SceneInfo
 
+from ..wire.from_page import Who
+from ..wire.to_page import Entry
 from . import owner
-from .asks import Who
 
 _FRESH = 1.0
 """Seconds for which a folder's time may stay the same although another file is written: clocks are coarse."""
@@ -63,28 +62,6 @@ def scenes() -> tuple[SceneInfo, ...]:
 @functools.lru_cache(maxsize=1)
 def _read_once(_: Stamp) -> tuple[SceneInfo, ...]:
     return tuple(sim.list_scenes())
-
-
-class Entry(msgspec.Struct, frozen=True):
-    """A scene as the gallery shows it.
-
-    Attributes:
-        name: by which it is opened.
-        title: what it is called: presets by their titles, saved scenes by the names they were saved under.
-        line: in one sentence, what it shows.
-        text: all of that, which is searched, too.
-        group: the heading under which it stands.
-        own: whether it is one of the page's own, which it may change.
-        saved: whether it is no preset.
-    """
-
-    name: str
-    title: str
-    line: str
-    text: str
-    group: str
-    own: bool
-    saved: bool
 
 
 OWN, OTHERS, START = "Your own", "Saved on this computer", "Start here"

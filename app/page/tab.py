@@ -6,6 +6,7 @@ viser's event loop or in its pool, only post commands and requests.
 
 from __future__ import annotations
 
+import math
 import secrets
 import time
 from collections import deque
@@ -22,15 +23,20 @@ import sim
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 from sim.errors import InputError, SceneError
 from sim.methods.registry import METHODS
+from sim.scene.types import shown_name
 
 from ..drawing.plan import Picture, broken_of
-from ..drawing.sketch import Mapping
+from ..drawing.sketch import WORLD_SIZE, Mapping
 from ..session import commands
 from ..session.hand import GIZMO
 from ..session.pacing import is_large
 from ..session.plots import Wish
 from ..session.session import Notice, Session
-from . import controls, keeping, mail, pasts, readouts, script
+from ..wire import from_page
+from ..wire.carrier import Mail, listen
+from ..wire.commands import COMMANDS
+from ..wire.to_page import Keepsake, PageState, Resumed, Run, ShowMeasures
+from . import controls, keeping, pasts, readouts
 from .answers import Answers
 from .comma_switch import CommaSwitch
 from .controls import Controls
@@ -55,6 +61,9 @@ SHELF_EVERY = 0.3
 
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
+
+TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "solver", "tools", "view")
+"""Controls of which the script is told whether they are there: it makes some, and commands need some."""
 
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
 
@@ -97,13 +106,14 @@ class Tab:
     ) -> None:
         self.client = client
         self._compiler = compiler
-        self._requests: deque[tuple[str, Any]] = deque(maxlen=100)
+        self._requests: deque[Callable[[Session], None]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
         self._looks = keeping.PLAIN
-        self._commas = CommaSwitch(self.request)
+        self._commas = CommaSwitch(lambda on: self.hear(from_page.Switch("commas", on)))
         self._before_lesson: BeforeLesson | None = None
         self._generation = -1
-        self._fits = 0
+        self._page = secrets.token_hex(4)
+        self._seen: from_page.Seen | None = None
         self._planned = -1
         self._kept: tuple[Any, ...] = ()
         self._shelf = Shelf(owned)
@@ -124,7 +134,8 @@ class Tab:
         self._for_others = for_others
         self._first = scene = self._asked_scene(query) or scene
         self._view = Canvas(client, self._touched)
-        self._mail = mail.Mail(client)
+        self._mail = Mail(client)
+        listen(client, self.hear)
         self._asked_controls = self._checked(controls.of_query, query)
         self._controls = self._scenes_controls = controls.ALL
         self._named_controls: tuple[str, ...] | None = None
@@ -145,18 +156,58 @@ class Tab:
         return self._session
 
     # --------------------------------------------------------------------- handlers, any thread
-    def request(self, what: str, argument: Any) -> None:
-        """Ask for something that is not the session's: of the ticker, but for what the page's script does."""
-        if what == "notice":
-            self.notify(argument)
-        elif what == "larger":
-            self._mail.send("larger")
-        elif what == "share":
-            self._answers.sharing.offer()
-        elif what == "gallery":
-            self._answers.gallery.offer()
+    def hear(self, said: from_page.FromPage) -> None:
+        """Do what the page says, or have the ticker do it; nothing in it is trusted."""
+        session = self._session
+        if session is None:
+            return
+        match said:
+            case from_page.At(hands):
+                points = tuple(commands.Point(*self._mapping.to_scene(x, y), hand) for hand, x, y in hands)
+                session.post(points[0] if len(points) == 1 else commands.Points(points))
+            case from_page.Grab(hand, mass, x, y):
+                session.post(commands.DragStart(mass, *self._mapping.to_scene(x, y), hand))
+            case from_page.Drop(hand):
+                session.post(commands.DragEnd(hand))
+            case from_page.Keys(held):
+                session.post(commands.HoldKeys(frozenset(held)))
+            case from_page.GoTo(moment):
+                session.post(commands.GoTo(moment))
+            case from_page.Speed(speed):
+                session.post(commands.Speed(speed))
+            case from_page.Visit():
+                session.post(commands.Visit())
+            case from_page.Perform(command):
+                self.perform(command)
+            case from_page.Part():
+                self._answers.take(said, self._controls)
+            case from_page.Ask():
+                self._answers.ask(said)
+            case from_page.Edit():
+                if "edit" in self._controls:
+                    self._answers.edits.do(said)
+            case from_page.Seen():
+                self._seen = said
+                self._show_where_seen()
+            case from_page.Pick(mass):
+                self._requests.append(lambda now: self._pick(now, mass))
+            case from_page.Switch(what, on):
+                self._requests.append(lambda now: self._switch(now, what, on))
+            case from_page.BeginStep():
+                self._requests.append(lambda _: self._begin_step(said))
+
+    def perform(self, command: str) -> None:
+        """Do a command of the table, if the page has the control that it needs."""
+        row, session = COMMANDS[command], self._session
+        does = row.does
+        if session is None or (row.needs and row.needs not in self._controls) or does == "elsewhere":
+            return
+        if does == "page":
+            self._mail.tell(Run(command=command))
+        elif callable(does):
+            self._requests.append(lambda now: does(now, self))
         else:
-            self._requests.append((what, argument))
+            session.post(does)
 
     def notify(self, notice: Notice) -> None:
         """Have the user told something."""
@@ -237,7 +288,7 @@ class Tab:
             # At once: a link that the page sends after it goes before it.
             versions = pasts.of(kept.undo) if kept.undo else None
             session.post(commands.Resume(bytes(kept.session), versions))
-            self.request("resume", kept)
+            self._requests.append(lambda now: self._resume_looks(now, kept))
             if kept.undo and versions is None:
                 text = "What was changed before the connection was lost can no longer be undone."
                 self.notify(Notice("info", "Undo begins anew", text))
@@ -257,7 +308,8 @@ class Tab:
             return asked_scene(query)
         except SceneError as error:
             # Later, when the page knows how to ask for the scenes that there are.
-            self._requests.append(("not found", f"{str(error)[:1].upper()}{str(error)[1:]}."))
+            why = f"{str(error)[:1].upper()}{str(error)[1:]}."
+            self._requests.append(lambda _: self._say_not_found(why))
             return None
 
     def _wanted_controls(self, scene: sim.Scene) -> Controls:
@@ -277,59 +329,34 @@ class Tab:
 
     def _make_panel(self, session: Session) -> None:
         """The panel, with the controls that there are."""
-        self._panel = Panel(self.client, session, self.request, self._controls, self._commas)
+        self._panel = Panel(
+            self.client, session, self._mail, self.perform, self.notify, self._controls, self._commas
+        )
         self._has_lesson = session.scene.lesson is not None
         self._measure = self._tools = self._files = None
         if self._panel.measure_tab is not None:
             if "measure" in self._controls:
                 tab, lists = self._panel.measure_tab, self._panel.plots
-                self._measure = MeasurePanel(self.client, tab, session, self.notify, self._commas, lists)
+                self._measure = MeasurePanel(
+                    self.client, tab, session, self.notify, self._commas, lists, self._turn_to_measures
+                )
                 self._measure.plots.remember(self._plots_kept)
             if "tools" in self._controls:
                 with self._panel.measure_tab:
-                    self._tools = ToolsPanel(self.client, session, self.request)
+                    self._tools = ToolsPanel(self.client, session, self._mail)
                 self._tools.show_arrows(self._arrows_kept)
                 self._panel.outlined += self._tools.outlined
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
                 files = self._files = FilesPanel(
-                    self.client, session, self.notify, self._answers.sharing.offer, self._shelf
+                    self.client, session, self.notify, lambda: self.perform("share"), self._shelf
                 )
                 take_home = ExportPanel(
-                    self.client, session, lambda: self._looks.dark, self.request, self._commas
+                    self.client, session, lambda: self._looks.dark, self.perform, self.notify, self._commas
                 )
             self._panel.outlined += [*files.outlined, *take_home.outlined]
 
-        @self._panel.channel.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is None:
-                return
-            value = self._panel.channel.value
-            if self._answers.take(value, self._controls):
-                return
-            match script.parse(value, self._mapping):
-                case None:
-                    pass
-                case script.Switch():
-                    self.request("follow", None)
-                case script.Pick(mass):
-                    self.request("joint", mass)
-                case script.PlotAngle():
-                    if self._measure is not None:
-                        self._measure.plot_angle()
-                case script.Look(tab):
-                    if self._measure is not None:
-                        self._measure.plots.looked_at = tab == "measure"
-                    if self._panel.lesson is not None:
-                        self._panel.lesson.plots.looked_at = tab == "lesson"
-                case script.View(what, on):
-                    self.request(what, on)
-                case script.ShowHelp():
-                    self.request("help", None)
-                case script.Begin() as begin:
-                    self.request("lesson", begin)
-                case command:
-                    session.post(command)
+        self._show_where_seen()
 
     def _prepare(self, session: Session) -> None:
         """Have compiled first what the session waits for, and say what it is and how far it is."""
@@ -363,7 +390,7 @@ class Tab:
         if (wanted, has_lesson) != (self._controls, self._has_lesson):
             if (wanted.in_panel or has_lesson) and not (self._controls.in_panel or self._has_lesson):
                 self.client.gui.main_panel.expand()
-            self._controls, pictures = wanted, self._panel.pictures
+            self._controls = wanted
             if self._measure is not None:
                 self._plots_kept = self._measure.plots.wishes
             if self._tools is not None:
@@ -371,7 +398,6 @@ class Tab:
             self.client.gui.reset()
             self._commas.clear()
             self._make_panel(session)
-            self._panel.pictures = pictures
         dark = self._looks.dark
         if self._panel.lesson is not None:
             self._panel.lesson.build(dark)
@@ -381,7 +407,7 @@ class Tab:
         if self._files is not None:
             self._files.build()
         self._show_lessons_things(session)
-        self._panel.set_style(dark)
+        self._panel.tell_roles()
         if self._measure is not None:
             self._measure.build(dark)
         self._moved_at = session.now()
@@ -448,15 +474,37 @@ class Tab:
 
     def _set_state(self, playing: bool) -> None:
         """Tell the page's script how things are."""
-        rests = self._rests and playing
-        called = self._measure.called if self._measure is not None else 0
-        self._panel.set_state(self._shown_as, playing, rests, self._broken, called, self._looks)
-
-    @property
-    def _shown_as(self) -> str:
-        """Another text for every scene, and for every time that it is to be fitted to the window."""
-        openings = self._session.openings if self._session else 0
-        return f"{openings}.{self._fits}"
+        if (session := self._session) is None:
+            return
+        frame, history, joint = session.scene.view.frame, session.history, session.joint
+        size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
+        scrubbed, measures = history.scrubbed, self._panel.measure_tab
+        state = PageState(
+            page=self._page,
+            scene=session.openings,
+            title=shown_name(session.scene),
+            width=(frame[2] - frame[0]) * size,
+            height=(frame[3] - frame[1]) * size,
+            unit=session.scene.view.unit,
+            joint=joint if session.scene.angular_springs else -1,
+            playing=playing,
+            rest=self._rests and playing,
+            scrubbed=scrubbed,
+            # Coarse while time passes, so that this seldom changes.
+            start=history.start if scrubbed else math.floor(2.0 * history.start) / 2.0,
+            end=history.end if scrubbed else 0.0,
+            speed=session.pacer.speed,
+            offer=session.offer_back,
+            future=session.old_future is not None,
+            follow=session.follow,
+            broken=self._broken,
+            controls=tuple(name for name in TOLD_CONTROLS if name in self._controls),
+            gizmos=self._looks.gizmos,
+            meter=self._looks.meter,
+            measuring=measures._id if measures is not None else "",
+            lesson=session.lesson_begun if session.scene.lesson else None,
+        )
+        self._mail.tell(state)
 
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
@@ -473,22 +521,23 @@ class Tab:
         undo = self._secret if len(session.versions) else ""
         if undo:
             pasts.keep(undo, session.versions)
-        self._view.keep(keeping.encode(session.keepsake(), self._looks, plots, undo))
+        kept = keeping.encode(session.keepsake(), self._looks, plots, undo)
+        self._mail.tell(Keepsake(kept=kept.decode()))
         self._kept = state
         self._kept_scene = scene
         wait = (time.thread_time() - began) / KEEP_SHARE
         self._keep_due = now + min(max(KEEP_EVERY, wait), KEEP_LATEST)
 
-    def _resume_looks(self, kept: keeping.Kept) -> None:
+    def _resume_looks(self, session: Session, kept: keeping.Kept) -> None:
         """Have the page look as it did when that was kept, and keep what goes on from that."""
-        self._mail.send("resumed")
+        self._mail.tell(Resumed())
         self._kept = ()
         self._plots_kept = kept.plots
         if self._measure is not None:
             self._measure.plots.remember(kept.plots)
-        for what in ("gizmos", "meter", "commas", "dark"):
+        for what in kept.looks.__struct_fields__:
             if getattr(kept.looks, what):
-                self.request(what, True)
+                self._switch(session, what, True)
 
     def _look_at_shelf(self, now: float) -> None:
         if now < self._shelf_due:
@@ -501,57 +550,64 @@ class Tab:
 
     def _serve_requests(self, session: Session) -> None:
         while self._requests:
-            what, argument = self._requests.popleft()
-            if what in ("dark", "gizmos", "meter", "commas"):
-                self._looks = msgspec.structs.replace(self._looks, **{what: argument})
-                session.revision += 1
-                if what == "dark":
-                    set_theme(self.client.gui, dark=argument)
-                    self._generation = -1
-                elif what == "gizmos":
-                    self._view.show_gizmos(argument)
-                elif what == "commas":
-                    self._commas.show(argument)
-            elif what == "resume":
-                self._resume_looks(argument)
-            elif what == "fit":
-                self._fits += 1
-            elif what == "picture":
-                self._panel.pictures += 1
-            elif what == "follow":
-                session.post(commands.Follow(not session.follow))
-                session.revision += 1
-            elif what == "energy":
-                session.post(commands.KeepBooks(not session.books))
-            elif what == "foretell":
-                session.post(commands.Foretell(session.foresight is None))
-            elif what == "anew":
-                session.post(commands.Open(session.opened, session.lesson_begun))
-            elif what == "tools":
-                if self._tools is not None:
-                    self._tools.serve(*argument)
-            elif what == "lesson":
-                if self._panel.lesson is not None:
-                    self._panel.lesson.begin(argument)
-            elif what == "joint" and argument < len(session.scene.masses):
-                if self._tools is not None:
-                    self._tools.choose(argument)
-                joint = readouts.joint_of_mass(session.scene, argument)
-                if self._measure is not None:
-                    self._measure.choose(argument)
-                if joint is not None:
-                    session.post(commands.SelectJoint(joint))
-                    session.revision += 1
-            elif what == "plot":
-                if self._measure is not None:
-                    self._measure.plot_angle()
-            elif what == "help":
-                self._panel.show_help()
-            elif what == "not found":
-                if "chooser" in self._controls:
-                    self._answers.gallery.offer(argument)
-                else:
-                    self.notify(Notice("error", "That address has no scene", argument))
+            self._requests.popleft()(session)
+
+    # --------------------------------------------------------------------- what was asked for
+    def plot_angle(self) -> None:
+        """Plot the angle of the joint that is read out."""
+        if self._measure is not None:
+            self._measure.plot_angle()
+
+    def show_help(self) -> None:
+        """Open the help."""
+        self._panel.show_help()
+
+    def _switch(self, session: Session, what: str, on: bool) -> None:
+        """Turn one of the looks on or off."""
+        self._looks = msgspec.structs.replace(self._looks, **{what: on})
+        session.revision += 1
+        if what == "dark":
+            set_theme(self.client.gui, dark=on)
+            self._generation = -1
+        elif what == "gizmos":
+            self._view.show_gizmos(on)
+        elif what == "commas":
+            self._commas.show(on)
+
+    def _pick(self, session: Session, mass: int) -> None:
+        """A mass was clicked: it is chosen for all that is measured."""
+        if mass >= len(session.scene.masses):
+            return
+        if self._tools is not None:
+            self._tools.choose(mass)
+        if self._measure is not None:
+            self._measure.choose(mass)
+        joint = readouts.joint_of_mass(session.scene, mass)
+        if joint is not None:
+            session.post(commands.SelectJoint(joint))
+            session.revision += 1
+
+    def _begin_step(self, begin: from_page.BeginStep) -> None:
+        if self._panel.lesson is not None:
+            self._panel.lesson.begin(begin)
+
+    def _show_where_seen(self) -> None:
+        """Have those plots sent that somebody sees."""
+        if self._seen is None:
+            return
+        if self._measure is not None:
+            self._measure.plots.looked_at = self._seen.tab == "measure"
+        if self._panel.lesson is not None:
+            self._panel.lesson.plots.looked_at = self._seen.tab == "lesson"
+
+    def _turn_to_measures(self) -> None:
+        self._mail.tell(ShowMeasures())
+
+    def _say_not_found(self, why: str) -> None:
+        if "chooser" in self._controls:
+            self._answers.gallery.offer(why)
+        else:
+            self.notify(Notice("error", "That address has no scene", why))
 
     def _tell(self, session: Session) -> None:
         self._notices.extend(session.notices)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Set
+from collections import deque
+from collections.abc import Set
 from typing import Any
 
 import viser
 
 from ..session.session import Session
+from ..wire.carrier import Mail
+from ..wire.to_page import Tools
 from .arrows import KINDS, Arrows
 
 MOST_TRACES = 8
@@ -33,14 +36,15 @@ class ToolsPanel:
     Args:
         client: the page.
         session: its simulation.
-        act: asks the tab for something, in the ticker's thread: "tools" for `serve`.
+        mail: to the page's script.
 
     Attributes:
         outlined: buttons that are not the first thing to press.
     """
 
-    def __init__(self, client: viser.ClientHandle, session: Session, act: Callable[[str, Any], None]) -> None:
-        self._session = session
+    def __init__(self, client: viser.ClientHandle, session: Session, mail: Mail) -> None:
+        self._session, self._mail = session, mail
+        self._asked: deque[tuple[str, Any]] = deque(maxlen=100)
         self._arrows = Arrows(client)
         self._kinds: frozenset[str] = frozenset()
         self._chosen: int | None = None
@@ -66,25 +70,23 @@ class ToolsPanel:
             "Length of a trace", tuple(LENGTHS), initial_value="5 s", order=LAST + 3
         )
         clear = gui.add_button("Clear the traces", icon=viser.Icon.ERASER, color="gray", order=LAST + 4)
-        self._told = gui.add_html("", order=LAST + 5)
         self.outlined = [clear]
 
         for kind, switch in self._switches.items():
-            self._listen(switch, act, kind)
-        self._listen(self._trace, act, "trace")
+            self._listen(switch, kind)
+        self._listen(self._trace, "trace")
         for control in (self._coordinates, self._length):
-            self._listen(control, act, "tell")
+            self._listen(control, "tell")
 
         @clear.on_click
         async def _(_: object) -> None:
-            act("tools", ("clear", None))
+            self._asked.append(("clear", None))
 
-    @staticmethod
-    def _listen(control: Any, act: Callable[[str, Any], None], what: str) -> None:
+    def _listen(self, control: Any, what: str) -> None:
         @control.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:
             if event.client_id is not None:
-                act("tools", (what, control.value))
+                self._asked.append((what, control.value))
 
     # --------------------------------------------------------------------- the ticker's
     @property
@@ -128,7 +130,9 @@ class ToolsPanel:
         self._show()
 
     def draw(self, plan: int, now: float, exactly: bool) -> None:
-        """Send what the arrows need, see `Arrows.draw`."""
+        """Do what was asked for, and send what the arrows need, see `Arrows.draw`."""
+        while self._asked:
+            self.serve(*self._asked.popleft())
         session = self._session
         kinds = self._kinds if session.scene.angular_springs else self._kinds - {"torques"}
         self._arrows.draw(session, kinds, plan, now, exactly)
@@ -138,11 +142,10 @@ class ToolsPanel:
         traced = self._chosen in self._traced
         if self._trace.value != traced:
             self._trace.value = traced
-        content = (
-            f'<div id="softrod-tools" hidden data-traced="{" ".join(map(str, self._traced))}" '
-            f'data-seconds="{LENGTHS.get(str(self._length.value), 5)}" '
-            f'data-chosen="{-1 if self._chosen is None else self._chosen}" '
-            f'data-coordinates="{int(bool(self._coordinates.value))}"></div>'
+        tools = Tools(
+            traced=self._traced,
+            seconds=LENGTHS.get(str(self._length.value), 5),
+            chosen=-1 if self._chosen is None else self._chosen,
+            coordinates=bool(self._coordinates.value),
         )
-        if self._told.content != content:
-            self._told.content = content
+        self._mail.tell(tools)

@@ -28,7 +28,7 @@ STILL = 0.1
 MAX_GIZMOS = 12
 """Gizmos are one node each; held masses beyond so many are dragged by themselves."""
 
-PLAN, FRAME, KEEPSAKE = "/softrod/plan", "/softrod/frame", "/softrod/keepsake"
+PLAN, FRAME = "/softrod/plan", "/softrod/frame"
 DAMAGE = "/softrod/damage"
 """Nodes that only carry arrays to the page's script (static/canvas.js)."""
 
@@ -109,7 +109,7 @@ class Canvas:
 
     def _add_nodes(self, sketch: Sketch) -> None:
         # The page's script takes these for itself; viser never sees them.
-        for name in (PLAN, FRAME, KEEPSAKE):
+        for name in (PLAN, FRAME):
             self._add_carrier(name)
         self._plan = None
         springs, yields, joints, pins, driven = self._kinds(sketch)
@@ -157,10 +157,6 @@ class Canvas:
                     if not np.array_equal(position, gizmo.position):
                         gizmo.position = position
         return True
-
-    def keep(self, data: bytes) -> None:
-        """Have the browser keep some bytes, see `keeping`."""
-        self._nodes[KEEPSAKE].colors = np.frombuffer(data, np.uint8)
 
     # --------------------------------------------------------------------- inside
     def _add_carrier(self, name: str) -> None:

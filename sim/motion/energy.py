@@ -30,7 +30,7 @@ class EnergyBook:
     Attributes:
         kinetic, linear, angular, gravity: energies of the free masses' motion, the linear springs, the
             angular springs, and the free masses' height above 0 (with the energy -F · x of the constant
-            forces on them). Under the force law "tutorial" the angular energy is that of the conservative law.
+            forces on them). Under the law "tutorial" the angular energy is that of the conservative law.
         others: energies of `sim.forces.all.WITH_ENERGY`, in order: of the depth in walls, of gases and
             liquids, and of contact. Each is an attribute, too, under its name there, such as `walls`.
         anchors: work done on the body by moved anchors. Grabbing a mass removes its kinetic energy and that

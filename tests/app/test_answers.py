@@ -10,9 +10,10 @@ import pytest
 import sim
 from app.page import answers, controls
 from app.page.answers import MOST_WAITING, InOrder
-from app.page.asks import Scenes
 from app.page.shelf import Shelf
 from app.session.notices import Notice
+from app.wire.from_page import Ask, ListScenes, Part, Unread, Unsent
+from app.wire.to_page import Resumed
 from sim.scene import files
 from tests.app.test_gallery import Page
 
@@ -74,28 +75,26 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
     assert answers._threads._work_queue.qsize() <= 1
 
 
-def test_what_must_not_be_lost_to_another_letter_has_a_kind_of_its_own(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_no_event_takes_the_place_of_another(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
     files.save_user_scene(sim.rope(), "mine")
     page = Page()
     page.gallery.offer()
-    page.gallery.list(Scenes(dark=False))
+    page.gallery.list(ListScenes(dark=False))
     page.gallery.changed()
-    kinds = [letter["kind"] for letter in page.letters.sent]
-    assert len(set(kinds)) == len(kinds) == 4
+    page.gallery.changed()
+    assert len(set(page.letters.keys)) == len(page.letters.keys) == 5
 
 
 @pytest.mark.parametrize(
     ("message", "title", "text"),
     [
-        ('{"do":"unsent","what":"paste"}', "That cannot be pasted", "at most 4.7 MB"),
-        ('{"do":"unread","text":"2x4"}', "That cannot be read", "“2x4” is not a number"),
-        ('{"do":"unread","text":"1,234"}', "That cannot be read", "could be 1.234 or 1234"),
+        (Unsent("paste"), "That cannot be pasted", "at most 4.7 MB"),
+        (Unread("2x4"), "That cannot be read", "“2x4” is not a number"),
+        (Unread("1,234"), "That cannot be read", "could be 1.234 or 1234"),
     ],
 )
-def test_what_the_page_cannot_send_or_read_is_told(message: str, title: str, text: str) -> None:
+def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, text: str) -> None:
     page, told = Page(), threading.Event()
     notices: list[Notice] = []
 
@@ -106,7 +105,7 @@ def test_what_the_page_cannot_send_or_read_is_told(message: str, title: str, tex
     answering = answers.Answers(
         page.session, page.letters, notify, lambda _: None, print, str, Shelf(owned=True)
     )
-    assert answering.take(f"1|ask|{message}", controls.ALL)
+    answering.ask(message)
     assert told.wait(LIMIT)
     assert notices[0].title == title
     assert text in notices[0].text
@@ -115,5 +114,5 @@ def test_what_the_page_cannot_send_or_read_is_told(message: str, title: str, tex
 def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
     page = Page()
     answering = answers.Answers(page.session, page.letters, print, print, print, str, Shelf(owned=True))
-    assert answering.take("1|resume|1/1|bm9uc2Vuc2U=", controls.ALL)
-    assert [letter["kind"] for letter in page.letters.sent] == ["resumed"]
+    answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="), controls.ALL)
+    assert page.letters.sent == [Resumed()]

@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 
 import sim
 from app.drawing.plan import encode_damage, encode_frame
-from app.page import asks
 from app.page.edits import edited
 from app.page.view import picture_of
 from app.session import commands
+from app.wire import from_page as asks
 from sim.edit.edit import Selection
 from tests.amount import examples
 from tests.app.pages import SessionPage
@@ -69,7 +69,7 @@ COMMANDS: st.SearchStrategy[commands.Command] = st.one_of(
     ),
     st.builds(change, st.builds(asks.Place, unit, unit)),
     st.builds(change, st.builds(asks.Move, unit, unit, st.booleans(), some)),
-    st.builds(change, st.builds(asks.Do, st.sampled_from(DONE), some)),
+    st.builds(change, st.builds(asks.Act, st.sampled_from(DONE), some)),
 )
 
 

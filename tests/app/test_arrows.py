@@ -12,6 +12,8 @@ import sim
 from app.page.arrows import KINDS, MOST, Arrows, encode, smallest
 from app.page.tools_panel import LAST, MOST_TRACES, ToolsPanel
 from app.session import commands
+from app.wire.to_page import Tools
+from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 
 ALL = frozenset(KINDS)
@@ -146,21 +148,21 @@ def test_every_number_of_a_body_without_joints_and_springs_can_be_sent() -> None
     assert [len(section) for section in sections(data)] == [7, 1, 2, 0, 0]
 
 
-def panel_of(scene: sim.Scene) -> tuple[ToolsPanel, Any]:
-    """A panel, and the element that the page's script reads."""
+def panel_of(scene: sim.Scene) -> tuple[ToolsPanel, Letters]:
+    """A panel, and what the page's script is told."""
     client = MagicMock()
-    client.gui.add_html.return_value.content = ""
     client.gui.add_dropdown.return_value.value = "10 s"
     client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
-    panel = ToolsPanel(client, SessionPage(scene).session, lambda what, argument: None)
+    letters = Letters()
+    panel = ToolsPanel(client, SessionPage(scene).session, letters)
     panel.build()
-    return panel, client.gui.add_html.return_value
+    return panel, letters
 
 
 def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones() -> None:
     client, session = MagicMock(), SessionPage(sim.load_scene("ring")).session
     client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
-    one = ToolsPanel(client, session, lambda what, argument: None)
+    one = ToolsPanel(client, session, Letters())
     one.show_arrows({"forces", "torques"})
     assert [switch.value for switch in one._switches.values()] == [True, False, True]
     one.draw(1, 0.0, exactly=True)
@@ -168,7 +170,7 @@ def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones()
     assert not node.remove.called
     kinds = one.leave()
     assert node.remove.called
-    other = ToolsPanel(client, session, lambda what, argument: None)
+    other = ToolsPanel(client, session, Letters())
     other.show_arrows(kinds)
     assert [switch.value for switch in other._switches.values()] == [True, False, True]
 
@@ -176,28 +178,28 @@ def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones()
 def test_the_switches_stand_below_the_plots_however_many_pages_there_were() -> None:
     client = MagicMock()
     client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
-    ToolsPanel(client, SessionPage(sim.load_scene("ring")).session, lambda what, argument: None)
+    ToolsPanel(client, SessionPage(sim.load_scene("ring")).session, Letters())
     gui = client.gui
     added = (gui.add_checkbox, gui.add_dropdown, gui.add_button, gui.add_html)
     orders = [call.kwargs["order"] for add in added for call in add.call_args_list]
-    assert len(orders) == 8
+    assert len(orders) == 7
     assert min(orders) >= LAST
 
 
 def test_the_page_is_told_which_masses_are_traced() -> None:
     panel, told = panel_of(sim.load_scene("ring"))
-    assert 'data-traced="" data-seconds="10" data-chosen="-1"' in told.content
+    assert told.last(Tools) == Tools(seconds=10)
     panel.serve("trace", True)
-    assert 'data-traced=""' in told.content, "no mass is chosen"
+    assert told.last(Tools).traced == (), "no mass is chosen"
     for mass in (3, 99, 5, 3):
         panel.choose(mass)
         panel.serve("trace", True)
-    assert 'data-traced="5 3"' in told.content
+    assert told.last(Tools).traced == (5, 3)
     panel.serve("trace", False)
-    assert 'data-traced="5"' in told.content
+    assert told.last(Tools).traced == (5,)
     for mass in range(MOST_TRACES + 2):
         panel.choose(mass)
         panel.serve("trace", True)
-    assert told.content.split('data-traced="')[1].split('"')[0].split() == [str(m) for m in range(2, 10)]
+    assert told.last(Tools).traced == tuple(range(2, 10))
     panel.serve("clear", None)
-    assert 'data-traced=""' in told.content
+    assert told.last(Tools).traced == ()

@@ -12,8 +12,11 @@ import pytest
 
 import sim
 from app.drawing.sketch import Mapping
-from app.page.asks import (
-    Do,
+from app.page.edits import Edits
+from app.session import commands
+from app.session.notices import Notice
+from app.wire.from_page import (
+    Act,
     Gesture,
     Hold,
     Line,
@@ -21,30 +24,16 @@ from app.page.asks import (
     Move,
     Place,
     Select,
+    SetTexts,
     Stroke,
-    Texts,
     Turn,
-    parse_ask,
+    read,
 )
-from app.page.edits import Edits
-from app.session import commands
-from app.session.notices import Notice
+from app.wire.to_page import Copied, Selected, TextsTaken, Versions
 from sim.edit import build
 from sim.edit.edit import Selection
+from tests.app.letters import Letters
 from tests.app.pages import SessionPage
-
-
-class Letters:
-    """Takes letters instead of a page."""
-
-    def __init__(self) -> None:
-        self.sent: list[tuple[str, dict[str, Any]]] = []
-
-    def send(self, kind: str, **content: Any) -> None:
-        self.sent.append((kind, content))
-
-    def last(self, kind: str) -> dict[str, Any]:
-        return [content for sent, content in self.sent if sent == kind][-1]
 
 
 class Page(SessionPage):
@@ -54,13 +43,16 @@ class Page(SessionPage):
         super().__init__(scene)
         self.notices: list[Notice] = []
         self.letters = Letters()
-        self.edits = Edits(self.session, self.letters, self.notices.append)  # type: ignore[arg-type]
+        self.edits = Edits(self.session, self.letters, self.notices.append)
         self.frames(2, commands.Play(False))
 
-    def do(self, *gestures: Gesture) -> sim.Scene:
+    def do(self, *gestures: Gesture | commands.Command) -> sim.Scene:
         """Do them one after the other; the scene as it is then."""
         for gesture in gestures:
-            self.edits.do(gesture)
+            if isinstance(gesture, Gesture):
+                self.edits.do(gesture)
+            else:
+                self.session.post(gesture)
             self.frames(1)
         self.edits.tell()
         return self.session.simulation.capture().scene
@@ -101,8 +93,8 @@ def test_a_click_puts_down_a_mass_where_it_was_made(page: Page) -> None:
     x, y = page.world(40.0, 30.0)
     scene = page.do(Place(x, y))
     assert scene.masses[4].position == pytest.approx((40.0, 30.0))
-    assert page.letters.last("selected") == {"masses": [4], "springs": [], "joints": []}
-    assert page.letters.last("versions") == {"undo": "mass added", "redo": ""}
+    assert page.letters.last(Selected) == Selected(masses=(4,))
+    assert page.letters.last(Versions) == Versions(undo="mass added", count=1)
 
 
 def test_lines_join_masses_and_put_down_what_is_missing(page: Page) -> None:
@@ -119,7 +111,7 @@ def test_lines_join_masses_and_put_down_what_is_missing(page: Page) -> None:
     assert (scene.linear_springs[7].a, scene.linear_springs[7].b) == (6, 7)
     assert scene.linear_springs[7].rest_length == pytest.approx(50.0)
     assert page.session.selection.masses == {7}
-    page.do(Do("undo"))
+    page.do(commands.Undo())
     assert len(page.session.scene.masses) == 6  # two masses and their spring are one step
 
 
@@ -159,14 +151,14 @@ def test_a_rest_angle_is_turned_and_the_present_one_is_taken(page: Page) -> None
     assert page.session.scene.angular_springs[0].rest_angle == pytest.approx(-60.0)
     page.do(Turn(5, 3.0))
     assert "joint 5 does not exist (0..0)" in page.session.notices.pop().text
-    page.do(Do("undo"), Do("undo"), Do("undo"), Do("undo"), Turn(0))
+    page.do(commands.Undo(), commands.Undo(), commands.Undo(), commands.Undo(), Turn(0))
     assert "joint 0 does not exist (there are none)" in page.session.notices.pop().text
 
 
 def test_a_stroke_cuts_all_that_it_crosses_and_nothing_else(page: Page) -> None:
     scene = page.do(Stroke((page.world(50.0, -20.0), page.world(50.0, 50.0), page.world(130.0, 50.0))))
     assert [(spring.a, spring.b) for spring in scene.linear_springs] == [(2, 3), (3, 0)]
-    assert page.letters.last("versions")["undo"] == "2 springs cut"
+    assert page.letters.last(Versions).undo == "2 springs cut"
     assert page.do(Stroke((page.world(500.0, 0.0), page.world(500.0, 9.0)))) is scene
 
 
@@ -182,7 +174,7 @@ def test_clicks_and_frames_select(page: Page) -> None:
     (x0, y0), (x1, y1) = page.world(91.0, 109.0), page.world(109.0, 91.0)
     page.do(Marquee((x0, x1), (y0, y1), add=True))
     assert page.session.selection == Selection(frozenset({0, 1, 2}), frozenset({0}))
-    page.do(Hold(0, 1), Do("all"))
+    page.do(Hold(0, 1), Act("all"))
     assert page.session.selection == Selection(frozenset(range(4)), frozenset(range(4)), frozenset({0}))
     page.do(Select())
     assert not any(page.session.selection)
@@ -199,10 +191,10 @@ def test_what_is_selected_is_moved_and_rests_if_that_is_wanted(page: Page) -> No
     assert scene.masses[2].position == pytest.approx((100.0, 140.0))
     assert scene.linear_springs[1].rest_length == 100.0
     np.testing.assert_allclose(page.session.simulation.positions[3], (0.0, 140.0), atol=1e-6)
-    scene = page.do(Do("undo"), Move(dx, dy, rest=True))
+    scene = page.do(commands.Undo(), Move(dx, dy, rest=True))
     assert scene.linear_springs[1].rest_length == pytest.approx(140.0)
     assert scene.linear_springs[2].rest_length == pytest.approx(100.0)
-    page.do(Do("undo"))
+    page.do(commands.Undo())
     np.testing.assert_allclose(page.session.simulation.positions[3], (0.0, 100.0), atol=1e-6)
     page.do(Select(), Move(dx, dy))
     assert "nothing is selected" in page.session.notices.pop().text
@@ -220,43 +212,43 @@ def test_moves_by_keys_are_one_step(page: Page) -> None:
 def test_the_joint_of_a_moved_corner_rests_as_it_is_under_shifted_angles(page: Page) -> None:
     page.do(Hold(0, 1))
     turn_by_keys(page)
-    page.do(Move(0.5, 0.3, under=2, rest=True), Do("rest"))
+    page.do(Move(0.5, 0.3, under=2, rest=True), Act("rest"))
     loads = page.session.simulation.loads
     assert np.abs(loads.torques).max() < 1e-6  # nothing pulls
     assert page.session.simulation.rest_angle_shift != 0.0
 
 
 def test_actions_need_no_place(page: Page) -> None:
-    assert {a.mass for a in page.do(Do("pin", mass=1)).anchors} == {1}
-    assert {a.mass for a in page.do(Select(masses=(1, 2)), Do("pin")).anchors} == {1, 2}
-    assert not page.do(Do("pin")).anchors
-    scene = page.do(Do("duplicate"))
+    assert {a.mass for a in page.do(Act("pin", mass=1)).anchors} == {1}
+    assert {a.mass for a in page.do(Select(masses=(1, 2)), Act("pin")).anchors} == {1, 2}
+    assert not page.do(Act("pin")).anchors
+    scene = page.do(Act("duplicate"))
     assert len(scene.masses) == 6
     assert len(scene.linear_springs) == 5
     assert page.session.selection.masses == {4, 5}
     assert page.session.versions.undoable == "2 masses duplicated"
-    page.do(Do("undo"), Do("duplicate", mass=1))
+    page.do(commands.Undo(), Act("duplicate", mass=1))
     assert page.session.versions.undoable == "1 mass duplicated"
-    page.do(Do("undo"), Do("redo"), Do("undo"), Select(masses=(1, 2)), Do("duplicate"))
-    scene = page.do(Do("remove"))
+    page.do(commands.Undo(), commands.Redo(), commands.Undo(), Select(masses=(1, 2)), Act("duplicate"))
+    scene = page.do(Act("remove"))
     assert len(scene.masses) == 4
-    scene = page.do(Do("corners"))  # nothing is selected: everywhere
+    scene = page.do(Act("corners"))  # nothing is selected: everywhere
     assert len(scene.angular_springs) == 4
-    page.do(Do("corners"))
+    page.do(Act("corners"))
     assert "every corner" in page.session.notices.pop().text
-    assert len(page.do(Do("triangulate")).linear_springs) == 5
-    page.do(Do("triangulate"))
+    assert len(page.do(Act("triangulate")).linear_springs) == 5
+    page.do(Act("triangulate"))
     assert "nothing left to brace" in page.session.notices.pop().text
-    page.do(Do("remove"))
+    page.do(Act("remove"))
     assert page.session.notices.pop().text == "nothing is selected"
-    page.do(Do("remove", mass=3))
+    page.do(Act("remove", mass=3))
     assert len(page.session.scene.masses) == 3
 
 
 def test_what_is_under_the_pointer_is_meant_where_nothing_is_selected(page: Page) -> None:
-    assert {a.mass for a in page.do(Do("pin", under=3)).anchors} == {3}
-    assert {a.mass for a in page.do(Select(masses=(1,)), Do("pin", under=2)).anchors} == {1, 3}
-    assert {a.mass for a in page.do(Do("pin", mass=2)).anchors} == {1, 2, 3}
+    assert {a.mass for a in page.do(Act("pin", under=3)).anchors} == {3}
+    assert {a.mass for a in page.do(Select(masses=(1,)), Act("pin", under=2)).anchors} == {1, 3}
+    assert {a.mass for a in page.do(Act("pin", mass=2)).anchors} == {1, 2, 3}
     dx = page.world(10.0, 0.0)[0] - page.world(0.0, 0.0)[0]
     page.do(Move(dx, 0.0, under=2))
     np.testing.assert_allclose(page.session.simulation.positions[1:3, 0], (110.0, 100.0))
@@ -264,7 +256,7 @@ def test_what_is_under_the_pointer_is_meant_where_nothing_is_selected(page: Page
 
 def test_a_body_rests_as_it_is(page: Page) -> None:
     page.do(Move(0.4, 0.2, under=2))
-    scene = page.do(Do("rest"))
+    scene = page.do(Act("rest"))
     moved = math.dist(scene.masses[1].position, scene.masses[2].position)
     assert scene.linear_springs[1].rest_length == pytest.approx(moved)
 
@@ -275,8 +267,8 @@ def pasted(page: Page, text: str, x: float = 0.0, y: float = 0.0) -> None:
 
 
 def test_what_is_copied_is_pasted_into_another_page(page: Page) -> None:
-    page.do(Select(masses=(1, 2)), Do("copy"))
-    text = page.letters.last("copied")["text"]
+    page.do(Select(masses=(1, 2)), Act("copy"))
+    text = page.letters.last(Copied).text
     assert text.startswith('{"type":"softrod-fragment"')  # by which the script knows it
     other = Page(sim.load_scene("tutorial-3.3"))
     n = len(other.session.scene.masses)
@@ -285,7 +277,7 @@ def test_what_is_copied_is_pasted_into_another_page(page: Page) -> None:
     assert other.session.selection.masses == {n, n + 1}
     middle = Mapping.of(other.session.scene).to_scene(0.2, 0.1)
     assert other.session.simulation.positions[n:].mean(0) == pytest.approx(middle)
-    page.do(Select(), Do("copy"))
+    page.do(Select(), Act("copy"))
     assert "nothing is selected" in page.notices.pop().text
 
 
@@ -322,7 +314,7 @@ HOSTILE = (
 
 @pytest.mark.parametrize("text", HOSTILE)
 def test_forged_gestures_are_no_gestures(text: str) -> None:
-    assert parse_ask(f"1|ask|{text}") is None
+    assert read(text) is None
 
 
 @pytest.mark.parametrize(
@@ -336,15 +328,15 @@ def test_forged_gestures_are_no_gestures(text: str) -> None:
         Place(1e7, 1e7),
         Move(1e7, 0.0, under=0),
         Move(0.0, 0.0, under=999_999),
-        Do("remove", mass=999_999),
-        Do("pin", mass=999_999),
-        Do("duplicate", mass=999_999),
+        Act("remove", mass=999_999),
+        Act("pin", mass=999_999),
+        Act("duplicate", mass=999_999),
         Turn(999_999),
         Stroke(((0.0, 0.0), (1e7, 1e7))),
     ],
 )
 def test_what_cannot_be_done_leaves_all_as_it_was(page: Page, gesture: Gesture) -> None:
-    decoded = parse_ask(f"1|ask|{msgspec.json.encode(gesture).decode()}")
+    decoded = read(msgspec.json.encode(gesture).decode())
     assert decoded == gesture
     before = page.session.simulation.capture().scene
     scene = page.do(gesture)
@@ -372,8 +364,8 @@ def test_what_is_added_after_the_arrow_keys_is_at_rest(page: Page) -> None:
     page.frames(1, commands.HoldKeys(frozenset()), commands.Play(False))
     simulation = page.session.simulation
     assert simulation.rest_length_scale > 1.2
-    page.do(Do("rest"), Line(a=0, b=2), Line(a=2, end=page.of_mass(2, 40.0, 10.0)), Select(), Do("corners"))
-    page.do(Line(a=1, end=page.of_mass(1, 30.0, -30.0)), Select(), Do("triangulate"))
+    page.do(Act("rest"), Line(a=0, b=2), Line(a=2, end=page.of_mass(2, 40.0, 10.0)), Select(), Act("corners"))
+    page.do(Line(a=1, end=page.of_mass(1, 30.0, -30.0)), Select(), Act("triangulate"))
     page.do(Move(0.1, 0.1, under=3, rest=True))
     loads = page.session.simulation.loads
     assert len(page.session.scene.linear_springs) > 7
@@ -387,16 +379,16 @@ def test_what_is_added_after_the_arrow_keys_is_at_rest(page: Page) -> None:
 
 def test_name_and_description_are_edits_like_others(page: Page) -> None:
     before = page.session.scene
-    page.edits.set_texts(Texts("A & <b>b</b>", "Two\nlines."))
+    page.edits.do(SetTexts("A & <b>b</b>", "Two\nlines."))
     page.frames(1)
-    assert page.letters.last("texts") == {"refused": ""}
+    assert page.letters.last(TextsTaken) == TextsTaken(refused="")
     scene = page.session.scene
     assert (scene.name, scene.title, scene.description) == ("A & -b-b-b", "", "Two\nlines.")
-    assert page.do(Do("undo")) is before
-    assert page.do(Do("redo")) == scene
-    page.edits.set_texts(Texts("", "Lost?"))
+    assert page.do(commands.Undo()) is before
+    assert page.do(commands.Redo()) == scene
+    page.edits.do(SetTexts("", "Lost?"))
     page.frames(1)
-    assert page.letters.last("texts") == {"refused": "Name: it must not be empty."}
+    assert page.letters.last(TextsTaken).refused == "Name: it must not be empty."
     assert page.session.scene is scene
     assert not page.session.notices
 
@@ -406,7 +398,7 @@ def test_a_body_that_was_built_from_a_preset_has_none_of_its_texts() -> None:
     scene = page.do(Place(0.1, 0.1))
     assert (scene.name, scene.title, scene.description) == ("my scene", "", "")
     # The preset is back with its parts.
-    assert page.do(Do("undo")).title == "Start from nothing"
+    assert page.do(commands.Undo()).title == "Start from nothing"
 
 
 @pytest.mark.parametrize(
@@ -415,6 +407,6 @@ def test_a_body_that_was_built_from_a_preset_has_none_of_its_texts() -> None:
      {"name": 1, "description": ""}],
 )  # fmt: skip
 def test_forged_texts_are_none(fields: dict[str, Any]) -> None:
-    good = {"do": "texts", "name": "a", "description": '"\n' * 1000}
-    assert parse_ask(f"1|ask|{msgspec.json.encode(good).decode()}") == Texts("a", good["description"])
-    assert parse_ask(f"1|ask|{msgspec.json.encode({'do': 'texts', **fields}).decode()}") is None
+    good = {"do": "setTexts", "name": "a", "description": '"\n' * 1000}
+    assert read(msgspec.json.encode(good).decode()) == SetTexts("a", good["description"])
+    assert read(msgspec.json.encode({"do": "setTexts", **fields}).decode()) is None

@@ -14,14 +14,15 @@ from PIL import Image
 
 import sim
 from app.page import gallery, owner, shelf, thumbnails
-from app.page.asks import Change, OpenScene, Scenes, Who
 from app.page.assets import page_files
 from app.page.gallery import Gallery
 from app.page.shelf import Shelf
 from app.session.notices import Notice
+from app.wire.from_page import ChangeScene, ListScenes, OpenScene, Who
+from app.wire.to_page import SceneChanged, ScenePictures, Scenes
 from sim.scene import files
+from tests.app.letters import Letters
 from tests.app.pages import SessionPage
-from tests.app.test_links import Letters
 
 MOST_BYTES = 300_000
 
@@ -94,16 +95,16 @@ def test_the_list_has_all_scenes_and_own_ones_are_painted_once(
     files.save_user_scene(sim.rope(), "mine")
     (home / "broken.json").write_text("{")
     page = Page()
-    page.gallery.list(Scenes(dark=True))
+    page.gallery.list(ListScenes(dark=True))
     listed, painted = page.letters.sent
-    names = [entry.name for entry in listed["scenes"]]
+    names = [entry.name for entry in listed.scenes]
     assert {"ring", "mine", "study-w1"} <= set(names)
     assert "broken" not in names
-    assert listed["present"] == "ring"
-    assert list(painted["pictures"]) == ["mine"]
-    assert painted["pictures"]["mine"].startswith("data:image/webp;base64,")
+    assert listed.present == "ring"
+    assert list(painted.pictures) == ["mine"]
+    assert painted.pictures["mine"].startswith("data:image/webp;base64,")
     monkeypatch.setattr(thumbnails, "picture", lambda *_: pytest.fail("painted again"))
-    page.gallery.list(Scenes(dark=True))
+    page.gallery.list(ListScenes(dark=True))
     assert page.letters.sent[-1] == painted
     assert gallery._painted.cache_parameters()["maxsize"] is not None
 
@@ -120,27 +121,27 @@ def test_the_folder_is_read_once_for_a_list_however_many_scenes_were_just_saved(
         return list_scenes()
 
     monkeypatch.setattr(sim, "list_scenes", counting)
-    page.gallery.list(Scenes(dark=False))
-    assert len(page.letters.sent[-1]["pictures"]) == 3
+    page.gallery.list(ListScenes(dark=False))
+    assert len(page.letters.last(ScenePictures).pictures) == 3
     assert len(counted) == 1
 
 
 def test_what_is_done_is_said_and_can_be_undone(home: Path) -> None:
     files.save_user_scene(sim.rope(), "mine")
     page = Page()
-    page.gallery.change(Change(how="delete", name="mine"))
-    letter = page.letters.sent[-1]
-    assert letter["text"] == "'mine' is deleted."
-    page.gallery.change(Change(how="restore", name=letter["undo"]))
-    assert page.letters.sent[-1]["text"] == "'mine' is back."
-    assert not page.letters.sent[-1]["undo"]
-    page.gallery.change(Change(how="duplicate", name="mine"))
-    page.gallery.change(Change(how="rename", name="mine 2", to="ring"))
-    assert "built-in" in page.letters.sent[-1]["text"]
+    page.gallery.change(ChangeScene(how="delete", name="mine"))
+    letter = page.letters.last(SceneChanged)
+    assert letter.text == "'mine' is deleted."
+    page.gallery.change(ChangeScene(how="restore", name=letter.undo))
+    assert page.letters.last(SceneChanged).text == "'mine' is back."
+    assert not page.letters.last(SceneChanged).undo
+    page.gallery.change(ChangeScene(how="duplicate", name="mine"))
+    page.gallery.change(ChangeScene(how="rename", name="mine 2", to="ring"))
+    assert "built-in" in page.letters.last(SceneChanged).text
     assert sorted(path.stem for path in home.glob("*.json")) == ["mine", "mine 2"]
     # A preset cannot be deleted.
-    page.gallery.change(Change(how="delete", name="ring"))
-    assert "built-in" in page.letters.sent[-1]["text"]
+    page.gallery.change(ChangeScene(how="delete", name="ring"))
+    assert "built-in" in page.letters.last(SceneChanged).text
     assert files.load_scene("ring")
 
 
@@ -154,15 +155,15 @@ def visitor(digit: str, key: str = "") -> Page:
 
 def listed(page: Page) -> dict[str, tuple[str, str, bool]]:
     """Title, group and whether it is its own, of each scene that is saved."""
-    page.gallery.list(Scenes(dark=False))
-    letter = next(letter for letter in page.letters.sent if "scenes" in letter)
+    page.gallery.list(ListScenes(dark=False))
+    letter = page.letters.last(Scenes)
     page.letters.sent.clear()
-    return {e.name: (e.title, e.group, e.own) for e in letter["scenes"] if e.saved}
+    return {e.name: (e.title, e.group, e.own) for e in letter.scenes if e.saved}
 
 
 def said(page: Page, how: Literal["rename", "duplicate", "delete", "restore"], name: str) -> str:
-    page.gallery.change(Change(how=how, name=name, to="other"))
-    return str(page.letters.sent[-1]["text"])
+    page.gallery.change(ChangeScene(how=how, name=name, to="other"))
+    return str(page.letters.last(SceneChanged).text)
 
 
 def test_a_visitor_opens_and_copies_the_owner_s_scenes_and_changes_none(home: Path) -> None:
@@ -181,7 +182,7 @@ def test_a_visitor_opens_and_copies_the_owner_s_scenes_and_changes_none(home: Pa
     assert said(page, "duplicate", "shared/mine") == "The copy is called 'mine'."
     assert listed(page)["mine"] == ("mine", "Your own", True)
     assert said(page, "delete", "mine") == "'mine' is deleted."
-    page.gallery.change(Change(how="restore", name=page.letters.sent[-1]["undo"]))
+    page.gallery.change(ChangeScene(how="restore", name=page.letters.last(SceneChanged).undo))
     assert "mine" in listed(page)
     assert len(sim.load_scene("mine").masses) == 5
     # Neither another visitor nor the owner has it.
@@ -228,9 +229,9 @@ def test_each_picture_is_sent_once_and_none_can_be_lost(home: Path) -> None:
     for number in range(20):
         files.save_user_scene(sim.rope(masses=3), f"mine {number}")
     page = Page()
-    page.gallery.list(Scenes(dark=False))
-    letters = [letter for letter in page.letters.sent if "pictures" in letter]
+    page.gallery.list(ListScenes(dark=False))
+    letters = [letter for letter in page.letters.sent if isinstance(letter, ScenePictures)]
     assert len(letters) == 3
-    assert len({letter["kind"] for letter in letters}) == 3
-    sent = [name for letter in letters for name in letter["pictures"]]
+    assert len(set(page.letters.keys)) == len(page.letters.keys)
+    sent = [name for letter in letters for name in letter.pictures]
     assert len(sent) == len(set(sent)) == 20

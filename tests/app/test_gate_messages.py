@@ -17,7 +17,10 @@ from app.gate.messages import (
     PAGE_MESSAGES,
     BeatMessage,
     PageMessage,
+    SoftrodMessage,
+    write,
 )
+from app.wire import carrier
 from tests.app.hostile import CAMERA, Sandbox, User, eventually, pack, uuid_of
 
 VECTOR = [0.5, 1, 2.5]
@@ -149,11 +152,18 @@ def test_the_camera_is_followed(sandbox: Sandbox) -> None:
 
 @pytest.mark.parametrize(
     "message",
-    [kind for kind in PAGE_MESSAGES if kind is not BeatMessage],
+    [kind for kind in PAGE_MESSAGES if kind not in (BeatMessage, SoftrodMessage)],
     ids=lambda message: message.__name__,
 )
 def test_messages_have_the_fields_of_visers_own(message: type[PageMessage]) -> None:
     assert message.__struct_fields__ == wire_field_names(getattr(viser._messages, message.__name__))
+
+
+def test_what_the_script_says_is_read_as_it_was_checked() -> None:
+    assert SoftrodMessage.__struct_fields__ == wire_field_names(carrier.SoftrodMessage)
+    message = viser._messages.Message.deserialize(write(SoftrodMessage(text="{}")))
+    assert isinstance(message, carrier.SoftrodMessage)
+    assert message.text == "{}"
 
 
 def update_with(**attributes: Any) -> Callable[[User], dict[str, Any]]:

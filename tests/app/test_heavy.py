@@ -12,13 +12,17 @@ from app.server.ticker import LONGEST_FRAME, next_frame
 from app.session import commands
 from app.session.pacing import HEAVY_UNIT, Pacer, is_large
 from app.session.session import FRAME, Session
+from app.wire.from_page import Perform, Switch
+from app.wire.to_page import PageState
 from sim.motion.solver import SolverStats
 from studies.bench.tabs import cloth
 from tests.app.test_serving import Stage, eventually, say, session_of, stage  # noqa: F401
 
 
-def told(tab: Tab) -> dict[str, object]:
-    return tab._panel._told
+def told(tab: Tab) -> PageState:
+    state = tab._mail.told(PageState)
+    assert state is not None
+    return state
 
 
 def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
@@ -31,8 +35,8 @@ def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
         with stage.page() as other:
             light = stage.new_tab(known)
             session = session_of(heavy)
-            say(one, heavy, "do|plot", "do|gizmos")
-            eventually(lambda: {"measures", "gizmos"} <= told(heavy).keys())
+            say(one, Perform("plot"), Switch("gizmos", True))
+            eventually(lambda: told(heavy).gizmos)
             begun, go_on = threading.Event(), threading.Event()
             tick = Session.tick
 
@@ -48,12 +52,12 @@ def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
                 assert begun.wait(10.0)
                 steps = session_of(light).simulation.step_count
                 eventually(lambda: session_of(light).simulation.step_count > steps + 30)
-                assert told(heavy)["playing"] == 1
-                say(one, heavy, "do|pause")
-                eventually(lambda: told(heavy)["playing"] == 0)
+                assert told(heavy).playing
+                say(one, Perform("pause"))
+                eventually(lambda: not told(heavy).playing)
                 assert session.playing  # it is not applied before the step is done
-                # Nor does the page turn to the plots again, or forget a switch.
-                assert told(heavy)["measures"] == told(heavy)["gizmos"] == 1
+                # Nor does the page forget a switch.
+                assert told(heavy).gizmos
                 other.read_for(0.05)
             finally:
                 go_on.set()

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import html
-import json
-import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -15,17 +12,19 @@ import viser
 
 import sim
 from app.cli import Check
-from app.drawing.sketch import Mapping
-from app.page import script
 from app.page.comma_switch import CommaSwitch
-from app.page.lesson_panel import LessonPanel, lesson_html
+from app.page.lesson_panel import LessonPanel
 from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice
 from app.session.plots import Wish
+from app.wire.from_page import BeginStep, read
+from app.wire.to_page import Lesson as LessonState
+from app.wire.to_page import LessonStep
 from sim.lesson_settings import scene_of_step
 from sim.scene.files import decode_scene, encode_scene
 from sim.scene.lesson import Lesson, Question, Step
+from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 
 QUESTION = Question(text="?", choices=("a", "b"), answer=1, because="so")
@@ -35,31 +34,18 @@ def with_lesson(*steps: Step) -> sim.Scene:
     return msgspec.structs.replace(sim.load_scene("tutorial-3.3"), lesson=Lesson(steps=steps))
 
 
-def test_the_page_gets_a_lesson_as_text() -> None:
-    evil = '"><script>x</script>&'
-    content = lesson_html(Lesson(steps=(Step(title=evil, do=evil, question=QUESTION),)))
-    found = re.fullmatch(r'<div id="softrod-lesson" data-steps="([^"<>]*)"></div>', content)
-    assert found is not None
-    (step,) = json.loads(html.unescape(found[1]))
-    assert (step["title"], step["do"], step["watch"]) == (evil, evil, "")
-    assert msgspec.convert(step["question"], Question) == QUESTION
-    assert "settings" not in step  # which are the server's
-
-
 def test_a_message_begins_a_step_and_nonsense_does_not() -> None:
-    mapping = Mapping.of(sim.load_scene("ring"))
     for how in ("run", "wait", "on"):
-        assert script.parse(f"3|lesson|12|{how}", mapping) == script.Begin(12, how)
+        assert read(f'{{"do":"beginStep","step":12,"how":"{how}"}}') == BeginStep(12, how)
     for nonsense in (
-        "3|lesson|",
-        "3|lesson|-1",
-        "3|lesson|123",
-        "3|lesson|1|2",
-        "3|lesson|1",
-        "3|lesson|x",
-        "3|lesson|1|run|",
+        '"step":-1',
+        '"step":123',
+        '"step":1.5',
+        '"step":"1"',
+        '"step":1,"how":"walk"',
+        '"how":"on"',
     ):
-        assert script.parse(nonsense, mapping) is None
+        assert read(f'{{"do":"beginStep",{nonsense}}}') is None
 
 
 def test_a_lesson_is_saved_and_a_scene_without_one_does_not_mention_it() -> None:
@@ -118,10 +104,24 @@ def server() -> Iterator[viser.ViserServer]:
     server.stop()
 
 
-def lesson_panel(server: viser.ViserServer, page: SessionPage, told: list[Notice]) -> LessonPanel:
+def lesson_panel(
+    server: viser.ViserServer, page: SessionPage, told: list[Notice], letters: Letters | None = None
+) -> LessonPanel:
     client: Any = server  # has the same `gui`
     tab = server.gui.add_tab_group().add_tab("Lesson")
-    return LessonPanel(client, tab, page.session, told.append, CommaSwitch(print), [])
+    return LessonPanel(client, tab, page.session, letters or Letters(), told.append, CommaSwitch(print), [])
+
+
+def test_the_page_is_told_what_it_shows_of_a_lesson(server: viser.ViserServer) -> None:
+    page, letters = (
+        SessionPage(with_lesson(Step(title="A", do="B", question=QUESTION, settings=("gravity=0",)))),
+        Letters(),
+    )
+    panel = lesson_panel(server, page, [], letters)
+    panel.build(dark=False)
+    panel.build(dark=True)
+    # The settings are the server's.
+    assert letters.sent == [LessonState(steps=(LessonStep("A", "B", "", QUESTION),))]
 
 
 def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server: viser.ViserServer) -> None:
@@ -138,7 +138,7 @@ def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server:
     )
     page, told = SessionPage(with_lesson(*steps)), []
     panel = lesson_panel(server, page, told)
-    panel.begin(script.Begin(0))
+    panel.begin(BeginStep(0))
     page.frames(1)
     panel.build(dark=False)
     assert not page.session.playing
@@ -146,21 +146,21 @@ def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server:
     assert panel.plots.wishes == (Wish(("joint0.rate",), "joint0.angle"),)
     assert page.session.ghost is not None
     assert page.session.ghost.method == "rk4"
-    panel.begin(script.Begin(1))
+    panel.begin(BeginStep(1))
     page.frames(1)
     panel.build(dark=False)
     assert (panel.controls, panel.plots.wishes, page.session.ghost) == (("angular_stiffness",), (), None)
     # What has been answered need not wait.
-    panel.begin(script.Begin(0, "run"))
+    panel.begin(BeginStep(0, "run"))
     page.frames(1)
     assert page.session.playing
     # A page that goes on in the middle of a step does not begin it anew.
     time = page.session.simulation.time
-    panel.begin(script.Begin(1, "on"))
+    panel.begin(BeginStep(1, "on"))
     page.frames(1)
     assert page.session.simulation.time > time
     assert panel.controls == ("angular_stiffness",)
-    panel.begin(script.Begin(7))  # a page can send anything
+    panel.begin(BeginStep(7))  # a page can send anything
     assert panel.step == steps[1]
     assert not told
 
@@ -189,7 +189,7 @@ def test_a_step_begins_when_a_scene_is_opened_and_not_when_it_goes_on(server: vi
     scene = with_lesson(Step(title="A", do="B"))
     page = SessionPage(scene)
     assert not page.session.lesson_begun
-    lesson_panel(server, page, []).begin(script.Begin(0))
+    lesson_panel(server, page, []).begin(BeginStep(0))
     page.frames(5)
     assert page.session.lesson_begun
     kept, log = page.session.keepsake(), page.session.recorder.file()
@@ -209,7 +209,7 @@ def test_leaving_a_question_lets_the_next_scene_run(server: viser.ViserServer) -
     lesson = page.session.scene.lesson
     assert lesson is not None
     asks = next(i for i, step in enumerate(lesson.steps) if step.question is not None)
-    panel.begin(script.Begin(asks))
+    panel.begin(BeginStep(asks))
     page.frames(5)
     assert not page.session.playing
     page.frames(5, commands.Open(sim.load_scene("ring")))
@@ -219,6 +219,6 @@ def test_leaving_a_question_lets_the_next_scene_run(server: viser.ViserServer) -
     assert not page.session.playing
     # So does that of a step whose question was answered, and which was paused then.
     page.frames(1, commands.Open(sim.load_scene("lesson-hooke")))
-    panel.begin(script.Begin(asks))
+    panel.begin(BeginStep(asks))
     page.frames(5, commands.Play(True), commands.Play(False), commands.Open(sim.load_scene("ring")))
     assert not page.session.playing

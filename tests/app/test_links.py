@@ -14,20 +14,21 @@ import sim
 from app.cli import main
 from app.gate import address
 from app.gate.address import address_for_others, public_address
-from app.page import controls, script
-from app.page.asks import Ask, Share, parse_ask
+from app.page import controls
 from app.page.controls import Controls
 from app.page.keeping import Parts
-from app.page.mail import Mail
 from app.page.opening import asked_scene
 from app.page.sharing import Sharing
 from app.session import commands
 from app.session.notices import Notice
+from app.wire.from_page import Ask, Part, Share, read
+from app.wire.to_page import Link
 from sim.errors import SceneError
 from sim.scene.files import decode_link, save_user_scene
 from sim.scene.link import pack_scene
 from sim.scene.shared import shared_folder, shared_scene
 from tests.app.hostile import Sandbox, answer
+from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 
 PAGE = "http://127.0.0.1:8080/"
@@ -39,16 +40,6 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     if tmp_path not in shared_folder().parents:
         pytest.skip("this platform keeps data elsewhere than XDG_DATA_HOME says")
-
-
-class Letters(Mail):
-    """Keeps what would be sent."""
-
-    def __init__(self) -> None:
-        self.sent: list[dict[str, Any]] = []
-
-    def send(self, kind: str, **content: Any) -> None:
-        self.sent.append({"kind": kind, **content})
 
 
 class Page(SessionPage):
@@ -63,7 +54,7 @@ class Page(SessionPage):
         """Open a scene."""
         self.session.post(commands.Open(scene))
 
-    def link(self, pose: bool = False, **wishes: Any) -> dict[str, Any]:
+    def link(self, pose: bool = False, **wishes: Any) -> Link:
         """What comes back when a link is asked for."""
         ask = Share(pose=pose, page=PAGE, **wishes)
         asking = threading.Thread(target=self.sharing.share, args=(ask,))
@@ -71,49 +62,49 @@ class Page(SessionPage):
         while asking.is_alive():
             self.session.drain()
             asking.join(0.001)
-        return self.letters.sent[-1]
+        return self.letters.last(Link)
 
 
 def test_a_link_has_the_scene_as_it_is_now() -> None:
     page = Page("tutorial-3.3")
     page.frames(30, commands.SetValue("gravity", 321.0))
     plain, posed = page.link(pose=False), page.link(pose=True)
-    scene = decode_link(plain["link"].removeprefix(f"{PAGE}s#"))
+    scene = decode_link(plain.link.removeprefix(f"{PAGE}s#"))
     assert scene == page.session.scene
-    assert plain["qr"].startswith("data:image/svg+xml")
-    there = decode_link(posed["link"].removeprefix(f"{PAGE}s#"))
+    assert plain.qr.startswith("data:image/svg+xml")
+    there = decode_link(posed.link.removeprefix(f"{PAGE}s#"))
     assert (sim.Simulation(there).positions == page.session.simulation.positions).all()
 
 
 def test_a_long_link_has_no_qr_code() -> None:
-    assert not Page("tree").link(pose=True)["qr"]
+    assert not Page("tree").link(pose=True).qr
 
 
 def test_a_preset_s_short_address_is_its_name(home: None) -> None:
     letter = Page("lesson-hooke").link(short=True)
-    assert letter["link"] == f"{PAGE}?scene=lesson-hooke"
-    assert letter["qr"].startswith("data:image/svg+xml")
+    assert letter.link == f"{PAGE}?scene=lesson-hooke"
+    assert letter.qr.startswith("data:image/svg+xml")
     assert not shared_folder().exists()
 
 
 def test_any_other_scene_s_short_address_is_a_code_that_outlives_the_server(home: None) -> None:
     page = Page("ring")
     page.frames(1, commands.SetValue("gravity", 321.0))
-    link = page.link(short=True)["link"]
-    assert page.link(short=True)["link"] == link
+    link = page.link(short=True).link
+    assert page.link(short=True).link == link
     match = re.fullmatch(rf"{re.escape(PAGE)}\?(s=\w{{4}})", link)
     assert match is not None
     assert asked_scene(match[1]) == page.session.scene
     assert asked_scene(match[1].lower()) == page.session.scene
-    assert page.link(pose=True, short=True)["link"] != link
+    assert page.link(pose=True, short=True).link != link
 
 
 def test_an_address_says_which_controls_a_phone_gets(home: None) -> None:
     page = Page("tutorial-3.3")
-    short = page.link(short=True, controls="sliders")["link"]
+    short = page.link(short=True, controls="sliders").link
     assert short == f"{PAGE}?scene=tutorial-3.3&controls=play,rest_angle,angular_stiffness"
     assert controls.of_query(short.partition("?")[2]) == Controls(("play", "rest_angle", "angular_stiffness"))
-    long = page.link(controls="play")["link"]
+    long = page.link(controls="play").link
     assert long.startswith(f"{PAGE}s?controls=play#1.")
 
 
@@ -176,31 +167,30 @@ def test_a_link_opens_and_a_bad_one_is_one_sentence() -> None:
 @pytest.mark.parametrize(
     "message",
     [
-        "1|ask|", "1|ask|{}", "1|ask|{", '1|ask|{"do":"share"}', '1|ask|{"do":"format"}', "1|ask|[]", None, 7,
-        '1|ask|{"do":"share","pose":1,"page":"http://x/"}',
-        '1|ask|{"do":"share","pose":true,"page":"javascript:alert(1)"}',
-        '1|ask|{"do":"share","pose":true,"page":"http://x/\\"><script>"}',
-        '1|ask|{"do":"share","pose":true,"page":"http://x/","more":1}',
-        '1|ask|{"do":"share","pose":true,"page":"http://' + "x" * 2000 + '/"}',
-        "1|ask|" + "{" * 900 + "}", '1|ask|{"do":"share","pose":true,"page":"http://x/"}\n',
-        'x|ask|{"do":"share","pose":true,"page":"http://x/"}', "1|ask|{\ud800}}",
+        "", "{}", "{", '{"do":"share"}', '{"do":"format"}', "[]",
+        '{"do":"share","pose":1,"page":"http://x/"}',
+        '{"do":"share","pose":true,"page":"javascript:alert(1)"}',
+        '{"do":"share","pose":true,"page":"http://x/\\"><script>"}',
+        '{"do":"share","pose":true,"page":"http://x/","more":1}',
+        '{"do":"share","pose":true,"page":"http://' + "x" * 2000 + '/"}',
+        "{" * 900 + "}", '{"do":"share","pose":true,"page":"http://x/"};', "[" * 100_000, "{\ud800}}",
     ],
 )  # fmt: skip
-def test_what_makes_no_sense_is_not_answered(message: object) -> None:
-    assert parse_ask(message) is None
+def test_what_makes_no_sense_is_not_answered(message: str) -> None:
+    assert read(message) is None
 
 
 def test_what_the_page_asks_for_is_understood() -> None:
-    message = '12|ask|{"do":"share","pose":true,"page":"http://[::1]:8080/lab/"}'
-    assert parse_ask(message) == Share(pose=True, page="http://[::1]:8080/lab/")
+    message = '{"do":"share","pose":true,"page":"http://[::1]:8080/lab/"}'
+    assert read(message) == Share(pose=True, page="http://[::1]:8080/lab/")
     assert issubclass(Share, Ask)
 
 
 def test_parts_are_put_together_in_their_order() -> None:
-    part = script.parse_part("7|link|1/2|1.ab<>%")
-    assert part == script.Part("link", 1, 2, "1.ab<>%")
-    assert script.parse_part("7|link|1/2|a b") is None
-    assert script.parse_part("7|rm|1/1|a") is None
+    part = read('{"do":"part","kind":"link","number":1,"of":2,"letters":"1.ab<>%"}')
+    assert part == Part("link", 1, 2, "1.ab<>%")
+    assert read('{"do":"part","kind":"link","number":1,"of":2,"letters":"a b"}') is None
+    assert read('{"do":"part","kind":"rm","number":1,"of":1,"letters":"a"}') is None
     parts = Parts()
     assert parts.add(1, 2, "a") is None
     assert parts.add(1, 2, "b") is None  # begun anew

@@ -186,7 +186,13 @@ def test_plots_that_nobody_sees_run_on_and_are_not_sent() -> None:
     try:
         client: Any = server  # has the same `gui`
         panel = MeasurePanel(
-            client, server.gui.add_tab_group().add_tab("Measure"), page.session, print, CommaSwitch(print), []
+            client,
+            server.gui.add_tab_group().add_tab("Measure"),
+            page.session,
+            print,
+            CommaSwitch(print),
+            [],
+            print,
         )
         panel.plot_angle()
         panel.tick()
@@ -271,7 +277,7 @@ def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -
     try:
         client: Any = server  # has the same `gui`
         tab = server.gui.add_tab_group().add_tab("Measure")
-        panel = MeasurePanel(client, tab, page.session, told.append, CommaSwitch(print), [])
+        panel = MeasurePanel(client, tab, page.session, told.append, CommaSwitch(print), [], lambda: None)
         panel.tick()
         panel._part.value = "joint999999"
         panel._what.value = "<b>"

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 import viser
@@ -28,6 +29,8 @@ from app.server.ticker import Ticker
 from app.session import commands
 from app.session.commands import DragStart, Open
 from app.session.session import Session
+from app.wire.from_page import FromPage, OpenScene, Part, Perform, Switch
+from app.wire.to_page import Hud
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.scene.link import pack_scene
 from studies.bench.client import Page
@@ -94,17 +97,11 @@ def is_frame(message: dict[str, Any]) -> bool:
     return message.get("name") == FRAME and "points" in message.get("updates", {})
 
 
-def say(page: Page, tab: Tab, *texts: str) -> None:
-    """Send what the page's script would."""
-    for number, text in enumerate(texts):
-        value = f"{time.monotonic_ns() % 10**12 + number}|{text}"
-        page.send(
-            {
-                "type": "GuiUpdateMessage",
-                "uuid": tab._panel.channel._impl.uuid,
-                "updates": {"value": value},
-            }
-        )
+def say(page: Page, *messages: FromPage | str) -> None:
+    """Send what the page's script would, or any text."""
+    for message in messages:
+        text = message if isinstance(message, str) else msgspec.json.encode(message).decode()
+        page.send({"type": "SoftrodMessage", "text": text})
 
 
 def test_one_node_per_kind(stage: Stage) -> None:
@@ -114,7 +111,7 @@ def test_one_node_per_kind(stage: Stage) -> None:
         eventually(lambda: "/body/springs" in tab._view._nodes)
         assert drawn_nodes(tab) == {"/body/springs", "/body/wedges", "/body/ring", "/body/masses"}
         assert not tab._view._gizmos
-        tab.request("gizmos", True)
+        tab.hear(Switch("gizmos", True))
         eventually(lambda: len(tab._view._gizmos) == 1)
         page.read_for(0.1)
 
@@ -136,7 +133,7 @@ def test_a_scene_pays_only_for_what_it_has(stage: Stage) -> None:
 def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
     with stage.page() as page:
         tab = stage.new_tab(set())
-        say(page, tab, "do|pause")
+        say(page, Perform("pause"))
         eventually(lambda: not session_of(tab).playing)
         frames: list[np.ndarray] = []
         deadline = time.monotonic() + 0.5
@@ -158,7 +155,7 @@ def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest
     monkeypatch.setattr(Tab, "_serve_requests", lambda *_: None)  # the ticker is late
     with stage.page() as page:
         tab = stage.new_tab(set())
-        say(page, tab, f"resume|1/1|{letters}", f"link|1/1|{link}")
+        say(page, Part("resume", 1, 1, letters), Part("link", 1, 1, link))
         eventually(lambda: session_of(tab).scene.name == "box")
         monkeypatch.setattr(Tab, "_serve_requests", serve)
         eventually(lambda: tab._looks.dark)  # the page looks as it did
@@ -182,7 +179,7 @@ def test_another_scene_is_kept_at_once_however_long_the_last_keepsake_took(
         assert tab._keep_due <= session_of(tab).now() + tab_module.KEEP_LATEST
         monkeypatch.setattr(tab_module, "KEEP_LATEST", 1e9)
         tab._keep_due = math.inf
-        say(page, tab, 'ask|{"do":"open","name":"box"}')
+        say(page, OpenScene("box"))
         eventually(lambda: session_of(tab).scene.name == "box")
         eventually(lambda: tab._kept[0] == session_of(tab).revision)
 
@@ -191,14 +188,14 @@ def test_nothing_is_sent_while_paused(stage: Stage) -> None:
     with stage.page() as page:
         tab = stage.new_tab(set())
         page.read_for(1.0)
-        say(page, tab, "do|pause")
+        say(page, Perform("pause"))
         eventually(lambda: not session_of(tab).playing)
         eventually(lambda: tab._kept[0] == session_of(tab).revision and page.read_for(0.1) is None)
         page.read_for(0.5)
         before = page.messages
         page.read_for(1.5)
         assert page.messages == before
-        say(page, tab, "do|play")
+        say(page, Perform("play"))
         page.read_for(0.5)
         assert page.messages > before
 
@@ -216,7 +213,9 @@ def test_nothing_is_sent_at_rest(stage: Stage) -> None:
         page.read_for(1.5)
         assert session.simulation.step_count > steps
         assert page.messages == before
-        assert "at rest" in tab._panel._hud.content
+        hud = tab._mail.told(Hud)
+        assert hud is not None
+        assert "at rest" in hud.html
 
 
 def test_pages_have_simulations_of_their_own(stage: Stage) -> None:
@@ -226,11 +225,10 @@ def test_pages_have_simulations_of_their_own(stage: Stage) -> None:
         with stage.page() as other:
             second = stage.new_tab(known)
             assert first is not second
-            say(one, first, "do|pause")
+            say(one, Perform("pause"))
             eventually(lambda: not session_of(first).playing)
             assert session_of(second).playing
-            # The other page knows the first one's channel, and cannot use it.
-            say(other, first, "do|play")
+            say(other, Perform("play"))
             other.read_for(0.5)
             assert not session_of(first).playing
 
@@ -263,18 +261,27 @@ def test_nothing_is_computed_for_nobody(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["at|nan,0", "at|1e400,2", "keys|ZZ", "do|shutdown", "at|" + "9" * 40 + ",0", "x" * 5000]
+    "text",
+    [
+        '{"do":"at","hands":[[0,NaN,0]]}',
+        '{"do":"at","hands":[[0,1e400,2]]}',
+        '{"do":"keys","held":["ZZ"]}',
+        '{"do":"perform","command":"shutdown"}',
+        "[" * 5000,
+        "x" * 5000,
+        '{"do":"at","hands":[[0,' + "9" * 40 + ",0]]}",
+    ],
 )
 def test_forged_messages_change_nothing(stage: Stage, text: str) -> None:
     with stage.page() as page:
         tab = stage.new_tab(set())
-        say(page, tab, "do|pause")
+        say(page, Perform("pause"))
         eventually(lambda: not session_of(tab).playing)
         before = session_of(tab).simulation.positions
-        say(page, tab, text)
+        say(page, text)
         page.read_for(0.3)
         assert np.array_equal(session_of(tab).simulation.positions, before)
-        say(page, tab, "do|play")
+        say(page, Perform("play"))
         eventually(lambda: session_of(tab).playing)
 
 
@@ -282,7 +289,7 @@ def test_forged_messages_change_nothing(stage: Stage, text: str) -> None:
 def test_a_forged_slider_is_clamped(stage: Stage, value: float) -> None:
     with stage.page() as page:
         tab = stage.new_tab(set())
-        say(page, tab, "do|pause")
+        say(page, Perform("pause"))
         eventually(lambda: not session_of(tab).playing)
         for slider_box in tab._panel._sliders:
             for handle in (slider_box.slider, slider_box.box):
@@ -292,7 +299,7 @@ def test_a_forged_slider_is_clamped(stage: Stage, value: float) -> None:
         page.read_for(1.0)
         scene = session_of(tab).scene
         assert sim.validate(scene) is scene
-        say(page, tab, "do|play")
+        say(page, Perform("play"))
         eventually(lambda: stage.ticker.tabs)
 
 

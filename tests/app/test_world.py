@@ -13,7 +13,8 @@ import pytest
 
 import sim
 from app.drawing.colors import sent
-from app.drawing.plan import YIELDED, Picture, encode_plan, yielded_of
+from app.drawing.looks import YIELDED
+from app.drawing.plan import Picture, encode_plan, yielded_of
 from app.page import readouts
 from app.page.view import DAMAGE, Canvas
 from app.session import commands

@@ -21,6 +21,7 @@ from app.page.tab import Tab
 from app.server.ticker import Ticker
 from app.session.commands import Command
 from app.session.session import Session
+from app.wire.to_page import PageState
 from tests.browser.between_frames import FRAME_LOCK, BetweenFrames
 from tests.browser.scripts import CAMERA, FORGET, FRAMES, HARDWARE, INSTANCES, PROJECT
 
@@ -188,6 +189,13 @@ class Desk:
             session = self.tab._session
         assert session is not None
         return session
+
+    @property
+    def state(self) -> PageState:
+        """What the page was told last."""
+        state = self.tab._mail.told(PageState)
+        assert state is not None
+        return state
 
     @property
     def simulation(self) -> BetweenFrames:

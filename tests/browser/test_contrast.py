@@ -68,7 +68,7 @@ def test_every_text_stands_out(open_page: OpenPage, look: str) -> None:
     desk.page.get_by_role("button", name="Undo").wait_for()
     pale += poor(desk, "the gallery")
     desk.page.keyboard.press("Escape")
-    desk.tab.request("share", None)
+    desk.tab.perform("share")
     desk.page.get_by_label("Link to this scene").wait_for()
     pale += poor(desk, "a link")
     desk.page.keyboard.press("Escape")

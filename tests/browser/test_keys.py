@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.page.readouts import KEYS_HELP
 from app.session import commands
+from app.wire.commands import COMMANDS, key_lines
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -314,7 +314,7 @@ def test_help_and_the_command_palette_list_the_keys(open_page: OpenPage) -> None
     desk.view("Help")
     dialog = desk.page.get_by_role("dialog")
     text = dialog.inner_text()
-    for key, what in KEYS_HELP:
+    for key, what in key_lines():
         assert key in text
         assert what in text
     # Keys act on the page behind only once the dialog is gone.
@@ -329,11 +329,11 @@ def test_help_and_the_command_palette_list_the_keys(open_page: OpenPage) -> None
     palette = desk.page.locator(".mantine-Spotlight-action")
     desk.until(lambda: palette.count() > 0, "the palette opens")
     listed = " ".join(palette.all_inner_texts())
-    for key, _ in KEYS_HELP:
-        # Ctrl K opens the palette itself, and some keys are the page's alone.
-        alone = key in ("Ctrl K", "Tab", "P", "T or L", "E")
-        assert alone or all(f"key {part}" in listed for part in key.split(" or "))
-    palette.filter(has_text="One step").click()
+    for row in COMMANDS.values():
+        if row.palette:
+            assert row.label in listed
+            assert not row.keys or f"key {' or '.join(row.keys)}" in listed
+    palette.filter(has_text="1 step").click()
     desk.until(lambda: not desk.session.playing, "the palette's command is done")
     steps = desk.simulation.step_count
     desk.pause(0.2)

@@ -100,7 +100,7 @@ def test_a_hostile_scene_is_shown_as_text(open_page: OpenPage) -> None:
     desk = open_page("ring", size=SMALL, path="/s#" + pack_scene(scene))
     desk.until(lambda: desk.session.scene.name == evil, "it is opened")
     desk.page.locator(".softrod-about", has_text="onerror").wait_for()
-    desk.until(lambda: desk.tab._panel._told.get("title") == evil, "the page knows its title")
+    desk.until(lambda: desk.state.title == evil, "the page knows its title")
     desk.rest(3)
     assert desk.page.evaluate("window.pwned") is None
     assert desk.page.locator("#root img[src=x]").count() == 0

@@ -18,8 +18,7 @@ from tests.browser.driver import Desk
 ANGLE = Wish(("joint0.angle",))
 
 
-SEND = """([channel, text]) => window.__viserMutable.sendMessage(
-  { type: "GuiUpdateMessage", uuid: channel, updates: { value: `123456|${text}` } })"""
+SEND = """text => window.__viserMutable.sendMessage({ type: "SoftrodMessage", text })"""
 CHARTS = """() => JSON.stringify(Object.values(window.__viserTestpoints?.uplots ?? {}).map(({ chart }) => ({
   data: chart.data.map((column) => [...column]),
   low: chart.scales.y0?.min,
@@ -127,7 +126,7 @@ def test_a_clicked_mass_and_its_springs_are_offered(open_page: OpenPage) -> None
     desk.until(lambda: "mass4" in measures(desk)._part.options, "the mass is offered")
     assert measures(desk)._part.options[:4] == ("joint3", "mass4", "spring3", "spring4")
     # A page can name any mass; one that is not there is not offered.
-    desk.page.evaluate(SEND, [desk.tab._panel.channel._impl.uuid, "pick|999999"])
+    desk.page.evaluate(SEND, '{"do":"pick","mass":999999}')
     desk.rest(10)
     assert "mass4" in measures(desk)._part.options
     desk.choose("Part", "joint3")

@@ -3,6 +3,7 @@
  * While there is no connection: the page says so, its clock stands, what was under way ends, and nothing that is
  * pressed is done, neither now nor late.
  */
+import { hangUp } from "./channel.js";
 import { lost } from "./keep.js";
 
 const TEXT = "Not connected: your body waits. Reconnecting…";
@@ -63,7 +64,10 @@ export function mindAbsence() {
       endAll();
       since = performance.now();
     }
-    if (line === "closed") lost();
+    if (line === "closed") {
+      lost();
+      hangUp();
+    }
     if (!away) since = Infinity;
     document.documentElement.toggleAttribute("data-softrod-away", away);
     banner.textContent = away ? TEXT : "";

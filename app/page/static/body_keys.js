@@ -6,8 +6,8 @@
 import { onPicture, shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
 import { choose, chosenMass } from "./overlay.js";
-import { freeHand, freshHand, placeText } from "./hands.js";
-import { pointText } from "./screen.js";
+import { freeHand, freshHand, handAt } from "./hands.js";
+import { rounded } from "./screen.js";
 
 /** How far an arrow moves a mass, in units of the world: a hundredth of the scene's frame. */
 const STEP = 0.06;
@@ -52,7 +52,7 @@ export function addBodyKeys() {
   const letGo = () => {
     if (!hand) return;
     hand = null;
-    send("drop", String(number));
+    send({ do: "drop", hand: number });
     freeHand(number);
     say(`${name()} let go`);
   };
@@ -84,14 +84,15 @@ export function addBodyKeys() {
       if (hand) letGo();
       else if (at && (number = freshHand()) >= 0) {
         hand = at;
-        send("grab", `${number}|${chosenMass()}|${pointText(at)}`);
-        send("pick", String(chosenMass()));
+        const mass = chosenMass();
+        send({ do: "grab", hand: number, mass, x: rounded(at.x), y: rounded(at.y) });
+        send({ do: "pick", mass });
         say(`${name()} in hand. Arrows move it`);
       }
     } else if (move && hand) {
       const step = STEP * (event.shiftKey ? FAR : 1);
       hand = { x: hand.x + move[0] * step, y: hand.y + move[1] * step };
-      send("at", placeText(number, hand));
+      send({ do: "at", hands: [handAt(number, hand)] });
     } else if (move) {
       const count = plan.radius.length;
       choose((chosenMass() + (event.key === "ArrowRight" || event.key === "ArrowDown" ? 1 : count - 1)) % count);
@@ -102,7 +103,7 @@ export function addBodyKeys() {
   });
 
   let before = told();
-  onTold(() => {
+  onTold("pageState", () => {
     const now = told();
     stop.ariaLabel = `Body of ${shown().plan?.radius.length ?? 0} masses`;
     if (before.scene !== undefined && now.scene !== before.scene) {
@@ -110,9 +111,9 @@ export function addBodyKeys() {
       last = -1;
     }
     const news = [];
-    if (now.offer === "1" && before.offer !== "1") news.push("The body exploded and is stopped");
-    else if (before.playing !== undefined && now.playing !== before.playing) news.push(now.playing === "1" ? "Running" : "Paused");
-    if (before.scene === now.scene && now.broken !== before.broken) news.push(brokenText(Number(now.broken ?? 0)));
+    if (now.offer && !before.offer) news.push("The body exploded and is stopped");
+    else if (before.page && Boolean(now.playing) !== Boolean(before.playing)) news.push(now.playing ? "Running" : "Paused");
+    if (before.scene === now.scene && now.broken !== before.broken) news.push(brokenText(now.broken ?? 0));
     if (news.length) say(news.join(". "));
     before = now;
   });

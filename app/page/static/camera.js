@@ -3,16 +3,13 @@
 import { shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { toWorld } from "../../drawing/static/draw.js";
+import { MARGIN, NEAR, STRIP } from "../../drawing/static/looks.js";
 import { editing } from "./editing.js";
 import { placeTransport } from "./transport.js";
 import { viser } from "./viser.js";
 
-/** Room around the scene's frame. */
-const MARGIN = 1.04;
 /** How many times larger than the scene's frame a view may be; a body farther away is left out. */
 const LARGEST = 20;
-/** How near to the scene's frame a wall is shown with it, and how deep, as parts of its size. */
-const [NEAR, STRIP] = [0.2, 0.05];
 /** Pixels of a canvas below which the buttons over the bar of time have no room beside a body, and those around them. */
 const [NARROW, ROOM] = [480, 18];
 /** Width of a phone's canvas at most, and pixels that the words at its upper left take: the scene stands below them there. */
@@ -158,7 +155,7 @@ function bounds(width, height, withBody) {
 export function fit(withBody = false) {
   const { canvas, camera, cameraControl: controls, nodeRefFromName } = viser() ?? {};
   const root = nodeRefFromName?.[""];
-  const [width, height] = [Number(told().width), Number(told().height)];
+  const [width, height] = [told().width ?? 0, told().height ?? 0];
   if (!canvas || !camera || !controls || !root || !(width > 0 && height > 0)) return false;
   const box = canvas.getBoundingClientRect();
   const sheet = covered(canvas, box);
@@ -193,7 +190,7 @@ export function fit(withBody = false) {
 export function keepFlat() {
   /** @type {unknown} */
   let flat = null;
-  /** @type {string | undefined} */
+  /** @type {number | undefined} */
   let scene;
   let size = "";
   let covers = "";
@@ -215,14 +212,12 @@ export function keepFlat() {
     const cover = [sheet, above, below].join(" ");
     // A view that its user has chosen stays when the panel's sheet or the tools grow or shrink.
     const grown = cover !== covers && untouched();
-    // The same scene again means that somebody asked for it: the number before the point is the scene's.
-    const asked = told().scene !== scene && told().scene?.split(".")[0] === scene?.split(".")[0];
-    if ((told().scene !== scene || size !== now || grown) && fit(asked)) {
+    if ((told().scene !== scene || size !== now || grown) && fit()) {
       scene = told().scene;
       size = now;
       covers = cover;
     }
   };
-  onTold(look);
+  onTold("pageState", look);
   setInterval(look, LOOK_EVERY);
 }

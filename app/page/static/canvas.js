@@ -10,15 +10,13 @@
  * @typedef {import("../../drawing/static/draw.js").Instances} Instances
  */
 import * as draw from "../../drawing/static/draw.js";
-import { Glide } from "./glide.js";
-import { keep } from "./keep.js";
-import { isMail, open } from "./mail.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "../../drawing/static/plan.js";
+import { hear } from "./channel.js";
+import { Glide } from "./glide.js";
 
 const PLAN = "/softrod/plan";
 const FRAME = "/softrod/frame";
 const DAMAGE = "/softrod/damage";
-const KEEPSAKE = "/softrod/keepsake";
 const BODY = "/body/";
 
 const state = {
@@ -161,9 +159,8 @@ function note({ type, name = "", owner, props }) {
  * Stands in the way of viser's messages.
  *
  * @param {Viser} viser
- * @param {((content: unknown) => void)[]} heard get the content of elements of HTML, or undefined
  */
-export function drawBody(viser, heard) {
+export function drawBody(viser) {
   page = viser;
   /** @param {Message} message */
   const sort = (message) => {
@@ -174,12 +171,7 @@ export function drawBody(viser, heard) {
     } else if (carried) {
       const data = props?.points ?? updates?.points ?? null;
       if (data || type === "RemoveSceneNodeMessage") carried(data);
-    } else if (isMail(name)) {
-      open(name, updates?.colors);
-    } else if (name === KEEPSAKE) {
-      if (updates?.colors) keep(updates.colors);
-    } else {
-      for (const listener of heard) listener(props?.content ?? updates?.content);
+    } else if (!hear(message)) {
       note(message);
       pass(message);
     }

@@ -1,44 +1,54 @@
 // @ts-check
 /**
- * What the page says to the server, through one hidden text element, and what the server tells the page, in
- * the attributes of the element #softrod-state. That is read from the message which brings it: the element
- * itself is in the panel, which viser takes out of the page while it is folded.
+ * What the page and the server say to each other; docs/wire.md has all of it. It goes through viser's connection, in one kind of
+ * message that viser's page never sees.
+ *
+ * @typedef {import("./wire.js").Told} Told
  */
 import { viser } from "./viser.js";
 
-const STATE = '<div id="softrod-state"';
-let sequence = 0;
-/** @type {DOMStringMap} */
+/** The name of that kind. */
+const CARRIER = "SoftrodMessage";
+/** The state of the page. @type {Partial<import("./wire.js").PageState>} */
 let heard = {};
-/** @type {(() => void)[]} */
-const listeners = [];
+/** @type {Map<string, ((told: any) => void)[]>} */
+const readers = new Map();
 
-/** What the server told last. */
+/** How things are, as the server told it last. */
 export const told = () => heard;
 
-/** Calls back whenever the server told something new. @param {() => void} listener */
-export const onTold = (listener) => listeners.push(listener);
+/** Whether the page has a control. @param {string} control */
+export const has = (control) => heard.controls?.includes(control) ?? false;
 
-/** Takes what a message has for an element of HTML, if it is for the script. @param {unknown} content */
-export function hear(content) {
-  if (typeof content !== "string" || !content.startsWith(STATE)) return;
-  const template = document.createElement("template");
-  template.innerHTML = content;
-  const element = template.content.firstElementChild;
-  if (element instanceof HTMLElement) heard = { ...element.dataset };
-  for (const call of listeners) call();
+/**
+ * Calls back with everything of a kind that the server tells.
+ *
+ * @template {keyof Told} K
+ * @param {K} kind
+ * @param {(told: Told[K]) => void} reader
+ */
+export function onTold(kind, reader) {
+  readers.set(kind, [...(readers.get(kind) ?? []), reader]);
 }
 
 /**
- * Sends a message, if there is a connection.
+ * Takes what the server tells out of a message.
  *
- * @param {string} kind
- * @param {string} payload
+ * @param {import("./viser.js").Message} message
+ * @returns {boolean} whether it was for the script
  */
-export function send(kind, payload) {
-  const uuid = told().channel;
-  if (!uuid) return;
-  // The number makes every message differ from the one before, which viser would otherwise drop.
-  const value = `${++sequence}|${kind}|${payload}`;
-  viser()?.sendMessage({ type: "GuiUpdateMessage", uuid, updates: { value } });
+export function hear({ type, text }) {
+  if (type !== CARRIER) return false;
+  const message = JSON.parse(text);
+  if (message.tell === "pageState") heard = message;
+  for (const read of readers.get(message.tell) ?? []) read(message);
+  return true;
+}
+
+/** Says nothing more until the server has told how things are: the connection is lost. */
+export const hangUp = () => (heard = { ...heard, page: "" });
+
+/** Says something to the server, if there is a connection. @param {import("./wire.js").FromPage} message */
+export function send(message) {
+  if (heard.page) viser()?.sendMessage({ type: CARRIER, text: JSON.stringify(message) });
 }

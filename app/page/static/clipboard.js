@@ -3,11 +3,11 @@
  * Copying parts of a body and pasting them, also into another tab: by the clipboard where the browser lets a page have
  * it, and by the storage that the tabs of one server share.
  */
+import { onTold, send } from "./channel.js";
 import { editing } from "./editing.js";
-import { ask, onMail } from "./mail.js";
 import { sendParts } from "./links.js";
 import { sight } from "./overlay.js";
-import { pointText, worldAt } from "./screen.js";
+import { worldAt } from "./screen.js";
 
 const STORED = "softrod-clipboard";
 const BEGINS = '{"type":"softrod-fragment"';
@@ -16,7 +16,7 @@ const BEGINS = '{"type":"softrod-fragment"';
 let copied = "";
 
 /** Has what is selected copied. */
-export const toClipboard = () => ask({ do: "do", what: "copy" });
+export const toClipboard = () => send({ do: "act", what: "copy" });
 
 /** What was copied last, in whichever tab. */
 function stored() {
@@ -37,12 +37,13 @@ export function pasteHere(text) {
   const bytes = new TextEncoder().encode(fragment);
   let letters = "";
   for (const byte of bytes) letters += String.fromCharCode(byte);
-  sendParts("paste", `${pointText(worldAt(at, on))},${btoa(letters)}`);
+  const { x, y } = worldAt(at, on);
+  sendParts("paste", `${x.toFixed(6)},${y.toFixed(6)},${btoa(letters)}`);
 }
 
 /** Begins to listen. */
 export function listenToClipboard() {
-  onMail("copied", ({ text }) => {
+  onTold("copied", ({ text }) => {
     copied = text;
     try {
       localStorage.setItem(STORED, text);

@@ -40,7 +40,7 @@ const between = (value, low, high) => Math.max(low, Math.min(high, value));
 /** What else stands over the canvas, and where beside it there is room. */
 const BESIDE = /** @type {const} */ ([
   [".softrod-edit.softrod-edit-row:not(.softrod-edit-closed)", "below"],
-  [".softrod-box:has(.softrod-box-tools:not([hidden]))", "right"],
+  [".softrod-box[data-open]", "right"],
   [".softrod-edit:not(.softrod-edit-row)", "right"],
   [".softrod-box-lid", "above"],
   [".softrod-edit-closed", "above"],

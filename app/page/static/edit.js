@@ -4,19 +4,19 @@
  * so that nothing lags; the server makes the edit.
  */
 import { onPicture, shown } from "./canvas.js";
-import { onTold, told } from "./channel.js";
+import { onTold, send, told } from "./channel.js";
 import {
   CORNER, directionTo, distanceTo, isNothing, isSelected, partAt, REACH, snapped, turnable, within, world,
 } from "./edit_places.js";
 import { change, countSelected, editing, giveUp } from "./editing.js";
 import { directionAt, restAt, restDirection } from "./joint_rest.js";
 import { swallow } from "./keys.js";
-import { ask, onMail } from "./mail.js";
 import { moveSelected } from "./move.js";
 import { sight } from "./overlay.js";
 import * as pick from "./pick.js";
 import { massAt } from "./pointer.js";
 import { nearest } from "./screen.js";
+import { perform } from "./perform.js";
 import { viser } from "./viser.js";
 
 /**
@@ -100,7 +100,7 @@ function rest() {
   drop();
   if (isNothing(parts)) return;
   navigator.vibrate?.(15);
-  ask({ do: "select", ...parts });
+  send({ do: "select", ...parts });
 }
 
 function drop() {
@@ -168,8 +168,8 @@ function up(event) {
     case "marquee": {
       if (moved) {
         const [one, two] = [world(drag.start), world(at)];
-        ask({ do: "marquee", x: [one[0], two[0]], y: [one[1], two[1]], add: drag.add });
-      } else if (!press.shift && countSelected()) ask({ do: "select" });
+        send({ do: "marquee", x: [one[0], two[0]], y: [one[1], two[1]], add: drag.add });
+      } else if (!press.shift && countSelected()) send({ do: "select" });
       return;
     }
     case "move": {
@@ -178,17 +178,17 @@ function up(event) {
       else if (!press.toggled && !drag.moved) {
         // One of several: it goes with Shift, and stays alone without.
         const parts = partAt(press.start, press.kind);
-        if (press.shift || countSelected() > 1) ask({ do: "select", ...parts, toggle: press.shift });
+        if (press.shift || countSelected() > 1) send({ do: "select", ...parts, toggle: press.shift });
       }
       return;
     }
     case "stroke": {
-      if (moved) ask({ do: "stroke", points: pick.thinned(drag.points, MOST_POINTS).map(world) });
+      if (moved) send({ do: "stroke", points: pick.thinned(drag.points, MOST_POINTS).map(world) });
       return;
     }
     case "turn": {
-      if (moved) ask({ do: "turn", joint: drag.joint, angle: restAt(drag.joint, drag.angle) });
-      else if (isTwice(drag.joint, event.timeStamp)) ask({ do: "turn", joint: drag.joint });
+      if (moved) send({ do: "turn", joint: drag.joint, angle: restAt(drag.joint, drag.angle) });
+      else if (isTwice(drag.joint, event.timeStamp)) send({ do: "turn", joint: drag.joint });
       return;
     }
     default:
@@ -217,7 +217,7 @@ function takeParts(at) {
   }
   if (!isSelected(parts)) {
     press.toggled = true;
-    ask({ do: "select", ...parts, toggle: press.shift });
+    send({ do: "select", ...parts, toggle: press.shift });
     // So that it can be moved at once: the server says the same.
     change({ selected: press.shift ? joined(editing.selected, parts) : parts });
   }
@@ -253,7 +253,7 @@ function endLine({ from, start, at, to }, moved) {
   else if (from >= 0) change({ chain: from });
   else {
     const [x, y] = world(start);
-    ask({ do: "place", x, y });
+    send({ do: "place", x, y });
   }
 }
 
@@ -264,7 +264,7 @@ function endLine({ from, start, at, to }, moved) {
  */
 export function line(a, start, b, end) {
   change(b >= 0 ? { chain: b } : { chaining: true });
-  ask({
+  send({
     do: "line",
     ...(a >= 0 ? { a } : { start: world(start) }),
     ...(b >= 0 ? { b } : { end: world(end) }),
@@ -306,7 +306,7 @@ function clickCorner(at, now) {
     const corners = pick.cornersOf(seen.plan, seen.places, corner, broken);
     const hit = corners.find(({ from, turn }) => pick.turnTo(from, direction) <= turn);
     if (hit) {
-      if (hit.joint < 0) ask({ do: "hold", a: hit.a, b: hit.b });
+      if (hit.joint < 0) send({ do: "hold", a: hit.a, b: hit.b });
       else chooseJoint(hit.joint, now);
       return;
     }
@@ -319,21 +319,21 @@ function clickCorner(at, now) {
   // Any two springs that share a mass, one after the other.
   const spring = pick.springAt(seen.plan, seen.places, at, within(REACH, press.kind), broken);
   if (spring >= 0 && editing.arm >= 0 && spring !== editing.arm) {
-    ask({ do: "hold", a: editing.arm, b: spring });
+    send({ do: "hold", a: editing.arm, b: spring });
     change({ arm: -1 });
   } else change({ arm: spring, corner: -1 });
 }
 
 /** @param {number} joint @param {number} now */
 function chooseJoint(joint, now) {
-  if (isTwice(joint, now)) ask({ do: "turn", joint });
-  else ask({ do: "select", joints: [joint] });
+  if (isTwice(joint, now)) send({ do: "turn", joint });
+  else send({ do: "select", joints: [joint] });
 }
 
 /** Takes the last change back, or does it again: numbers of masses are then others. @param {"undo" | "redo"} what */
 export function stepBack(what) {
   giveUp();
-  ask({ do: "do", what });
+  perform(what);
 }
 
 // ------------------------------------------------------------------------- what the server tells
@@ -356,9 +356,9 @@ export function listenToEdits() {
     const parts = partAt({ x: event.clientX, y: event.clientY }, "mouse");
     if (isNothing(parts)) return;
     swallow(event);
-    ask({ do: "select", ...parts });
+    send({ do: "select", ...parts });
   }, true);
-  onMail("selected", ({ masses, springs, joints }) => {
+  onTold("selected", ({ masses, springs, joints }) => {
     const { chaining, chain } = editing;
     change({
       selected: { masses, springs, joints },
@@ -366,7 +366,7 @@ export function listenToEdits() {
       chaining: false,
     });
   });
-  onMail("versions", ({ undo, redo }) => {
+  onTold("versions", ({ undo, redo }) => {
     if (redo && redo !== editing.redo) giveUp(); // undone elsewhere: as in `stepBack`
     change({ undo, redo });
   });
@@ -377,7 +377,7 @@ export function listenToEdits() {
     [masses, springs] = [radius.length, ends.length];
   });
   let { scene } = told();
-  onTold(() => {
+  onTold("pageState", () => {
     if (told().scene !== scene) giveUp();
     ({ scene } = told());
   });

@@ -4,13 +4,13 @@
  * that the pointer can do.
  */
 import { shown } from "./canvas.js";
+import { send } from "./channel.js";
 import { pasteHere, toClipboard } from "./clipboard.js";
 import { line, stepBack } from "./edit.js";
 import { step } from "./edit_places.js";
-import { change, countSelected, editing, giveUp, isEditable, setEditing, setTool } from "./editing.js";
-import { EDIT, PIN, printed, TOOLS } from "./key_table.js";
+import { change, countSelected, editing, giveUp, isEditable, isTool, setTool } from "./editing.js";
+import { commandOf } from "./key_table.js";
 import { isFree, swallow } from "./keys.js";
-import { ask } from "./mail.js";
 import { moveSelected } from "./move.js";
 import { chosenMass, sight } from "./overlay.js";
 import { massAt } from "./pointer.js";
@@ -41,14 +41,13 @@ function aim(mass) {
 /** @param {KeyboardEvent} event @returns {boolean} whether that was one */
 function withCtrl(event) {
   const { shiftKey, repeat } = event;
-  const letter = printed(event);
   if (!isFreeWithCtrl(event)) return false;
-  if (letter === "z") stepBack(shiftKey ? "redo" : "undo");
-  else if (letter === "y" && !shiftKey) stepBack("redo");
+  const [everywhere, does] = [commandOf(event), commandOf(event, "edit")];
+  if (everywhere === "undo") stepBack(shiftKey ? "redo" : "undo");
+  else if (everywhere === "redo" && !shiftKey) stepBack("redo");
   else if (!editing.on || shiftKey) return false;
-  else if (letter === "d") repeat || ask({ do: "do", what: "duplicate" });
-  else if (letter === "a") repeat || ask({ do: "do", what: "all" });
-  else if (letter === "c" && countSelected() && !isTextMarked()) repeat || toClipboard();
+  else if (does === "duplicate" || does === "all") repeat || send({ do: "act", what: does });
+  else if (does === "copy" && countSelected() && !isTextMarked()) repeat || toClipboard();
   else return false;
   return true;
 }
@@ -65,8 +64,8 @@ function nudge({ key, shiftKey }, mass) {
 function enter(mass) {
   const { tool, chain } = editing;
   const none = { x: 0, y: 0 };
-  if (tool === "select") ask({ do: "select", masses: [mass], toggle: true });
-  else if (tool === "joint") ask({ do: "do", what: "corners", mass });
+  if (tool === "select") send({ do: "select", masses: [mass], toggle: true });
+  else if (tool === "joint") send({ do: "act", what: "corners", mass });
   else if (tool === "build" && chain === mass) change({ chain: -1 });
   else if (tool === "build" && chain >= 0) line(chain, none, mass, none);
   else if (tool === "build") change({ chain: mass });
@@ -97,8 +96,7 @@ function grow(mass) {
 /** @param {KeyboardEvent} event */
 function press(event) {
   if (!isEditable()) return;
-  const { key, ctrlKey, metaKey, altKey, shiftKey } = event;
-  const letter = printed(event);
+  const { key, ctrlKey, metaKey, altKey } = event;
   if ((ctrlKey || metaKey) && !altKey) {
     if (withCtrl(event)) swallow(event);
     return;
@@ -111,15 +109,13 @@ function press(event) {
     return;
   }
   if (!isFree(event)) return;
-  if (letter === EDIT && !shiftKey) {
-    if (!event.repeat) setEditing(!editing.on);
-  } else if (!editing.on) return;
-  else if (TOOLS[letter]) setTool(TOOLS[letter]);
-  else if (key === "Delete" || key === "Backspace") {
-    if (isForInstrument(event)) return;
-    if (!event.repeat) ask({ do: "do", what: "remove", ...aim(mass) });
-  } else if (letter === PIN) event.repeat || ask({ do: "do", what: "pin", ...aim(mass) });
-  else if (key === "Escape") {
+  if (!editing.on) return;
+  const does = commandOf(event, "edit");
+  if (isTool(does)) setTool(does);
+  else if (does === "remove" || does === "pin") {
+    if (does === "remove" && isForInstrument(event)) return;
+    if (!event.repeat) send({ do: "act", what: does, ...aim(mass) });
+  } else if (key === "Escape") {
     if (!leave()) return;
   } else if (mass >= 0 && key === "Enter") {
     if (!enter(mass)) return;
@@ -132,7 +128,7 @@ function press(event) {
 function leave() {
   if (giveUp()) return true;
   if (!countSelected()) return false;
-  ask({ do: "select" });
+  send({ do: "select" });
   return true;
 }
 

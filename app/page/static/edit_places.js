@@ -51,7 +51,7 @@ export function step() {
   const seen = sight();
   const { plan, on } = seen ?? {};
   if (!plan || !on) return 1;
-  return gridStep(Math.max(Number(told().width), Number(told().height)) / plan.scale, plan.scale * on.step);
+  return gridStep(Math.max(told().width ?? 0, told().height ?? 0) / plan.scale, plan.scale * on.step);
 }
 
 /**

@@ -1,51 +1,24 @@
 // @ts-check
 /** The tools at the left of the canvas, undo and redo, and what can be done to what is selected. */
-import { onTold } from "./channel.js";
+import { onTold, send } from "./channel.js";
 import { toClipboard, pasteHere } from "./clipboard.js";
+import { COMMANDS } from "./commands.js";
 import { make, makeButton } from "./dialog.js";
 import { stepBack } from "./edit.js";
 import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
-import { EDIT, keyOf, PIN } from "./key_table.js";
+import { withKey } from "./key_table.js";
 import { hasWords, larger } from "./looks.js";
-import { ask } from "./mail.js";
 import { setTakesNew, takesNew } from "./move.js";
 import { onSight } from "./overlay.js";
+import { perform } from "./perform.js";
 import { viser } from "./viser.js";
 
-/** Outlines of 24 by 24, as strokes. @type {Record<string, string>} */
-const ICONS = {
-  edit: "M4 20l1-4L16 5l3 3L8 19zM14 7l3 3",
-  hand: "M8 12V5.5a1.5 1.5 0 0 1 3 0V11m0-1V4.5a1.5 1.5 0 0 1 3 0V11m0-5a1.5 1.5 0 0 1 3 0v7c0 4-2 7-6 7-3 0-4-1-5.500-4l-2-3.500a1.500 1.500 0 0 1 2.500-1.500L8 14",
-  build: "M6 18a2.500 2.500 0 1 0 0-.01zM18 8a2.500 2.500 0 1 0 0-.01zM8 16l8-7M18 15v6M15 18h6",
-  joint: "M5 19L19 6M5 19h15M11 13.500a8 8 0 0 1 2.500 5.500",
-  select: "M5 4l14 7-6 2-2 6z",
-  cut: "M6 8a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM6 20a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM7.700 7.200L19 18M7.700 16.800L19 6",
-  undo: "M9 7L4 12l5 5M4 12h10a5 5 0 0 1 0 10h-2",
-  redo: "M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2",
-};
-
-/** @type {[import("./editing.js").Tool, string, string][]} */
-const TOOLS = [
-  ["hand", "Hand", "Take hold of masses and drag them"],
-  ["build", "Build", "Click for a mass, drag from mass to mass for a spring"],
-  ["joint", "Joint", "Point at a mass and click a corner for an angular spring"],
-  ["select", "Select", "Click parts, or drag a frame around them"],
-  ["cut", "Cut", "Draw a line through springs"],
-];
-
-/** What can be done: its name, its key, and what it asks for. @type {[string, string, string, string][]} */
-const ACTIONS = [
-  ["Pin", PIN.toUpperCase(), "pin", "Hold the masses where they are, or let them go"],
-  ["Delete", "Delete", "remove", "Take away what is selected"],
-  ["Duplicate", "Ctrl D", "duplicate", "A copy beside it"],
-  ["Mirror", "", "mirror", "Left becomes right"],
-];
+/** @type {import("./editing.js").Tool[]} */
+const TOOLS = ["hand", "build", "joint", "select", "cut"];
+/** What can be done to what is selected. @type {import("./wire.js").Act["what"][]} */
+const ACTIONS = ["pin", "remove", "duplicate", "mirror"];
 /** Also without a selection: then for the whole body. @type {typeof ACTIONS} */
-const ALWAYS = [
-  ["Corners", "", "corners", "Angular springs at every corner, at rest as they are"],
-  ["Triangulate", "", "triangulate", "Springs until all is triangles"],
-  ["Rest as is", "", "rest", "Springs and joints rest as they are now"],
-];
+const ALWAYS = ["corners", "triangulate", "rest"];
 
 /** Pixels between the other buttons over the bar of time and what stands beside them. */
 const GAP = 10;
@@ -62,15 +35,13 @@ function taken(name) {
   return width ? width + GAP : 0;
 }
 
-/** @param {string} name */
-const icon = (name) => `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`;
-
-/** @param {string} name @param {string} label @param {string} title @param {() => void} press */
-function iconButton(name, label, title, press) {
+/** @param {import("./wire.js").CommandName} name @param {() => void} press */
+function iconButton(name, press) {
+  const { icon, word, label, hint } = COMMANDS[name];
   const button = makeButton("", press, "");
-  button.innerHTML = `${icon(name)}<span>${label}</span>`;
-  button.title = title;
-  button.ariaLabel = label; // also where its word is left out
+  button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg><span>${word ?? label}</span>`;
+  button.title = hint ? withKey(hint, name) : "";
+  button.ariaLabel = word ?? label; // also where its word is left out
   return button;
 }
 
@@ -79,12 +50,12 @@ export function addEditStrip(tracing) {
   const strip = make("div", "softrod-edit");
   strip.setAttribute("role", "toolbar");
   strip.ariaLabel = "Editing";
-  const lid = iconButton("edit", "Edit", `Build and change the body (${EDIT.toUpperCase()})`, () => setEditing(!editing.on));
+  const lid = iconButton("edit", () => perform("edit"));
   const tools = make("div", "softrod-edit-tools");
-  const undo = iconButton("undo", "Undo", "", () => stepBack("undo"));
-  const redo = iconButton("redo", "Redo", "", () => stepBack("redo"));
-  const buttons = TOOLS.map(([tool, label, title]) => {
-    const button = iconButton(tool, label, `${title} (${keyOf(tool)})`, () => setTool(tool));
+  const undo = iconButton("undo", () => stepBack("undo"));
+  const redo = iconButton("redo", () => stepBack("redo"));
+  const buttons = TOOLS.map((tool) => {
+    const button = iconButton(tool, () => setTool(tool));
     tools.append(button);
     return /** @type {const} */ ([tool, button]);
   });
@@ -94,10 +65,11 @@ export function addEditStrip(tracing) {
   bar.setAttribute("role", "toolbar");
   bar.ariaLabel = "What is selected";
   const count = make("span", "softrod-edit-count");
-  /** @param {[string, string, string, string]} action */
-  const actionButton = ([label, key, what, title]) => {
-    const button = makeButton(label, () => ask({ do: "do", what }), "");
-    button.title = key ? `${title} (${key})` : title;
+  /** @param {import("./wire.js").Act["what"]} what */
+  const actionButton = (what) => {
+    const { label, hint = "" } = COMMANDS[what];
+    const button = makeButton(label, () => send({ do: "act", what }), "");
+    button.title = withKey(hint, what);
     return button;
   };
   const onSelected = [...ACTIONS.map(actionButton), makeButton("Copy", toClipboard, "")];
@@ -190,7 +162,7 @@ export function addEditStrip(tracing) {
     [shown, selected] = [now, editing.selected];
     show();
   });
-  onTold(() => {
+  onTold("pageState", () => {
     if (editing.on && !isEditable()) change({ on: false });
     show();
   });

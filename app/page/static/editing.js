@@ -13,7 +13,7 @@
  * @typedef {{kind: "turn", joint: number, angle: number}} Turn degrees
  * @typedef {Line | Marquee | Move | Stroke | Turn} Drag
  */
-import { told } from "./channel.js";
+import { has } from "./channel.js";
 
 export const editing = {
   /** Whether the tools are out. */
@@ -39,6 +39,11 @@ export const editing = {
   arm: -1,
 };
 
+/** @type {readonly string[]} */
+const TOOLS = ["hand", "build", "joint", "select", "cut"];
+/** Whether a command is a tool. @param {string | undefined} command @returns {command is Tool} */
+export const isTool = (command) => command !== undefined && TOOLS.includes(command);
+
 /** @type {(() => void)[]} */
 const listeners = [];
 /** Calls back whenever something of it changed. @param {() => void} listener */
@@ -51,7 +56,7 @@ export function change(changes) {
 }
 
 /** Whether this page has the tools. */
-export const isEditable = () => told().edit === "1";
+export const isEditable = () => has("edit");
 
 /** How much is selected. */
 export const countSelected = () =>

@@ -3,11 +3,11 @@
  * The gallery: a dialog with a card for each scene. Arrows go from card to card, letters search, Enter opens. What a
  * user named is text here, never HTML.
  *
- * @typedef {{name: string, title: string, line: string, text: string, group: string, own: boolean, saved: boolean}} Entry
+ * @typedef {import("./wire.js").Entry} Entry
  */
+import { onTold, send } from "./channel.js";
 import { make, makeButton, makeDialog } from "./dialog.js";
 import { isDark } from "./looks.js";
-import { ask, onMail } from "./mail.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
 /** The preset with which one builds a body of one's own. */
@@ -48,6 +48,9 @@ export function arrived(key, from, places) {
   return best;
 }
 
+/** Opens the gallery, once it is there. */
+export let openGallery = () => {};
+
 /** Puts up the dialog, which opens when the server says so. */
 export function addGallery() {
   const { dialog, head, body } = makeDialog("Scenes", "softrod-gallery");
@@ -60,6 +63,7 @@ export function addGallery() {
   const cards = make("div", "");
   body.append(none, cards);
   const foot = make("div", "softrod-dialog-foot");
+  foot.hidden = true;
   const said = make("span", "softrod-said");
   said.setAttribute("role", "status");
   dialog.append(foot);
@@ -102,7 +106,7 @@ export function addGallery() {
   };
   /** @param {Entry} entry */
   const open = ({ name }) => {
-    ask({ do: "open", name });
+    send({ do: "openScene", name });
     dialog.close();
     // The keys are the body's.
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
@@ -111,8 +115,9 @@ export function addGallery() {
   const say = (...content) => {
     said.replaceChildren(...content.filter((part) => typeof part === "string"));
     foot.replaceChildren(said, ...content.filter((part) => typeof part !== "string"));
+    foot.hidden = content.length === 0;
   };
-  const list = () => ask({ do: "scenes", dark: isDark() });
+  const list = () => send({ do: "listScenes", dark: isDark() });
 
   /** @param {Entry} entry */
   const askForName = ({ name }) => {
@@ -126,7 +131,7 @@ export function addGallery() {
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       chosen = field.value;
-      ask({ do: "change", how: "rename", name, to: field.value });
+      send({ do: "changeScene", how: "rename", name, to: field.value });
     });
     field.addEventListener("keydown", (event) => {
       if (event.key !== "Escape") return;
@@ -150,6 +155,7 @@ export function addGallery() {
     cell.setAttribute("role", "gridcell");
     const button = makeButton("", () => open(entry), "softrod-open");
     if (name === present) button.setAttribute("aria-current", "true");
+    row.toggleAttribute("data-current", name === present);
     const image = make("img", "");
     image.alt = "";
     image.loading = "lazy";
@@ -170,8 +176,8 @@ export function addGallery() {
         actions.append(one);
       };
       if (own) action("Rename", () => askForName(entry));
-      action("Copy", () => ask({ do: "change", how: "duplicate", name }));
-      if (own) action("Delete", () => ask({ do: "change", how: "delete", name }));
+      action("Copy", () => send({ do: "changeScene", how: "duplicate", name }));
+      if (own) action("Delete", () => send({ do: "changeScene", how: "delete", name }));
       row.append(actions);
     }
     return row;
@@ -242,30 +248,31 @@ export function addGallery() {
       if (key === "ArrowUp" && to === from) search.focus();
       else focus(on[to]);
     } else if (from >= 0 && key === "Delete") {
-      const name = on[from].closest(".softrod-card")?.getAttribute("data-name");
-      if (entries.find((entry) => entry.name === name)?.own) ask({ do: "change", how: "delete", name });
+      const name = on[from].closest(".softrod-card")?.getAttribute("data-name") ?? "";
+      if (entries.find((entry) => entry.name === name)?.own) send({ do: "changeScene", how: "delete", name });
     } else if (key.length === 1 && key !== " " && !(target instanceof HTMLInputElement)) {
       search.focus(); // which takes the letter
     }
   });
-  onMail("gallery", ({ why }) => {
+  openGallery = show;
+  onTold("offerGallery", ({ why }) => {
     show();
     if (why) say(why);
   });
-  onMail("shelf", () => dialog.open && list());
-  onMail("scenes", (letter) => {
+  onTold("shelfChanged", () => dialog.open && list());
+  onTold("scenes", (letter) => {
     ({ scenes: entries, present } = letter);
     if (dialog.open) build();
   });
-  onMail("pictures", (letter) => {
+  onTold("scenePictures", (letter) => {
     Object.assign(pictures, letter.pictures);
     for (const row of /** @type {NodeListOf<HTMLElement>} */ (cards.querySelectorAll(".softrod-card"))) {
       const [image, source] = [row.querySelector("img"), pictures[row.dataset.name ?? ""]];
       if (image && source && image.src !== source) image.src = source;
     }
   });
-  onMail("said", ({ text, undo }) => {
-    say(text, ...(undo ? [makeButton("Undo", () => ask({ do: "change", how: "restore", name: undo }))] : []));
+  onTold("sceneChanged", ({ text, undo }) => {
+    say(text, ...(undo ? [makeButton("Undo", () => send({ do: "changeScene", how: "restore", name: undo }))] : []));
     list();
   });
 }

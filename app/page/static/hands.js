@@ -2,7 +2,7 @@
 /**
  * The hands that hold masses, by number: one for each pointer that drags, and one for the keys. The server knows as many.
  */
-import { pointText } from "./screen.js";
+import { rounded } from "./screen.js";
 
 const MOST = 10;
 /** @type {Set<number>} */
@@ -28,5 +28,6 @@ export const areFree = () => busy.size === 0;
  * Where a hand is, as a message has it.
  *
  * @param {number} number of the hand @param {{x: number, y: number}} point of the world
+ * @returns {[number, number, number]}
  */
-export const placeText = (number, point) => `${number}:${pointText(point)};`;
+export const handAt = (number, { x, y }) => [number, rounded(x), rounded(y)];

@@ -3,9 +3,9 @@
  * The head-up display: what the server writes, in an element that the panel cannot take away. It is behind the body, which
  * it never covers.
  */
+import { onTold } from "./channel.js";
 import { viser } from "./viser.js";
 
-const SOURCE = '<div id="softrod-hud"';
 /** @type {HTMLElement | null} */
 let hud = null;
 
@@ -16,15 +16,13 @@ function putBehind(element) {
   else requestAnimationFrame(() => putBehind(element));
 }
 
-/** Shows what a message has for the display, if it is for it. @param {unknown} content */
-export function showHud(content) {
-  if (typeof content !== "string" || !content.startsWith(SOURCE)) return;
-  if (!hud?.isConnected) {
-    hud = document.createElement("div");
-    hud.className = "softrod-hud";
-    putBehind(hud);
-  }
-  const template = document.createElement("template");
-  template.innerHTML = content;
-  hud.replaceChildren(...(template.content.firstElementChild?.childNodes ?? []));
-}
+/** Begins to show it. */
+export const showHud = () =>
+  onTold("hud", ({ html }) => {
+    if (!hud?.isConnected) {
+      hud = document.createElement("div");
+      hud.className = "softrod-hud";
+      putBehind(hud);
+    }
+    hud.innerHTML = html;
+  });

@@ -11,8 +11,9 @@
  */
 import { NAMES, newFace } from "./instrument_faces.js";
 import * as shapes from "./instrument_shapes.js";
-import { onTold, told } from "./channel.js";
-import { printed, WATCH } from "./key_table.js";
+import { has, onTold } from "./channel.js";
+import { COMMANDS } from "./commands.js";
+import { printed } from "./key_table.js";
 import { isFree } from "./keys.js";
 import { hasWords, keepInView } from "./looks.js";
 import { onSight, redrawMarks, sight, SVG } from "./overlay.js";
@@ -227,7 +228,7 @@ export function addInstruments() {
     }
   });
   window.addEventListener("keydown", (event) => {
-    const index = WATCH.indexOf(printed(event));
+    const index = COMMANDS.stopwatch.keys.indexOf(printed(event));
     if (index < 0 || event.repeat || event.shiftKey || !isFree(event)) return;
     if (time(index)) event.preventDefault();
   });
@@ -246,11 +247,11 @@ export function addInstruments() {
     if (watch?.watch?.since != null) drawOne(watch);
   }, TICK);
   const show = () => {
-    const isOffered = told().tools === "1";
+    const isOffered = has("tools");
     box.offer(isOffered);
     svg.style.display = isOffered ? "" : "none";
   };
-  onTold(show);
+  onTold("pageState", show);
   show();
   for (const { kind, points, watch } of shapes.restored(kept(STORED))) lay(kind, points, watch);
   seen = sight();
@@ -274,6 +275,7 @@ function addBox() {
   /** @param {boolean} open */
   const open = (open) => {
     content.hidden = !open;
+    element.toggleAttribute("data-open", open);
     lid.ariaExpanded = String(open);
     if (open) keepInView(content);
   };

@@ -5,7 +5,6 @@
  */
 import { onTold, told } from "./channel.js";
 import { sendParts } from "./links.js";
-import { onMail } from "./mail.js";
 import { kept, store } from "./storage.js";
 
 const NAME = "softrod";
@@ -34,11 +33,6 @@ export function keepOnlyOf(asked) {
   store(ASKED, asked);
 }
 
-/** Keeps what the server said, unless that knows nothing yet of what was kept before. @param {Uint8Array} data JSON */
-export function keep(data) {
-  if (!due) store(NAME, new TextDecoder().decode(data));
-}
-
 /** Compressed, as letters that a message can carry. @param {string} text */
 async function packed(text) {
   const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate"));
@@ -49,21 +43,23 @@ async function packed(text) {
 }
 
 /**
- * Gives it to each new connection, and to each new panel until the server has it, and then calls back.
+ * Gives it to each new connection, keeps what the server says from then on, and calls back.
  *
  * @param {() => void} then
  */
 export function resume(then) {
   /** @type {string | undefined} */
-  let channel;
-  onMail("resumed", () => (due = null));
-  onTold(async () => {
-    if (told().channel === channel) return;
-    const mine = (channel = told().channel);
+  let page;
+  onTold("resumed", () => (due = null));
+  // Unless the server knows nothing yet of what was kept before.
+  onTold("keepsake", ({ kept }) => due || store(NAME, kept));
+  onTold("pageState", async () => {
+    if (told().page === page) return;
+    const mine = (page = told().page);
     if (!mine) return;
     if (due) {
       const letters = await packed(due);
-      if (mine !== channel) return; // it is given to the next one
+      if (mine !== page) return; // it is given to the next one
       if (due && !sendParts("resume", letters)) due = null;
     }
     then();

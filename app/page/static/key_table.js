@@ -2,34 +2,10 @@
 /**
  * The page's keys, by what is printed on them: letters stand in other places on Dvorak and AZERTY keyboards, and a key is
  * looked for by its letter.
+ *
+ * @typedef {import("./wire.js").CommandName} CommandName
  */
-
-/** What is pressed once. @type {Record<string, string>} */
-export const ONCE = {
-  " ": "play",
-  n: "step",
-  r: "reset",
-  f: "follow",
-  g: "plot",
-  j: "second",
-  p: "project",
-  i: "picture",
-  Escape: "pause",
-  o: "gallery",
-  0: "fit",
-  ",": "back",
-  ".": "forward",
-};
-/** Shows and hides the tools that change the body. */
-export const EDIT = "e";
-/** Holds the masses where they are while the tools are shown; else this key is one of `ONCE`. */
-export const PIN = "p";
-/** The tools, while they are shown. @type {Record<string, import("./editing.js").Tool>} */
-export const TOOLS = { h: "hand", b: "build", k: "joint", s: "select", c: "cut" };
-/** The buttons of the stopwatch. */
-export const WATCH = ["t", "l"];
-/** Opens the palette, with Ctrl. */
-export const PALETTE = "k";
+import { COMMANDS } from "./commands.js";
 
 /** What the places of keys have on them on an American keyboard. @type {Record<string, string>} */
 const PLACES = { Space: " ", Comma: ",", Period: "." };
@@ -46,8 +22,20 @@ export function printed({ key, code }) {
   return PLACES[code] ?? (/^(?:Key([A-Z])|Digit(\d))$/.test(code) ? code.slice(-1).toLowerCase() : key);
 }
 
-/** The name of the key that does something, for tooltips. @param {string} what */
-export function keyOf(what) {
-  const [key = ""] = Object.entries({ ...ONCE, ...TOOLS }).find(([, does]) => does === what) ?? [];
-  return key === " " ? "Space" : key.toUpperCase();
+const rows = /** @type {[CommandName, import("./commands.js").Row][]} */ (Object.entries(COMMANDS));
+
+/**
+ * The command that a key gives, with Ctrl or without; with Shift it may be another one.
+ *
+ * @param {{key: string, code: string, ctrlKey?: boolean, metaKey?: boolean, shiftKey?: boolean}} event of a keyboard
+ * @param {string} [where] see `Row` in commands.py
+ */
+export function commandOf(event, where = "") {
+  const key = `${event.ctrlKey || event.metaKey ? "ctrl " : ""}${event.shiftKey ? "shift " : ""}${printed(event)}`;
+  /** @param {string} wanted */
+  const find = (wanted) => rows.find(([, row]) => (row.where ?? "") === where && row.keys.includes(wanted))?.[0];
+  return find(key) ?? find(key.replace("shift ", ""));
 }
+
+/** A sentence or a name with the key that does it, for tooltips. @param {string} text @param {CommandName} command */
+export const withKey = (text, command) => (COMMANDS[command].shown ? `${text} (${COMMANDS[command].shown})` : text);

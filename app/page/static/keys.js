@@ -1,27 +1,27 @@
 // @ts-check
 /** Keys and the arrow pad: what is held, and what is pressed once. */
-import { fit } from "./camera.js";
 import { onTold, send, told } from "./channel.js";
-import { ONCE, PALETTE, printed } from "./key_table.js";
-import { toggleProjector } from "./looks.js";
-import { ask } from "./mail.js";
-import { takePicture } from "./picture.js";
+import { commandOf } from "./key_table.js";
+import { perform } from "./perform.js";
 import { nextStep } from "./transport.js";
 
-/** @type {Record<string, string>} */
-const ARROWS = { ArrowUp: "U", ArrowDown: "D", ArrowLeft: "L", ArrowRight: "R" };
+/** @typedef {import("./wire.js").Keys["held"][number]} Key */
+/** @type {Record<string, Key>} */
+const ARROWS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right" };
 /** What Space presses, once it was reached by keys. */
 const PRESSED = "button, input, [role=tab], [role=button]";
 /** What Space is typed into, or opens. */
 const TEXTS = "textarea, select, [contenteditable], input:not([type]), input[type=text], input[type=search], input[type=url]";
 /** What a key that is held down does again and again. */
-const REPEATED = new Set(["step", "back", "forward"]);
+const REPEATED = new Set(["step", "steps", "back", "forward"]);
 /** With these viser would move the camera, wherever their letters are printed. */
 const CAMERA_KEYS = new Set(["KeyW", "KeyA", "KeyS", "KeyD", "KeyQ", "KeyE"]);
+/** What opens viser's palette, with Ctrl. */
+const PALETTE = "k";
 /** Milliseconds between two reports of keys that are held; the server forgets those of which it hears nothing. */
 const REPEAT = 150;
 
-/** @type {Set<string>} */
+/** @type {Set<Key>} */
 const held = new Set();
 /** Whether the focus was last moved by a click or a touch, and not by the Tab key. */
 let byPointer = false;
@@ -46,7 +46,7 @@ const isSlider = (target) =>
  */
 function isTaken({ target, code, key }) {
   if (!(target instanceof Element)) return false;
-  if (key === "Escape") return target.closest(".softrod-box:has(> .softrod-box-tools:not([hidden]))") !== null;
+  if (key === "Escape") return target.closest(".softrod-box[data-open]") !== null;
   return target.matches(".softrod-body, .softrod-grip") && (key in ARROWS || code === "Space");
 }
 /**
@@ -75,15 +75,15 @@ export const swallow = (event) => {
   event.stopImmediatePropagation();
 };
 
-const sendHeld = () => send("keys", [...held].join(""));
-/** @param {string} key */
+const sendHeld = () => send({ do: "keys", held: [...held] });
+/** @param {Key} key */
 const hold = (key) => {
   if (!held.has(key)) {
     held.add(key);
     sendHeld();
   }
 };
-/** @param {string} key */
+/** @param {Key} key */
 const release = (key) => {
   if (held.delete(key)) sendHeld();
 };
@@ -103,7 +103,7 @@ const releaseAll = () => {
  * @returns {boolean} whether that was the key
  */
 function openPalette(event) {
-  if (printed(event) !== PALETTE || !(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return false;
+  if (commandOf(event, "own") !== "palette" || event.altKey || event.shiftKey) return false;
   if (event.target === document.body && event.key === PALETTE && event.code === "KeyK") return true; // viser hears it
   swallow(event);
   const { ctrlKey, metaKey } = event;
@@ -116,12 +116,12 @@ function openPalette(event) {
 /** @param {KeyboardEvent} event */
 function press(event) {
   if (openPalette(event)) return;
-  const once = ONCE[printed(event)];
+  const once = commandOf(event);
   if (once === "play") {
     if (!isSpaceFree(event) || isTaken(event)) return;
     swallow(event);
     spaceDown = true;
-    if (!event.repeat) send("do", once);
+    if (!event.repeat) perform(once);
     return;
   }
   if (!isFree(event) || isSlider(event.target) || isTaken(event)) return;
@@ -135,12 +135,7 @@ function press(event) {
   swallow(event);
   if (!once) return;
   if (event.repeat && !REPEATED.has(once)) return;
-  if (once === "fit") fit(true);
-  else if (once === "project") toggleProjector();
-  else if (once === "gallery") ask({ do: "offer", what: "gallery" });
-  else if (once === "picture") void takePicture();
-  else if (once === "step") send("do", event.shiftKey ? "steps" : nextStep());
-  else send("do", once);
+  perform(once === "step" ? nextStep() : once);
 }
 
 /** @param {Event} event @returns {HTMLElement | null} */
@@ -150,7 +145,7 @@ const padKey = (event) =>
 /** @param {HTMLElement} button @param {boolean} down */
 const pressPad = (button, down) => {
   button.classList.toggle("softrod-on", down);
-  const key = button.dataset.softrodKey ?? "";
+  const key = /** @type {Key} */ (button.dataset.softrodKey);
   if (down) hold(key);
   else release(key);
 };
@@ -191,7 +186,7 @@ function listenToPad() {
 /** Once something is chosen from a box, keys act on the scene and not on the box. */
 function leaveChooser() {
   let scene = told().scene;
-  onTold(() => {
+  onTold("pageState", () => {
     if (told().scene === scene) return;
     scene = told().scene;
     const focused = document.activeElement;

@@ -6,19 +6,12 @@
  */
 import { onTold, send, told } from "./channel.js";
 import { make, makeButton } from "./dialog.js";
+import { perform } from "./perform.js";
 import { kept, store } from "./storage.js";
 
 /**
- * @typedef {object} Question
- * @property {string} text
- * @property {string[]} choices
- * @property {number} answer index of the right one
- * @property {string} because
- * @typedef {object} Step
- * @property {string} title
- * @property {string} do
- * @property {string} watch
- * @property {Question | null} question
+ * @typedef {import("./wire.js").Question} Question
+ * @typedef {import("./wire.js").LessonStep} Step
  * @typedef {object} Progress
  * @property {string} lesson
  * @property {number} at the step
@@ -26,7 +19,6 @@ import { kept, store } from "./storage.js";
  * @property {boolean[]} told whether it was told at each step what is right
  */
 
-const SOURCE = '<div id="softrod-lesson"';
 const NAME = "softrod-lesson";
 /** Milliseconds between two looks whether viser has made the place of the lesson anew. */
 const LOOK_EVERY = 100;
@@ -50,16 +42,10 @@ function progressOf(lesson, count) {
   }
 }
 
-/** Takes what a message has for the lesson, if it is for it. @param {unknown} content */
-export function hearLesson(content) {
-  if (typeof content !== "string" || !content.startsWith(SOURCE)) return;
-  const template = document.createElement("template");
-  template.innerHTML = content;
-  const element = template.content.firstElementChild;
-  const lesson = (element instanceof HTMLElement && element.dataset.steps) || "[]";
-  if (lesson === progress.lesson) return;
-  steps = JSON.parse(lesson);
-  progress = progressOf(lesson, steps.length);
+/** @param {import("./wire.js").Lesson} lesson */
+function take(lesson) {
+  steps = lesson.steps;
+  progress = progressOf(JSON.stringify(steps), steps.length);
   keepProgress();
   begunIn = "";
   begin();
@@ -81,7 +67,7 @@ function enter(step) {
 /** Tells the server which step begins. The body need not wait for a question that is answered. */
 function tell() {
   const answered = steps[progress.at].question !== null && progress.answers[progress.at] !== null;
-  send("lesson", `${progress.at}|${answered ? "run" : "wait"}`);
+  send({ do: "beginStep", step: progress.at, how: answered ? "run" : "wait" });
 }
 
 /**
@@ -89,12 +75,12 @@ function tell() {
  * the middle of.
  */
 function begin() {
-  const { channel, scene, lesson } = told();
-  const opening = `${channel}.${scene?.split(".")[0]}`;
-  if (!channel || !lesson || steps.length === 0 || begunIn === opening) return;
+  const { page, scene, lesson } = told();
+  const opening = `${page}.${scene}`;
+  if (!page || lesson === undefined || steps.length === 0 || begunIn === opening) return;
   begunIn = opening;
-  if (lesson === "0") tell();
-  else send("lesson", `${progress.at}|on`);
+  if (lesson) send({ do: "beginStep", step: progress.at, how: "on" });
+  else tell();
 }
 
 const keepProgress = () => store(NAME, JSON.stringify(progress));
@@ -104,7 +90,7 @@ function answer(choice) {
   const first = progress.answers[progress.at] === null;
   progress.answers[progress.at] = choice;
   keepProgress();
-  if (first) send("do", "run");
+  if (first) perform("run");
   show();
   focusOn(first ? ".softrod-lesson-do" : ".softrod-choice[aria-pressed=true]");
 }
@@ -207,10 +193,12 @@ function show() {
 export function addLesson() {
   card = make("section", "softrod-lesson");
   card.ariaLabel = "Lesson";
-  onTold(begin);
+  onTold("lesson", take);
+  onTold("pageState", begin);
   setInterval(() => {
     const place = document.getElementById("softrod-lesson");
     if (card && place && card.parentElement !== place) place.replaceChildren(card);
+    document.documentElement.toggleAttribute("data-softrod-lesson", place !== null);
   }, LOOK_EVERY);
   show();
 }

@@ -4,10 +4,10 @@
  * it is read in the page, and the address is given back without it: a reload then goes on with what is kept.
  */
 import { send, told } from "./channel.js";
-import { ask } from "./mail.js";
+import { LINK_PATH } from "../../drawing/static/looks.js";
 
 /** The end of such a link's path; the page itself may be in a folder. */
-const PATH = /\/s$/;
+const PATH = new RegExp(`${LINK_PATH}$`);
 /** How the data begins: the number of its way of packing, and a dot. */
 const BEGIN = /^#\d+\./;
 /** Characters of a message; the gate takes 64 KiB. */
@@ -44,16 +44,16 @@ export function keepAddress() {
 export function sendParts(kind, letters) {
   const parts = Math.max(1, Math.ceil(letters.length / PART));
   if (parts > MOST_PARTS) {
-    ask({ do: "unsent", what: kind });
+    send({ do: "unsent", what: kind });
     return false;
   }
-  for (let i = 0; i < parts; i++) send(kind, `${i + 1}/${parts}|${letters.slice(PART * i, PART * (i + 1))}`);
+  for (let i = 0; i < parts; i++) send({ do: "part", kind, number: i + 1, of: parts, letters: letters.slice(PART * i, PART * (i + 1)) });
   return true;
 }
 
 /** Has the server open the link that the page was opened with, if there is a connection. */
 export function openLink() {
-  if (!due || !told().channel) return;
+  if (!due || !told().page) return;
   sendParts("link", due);
   due = "";
 }

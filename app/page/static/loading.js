@@ -44,11 +44,11 @@ export function endLoading() {
   let left = SETTLING;
   const settle = () => (left-- > 0 ? requestAnimationFrame(settle) : box()?.remove());
   const look = () => {
-    if (left === SETTLING && pictured && told().channel) settle();
+    if (left === SETTLING && pictured && told().page) settle();
   };
   onPicture(() => {
     pictured = true;
     look();
   });
-  onTold(look);
+  onTold("pageState", look);
 }

@@ -1,7 +1,7 @@
 // @ts-check
 /** How the page looks: projector mode, and where buttons have room for words and for their lists. */
-import { onMail } from "./mail.js";
 import { kept, store } from "./storage.js";
+import { viser } from "./viser.js";
 
 const NAME = "softrod-projector";
 /** Pixels of a window for which the panel has its usual size; in larger ones it grows with them. */
@@ -50,6 +50,7 @@ const enlarge = () => root().style.setProperty("--softrod-larger", larger().toFi
 /** viser leaves room for the panel beside the canvas by the width that this would have without being larger. */
 function keepRoom() {
   if (!root().classList.contains(NAME)) return;
+  viser()?.canvas?.closest("[data-dock-root] > div")?.setAttribute("data-softrod", "canvas");
   for (const side of ["left", "right"]) {
     const panel = document.querySelector(`[data-dock-region="${side}"]`);
     const width = panel ? panel.getBoundingClientRect().width : 0;
@@ -60,7 +61,6 @@ function keepRoom() {
 /** Keeps the sizes of projector mode, and turns it on if it was on before the page was loaded. */
 export function restoreLooks() {
   root().classList.toggle(NAME, kept(NAME) === "1");
-  onMail("larger", toggleProjector);
   enlarge();
   window.addEventListener("resize", enlarge);
   setInterval(keepRoom, LOOK_EVERY);

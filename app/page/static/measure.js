@@ -14,14 +14,10 @@ const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 
 /** Begins to listen. */
 export function showMeasures() {
-  let asked = "0";
-  onTold(() => {
-    const { measures = "0", measuring = "", scrubbed } = told();
-    // Legends of plots then read what is ahead, too.
-    document.documentElement.toggleAttribute("data-softrod-past", scrubbed === "1");
-    const more = Number(measures) > Number(asked); // a new connection begins to count anew
-    asked = measures;
-    if (!more) return;
+  // Legends of plots then read what is ahead, too.
+  onTold("pageState", ({ scrubbed = false }) => document.documentElement.toggleAttribute("data-softrod-past", scrubbed));
+  onTold("showMeasures", () => {
+    const { measuring = "" } = told();
     const count = titles().length;
     // By its id: its words may be translated. The panel beside the canvas has it, and that of a phone at the end of another.
     const tab = measuring && document.querySelector(`[data-dock-tab="${measuring}"], [role=tab][id$="-tab-${measuring}"]`);
@@ -47,18 +43,19 @@ function scrollToNew(count) {
 
 function tellWhetherSeen() {
   /** @type {string | undefined} */
-  let channel;
-  let said = "";
+  let page;
+  /** @type {"measure" | "lesson" | "" | null} */
+  let said = null;
   setInterval(() => {
-    if (told().channel !== channel) {
-      channel = told().channel;
-      said = "";
+    if (told().page !== page) {
+      page = told().page;
+      said = null;
     }
     // What is in a tab that is not shown, or in a folded panel, has no place on the screen.
     const seen = document.visibilityState === "visible" && titles().some((title) => title.getClientRects().length);
-    const word = !seen ? "away" : document.getElementById("softrod-lesson")?.getClientRects().length ? "lesson" : "look";
-    if (!channel || word === said) return;
-    said = word;
-    send("do", word);
+    const tab = !seen ? "" : document.getElementById("softrod-lesson")?.getClientRects().length ? "lesson" : "measure";
+    if (!page || tab === said) return;
+    said = tab;
+    send({ do: "seen", tab });
   }, LOOK_EVERY);
 }

@@ -1,10 +1,11 @@
 // @ts-check
 /** The View menu over the bar of time: how the page looks, and the help. */
-import { fit } from "./camera.js";
-import { onTold, send, told } from "./channel.js";
+import { has, onTold, send, told } from "./channel.js";
+import { COMMANDS } from "./commands.js";
 import { make, makeButton } from "./dialog.js";
-import { hasWords, isDark, isProjector, keepInView, toggleProjector } from "./looks.js";
+import { hasWords, isDark, isProjector, keepInView } from "./looks.js";
 import { onSight } from "./overlay.js";
+import { perform } from "./perform.js";
 
 const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
 
@@ -18,20 +19,22 @@ const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 
  * @property {() => void} press
  */
 
-/** @param {string} name as the server tells it @returns {Pick<Entry, "on" | "press">} */
-const toldSwitch = (name) => ({
-  on: () => told()[name] === "1",
-  press: () => send("do", told()[name] === "1" ? `no${name}` : name),
+/** @param {"gizmos" | "meter"} what as the server tells it @returns {Pick<Entry, "on" | "press">} */
+const toldSwitch = (what) => ({
+  on: () => told()[what] ?? false,
+  press: () => send({ do: "switch", what, on: !told()[what] }),
 });
+/** @param {import("./wire.js").CommandName} name @returns {Pick<Entry, "label" | "key" | "press">} */
+const command = (name) => ({ label: COMMANDS[name].label, key: COMMANDS[name].shown, press: () => perform(name) });
 
 /** @type {Entry[]} */
 const ENTRIES = [
-  { label: "Dark", part: "view", on: isDark, press: () => send("do", isDark() ? "light" : "dark") },
-  { label: "Larger, for a projector", key: "P", part: "view", on: isProjector, press: toggleProjector },
+  { label: "Dark", part: "view", on: isDark, press: () => send({ do: "switch", what: "dark", on: !isDark() }) },
+  { ...command("larger"), part: "view", on: isProjector },
   { label: "Stability bar", hint: "always, not only where the time step is near its limit", part: "view", ...toldSwitch("meter") },
   { label: "Arrows at held masses", hint: "to drag them along one axis", part: "view", ...toldSwitch("gizmos") },
-  { label: "Show the whole scene", key: "0", part: "view", press: () => void fit(true) },
-  { label: "Help", part: "help", press: () => send("do", "help") },
+  { ...command("fit"), part: "view" },
+  { ...command("help"), part: "help" },
 ];
 
 /** Puts up the button and its menu. */
@@ -70,10 +73,11 @@ export function addMenu() {
   /** @param {boolean} on */
   function open(on) {
     for (const { entry, item } of items) {
-      item.hidden = told()[entry.part] !== "1";
+      item.hidden = !has(entry.part);
       if (entry.on) item.ariaChecked = String(entry.on());
     }
     list.hidden = !on;
+    element.toggleAttribute("data-open", on);
     lid.ariaExpanded = String(on);
     if (!on) return;
     keepInView(list);
@@ -96,7 +100,7 @@ export function addMenu() {
   element.addEventListener("focusout", ({ relatedTarget }) => {
     if (!(relatedTarget instanceof Node && element.contains(relatedTarget))) open(false);
   });
-  onTold(() => (element.hidden = told().view !== "1" && told().help !== "1"));
+  onTold("pageState", () => (element.hidden = !has("view") && !has("help")));
   onSight(({ box }) => {
     const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
     element.classList.toggle("softrod-words", hasWords(box));

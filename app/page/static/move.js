@@ -1,9 +1,8 @@
 // @ts-check
 /** Moving what is selected: whether its springs rest as they are then is asked once, and the tab remembers. */
-import { onTold, told } from "./channel.js";
+import { onTold, send, told } from "./channel.js";
 import { make, makeButton, makeDialog } from "./dialog.js";
 import { change } from "./editing.js";
-import { ask } from "./mail.js";
 import { kept, store } from "./storage.js";
 
 const STORED = "softrod-moved-rest";
@@ -34,7 +33,7 @@ export function setTakesNew(rest) {
 export function moveSelected(x, y, how = {}) {
   waiting = { x: Number(x.toFixed(6)), y: Number(y.toFixed(6)), ...how };
   if (chosen === null) offer();
-  else ask({ do: "move", ...waiting, rest: takesNew() });
+  else send({ do: "move", ...waiting, rest: takesNew() });
 }
 
 function offer() {
@@ -42,7 +41,7 @@ function offer() {
     const { dialog, body } = makeDialog("Moved masses", "softrod-moved");
     question = { dialog };
     let { scene } = told();
-    onTold(() => {
+    onTold("pageState", () => {
       if (told().scene !== scene) dialog.close(); // it is about another body
       ({ scene } = told());
     });
@@ -51,7 +50,7 @@ function offer() {
     const answer = (rest) => () => {
       setTakesNew(rest);
       dialog.close();
-      ask({ do: "move", ...waiting, rest });
+      send({ do: "move", ...waiting, rest });
     };
     const rests = makeButton("Take the new lengths", answer(true));
     rests.classList.add("softrod-first");

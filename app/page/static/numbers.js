@@ -7,7 +7,6 @@
  * it had been typed at once.
  */
 import { send } from "./channel.js";
-import { ask } from "./mail.js";
 
 /** Milliseconds without a key after which what was typed is set. */
 const PAUSE = 2000;
@@ -115,7 +114,7 @@ function settle() {
   const number = readNumber(typed);
   drop();
   if (Number.isNaN(number)) {
-    if (typed.trim()) ask({ do: "unread", text: typed.trim().slice(0, TOLD) });
+    if (typed.trim()) send({ do: "unread", text: typed.trim().slice(0, TOLD) });
     return;
   }
   // Emptied first: the library finds out what was typed by where the caret was at the last key.
@@ -144,7 +143,7 @@ function setAndGoOn() {
 }
 
 /** What is changed from here on is another step of undo. */
-const visit = () => send("do", "visit");
+const visit = () => send({ do: "visit" });
 
 /** Begins to listen. */
 export function mindNumbers() {

@@ -162,7 +162,7 @@ export function addOverlay() {
     point(seen.places, { left, right, top, bottom: Math.min(seen.box.bottom, dock?.top ?? Infinity) });
   };
   onPicture(redraw);
-  onTold(redraw);
+  onTold("pageState", redraw);
   onFit(redraw);
   followCamera();
 }
@@ -178,7 +178,7 @@ function jointMark(add) {
   const angle = add("text", "softrod-angle");
   /** @param {Sight} seen */
   return ({ plan, frame, on, places }) => {
-    const joint = Number(told().joint ?? -1);
+    const joint = told().joint ?? -1;
     const has = joint >= 0 && 4 * joint < plan.joints.length && !plan.many;
     arc.style.display = angle.style.display = has ? "" : "none";
     if (!has) return;

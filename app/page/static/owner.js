@@ -3,8 +3,7 @@
  * Whose the page is. The terminal prints an address with the owner's key after a #, which no request has; the browser
  * remembers it. Other browsers make up a secret, by which their own scenes are found again.
  */
-import { onTold, told } from "./channel.js";
-import { ask } from "./mail.js";
+import { onTold, send, told } from "./channel.js";
 
 const BEGIN = "#owner=";
 const OWNER = "softrod-owner";
@@ -51,13 +50,13 @@ function visitor() {
 /** Tells every new connection; before links are taken out of the address. */
 export function sayWhose() {
   takeKey();
-  const say = () => ask({ do: "who", visitor: visitor(), owner: remembered(OWNER) });
+  const say = () => send({ do: "who", visitor: visitor(), owner: remembered(OWNER) });
   /** @type {string | undefined} */
-  let channel;
-  onTold(() => {
-    if (told().channel === channel) return;
-    channel = told().channel;
-    if (channel) say();
+  let page;
+  onTold("pageState", () => {
+    if (told().page === page) return;
+    page = told().page;
+    if (page) say();
   });
   window.addEventListener("hashchange", () => takeKey() && say());
 }

@@ -9,7 +9,7 @@
  * @typedef {import("./viser.js").Renderer} Renderer
  */
 import { hold } from "./canvas.js";
-import { onTold, told } from "./channel.js";
+import { told } from "./channel.js";
 import { SVG } from "./overlay.js";
 import { timeNow } from "./transport.js";
 import { viser } from "./viser.js";
@@ -158,10 +158,10 @@ async function picture() {
   const to = result.getContext("2d");
   if (!to) throw new Error("there is no canvas");
   const styles = getComputedStyle(document.documentElement);
-  /** @param {string} name @param {string} otherwise */
-  const color = (name, otherwise) => styles.getPropertyValue(`--softrod-${name}`) || otherwise;
+  /** @param {string} name */
+  const color = (name) => styles.getPropertyValue(`--softrod-${name}`);
   to.scale(fine, fine);
-  to.fillStyle = color("paper", "#ffffff");
+  to.fillStyle = color("paper");
   to.fillRect(0, 0, box.width, box.height);
   for (const { source, opacity, place } of layers) {
     const look = source instanceof Blob ? await image(source) : source;
@@ -170,7 +170,7 @@ async function picture() {
     to.drawImage(look, place.left - box.left, place.top - box.top, place.width, place.height);
   }
   to.globalAlpha = 1;
-  to.fillStyle = color("text", "#334155");
+  to.fillStyle = color("text");
   to.font = "600 18px system-ui, sans-serif";
   to.fillText(told().title ?? "", 18, 32);
   to.font = "14px system-ui, sans-serif";
@@ -196,14 +196,4 @@ export async function takePicture() {
   } finally {
     busy = false;
   }
-}
-
-/** Takes a picture whenever the server says that somebody asked for one. */
-export function mindPictures() {
-  let last = Number(told().picture ?? 0);
-  onTold(() => {
-    const asked = Number(told().picture ?? 0);
-    if (asked > last) void takePicture();
-    last = asked;
-  });
 }

@@ -6,8 +6,8 @@
 import { shown } from "./canvas.js";
 import { send, told } from "./channel.js";
 import { editing } from "./editing.js";
-import { areFree, freeHand, freshHand, placeText } from "./hands.js";
-import { nearest, onScreen, pointText, screen, worldAt } from "./screen.js";
+import { areFree, freeHand, freshHand, handAt } from "./hands.js";
+import { nearest, onScreen, rounded, screen, worldAt } from "./screen.js";
 import { viser } from "./viser.js";
 
 /** Pixels from a mass within which it is taken hold of. */
@@ -59,16 +59,16 @@ function pointAt(place) {
 
 function report() {
   asked = false;
-  let places = "";
+  const hands = [];
   for (const hold of holds.values()) {
     const point = hold.told ? null : pointAt(hold.at);
-    if (point) places += placeText(hold.hand, point);
+    if (point) hands.push(handAt(hold.hand, point));
     hold.told = true;
   }
   // That of a free hand is followed without a button.
-  const point = pointer && areFree() && told().follow === "1" ? pointAt(pointer) : null;
-  if (point) places += placeText(0, point);
-  if (places) send("at", places);
+  const point = pointer && areFree() && told().follow ? pointAt(pointer) : null;
+  if (point) hands.push(handAt(0, point));
+  if (hands.length) send({ do: "at", hands });
 }
 
 function reportSoon() {
@@ -104,7 +104,7 @@ function press(event) {
   event.stopImmediatePropagation();
   canvas.setPointerCapture(event.pointerId);
   holds.set(event.pointerId, { mass, hand, start: place, at: place, moved: false, told: true });
-  send("grab", `${hand}|${mass}|${pointText(point)}`);
+  send({ do: "grab", hand, mass, x: rounded(point.x), y: rounded(point.y) });
 }
 
 /** @param {PointerEvent} event */
@@ -126,7 +126,7 @@ function move(event) {
   if (event.buttons === 0 && event.pointerType !== "touch") {
     document.documentElement.toggleAttribute("data-softrod-near", massAt(at, event.pointerType) >= 0);
   }
-  if (told().follow === "1") reportSoon();
+  if (told().follow) reportSoon();
 }
 
 /** @param {PointerEvent} event */
@@ -138,8 +138,8 @@ function letGo(event) {
   if (asked) report();
   holds.delete(event.pointerId);
   freeHand(hold.hand);
-  send("drop", String(hold.hand));
-  if (!hold.moved && event.type === "pointerup") send("pick", String(hold.mass));
+  send({ do: "drop", hand: hold.hand });
+  if (!hold.moved && event.type === "pointerup") send({ do: "pick", mass: hold.mass });
 }
 
 /** Begins to listen. */

@@ -47,8 +47,8 @@ export function onScreen(plan, positions, on) {
  */
 export const worldAt = (place, on) => ({ x: (place.x - on.x) / on.step, y: (on.y - place.y) / on.step });
 
-/** A point of the world as a message has it. @param {{x: number, y: number}} point */
-export const pointText = ({ x, y }) => `${x.toFixed(6)},${y.toFixed(6)}`;
+/** A number of the world as a message has it. @param {number} value */
+export const rounded = (value) => Number(value.toFixed(6));
 
 /**
  * The mass to take hold of at a place on the screen: the nearest one within reach, or -1.

@@ -1,7 +1,7 @@
 // @ts-check
 /** The dialog with an address of the scene, and its QR code. */
+import { onTold, send } from "./channel.js";
 import { make, makeButton, makeDialog } from "./dialog.js";
-import { ask, onMail } from "./mail.js";
 
 /** Characters from which on a link may be cut: by some e-mail programs, and by messengers. */
 const LONG = 2000;
@@ -65,13 +65,16 @@ function kindChoice(changed) {
   return { element, isShort: () => element.querySelector("input:checked")?.getAttribute("value") === "short" };
 }
 
-/** Puts up the dialog, which opens when the server says so. */
+/** Opens the dialog, once it is there. */
+export let openShareDialog = () => {};
+
+/** Puts up the dialog. */
 export function addShareDialog() {
   const { dialog, body } = makeDialog("Share this scene", "softrod-share");
   const renew = () => {
     said.textContent = "";
     const page = new URL(".", location.href).href;
-    ask({ do: "share", pose: withPose.checked, page, short: kind.isShort(), controls: controls.value });
+    send({ do: "share", pose: withPose.checked, page, short: kind.isShort(), controls: /** @type {keyof typeof CONTROLS} */ (controls.value) });
   };
   const kind = kindChoice(renew);
   const label = make("label", "softrod-check");
@@ -100,12 +103,12 @@ export function addShareDialog() {
   withPose.addEventListener("change", renew);
   controls.addEventListener("change", renew);
   field.addEventListener("focus", () => field.select());
-  onMail("share", () => {
+  openShareDialog = () => {
     if (!dialog.open) dialog.showModal();
     copy.focus();
     renew();
-  });
-  onMail("link", ({ link = "", qr = "", problem = "" }) => {
+  };
+  onTold("link", ({ link, qr, problem }) => {
     field.value = link;
     field.rows = kind.isShort() ? 2 : 4;
     field.classList.toggle("softrod-short", kind.isShort());

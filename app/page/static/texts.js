@@ -3,9 +3,8 @@
  * The form for the scene's name and description, in the place where the description stands. What a user wrote is text
  * here, never HTML. It stays until the server has taken it.
  */
-import { onTold, told } from "./channel.js";
+import { onTold, send, told } from "./channel.js";
 import { make, makeButton } from "./dialog.js";
-import { ask, onMail } from "./mail.js";
 
 /** What a scene's file may have, see `Scene`. */
 const LONGEST_NAME = 60;
@@ -24,7 +23,7 @@ function labelled(label, field, longest) {
 }
 
 /** Which scene is open, as the server counts them. */
-const opening = () => `${told().channel}.${told().scene?.split(".")[0]}`;
+const opening = () => `${told().page}.${told().scene}`;
 
 /** Begins to listen to the button below the description. */
 export function addTexts() {
@@ -58,6 +57,7 @@ export function addTexts() {
   };
   const look = () => {
     const place = document.getElementById("softrod-about");
+    place?.toggleAttribute("data-open", of !== "");
     if (of && place && form.parentElement !== place) place.append(form);
     if (!of && performance.now() < back && document.activeElement === document.body) place?.querySelector("button")?.focus();
   };
@@ -76,7 +76,7 @@ export function addTexts() {
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     refused.textContent = "";
-    ask({ do: "texts", name: name.value, description: description.value });
+    send({ do: "setTexts", name: name.value, description: description.value });
   });
   form.addEventListener("keydown", (event) => {
     if (event.key === "Enter" && event.target === description && (event.ctrlKey || event.metaKey)) form.requestSubmit();
@@ -85,11 +85,11 @@ export function addTexts() {
     event.preventDefault();
     close();
   });
-  onMail("texts", (letter) => {
+  onTold("textsTaken", (letter) => {
     refused.textContent = letter.refused;
     if (letter.refused) name.focus();
     else close();
   });
-  onTold(() => of && of !== opening() && close());
+  onTold("pageState", () => of && of !== opening() && close());
   setInterval(look, LOOK_EVERY);
 }

@@ -133,14 +133,14 @@ export function addTraces() {
       });
     }
   };
-  let body = told().scene?.split(".")[0];
-  onTold(() => {
-    const now = told().scene?.split(".")[0];
+  let body = told().scene;
+  onTold("pageState", () => {
+    const now = told().scene;
     if (now !== body) for (const mass of [...traces.keys()]) end(mass);
     body = now;
   });
   onTools(follow);
   onFrame(take);
   onSight(draw);
-  setInterval(() => traces.size && told().rest === "1" && redrawMarks(), FADE_EVERY);
+  setInterval(() => traces.size && told().rest && redrawMarks(), FADE_EVERY);
 }

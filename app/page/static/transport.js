@@ -3,42 +3,36 @@
 import { awaySince } from "./away.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, send, told } from "./channel.js";
-import { keyOf } from "./key_table.js";
+import { FRACTIONS, SPEEDS } from "../../drawing/static/looks.js";
+import { COMMANDS } from "./commands.js";
+import { withKey } from "./key_table.js";
+import { perform } from "./perform.js";
 
 /** Milliseconds between two readings of the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
-const SPEEDS = [0.125, 0.25, 0.5, 1, 2, 4];
-/** @type {Record<string, string>} */
-const FRACTIONS = { 0.125: "⅛", 0.25: "¼", 0.5: "½" };
-
-// Outlines of 24 by 24, filled.
-const ICONS = {
-  play: "M7 4v16l13-8z",
-  pause: "M6 4h4v16H6zM14 4h4v16h-4z",
-  reset: "M12 5V1L7 6l5 5V7a5 5 0 1 1-5 5H5a7 7 0 1 0 7-7z",
-  back: "M18 5v14l-9-7zM6 5h2v14H6z",
-  forward: "M6 5v14l9-7zM16 5h2v14h-2z",
-  second: "M20 5v14l-8-7zM11 5v14l-8-7z",
-};
 
 /**
  * @typedef {object} Face what a button shows
- * @property {keyof typeof ICONS} icon
+ * @property {string} icon
  * @property {string} word beside the icon, where there is room
  * @property {string} name for screen readers and the tooltip; it contains the word
- * @property {string} does what, as the table of keys says
+ * @property {CommandName} does
+ *
+ * @typedef {import("./wire.js").CommandName} CommandName
  */
 
-/** @satisfies {Record<string, Face>} */
+/** @param {CommandName} does @returns {Face} */
+const faceOf = (does) => ({ icon: COMMANDS[does].icon ?? "", word: COMMANDS[does].word ?? "", name: COMMANDS[does].label, does });
+
 const FACES = {
-  play: { icon: "play", word: "Play", name: "Play", does: "play" },
-  goOn: { icon: "play", word: "Go on", name: "Go on from here", does: "play" },
-  pause: { icon: "pause", word: "Pause", name: "Pause", does: "play" },
-  reset: { icon: "reset", word: "Reset", name: "Reset", does: "reset" },
-  second: { icon: "second", word: "1 s", name: "Back 1 second", does: "second" },
-  back: { icon: "back", word: "Frame", name: "Back 1 frame", does: "back" },
-  step: { icon: "forward", word: "Step", name: "1 step", does: "step" },
-  forward: { icon: "forward", word: "Frame", name: "Forward 1 frame", does: "forward" },
+  play: { ...faceOf("play"), word: "Play", name: "Play" },
+  goOn: { ...faceOf("play"), word: "Go on", name: "Go on from here" },
+  pause: { ...faceOf("pause"), does: /** @type {const} */ ("play") },
+  reset: faceOf("reset"),
+  second: faceOf("second"),
+  back: faceOf("back"),
+  step: faceOf("step"),
+  forward: faceOf("forward"),
 };
 
 /** What each button shows; its words may be translated. @type {WeakMap<HTMLButtonElement, Face>} */
@@ -49,9 +43,9 @@ function dress(element, face) {
   if (dressed.get(element) === face) return;
   dressed.set(element, face);
   const { icon, word, name, does } = face;
-  element.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[icon]}"/></svg><span>${word}</span>`;
+  element.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg><span>${word}</span>`;
   element.ariaLabel = name;
-  element.title = `${name} (${keyOf(does)})`;
+  element.title = withKey(name, does);
 }
 
 /** @param {Face} face @param {() => void} press */
@@ -63,28 +57,28 @@ function iconButton(face, press) {
   return element;
 }
 
-/** @param {string} text @param {string} command sent when it is pressed */
-function offerButton(text, command) {
+/** @param {CommandName} command */
+function offerButton(command) {
   const element = document.createElement("button");
   element.type = "button";
   element.className = "softrod-offer";
-  element.textContent = text;
-  element.addEventListener("click", () => send("do", command));
+  element.textContent = COMMANDS[command].word ?? COMMANDS[command].label;
+  element.addEventListener("click", () => perform(command));
   return element;
 }
 
 /** What the step button does: in the past, go on to the next frame; else make a step. */
-export const nextStep = () => (told().scrubbed === "1" ? "forward" : "step");
+export const nextStep = () => (told().scrubbed ? "forward" : "step");
 
 /** The simulated time. A body at rest sends no pictures, but its clock goes on, while there is a connection. */
 export function timeNow() {
   const { frame, since } = shown();
-  const passed = told().rest === "1" ? (Math.max(0, Math.min(performance.now(), awaySince()) - since) / 1e3) * Number(told().speed ?? 1) : 0;
+  const passed = told().rest ? (Math.max(0, Math.min(performance.now(), awaySince()) - since) / 1e3) * (told().speed ?? 1) : 0;
   return (frame?.time ?? 0) + passed;
 }
 
 /** @param {number} speed */
-const speedText = (speed) => `${FRACTIONS[speed] ?? speed}×`;
+const speedText = (speed) => `${/** @type {Record<string, string>} */ (FRACTIONS)[speed] ?? speed}×`;
 
 /** How fast time goes. */
 function speedBox() {
@@ -93,13 +87,13 @@ function speedBox() {
   select.title = "Simulated seconds per second";
   for (const value of SPEEDS) select.add(new Option(speedText(value), String(value)));
   select.addEventListener("change", () => {
-    send("speed", select.value);
+    send({ do: "speed", speed: Number(select.value) });
     // The keys are the body's again, unless somebody goes by keys.
     if (!select.matches(":focus-visible")) select.blur();
   });
   const show = () => {
-    const { speed } = told();
-    if (speed && document.activeElement !== select) select.value = String(Number(speed));
+    const { speed = 1 } = told();
+    if (document.activeElement !== select) select.value = String(speed);
   };
   return { element: select, show };
 }
@@ -115,7 +109,7 @@ function timeSlider() {
   let wanted = 0;
   const go = () => {
     asked = false;
-    send("go", wanted.toFixed(6));
+    send({ do: "goTo", time: Number(wanted.toFixed(6)) });
   };
   slider.addEventListener("input", () => {
     held = true;
@@ -126,10 +120,10 @@ function timeSlider() {
   slider.addEventListener("change", () => (held = false));
   /** @param {number} now */
   const show = (now) => {
-    const { start = "0", end = "0", scrubbed } = told();
-    const last = scrubbed === "1" ? Number(end) : Math.max(Number(end), now);
-    slider.min = start;
-    slider.max = String(Math.max(last, Number(start) + 1e-3));
+    const { start = 0, end = 0, scrubbed } = told();
+    const last = scrubbed ? end : Math.max(end, now);
+    slider.min = String(start);
+    slider.max = String(Math.max(last, start + 1e-3));
     if (!held) slider.value = String(now);
     slider.ariaValueText = `${now.toFixed(2)} seconds`;
   };
@@ -140,16 +134,16 @@ function timeSlider() {
 function offers() {
   const line = document.createElement("div");
   line.className = "softrod-line";
-  const before = offerButton("Go back to just before it", "before");
+  const before = offerButton("before");
   const past = document.createElement("span");
   past.className = "softrod-past";
-  const forget = offerButton("Take the line away", "forget");
+  const forget = offerButton("forget");
   line.append(before, past, forget);
   const show = () => {
     const { offer, future } = told();
-    before.hidden = offer !== "1";
-    forget.hidden = future !== "1";
-    past.textContent = future === "1" ? "The thin line is what happened before you went back." : "";
+    before.hidden = !offer;
+    forget.hidden = !future;
+    past.textContent = future ? "The thin line is what happened before you went back." : "";
   };
   return { element: line, show };
 }
@@ -160,13 +154,13 @@ export function addTransport() {
   bar.className = "softrod-transport";
   bar.setAttribute("role", "toolbar");
   bar.ariaLabel = "Time";
-  const reset = iconButton(FACES.reset, () => send("do", "reset"));
-  const second = iconButton(FACES.second, () => send("do", "second"));
+  const reset = iconButton(FACES.reset, () => perform("reset"));
+  const second = iconButton(FACES.second, () => perform("second"));
   second.classList.add("softrod-second");
-  const back = iconButton(FACES.back, () => send("do", "back"));
-  const play = iconButton(FACES.pause, () => send("do", "play"));
+  const back = iconButton(FACES.back, () => perform("back"));
+  const play = iconButton(FACES.pause, () => perform("play"));
   play.classList.add("softrod-play");
-  const forward = iconButton(FACES.step, () => send("do", nextStep()));
+  const forward = iconButton(FACES.step, () => perform(nextStep()));
   const clock = document.createElement("output");
   clock.className = "softrod-clock";
   clock.translate = false;
@@ -179,17 +173,17 @@ export function addTransport() {
 
   const show = () => {
     const now = timeNow();
-    const past = told().scrubbed === "1";
+    const past = told().scrubbed;
     clock.textContent = `${now.toFixed(2)} s`;
     time.show(now);
-    dress(play, told().playing === "1" ? FACES.pause : past ? FACES.goOn : FACES.play);
+    dress(play, told().playing ? FACES.pause : past ? FACES.goOn : FACES.play);
     dress(forward, past ? FACES.forward : FACES.step);
     speed.show();
     line.show();
   };
   onPicture(show);
-  setInterval(() => told().rest === "1" && show(), CLOCK_EVERY);
-  onTold(show);
+  setInterval(() => told().rest && show(), CLOCK_EVERY);
+  onTold("pageState", show);
 }
 
 /**

@@ -3,6 +3,7 @@
  * Behind the body: the grid, walls, how far contact reaches, what fills its loops, and the wind.
  */
 import { moving, standing, streaks } from "../../drawing/static/around.js";
+import { LAYERS } from "../../drawing/static/looks.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "./channel.js";
 import { SVG, sight } from "./overlay.js";
@@ -13,8 +14,7 @@ import { viser } from "./viser.js";
 const DRIFT_EVERY = 40;
 /** Pixels by which streaks may have drifted before they are made anew. */
 const MARGIN = 150;
-/** From the back to the front. */
-const KINDS = /** @type {const} */ (["grid", "major", "wall", "hatch", "surface", "skin", "gas", "liquid"]);
+const KINDS = /** @type {(keyof typeof LAYERS)[]} */ (Object.keys(LAYERS));
 
 /** What a picture of the same body, seen from the same place, has in common with others. @param {import("./overlay.js").Sight} seen */
 const viewOf = ({ plan, on, box }) => [plan.generation, on.x, on.y, on.step, box.width, box.height].join(" ");
@@ -72,7 +72,7 @@ export function addUnderlay() {
   const show = (outlines) => {
     for (const kind of KINDS) if (kind in outlines) set(paths[kind], "d", outlines[kind] ?? "");
   };
-  const wind = add("wind");
+  const { wind } = paths;
   const blow = windMark(wind);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   let stood = "";
@@ -89,7 +89,7 @@ export function addUnderlay() {
     const { left, top, width, height } = seen.box;
     set(svg, "viewBox", `${left} ${top} ${width} ${height}`);
     const view = [viewOf(seen), told().width, told().height].join(" ");
-    if (view !== stood) show(standing(seen, Math.max(Number(told().width), Number(told().height)) / seen.plan.scale));
+    if (view !== stood) show(standing(seen, Math.max(told().width ?? 0, told().height ?? 0) / seen.plan.scale));
     stood = view;
     for (const other of others) other(seen, svg);
     show(moving(seen, shown().damage.broken));
@@ -109,8 +109,8 @@ export function addUnderlay() {
     else draw();
   };
   onPicture(listen);
-  onTold(listen);
+  onTold("pageState", listen);
   setInterval(() => {
-    if (told().rest === "1" && shown().plan?.wind.length && !still.matches) draw();
+    if (told().rest && shown().plan?.wind.length && !still.matches) draw();
   }, DRIFT_EVERY);
 }

@@ -1,4 +1,4 @@
-"""Messages of the page's script, which any client can forge, and texts that go into the page."""
+"""Texts that go into the page."""
 
 from __future__ import annotations
 
@@ -9,61 +9,9 @@ import pytest
 
 import sim
 from app.drawing.colors import palette
-from app.drawing.sketch import Mapping
-from app.page import readouts, script
-from app.session import commands
+from app.page import readouts
 from app.session.session import Session
 from sim.methods.registry import METHODS
-
-TWO = commands.Points((commands.Point(450.0, 350.0, 2), commands.Point(300.0, 300.0, 9)))
-MAPPING = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
-
-
-@pytest.mark.parametrize(
-    ("message", "expected"),
-    [
-        ("1|keys|UR", commands.HoldKeys(frozenset({"up", "right"}))),
-        ("2|keys|", commands.HoldKeys(frozenset())),
-        ("3|at|0:1.5,-0.5;", commands.Point(450.0, 350.0)),
-        (
-            "19|at|2:1.5,-0.5;9:0,0;",
-            TWO,
-        ),
-        ("4|do|play", commands.Play()),
-        ("5|do|pause", commands.Play(False)),
-        ("6|do|step", commands.DoSteps(1)),
-        ("7|do|reset", commands.Reset()),
-        ("8|do|follow", script.Switch()),
-        ("15|grab|2|3|1.5,-0.5", commands.DragStart(3, 450.0, 350.0, 2)),
-        ("16|drop|2", commands.DragEnd(2)),
-        ("17|pick|3", script.Pick(3)),
-        ("9|go|12.5", commands.GoTo(12.5)),
-        ("10|speed|0.125", commands.Speed(0.125)),
-        ("11|do|back", commands.GoBack(0.0)),
-        ("12|do|second", commands.GoBack(1.0)),
-        ("13|do|forward", commands.GoForward()),
-        ("18|do|forget", commands.ForgetFuture()),
-        ("14|do|before", commands.BackBeforeDivergence()),
-    ],
-)
-def test_messages_are_understood(message: str, expected: object) -> None:
-    assert script.parse(message, MAPPING) == expected
-
-
-@pytest.mark.parametrize(
-    "message",
-    [
-        "", "keys|U", "1|keys|X", "1|keys|UUUUU", "1|at|0:nan,0;", "1|at|0:inf,1;", "1|at|0:1e9,1;",
-        "1|at|0:1;", "1|at|0:1,2,3;", "1|at|0:,;", "1|at|1,2", "1|at|10:1,2;",
-        "1|at|" + 11 * "1:2,3;", "1|at|", "1|go|nan", "1|go|",
-        "1|speed|x", "1|grab|0|3|1", "1|grab|0|-1|0,0", "1|grab|10|3|0,0", "1|drop|",
-        "1|drop|10", "1|pick|", "1|resume|1/1|%%%%",
-        "1|at|0:99999999,0;", "1|do|format", "1|do|", "x|do|play", "1|do|play\n",
-        7, None, ["1|do|play"],
-    ],
-)  # fmt: skip
-def test_nonsense_is_ignored(message: object) -> None:
-    assert script.parse(message, MAPPING) is None
 
 
 def test_a_description_from_a_stranger_s_file_is_escaped() -> None:
@@ -72,7 +20,6 @@ def test_a_description_from_a_stranger_s_file_is_escaped() -> None:
     for editable in (True, False):
         assert "<img" not in readouts.description(scene, editable)
         assert "&lt;img" in readouts.description(scene, editable)
-    assert "<b>" not in script.told_html({"channel": '"><b>'})
 
 
 @pytest.mark.parametrize("name", ["tutorial-3.1", "tutorial-3.2", "tutorial-3.3", "ring"])

@@ -1,0 +1,323 @@
+"""What a page says to the server.
+
+Any client can forge these: `read` takes nothing but exactly what is written here, and no number that is not
+finite. Whether a mass exists, or a control, is checked where a message is done.
+
+Places are in the page's world, see `drawing.sketch.Mapping`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import msgspec
+from msgspec import Meta, Struct
+
+from .commands import COMMANDS
+
+
+def tag_of(name: str) -> str:
+    """The tag of a message, from the name of its class: its first letter is a small one."""
+    return name[:1].lower() + name[1:]
+
+
+class FromPage(Struct, frozen=True, forbid_unknown_fields=True, tag_field="do", tag=tag_of):
+    """Something that a page says."""
+
+
+Index = Annotated[int, Meta(ge=0, le=999_999)]
+Hand = Annotated[int, Meta(ge=0, le=9)]
+# Bounds refuse infinity, too; JSON has no NaN.
+Coordinate = Annotated[float, Meta(ge=-1e7, le=1e7)]
+Degrees = Annotated[float, Meta(ge=-1e4, le=1e4)]
+Parts = Annotated[tuple[Index, ...], Meta(max_length=100)]
+Point = tuple[Coordinate, Coordinate]
+SceneName = Annotated[str, Meta(min_length=1, max_length=200)]
+Key = Literal["up", "down", "left", "right"]
+
+if TYPE_CHECKING:
+    CommandName = str
+else:
+    CommandName = Literal[tuple(COMMANDS)]
+
+
+# ------------------------------------------------------------------------- commands, keys and hands
+class Perform(FromPage, frozen=True):
+    """Do a command of the table, see `commands`."""
+
+    command: CommandName
+
+
+class Keys(FromPage, frozen=True):
+    """The arrow keys that are held; said again and again while any is."""
+
+    held: Annotated[tuple[Key, ...], Meta(max_length=4)]
+
+
+class At(FromPage, frozen=True):
+    """Where hands are; said at every animation frame in which one moved."""
+
+    hands: Annotated[tuple[tuple[Hand, Coordinate, Coordinate], ...], Meta(min_length=1, max_length=10)]
+
+
+class Grab(FromPage, frozen=True):
+    """A hand takes hold of a mass."""
+
+    hand: Hand
+    mass: Index
+    x: Coordinate
+    y: Coordinate
+
+
+class Drop(FromPage, frozen=True):
+    """A hand lets go."""
+
+    hand: Hand
+
+
+class Pick(FromPage, frozen=True):
+    """A mass was clicked."""
+
+    mass: Index
+
+
+# ------------------------------------------------------------------------- time and looks
+class GoTo(FromPage, frozen=True):
+    """Show a moment of the past, s."""
+
+    time: Coordinate
+
+
+class Speed(FromPage, frozen=True):
+    """How fast time goes, simulated seconds per second."""
+
+    speed: Coordinate
+
+
+class Visit(FromPage, frozen=True):
+    """A slider was pressed, or a number box entered: what is changed from here on is another step of undo."""
+
+
+class Switch(FromPage, frozen=True):
+    """Turn a look of the page on or off, see `keeping.Looks`."""
+
+    what: Literal["dark", "gizmos", "meter", "commas"]
+    on: bool
+
+
+class Seen(FromPage, frozen=True):
+    """In which tab somebody sees plots now; they are not sent otherwise."""
+
+    tab: Literal["measure", "lesson", ""]
+
+
+class BeginStep(FromPage, frozen=True):
+    """The page goes to a step of the scene's lesson.
+
+    Attributes:
+        how: "run" or "wait": it begins; the body waits if there is a question. "on": the page goes on in the
+            middle of it, as after a reload.
+    """
+
+    step: Annotated[int, Meta(ge=0, le=99)]
+    how: Literal["run", "wait", "on"] = "wait"
+
+
+# ------------------------------------------------------------------------- long texts
+class Part(FromPage, frozen=True):
+    """A part of what is too long for one message: a keepsake ("resume"), a link, or what is pasted.
+
+    Attributes:
+        number: from 1.
+        of: how many parts there are.
+    """
+
+    kind: Literal["resume", "link", "paste"]
+    number: Annotated[int, Meta(ge=1, le=99)]
+    of: Annotated[int, Meta(ge=1, le=99)]
+    letters: Annotated[str, Meta(max_length=48_000, pattern=r"^[\x21-\x7e]*$")]
+
+
+# ------------------------------------------------------------------------- questions
+class Ask(FromPage, frozen=True):
+    """Something that takes a while: it is done in a thread, in the order in which it was asked for."""
+
+
+class Share(Ask, frozen=True):
+    """A link to the scene, with the present pose or without.
+
+    Attributes:
+        page: the page's own address, without what stands after its folder.
+        short: as an address that the server keeps, instead of a link that holds the scene.
+        controls: which there are for whoever opens it: as they are anyway, the bar of time alone, or that and
+            the sliders that make most of the scene.
+    """
+
+    pose: bool
+    page: Annotated[
+        str, Meta(pattern=r"^https?://[A-Za-z0-9._\[\]:-]{1,250}/([A-Za-z0-9._~-]{1,80}/){0,20}$")
+    ]
+    short: bool = False
+    controls: Literal["all", "play", "sliders"] = "all"
+
+
+class Unread(Ask, frozen=True):
+    """A text was typed into a number box that is no number; its user is to be told."""
+
+    text: Annotated[str, Meta(min_length=1, max_length=40)]
+
+
+class Unsent(Ask, frozen=True):
+    """Something was too long to be sent; its user is to be told."""
+
+    what: Literal["resume", "link", "paste"]
+
+
+class Who(Ask, frozen=True):
+    """Whose the page is: a secret of its browser, and the owner's key if it was opened with that."""
+
+    visitor: Annotated[str, Meta(pattern=r"^[0-9a-f]{32}$")]
+    owner: Annotated[str, Meta(max_length=100)] = ""
+
+
+class ListScenes(Ask, frozen=True):
+    """All scenes, and pictures of the user's own."""
+
+    dark: bool
+
+
+class OpenScene(Ask, frozen=True):
+    """Open a scene by its name."""
+
+    name: SceneName
+
+
+class ChangeScene(Ask, frozen=True):
+    """Do something with one of the page's own scenes; `name` is that of a deleted one for "restore".
+
+    Others may be duplicated, too.
+    """
+
+    how: Literal["rename", "duplicate", "delete", "restore"]
+    name: SceneName
+    to: Annotated[str, Meta(max_length=200)] = ""
+
+
+# ------------------------------------------------------------------------- edits
+class Edit(FromPage, frozen=True):
+    """Something that changes the scene; for pages that may edit."""
+
+
+class SetTexts(Edit, frozen=True):
+    """The scene is to have another name and another description."""
+
+    name: Annotated[str, Meta(max_length=200)]
+    description: Annotated[str, Meta(max_length=8000)]
+
+
+class Gesture(Edit, frozen=True):
+    """Something that is to be done to the body's parts."""
+
+
+class Select(Gesture, frozen=True):
+    """Some parts are to be selected; with `toggle`, they change sides and the others stay as they are."""
+
+    masses: Parts = ()
+    springs: Parts = ()
+    joints: Parts = ()
+    toggle: bool = False
+
+
+class Marquee(Gesture, frozen=True):
+    """What lies whole in a rectangle is to be selected, or with `add` selected too."""
+
+    x: Point
+    y: Point
+    add: bool = False
+
+
+class Place(Gesture, frozen=True):
+    """A mass is to be put down."""
+
+    x: Coordinate
+    y: Coordinate
+
+
+class Line(Gesture, frozen=True):
+    """Two masses are to be joined by a spring; where one is not named, it is to be put down."""
+
+    a: Index | None = None
+    b: Index | None = None
+    start: Point = (0.0, 0.0)
+    end: Point = (0.0, 0.0)
+
+
+class Hold(Gesture, frozen=True):
+    """An angular spring is to hold two springs at the angle that they have."""
+
+    a: Index
+    b: Index
+
+
+class Turn(Gesture, frozen=True):
+    """A joint is to rest at an angle, degrees, or at the one that it has."""
+
+    joint: Index
+    angle: Degrees | None = None
+
+
+class Stroke(Gesture, frozen=True):
+    """The springs that a stroke crosses are to be cut."""
+
+    points: Annotated[tuple[Point, ...], Meta(min_length=2, max_length=64)]
+
+
+class Move(Gesture, frozen=True):
+    """What is selected, or else one mass, is to be moved by (x, y), and may rest as it is then.
+
+    Moves by keys that follow each other are one step of undo.
+    """
+
+    x: Coordinate
+    y: Coordinate
+    rest: bool = False
+    under: Index | None = None
+    keys: bool = False
+
+
+class Act(Gesture, frozen=True):
+    """Something that needs no place: to a mass; or to what is selected, else what is under the pointer."""
+
+    what: Literal["remove", "pin", "duplicate", "mirror", "corners", "triangulate", "rest", "all", "copy"]
+    mass: Index | None = None
+    under: Index | None = None
+
+
+def leaves(kind: type) -> list[type]:
+    """The messages of a kind: classes of which there are no others, in the order of the file."""
+    below = kind.__subclasses__()
+    return [leaf for one in below for leaf in leaves(one)] if below else [kind]
+
+
+MESSAGES = tuple(leaves(FromPage))
+"""All that a page can say."""
+
+if TYPE_CHECKING:
+    _decoder: msgspec.json.Decoder[FromPage]
+else:
+    from functools import reduce
+    from operator import or_
+
+    _decoder = msgspec.json.Decoder(reduce(or_, MESSAGES))
+
+
+def read(text: str) -> FromPage | None:
+    """What a page says; None if that makes no sense.
+
+    Args:
+        text: JSON.
+    """
+    try:
+        return _decoder.decode(text)
+    except (msgspec.DecodeError, UnicodeError, RecursionError):
+        return None

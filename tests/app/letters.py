@@ -1,0 +1,38 @@
+"""What a page is told, without a page."""
+
+from __future__ import annotations
+
+from functools import reduce
+from operator import or_
+from typing import Any, TypeVar
+from unittest.mock import MagicMock
+
+import msgspec
+
+from app.wire.carrier import Mail
+from app.wire.to_page import MESSAGES, ToPage
+
+_decoder: Any = msgspec.json.Decoder(reduce(or_, MESSAGES))
+_T = TypeVar("_T", bound=ToPage)
+
+
+class Letters(Mail):
+    """Keeps what would be sent.
+
+    Attributes:
+        sent: all of it, as it arrives.
+        keys: of the messages; with the same key, a later one takes the place of an earlier one that waits.
+    """
+
+    def __init__(self) -> None:
+        super().__init__(MagicMock())
+        self.sent: list[Any] = []
+        self.keys: list[str] = []
+
+    def send(self, text: str, key: str) -> None:
+        self.sent.append(_decoder.decode(text))
+        self.keys.append(key)
+
+    def last(self, kind: type[_T]) -> _T:
+        """The last message of a kind."""
+        return [message for message in self.sent if isinstance(message, kind)][-1]

@@ -1,0 +1,192 @@
+"""What a page says, which any client can forge, and what is made from the messages and the commands."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import deque
+from typing import Any
+
+import msgspec
+import pytest
+import viser._messages
+from msgspec import inspect
+
+from app.drawing.sketch import Mapping
+from app.page import controls
+from app.page.tab import TOLD_CONTROLS, Tab
+from app.session import commands
+from app.wire import from_page, to_page
+from app.wire.carrier import SoftrodMessage
+from app.wire.commands import COMMANDS, key_lines
+from app.wire.from_page import read
+from app.wire.to_page import OfferGallery, ShelfChanged, Tools
+from tests.app.letters import Letters
+from tests.page import generate
+
+SAID = {
+    '{"do":"perform","command":"play"}': from_page.Perform("play"),
+    '{"do":"keys","held":["up","right"]}': from_page.Keys(("up", "right")),
+    '{"do":"keys","held":[]}': from_page.Keys(()),
+    '{"do":"at","hands":[[0,1.5,-0.5]]}': from_page.At(((0, 1.5, -0.5),)),
+    '{"do":"at","hands":[[2,1.5,-0.5],[9,0,0]]}': from_page.At(((2, 1.5, -0.5), (9, 0.0, 0.0))),
+    '{"do":"grab","hand":2,"mass":3,"x":1.5,"y":-0.5}': from_page.Grab(2, 3, 1.5, -0.5),
+    '{"do":"drop","hand":2}': from_page.Drop(2),
+    '{"do":"pick","mass":3}': from_page.Pick(3),
+    '{"do":"goTo","time":12.5}': from_page.GoTo(12.5),
+    '{"do":"speed","speed":0.125}': from_page.Speed(0.125),
+    '{"do":"switch","what":"dark","on":true}': from_page.Switch("dark", True),
+    '{"do":"seen","tab":""}': from_page.Seen(""),
+}
+
+
+@pytest.mark.parametrize("text", SAID)
+def test_messages_are_understood(text: str) -> None:
+    assert read(text) == SAID[text]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "", "null", '"play"', "{}", '{"do":"format"}', '{"do":"perform"}',
+        '{"do":"perform","command":"format"}', '{"do":"perform","command":"play","more":1}',
+        '{"do":"keys","held":["X"]}', '{"do":"keys","held":"up"}',
+        '{"do":"keys","held":["up","up","up","up","up"]}', '{"do":"at","hands":[]}',
+        '{"do":"at","hands":[[0,NaN,0]]}', '{"do":"at","hands":[[0,Infinity,1]]}',
+        '{"do":"at","hands":[[0,1e400,1]]}', '{"do":"at","hands":[[0,1e9,1]]}', '{"do":"at","hands":[[0,1]]}',
+        '{"do":"at","hands":[[0,1,2,3]]}', '{"do":"at","hands":[[10,1,2]]}',
+        '{"do":"at","hands":[[0.5,1,2]]}',
+        '{"do":"at","hands":[' + ",".join(11 * ["[1,2,3]"]) + "]}", '{"do":"at","hands":[["0",1,2]]}',
+        '{"do":"goTo","time":NaN}', '{"do":"goTo","time":null}', '{"do":"speed","speed":"x"}',
+        '{"do":"grab","hand":0,"mass":-1,"x":0,"y":0}', '{"do":"grab","hand":0,"mass":3,"x":0}',
+        '{"do":"drop"}', '{"do":"drop","hand":10}', '{"do":"pick","mass":1e6}',
+        '{"do":"switch","what":"dark"}',
+        '{"do":"seen","tab":"files"}', '{"do":"part","kind":"resume","number":0,"of":1,"letters":""}',
+    ],
+)  # fmt: skip
+def test_nonsense_is_refused(text: str) -> None:
+    assert read(text) is None
+
+
+@pytest.mark.parametrize("number", ["NaN", "Infinity", "-Infinity", "1e999", "-1e999", "1e99"])
+def test_no_message_brings_in_what_is_no_number(number: str) -> None:
+    for text in SAID:
+        for found in re.finditer(r"(?<=[\[,:])-?\d+(\.\d+)?", text):
+            assert read(text[: found.start()] + number + text[found.end() :]) is None
+
+
+def test_every_number_that_a_page_says_has_bounds() -> None:
+    """NaN and infinity are in none."""
+
+    def look(kind: Any, where: str) -> None:
+        if isinstance(kind, inspect.IntType | inspect.FloatType):
+            assert kind.ge is not None and kind.le is not None, where
+            assert math.isfinite(kind.ge) and math.isfinite(kind.le), where
+        for inner in (*getattr(kind, "types", ()), *getattr(kind, "item_types", ())):
+            look(inner, where)
+        if inner := getattr(kind, "item_type", None):
+            look(inner, where)
+
+    for message in from_page.MESSAGES:
+        for field in inspect.type_info(message).fields:  # type: ignore[attr-defined]
+            look(field.type, f"{message.__name__}.{field.name}")
+
+
+def test_of_states_the_latest_counts_and_events_all_arrive() -> None:
+    letters = Letters()
+    for chosen in (1, 2, 2):
+        letters.tell(Tools(chosen=chosen))
+    letters.tell(ShelfChanged())
+    letters.tell(ShelfChanged())
+    letters.tell(OfferGallery(why=""))
+    assert letters.sent[:2] == [Tools(chosen=1), Tools(chosen=2)], "what has not changed is not told again"
+    assert letters.keys[0] == letters.keys[1]
+    assert len(set(letters.keys)) == len(letters.keys) - 1
+    assert SoftrodMessage("a", "k").redundancy_key() == SoftrodMessage("b", "k").redundancy_key()
+    assert letters.told(Tools) == Tools(chosen=2)
+
+
+def test_every_message_is_a_state_or_an_event() -> None:
+    assert all(issubclass(kind, to_page.State | to_page.Event) for kind in to_page.MESSAGES)
+    for kind in (*from_page.MESSAGES, *to_page.MESSAGES):
+        assert kind.__doc__, f"{kind.__name__} does not say what it is"
+
+
+def test_what_is_made_from_the_messages_and_commands_is_up_to_date() -> None:
+    for path, text in generate.files().items():
+        current = path.read_text(encoding="utf-8")
+        assert current == text, f"{path.name} is old: run {generate.COMMAND}"
+
+
+def test_the_readme_has_all_keys() -> None:
+    text = (generate.ROOT / "README.md").read_text(encoding="utf-8")
+    shown = re.findall(r"<kbd>(.+?)</kbd>", text)
+    for keys, _ in key_lines():
+        for key in re.split(r" or | ", keys):
+            assert key in shown
+
+
+# ------------------------------------------------------------------------- what is done
+class Bare(Tab):
+    """A tab with a session, and nothing that is shown."""
+
+    def __init__(self, session: Any, names: controls.Controls = controls.ALL) -> None:
+        self._session, self._controls = session, names
+        self._mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
+        self._mail = Letters()
+        self._requests = deque()
+
+
+class Posts:
+    """A session that only takes commands."""
+
+    def __init__(self) -> None:
+        self.posted: list[commands.Command] = []
+
+    def post(self, command: commands.Command) -> None:
+        self.posted.append(command)
+
+
+@pytest.mark.parametrize(
+    ("said", "posted"),
+    [
+        (from_page.Keys(("up", "right")), commands.HoldKeys(frozenset({"up", "right"}))),
+        (from_page.At(((0, 1.5, -0.5),)), commands.Point(450.0, 350.0)),
+        (
+            from_page.At(((2, 1.5, -0.5), (9, 0.0, 0.0))),
+            commands.Points((commands.Point(450.0, 350.0, 2), commands.Point(300.0, 300.0, 9))),
+        ),
+        (from_page.Grab(2, 3, 1.5, -0.5), commands.DragStart(3, 450.0, 350.0, 2)),
+        (from_page.Drop(2), commands.DragEnd(2)),
+        (from_page.GoTo(12.5), commands.GoTo(12.5)),
+        (from_page.Speed(0.125), commands.Speed(0.125)),
+        (from_page.Visit(), commands.Visit()),
+        (from_page.Perform("pause"), commands.Play(False)),
+        (from_page.Perform("steps"), commands.DoSteps(10)),
+        (from_page.Perform("second"), commands.GoBack(1.0)),
+    ],
+)
+def test_what_a_page_says_is_done(said: from_page.FromPage, posted: commands.Command) -> None:
+    session = Posts()
+    Bare(session).hear(said)
+    assert session.posted == [posted]
+
+
+def test_a_command_is_done_by_whom_the_table_says_and_needs_its_control() -> None:
+    for name, row in COMMANDS.items():
+        for names in (controls.ALL, controls.Controls(("play",))):
+            session = Posts()
+            tab = Bare(session, names)
+            tab.perform(name)
+            done = [*session.posted, *tab._mail.sent, *tab._requests]  # type: ignore[attr-defined]
+            offered = (not row.needs or row.needs in names) and row.does != "elsewhere"
+            assert len(done) == offered, name
+    assert {row.needs for row in COMMANDS.values()} <= {"", *TOLD_CONTROLS}
+    assert set(TOLD_CONTROLS) <= set(controls.PARTS)
+
+
+def test_viser_leads_what_a_page_says_to_who_listens() -> None:
+    message = viser._messages.Message.deserialize(
+        msgspec.msgpack.encode({"type": "SoftrodMessage", "text": "{}"})
+    )
+    assert message == SoftrodMessage("{}")

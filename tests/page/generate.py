@@ -1,0 +1,199 @@
+"""Writes what is made from the messages and commands in `app/wire`.
+
+`uv run python -m tests.page.generate` writes the types and the table of commands that the page's script has,
+and the lists in the documents. A test says when they are old.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+from msgspec import inspect
+
+from app.wire import from_page, to_page
+from app.wire.commands import COMMANDS, key_lines
+
+COMMAND = "uv run python -m tests.page.generate"
+ROOT = Path(__file__).parents[2]
+STATIC = ROOT / "app" / "page" / "static"
+LETTERS = {"Space": " ", "Esc": "Escape"}
+"""Keys that a browser calls otherwise than the help."""
+
+
+def typescript(kind: inspect.Type) -> str:
+    """A type as TypeScript writes it."""
+    match kind:
+        case inspect.StructType(cls):
+            return cls.__name__
+        case inspect.LiteralType(values):
+            return "CommandName" if set(values) == set(COMMANDS) else " | ".join(map(json.dumps, values))
+        case inspect.UnionType(types):
+            return " | ".join(map(typescript, types))
+        case inspect.VarTupleType(item):
+            inner = typescript(item)
+            return f"({inner})[]" if " " in inner and not inner.startswith("[") else f"{inner}[]"
+        case inspect.TupleType(items):
+            return f"[{', '.join(map(typescript, items))}]"
+        case inspect.DictType(key, value):
+            return f"Record<{typescript(key)}, {typescript(value)}>"
+    names: dict[type, str] = {
+        inspect.IntType: "number", inspect.FloatType: "number", inspect.StrType: "string",
+        inspect.BoolType: "boolean", inspect.NoneType: "null",
+    }  # fmt: skip
+    return names[type(kind)]
+
+
+def declared(kind: type, says: bool) -> str:
+    """The type of a message, or of what is in one; fields with defaults need not be said by a page."""
+    info: Any = inspect.type_info(kind)
+    fields = [f"{info.tag_field}: {json.dumps(info.tag)}"] if info.tag_field else []
+    for field in info.fields:
+        optional = not field.required and (says or kind.__struct_config__.omit_defaults)  # type: ignore[attr-defined]
+        fields.append(f"{field.encode_name}{'?' if optional else ''}: {typescript(field.type)}")
+    return f"/** {first_sentence(kind)} */\nexport type {kind.__name__} = {{ {'; '.join(fields)} }};"
+
+
+def first_sentence(kind: type) -> str:
+    """The first paragraph of a class's docstring, on one line."""
+    return " ".join((kind.__doc__ or "").split("\n\n")[0].split())
+
+
+def parts_of(kinds: tuple[type, ...]) -> list[type]:
+    """The structures that are inside of some messages, and are none themselves."""
+    found: dict[type, None] = {}
+
+    def look(kind: inspect.Type) -> None:
+        if isinstance(kind, inspect.StructType):
+            if kind.cls not in kinds:
+                found[kind.cls] = None
+            for field in kind.fields:
+                look(field.type)
+        for name in ("types", "item_types"):
+            for inner in getattr(kind, name, ()):
+                look(inner)
+        if inner := getattr(kind, "item_type", None):
+            look(inner)
+
+    for kind in kinds:
+        look(inspect.type_info(kind))
+    return list(found)
+
+
+def types() -> str:
+    """static/wire.d.ts."""
+    says, tells = from_page.MESSAGES, to_page.MESSAGES
+    page = [name for name, row in COMMANDS.items() if row.does == "page"]
+    told = "; ".join(f"{kind.__struct_config__.tag}: {kind.__name__}" for kind in tells)
+    lines = [
+        f"// Made by `{COMMAND}` from app/wire.",
+        f"export type CommandName = {' | '.join(map(json.dumps, COMMANDS))};",
+        "/** Commands that the page's script does. */",
+        f"export type PageCommand = {' | '.join(map(json.dumps, page))};",
+        *(declared(kind, says=True) for kind in says),
+        f"export type FromPage = {' | '.join(kind.__name__ for kind in says)};",
+        *(declared(kind, says=False) for kind in (*parts_of(tells), *tells)),
+        f"export type ToPage = {' | '.join(kind.__name__ for kind in tells)};",
+        "/** What the page is told, by its tag. */",
+        f"export type Told = {{ {told} }};",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def table() -> str:
+    """static/commands.js."""
+    rows = []
+    for name, row in COMMANDS.items():
+        fields = {
+            "label": row.label,
+            "word": row.word,
+            "keys": [key_name(key) for key in row.keys],
+            "shown": row.keys[0] if row.keys else "",
+            "hint": row.hint,
+            "needs": row.needs,
+            "icon": row.icon,
+            "where": row.where,
+            "page": row.does == "page",
+        }
+        kept = {key: value for key, value in fields.items() if value or key in ("label", "keys")}
+        rows.append(f"  {name}: {json.dumps(kept, ensure_ascii=False)},")
+    return "\n".join(
+        (
+            "// @ts-check",
+            f"/** The table of commands. Made by `{COMMAND}` from app/wire/commands.py. */",
+            "",
+            "/**",
+            " * @typedef {object} Row see app/wire/commands.py",
+            " * @property {string} label",
+            " * @property {string} [word]",
+            ' * @property {string[]} keys as `pressed` in key_table.js has them: "ctrl shift z"',
+            " * @property {string} [shown] the first of them, as it is shown",
+            " * @property {string} [hint]",
+            " * @property {string} [needs]",
+            " * @property {string} [icon]",
+            " * @property {string} [where]",
+            " * @property {boolean} [page] whether the page's script does it",
+            " */",
+            '/** @type {Record<import("./wire.js").CommandName, Row>} */',
+            "export const COMMANDS = {",
+            *rows,
+            "};",
+            "",
+        )
+    )
+
+
+def key_name(key: str) -> str:
+    """A key as the script calls it."""
+    *modifiers, letter = key.split(" ")
+    letter = LETTERS.get(letter, letter.lower() if len(letter) == 1 else letter)
+    return " ".join((*map(str.lower, modifiers), letter))
+
+
+def keys_list() -> str:
+    """The keys, for docs/page.md."""
+    return "\n".join(("| key | |", "|---|---|", *(f"| {keys} | {what} |" for keys, what in key_lines())))
+
+
+def messages_list() -> str:
+    """All messages, for docs/wire.md."""
+    return "\n\n".join(
+        f"### {title}\n\n| | |\n|---|---|\n"
+        + "\n".join(f"| `{kind.__struct_config__.tag}` | {first_sentence(kind)} |" for kind in kinds)
+        for title, kinds in (
+            ("What a page says (`app/wire/from_page.py`)", from_page.MESSAGES),
+            ("States that a page is told (`app/wire/to_page.py`)", from_page.leaves(to_page.State)),
+            ("Events that a page is told", from_page.leaves(to_page.Event)),
+        )
+    )
+
+
+def between(path: Path, name: str, text: str) -> str:
+    """A document with another text between the marks of that name."""
+    begin, end = f"<!-- {name}: {COMMAND} -->\n", f"\n<!-- end of {name} -->"
+    old = path.read_text(encoding="utf-8")
+    assert begin in old and end in old, f"{path.name} has no place for {name}"
+    return re.sub(f"(?s){re.escape(begin)}.*{re.escape(end)}", lambda _: begin + text + end, old)
+
+
+def files() -> dict[Path, str]:
+    """All that is made, and what is in it."""
+    page, wire = ROOT / "docs" / "page.md", ROOT / "docs" / "wire.md"
+    return {
+        STATIC / "wire.d.ts": types(),
+        STATIC / "commands.js": table(),
+        page: between(page, "keys", keys_list()),
+        wire: between(wire, "messages", messages_list()),
+    }
+
+
+def main() -> None:
+    """Write them."""
+    for path, text in files().items():
+        path.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
