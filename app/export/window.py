@@ -77,7 +77,7 @@ def bounds(
 
 
 def _show_walls(low: Floats, high: Floats, sketch: Sketch) -> None:
-    """Makes room for the surfaces of walls that would be just beyond the edge, as static/camera.js does."""
+    """Makes room for the surfaces of walls that would be just beyond the edge, as camera.js does."""
     if sketch.around is None:
         return
     size = float((high - low).max())

@@ -22,16 +22,16 @@ from ..session.session import Notice, Session
 from ..wire.carrier import Mail
 from ..wire.commands import COMMANDS
 from ..wire.to_page import Hud, Role, Roles
-from . import readouts
-from .choice_box import ChoiceBox
-from .comma_switch import CommaSwitch
 from .controls import Controls
-from .lesson_panel import LessonPanel
+from .edit.selection_panel import SelectionPanel
+from .looks import readouts
+from .measure.plot_list import PlotList
 from .play_panel import PlayPanel
-from .plot_list import PlotList
-from .selection_panel import SelectionPanel
-from .slider_box import SliderBox, mixed_words
-from .solver_panel import SolverPanel
+from .scenes.lesson_panel import LessonPanel
+from .solver.solver_panel import SolverPanel
+from .viser.choice_box import ChoiceBox
+from .viser.comma_switch import CommaSwitch
+from .viser.slider_box import SliderBox, mixed_words
 
 PANEL_WIDTH = 348
 FOREMOST = (

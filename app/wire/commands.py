@@ -1,8 +1,8 @@
 """The one table of commands: what keys, buttons, menus, the palette and the help offer.
 
-A row is all that a command needs: the page's copy of the table (`static/commands.js`), the list of keys in
+A row is all that a command needs: the page's copy of the table (`app/wire/commands.js`), the list of keys in
 docs/page.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. A
-command of the page's own needs its function in `static/perform.js`, too; the type check says so.
+command of the page's own needs its function in `app/wire/perform.js`, too; the type check says so.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Page(Protocol):
 
 Does = commands.Command | Callable[[Session, Page], None] | Literal["page", "elsewhere"]
 """What a command does: a command of the session, a function for the ticker, something that the page's script
-does (`static/perform.js`), or what the script does at the place that listens to its keys."""
+does (`app/wire/perform.js`), or what the script does at the place that listens to its keys."""
 
 
 @dataclass(frozen=True)

@@ -101,7 +101,7 @@ outline; and one that stands beside the control before it, as its icon."""
 
 
 class Roles(State, frozen=True, kw_only=True):
-    """Which controls look otherwise than viser draws them, by their ids, and whether there is a bar of time."""
+    """Controls that look otherwise than viser draws them, by their ids; whether there is a bar of time."""
 
     roles: dict[str, Role]
     time_bar: bool

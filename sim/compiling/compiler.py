@@ -45,7 +45,7 @@ from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
-from ..methods.registry import ARM_METHODS, METHODS
+from ..methods.registry import AUTO_METHODS, METHODS
 
 _FLOAT, _INT = types.float64, types.int64
 
@@ -98,7 +98,7 @@ def _entry_points() -> dict[str, EntryPoint]:
     problem, drive = Problem.numba_type, Drive.numba_type
     run = (problem, drive, _FLOAT, _FLOAT, _INT)
     # In the order in which they are needed: those that `auto` uses come first.
-    methods = sorted(METHODS.values(), key=lambda method: method not in ARM_METHODS)
+    methods = sorted(METHODS.values(), key=lambda method: method not in AUTO_METHODS)
     points = [
         ("forces", accelerations, ACCELERATIONS.args),
         ("the choice of methods", next_turn, (problem, _FLOAT, _FLOAT, _INT)),
@@ -137,13 +137,13 @@ def needed_by(method: str) -> tuple[str, ...]:
     """Names of the entry points that a method needs; for `auto`, those that it needs to start."""
     info = METHODS[method]
     if info.kernel is None:
-        return "accelerations", ARM_METHODS[0].kernel.py_func.__name__, "next_turn"
+        return "accelerations", AUTO_METHODS[0].kernel.py_func.__name__, "next_turn"
     return "accelerations", *(FOR_FALLBACK if info.implicit else ()), info.kernel.py_func.__name__
 
 
 def all_of(method: str) -> tuple[str, ...]:
     """Names of all entry points that a run by a method may come to, with the energy balance."""
-    arms = [arm.name for arm in ARM_METHODS] if METHODS[method].kernel is None else []
+    arms = [arm.name for arm in AUTO_METHODS] if METHODS[method].kernel is None else []
     needed = [name for one in (method, *arms) for name in needed_by(one)]
     return tuple(dict.fromkeys((*needed, *FOR_FALLBACK, *FOR_DAMAGE, *FOR_ENERGY)))
 

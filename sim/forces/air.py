@@ -21,7 +21,7 @@ import numpy as np
 from ..kernels.core.jit import FAST, kernel
 from ..kernels.core.sines import sine
 from ..kernels.core.table import Rows, Table
-from ..kernels.core.tables import WORK_AIR, Body, State
+from ..kernels.core.tables import Body, State
 from ..scene.surroundings import Wind
 from ..scene.types import Scene
 from .term import Floats, Term, Vectors, read_only
@@ -155,7 +155,7 @@ def _add_power(body, state, balance, q, v, part):
                 power -= air.friction * ((vx - u) * abs(vx - u) * vx + (vy - w) * abs(vy - w) * vy)
             else:
                 power -= state.air[i] * balance.mass[i] * (vx * vx * abs(vx) + vy * vy * abs(vy))
-    balance.work[WORK_AIR] += part * power
+    balance.work.air += part * power
 
 
 # ------------------------------------------------------------------------- derivatives

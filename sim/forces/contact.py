@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.core.jit import FUSED, kernel
-from ..kernels.core.tables import WORK_WALLS, Body, State
+from ..kernels.core.tables import Body, State
 from ..near import near_pairs, nearest_points
 from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
 from .contact_pairs import add_at_pair, friction_on, pair_at
@@ -81,7 +81,7 @@ def _add_power(body, state, balance, q, v, part):
             touches, pair = pair_at(body, state.inverse_mass, s, contact.member[p], q, v)
             if touches:
                 power += (pair.push - pair.elastic) * pair.speed - pair.friction * pair.along
-    balance.work[WORK_WALLS] += part * power
+    balance.work.walls += part * power
 
 
 # ------------------------------------------------------------------------- derivatives

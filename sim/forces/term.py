@@ -62,7 +62,7 @@ class Term:
         energy: kernel (body, state, q); returns kg px²/s². None for a force without an energy.
         label: what the energy is of, in a few words.
         add_power: kernel (body, state, balance, q, v, part); adds `part` (s) times the power, kg px²/s³, of
-            what is not the gradient of the energy to an entry of `balance.work`.
+            what is not the gradient of the energy to a field of `balance.work`.
         add_derivatives: kernel (body, state, matrix, q, v, g, definite); adds the derivatives of forces by
             positions, kg/s², plus g (1/s) times those by velocities, kg/s, to `matrix.blocks`. With
             `definite`, it leaves out what could make the matrix of a step indefinite.

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..kernels.core.jit import FAST, kernel
 from ..kernels.core.table import Rows, Table
-from ..kernels.core.tables import WORK_WALLS, Body, State
+from ..kernels.core.tables import Body, State
 from ..scene.surroundings import Wall
 from ..scene.types import Scene
 from .push import damping_factor, push_and_friction, push_slopes, pushes_and_frictions, time_to_deepest
@@ -120,7 +120,7 @@ def _add_power(body, state, balance, q, v, part):
                 push, friction, elastic, along = _wall_push(wall, environment.step, depth, vx, vy)
                 rubbing = friction * along if quick.shape[0] == 0 or quick[k, i] == 0.0 else 0.0
                 power += environment.mass[i] * ((push - elastic) * (vx * nx + vy * ny) - rubbing)
-    balance.work[WORK_WALLS] += part * power
+    balance.work.walls += part * power
 
 
 @kernel(fastmath=FAST)

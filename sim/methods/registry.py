@@ -113,5 +113,5 @@ METHODS: dict[str, MethodInfo] = {method.name: method for method in _ALL}
 
 assert set(METHODS) == set(get_args(Method))
 
-ARM_METHODS = tuple(METHODS[name] for name in ("velocity_verlet", "rodas4", "generalized_alpha", "adams"))
-"""The methods that `auto` chooses from, in the order of the ARM_ constants."""
+AUTO_METHODS = tuple(METHODS[name] for name in ("velocity_verlet", "rodas4", "generalized_alpha", "adams"))
+"""The methods that `auto` chooses from, in the order of `VERLET`, `ROSENBROCK`, `ALPHA` and `ADAMS`."""

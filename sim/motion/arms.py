@@ -4,16 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..kernels.core.tables import (
-    ARM_ADAMS,
-    ARM_ALPHA,
-    ARM_ROSENBROCK,
-    ARM_VERLET,
-    ARMS,
-    Body,
-    Floats,
-    Matrix,
-)
+from ..kernels.core.tables import ADAMS, ALPHA, CHOICES, ROSENBROCK, VERLET, Body, Floats, Matrix
 from ..methods.registry import MethodInfo
 from ..scene.types import Scene
 
@@ -47,7 +38,7 @@ prefers explicit methods unless their steps are very short."""
 
 
 def tolerance_factors(scene: Scene, arms: list[MethodInfo], low: bool) -> Floats:
-    """(ARMS,) the tolerance of each method as a part of the scene's, see `Problem.tolerance_factor`.
+    """(CHOICES,) the tolerance of each method as a part of the scene's, see `Problem.tolerance_factor`.
 
     Args:
         scene: the scene.
@@ -55,18 +46,18 @@ def tolerance_factors(scene: Scene, arms: list[MethodInfo], low: bool) -> Floats
         low: whether the tolerance calls for methods of low order, see `LOW_TOLERANCE`.
     """
     tolerance_factor = np.array([arm.tolerance_factor for arm in arms])
-    tolerance_factor[ARM_ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
+    tolerance_factor[ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
     size = max(
         *np.ptp([mass.position for mass in scene.masses], axis=0),
         *(spring.rest_length for spring in scene.linear_springs),
     )
     tolerance = scene.integrator.tolerance
-    tolerance_factor[ARM_ROSENBROCK] *= min(max(_COARSEST * size / tolerance, _FINER), 1.0)
+    tolerance_factor[ROSENBROCK] *= min(max(_COARSEST * size / tolerance, _FINER), 1.0)
     return tolerance_factor * min(max(_LARGEST * size, _SENSIBLE) / tolerance, 1.0)
 
 
 def costs_of_steps(body: Body, matrix: Matrix, low: bool) -> Floats:
-    """(ARMS,) computing time of a step of each method in steps of Verlet, see `Problem.costs`.
+    """(CHOICES,) computing time of a step of each method in steps of Verlet, see `Problem.costs`.
 
     Measured in ns, in proportion to operations.
 
@@ -87,10 +78,10 @@ def costs_of_steps(body: Body, matrix: Matrix, low: bool) -> Floats:
     if touching:  # each solution takes some iterations, see `linear.contact`
         blocks = (_ITERATIONS[0] + _ITERATIONS[1] * body.springs) * (blocks + 2.0 * touching)
     stages = 6 if low else 8
-    costs = np.zeros(ARMS)
-    costs[ARM_VERLET] = 60.0 + force
-    costs[ARM_ADAMS] = 80.0 + 2.0 * force + 4.0 * n
-    costs[ARM_ROSENBROCK] = factors + stages * (force + 2.0 * blocks + 4.0 * n)
+    costs = np.zeros(CHOICES)
+    costs[VERLET] = 60.0 + force
+    costs[ADAMS] = 80.0 + 2.0 * force + 4.0 * n
+    costs[ROSENBROCK] = factors + stages * (force + 2.0 * blocks + 4.0 * n)
     if low and n >= LONG:
-        costs[ARM_ALPHA] = 1.2 * (factors + force + 2.0 * blocks) + 16.0 * n
-    return costs / costs[ARM_VERLET]
+        costs[ALPHA] = 1.2 * (factors + force + 2.0 * blocks) + 16.0 * n
+    return costs / costs[VERLET]

@@ -7,18 +7,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from ..forces.all import ENERGIES, OTHERS, WITH_ENERGY
-from ..kernels.core.tables import (
-    WORK_AIR,
-    WORK_ANCHORS,
-    WORK_BROKEN,
-    WORK_DAMPING,
-    WORK_FALLBACK,
-    WORK_KEYS,
-    WORK_LAW,
-    WORK_PLASTIC,
-    WORK_WALLS,
-    State,
-)
+from ..kernels.core.tables import State
 from ..kernels.energy.energies import energies
 from .solver import Solver
 
@@ -104,17 +93,17 @@ class Books:
         return EnergyBook(
             *energies[:OTHERS],
             others=tuple(energies[OTHERS:]),
-            anchors=float(work[WORK_ANCHORS]),
-            damping=float(work[WORK_DAMPING]),
-            air=float(work[WORK_AIR]),
-            friction=float(work[WORK_WALLS]),
-            plastic=float(work[WORK_PLASTIC]),
-            broken=float(work[WORK_BROKEN]),
-            law=float(work[WORK_LAW]),
-            keys=float(work[WORK_KEYS]),
+            anchors=work.anchors,
+            damping=work.damping,
+            air=work.air,
+            friction=work.walls,
+            plastic=work.plastic,
+            broken=work.broken,
+            law=work.law,
+            keys=work.keys,
             changes=self._changes,
-            fallbacks=float(work[WORK_FALLBACK]),
-            residual=total - self._start - float(work.sum()) - self._changes,
+            fallbacks=work.fallbacks,
+            residual=total - self._start - work.total - self._changes,
         )
 
     def total(self) -> float:
@@ -125,11 +114,11 @@ class Books:
 
     def moved(self, before: float) -> None:
         """Enter that held masses were moved at once, grabbed or released; the total was `before`."""
-        self._solver.balance.work[WORK_ANCHORS] += self.total() - before
+        self._solver.balance.work.anchors += self.total() - before
 
     def take_over(self, old: Books) -> None:
         """Continue the balance of a simulation with other settings."""
-        self._solver.balance.work[:] = old._solver.balance.work
+        self._solver.balance.work.take_over(old._solver.balance.work)
         book = old._last
         self._changes = book.changes + self.total() - book.total
         self._start = old._start

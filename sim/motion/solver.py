@@ -25,41 +25,30 @@ from ..kernels.core.shared import (
     address_of,
 )
 from ..kernels.core.tables import (
-    ARM_ROSENBROCK,
-    ARM_VERLET,
-    ARMS,
-    AUTO_NEW,
+    CHOICES,
     CONTROL_SCALE,
-    CONTROLLER_BEGUN,
-    CONTROLLER_CONTRACTION,
-    CONTROLLER_LAST,
-    CONTROLLER_LAST_BUT_ONE,
-    CONTROLLER_ORIGIN,
-    CONTROLLER_TIME,
-    CONTROLLERS,
-    COUNT_FALLBACKS,
-    COUNT_FORCES,
-    COUNT_FRESH,
-    COUNT_MASS,
-    COUNT_MATRICES,
-    COUNT_REJECTED,
-    COUNT_STEPS,
-    COUNT_WHAT,
-    COUNTS,
     PAST,
-    WORK_BROKEN,
-    WORKS,
+    ROSENBROCK,
+    VERLET,
     Adams,
+    AdamsState,
+    AlphaState,
+    AutoState,
     Drive,
     EnergyBalance,
     Floats,
     IntegratorState,
     Matrix,
+    Phase,
     Problem,
     Rosenbrock,
+    Run,
     Scratch,
     State,
     Tableau,
+    Trial,
+    VerletState,
+    Work,
 )
 from ..kernels.energy.dissipation import DAMPER_ROWS
 from ..kernels.energy.work import accumulate_work
@@ -68,17 +57,15 @@ from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
-from ..methods.registry import ARM_METHODS, METHODS
+from ..methods.registry import AUTO_METHODS, METHODS
 from ..methods.tableaux import RK4
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
 from .arms import LONG, LOW_TOLERANCE, costs_of_steps, tolerance_factors
 from .stability import quick_limit
 
-_ROWS, _HISTORY = 24, 4
-"""Numbers of rows of `IntegratorState.rows` and `IntegratorState.history`."""
-_NEW = np.array(AUTO_NEW)
-"""Initial contents of `IntegratorState.selector`."""
+_ROWS, _ALPHA_ROWS = 20, 4
+"""Numbers of rows of `IntegratorState.rows` and `AlphaState.rows`."""
 
 _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit, from which it counts as near the limit."""
@@ -128,24 +115,31 @@ class Solver:
         self._info = METHODS[scene.integrator.method]
         auto = self._info.name == "auto"
         remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
-        past, history = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
-        count = history + (_HISTORY if remembers else 0)
+        past, kept = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
+        count = kept + (_ALPHA_ROWS if remembers else 0)
         (room,) = slab([(count * wide, 1)], page_offset=2560)
+        new_q, new_v, new_a = slab([(wide, 1)] * 3, page_offset=0)
         rows = room.reshape(-1, wide)  # a whole number of cache lines each
         self.integrator = IntegratorState(
             a=rows[0],
-            controller=np.zeros(CONTROLLERS),
-            limits=np.array([MAX_COORDINATE, MAX_SPEED if self._info.adaptive else RUNAWAY_SPEED]),
-            counts=np.zeros(COUNTS, np.int64),
+            old=Phase(q=state.q, v=state.v, a=rows[0]),
+            new=Phase(q=new_q, v=new_v, a=new_a),
             rows=rows[1:past],
-            selector=_NEW.copy(),
-            history=rows[history:],
-            past=rows[past:history],
+            run=Run(
+                farthest=MAX_COORDINATE,
+                fastest=MAX_SPEED if self._info.adaptive else RUNAWAY_SPEED,
+            ),
+            trial=Trial(),
+            verlet=VerletState(),
+            alpha=AlphaState(rows=rows[kept:]),
+            adams=AdamsState(past=rows[past:kept]),
+            auto=AutoState(step=np.zeros(CHOICES), pace=np.zeros(CHOICES)),
         )
+        self._forget_turns()
         no_rows = np.zeros((1, 0))
         self.balance = EnergyBalance(
             active=False,
-            work=np.zeros(WORKS),
+            work=Work(),
             mass=np.zeros(self.slots),
             rows=no_rows,
             dampers=no_rows,
@@ -179,31 +173,46 @@ class Solver:
         """Whether it waits for no kernel that is still being compiled."""
         if self._wait:
             return True
-        arms = ARM_METHODS if self._info.kernel is None else ()
+        arms = AUTO_METHODS if self._info.kernel is None else ()
         own = [name for arm in arms for name in needed_by(arm.name)]
         return is_ready((*own, *(FOR_FALLBACK if self._info.implicit else ())))
 
     @property
     def time(self) -> float:
         """Simulated time, s."""
-        return float(self.integrator.controller[CONTROLLER_TIME])
+        return self.integrator.run.time
 
     def load(self, time: float) -> None:
         """Start from the state in `state`, at a time (s), and forget what was kept from earlier steps.
 
         Nothing of them is left, not even in scratch, which loops over padding read.
         """
-        integrator = self.integrator
-        for array in (integrator.a, integrator.rows, integrator.history, integrator.past):
+        integrator, run = self.integrator, self.integrator.run
+        new_vectors = integrator.new.q, integrator.new.v, integrator.new.a
+        for array in (
+            integrator.a,
+            *new_vectors,
+            integrator.rows,
+            integrator.alpha.rows,
+            integrator.adams.past,
+        ):
             array[:] = 0.0
         for _, array in self.scratch.arrays():
             array[:] = 0.0
         if self._matrix is not None:
             clear_factors(self._matrix)
-        integrator.controller[:] = 0.0
-        integrator.selector[:] = _NEW
-        integrator.controller[[CONTROLLER_TIME, CONTROLLER_ORIGIN]] = time
-        integrator.counts[:] = 0
+        for record in (integrator.verlet, integrator.alpha, integrator.adams):
+            record.clear()
+        self._forget_turns()
+        farthest, fastest = run.farthest, run.fastest
+        run.clear()
+        run.time, run.origin, run.farthest, run.fastest = time, time, farthest, fastest
+
+    def _forget_turns(self) -> None:
+        """Forget what `auto` has learnt of its methods."""
+        auto = self.integrator.auto
+        auto.clear()
+        auto.turn, auto.step[:], auto.pace[:] = -1, 0.0, -1.0
 
     def run(self, until: float, drive: Drive, attempts: int = UNLIMITED) -> int:
         """Advance to a time (s) by the scene's method, trying at most `attempts` steps.
@@ -212,9 +221,9 @@ class Solver:
             guard.GOOD, or what is wrong with the state after the next step.
         """
         left = attempts - self._run(until, drive, attempts)
-        counts = self.integrator.counts
+        run = self.integrator.run
         can_fall_back = self._info.implicit and (self._wait or is_ready(FOR_FALLBACK))
-        while (what := int(counts[COUNT_WHAT])) != guard.GOOD:
+        while (what := run.what) != guard.GOOD:
             if what == guard.CHANGED:
                 self._take_damage()
             elif what == guard.STUCK and can_fall_back and left > 0 and self.time < until:
@@ -229,10 +238,11 @@ class Solver:
 
     def _take_damage(self) -> None:
         """Go on with the springs that are left, after some have yielded or broken."""
-        integrator = self.integrator
-        integrator.counts[COUNT_WHAT] = guard.GOOD
+        alpha = self.integrator.alpha
+        self.integrator.run.what = guard.GOOD
         # What implicit methods remember of the last steps does not belong to these forces.
-        integrator.controller[[CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, CONTROLLER_BEGUN]] = 0.0
+        alpha.last = alpha.older = 0.0
+        alpha.steps = 0
         body, broken = self.system.body, np.flatnonzero(self.state.broken)
         if not (body.stiffness[broken].any() or body.damping[broken].any()):
             return  # springs have yielded, as often as not in every step; none has broken
@@ -241,7 +251,7 @@ class Solver:
             # A filling that gets out takes its energy with it.
             x = self.state.x + 1j * self.state.y
             before, after = (FillingsTwin(s.body, self.state).energy(x) for s in (self.system, system))
-            self.balance.work[WORK_BROKEN] += after - before
+            self.balance.work.broken += after - before
         self.system = system
         refresh(system.body, self.state)
 
@@ -263,7 +273,7 @@ class Solver:
             left -= tried
             if arm < 0:
                 return attempts - left
-            method = ARM_METHODS[arm]
+            method = AUTO_METHODS[arm]
             if method.implicit and not problem.factorise:
                 problem = self._bind(True)
             if arm not in self._fetched:
@@ -277,7 +287,7 @@ class Solver:
         auto = info.kernel is None
         low = auto and integrator.tolerance >= LOW_TOLERANCE
         rodas = METHODS["rodas4" if low else "rodas5p"]
-        arms = [rodas if arm == ARM_ROSENBROCK else method for arm, method in enumerate(ARM_METHODS)]
+        arms = [rodas if arm == ROSENBROCK else method for arm, method in enumerate(AUTO_METHODS)]
         own, adams = info.table, METHODS["adams"].table
         rosenbrock = own if isinstance(own, Rosenbrock) else rodas.table
         assert isinstance(rosenbrock, Rosenbrock)
@@ -286,7 +296,7 @@ class Solver:
             self._costs = costs_of_steps(self.system.body, self.matrix, low)
             self._missing = set(np.flatnonzero(self._costs).tolist())
             self._take_in()
-        costs = np.zeros(ARMS) if self._costs is None else self._costs.copy()
+        costs = np.zeros(CHOICES) if self._costs is None else self._costs.copy()
         costs[list(self._missing)] = 0.0
         damageable = self.system.body.strength.present
         self._fetch(needed_by(info.name))
@@ -312,7 +322,7 @@ class Solver:
             implicit=rosenbrock,
             adams=adams,
             costs=costs,
-            tolerance_factor=tolerance_factors(self.scene, arms, low) if auto else np.ones(ARMS),
+            tolerance_factor=tolerance_factors(self.scene, arms, low) if auto else np.ones(CHOICES),
         )
         return self._problem
 
@@ -321,7 +331,7 @@ class Solver:
         ready = {
             arm
             for arm in self._missing
-            if self._wait or arm == ARM_VERLET or is_ready(needed_by(ARM_METHODS[arm].name))
+            if self._wait or arm == VERLET or is_ready(needed_by(AUTO_METHODS[arm].name))
         }
         if ready:
             self._missing -= ready
@@ -329,7 +339,7 @@ class Solver:
 
     def fall_back(self, until: float, drive: Drive) -> None:
         """Take a fallback step; arguments as of `run`."""
-        body, integrator = self.system.body, self.integrator
+        body, alpha = self.system.body, self.integrator.alpha
         lengths = body.rest_length[: body.springs] * self.state.controls[CONTROL_SCALE]
         typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
         h = min(FALLBACK_STEP, until - self.time)
@@ -337,10 +347,9 @@ class Solver:
         if problem is None or not problem.factorise:
             problem = self._bind(True)
         run_fallback(problem, drive, h, 1e-6 * typical, typical)
-        integrator.selector[:] = _NEW
-        integrator.controller[
-            [CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, CONTROLLER_BEGUN, CONTROLLER_CONTRACTION]
-        ] = 0.0
+        self._forget_turns()
+        alpha.last = alpha.older = alpha.contraction = 0.0
+        alpha.steps = 0
 
     def _fetch(self, names: tuple[str, ...]) -> None:
         """Load entry points, if it may wait for them; otherwise they are loaded by now."""
@@ -356,7 +365,7 @@ class Solver:
         rows, quick = np.zeros((4, 2 * self.slots)), np.zeros((walls, 2 * self.slots))
         dampers = np.zeros((DAMPER_ROWS, body.springs + body.joints))
         self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers, quick=quick)
-        self.balance.work[:] = 0.0
+        self.balance.work.clear()
         self._problem = None
 
     def close_balance(self) -> None:
@@ -367,11 +376,11 @@ class Solver:
     @property
     def fastest(self) -> float:
         """Largest velocity component of a good state, px/s."""
-        return float(self.integrator.limits[1])
+        return self.integrator.run.fastest
 
     @fastest.setter
     def fastest(self, speed: float) -> None:
-        self.integrator.limits[1] = speed
+        self.integrator.run.fastest = speed
 
     @property
     def keeps_books(self) -> bool:
@@ -380,23 +389,22 @@ class Solver:
 
     def touch(self) -> None:
         """Note that the state, or what acts on it, was changed from outside."""
-        self.integrator.counts[COUNT_FRESH] = 0
+        self.integrator.run.current = False
 
     @property
     def tries(self) -> int:
         """Number of steps tried since the counts were last read."""
-        counts = self.integrator.counts
-        return int(counts[COUNT_STEPS] + counts[COUNT_REJECTED])
+        run = self.integrator.run
+        return run.steps + run.rejected
 
     @property
     def index(self) -> int:
         """Slot of the mass at which something is wrong."""
-        return int(self.integrator.counts[COUNT_MASS])
+        return self.integrator.run.mass
 
     def stats(self) -> SolverStats:
         """Counts of what was done since the last call."""
-        counts = self.integrator.counts
-        read = (COUNT_STEPS, COUNT_REJECTED, COUNT_FORCES, COUNT_MATRICES, COUNT_FALLBACKS)
-        stats = SolverStats(*(int(counts[i]) for i in read))
-        counts[list(read)] = 0
+        run = self.integrator.run
+        stats = SolverStats(run.steps, run.rejected, run.forces, run.matrices, run.fallbacks)
+        run.steps = run.rejected = run.forces = run.matrices = run.fallbacks = 0
         return stats

@@ -17,7 +17,7 @@ from rich.table import Table
 
 import sim
 from app.drawing.plan import FRAME_HEAD, FRAME_TIME
-from app.page.view import FRAME
+from app.page.body.view import FRAME
 
 from .client import Page
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import app.page
 
-SHEETS = sorted((Path(app.page.__file__).parent / "static").glob("**/*.css"))
+SHEETS = sorted(Path(app.page.__file__).parent.glob("**/*.css"))
 
 
 def test_no_style_has_the_browser_search_the_whole_page() -> None:

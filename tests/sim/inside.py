@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from sim import Scene, Simulation
 from sim.body.system import System
 from sim.forces.springs import spring_forces as kernel_forces
-from sim.kernels.core.tables import CONTROLLER_DEGREE
 from sim.motion.solver import Solver
 
 Points = NDArray[np.float64]
@@ -29,7 +28,7 @@ def solver_of(simulation: Simulation) -> Solver:
 
 def adams_degree(simulation: Simulation) -> int:
     """The degree that Adams' methods went on with in the last step."""
-    return int(solver_of(simulation).integrator.controller[CONTROLLER_DEGREE])
+    return int(solver_of(simulation).integrator.adams.degree)
 
 
 def is_chain(simulation: Simulation) -> bool:

@@ -96,9 +96,12 @@ def test_vibrations_fade_under_the_degree_that_long_steps_are_left() -> None:
 
 
 def test_vibrations_that_nothing_damps_do_not_hold_steps() -> None:
-    """They grow under the highest degree: then it takes 92000 evaluations, and ends 7 times as far off."""
+    """They grow under the highest degree: then it takes 92000 evaluations, and ends 7 times as far off.
+
+    Without that it takes 59000 to 66000, whichever way numbers are rounded.
+    """
     simulation, _ = moved(sim.load_scene("study-w4"), 1e-5)
-    assert simulation.stats().forces < 65_000
+    assert simulation.stats().forces < 75_000
     exact, _ = moved(sim.load_scene("study-w4"), 1e-8)
     assert np.hypot(*(simulation.positions - exact.positions).T).max() < 3e-7
 

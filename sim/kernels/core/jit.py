@@ -29,7 +29,7 @@ _FOLDERS = ("kernels", "forces")
 """The folders in it that have kernel modules."""
 _IMPORT = re.compile(r"^from (\.+)(\w[\w.]*) import ", re.MULTILINE)
 """Matches an import of one module by another."""
-_LAYOUT = re.compile(r"^class \w+\(Table\):\n(?:(?: .*)?\n)*", re.MULTILINE)
+_LAYOUT = re.compile(r"^class \w+\((?:Table|Record)\):\n(?:(?: .*)?\n)*", re.MULTILINE)
 """Matches the declaration of a table."""
 _KEPT_DAYS = 30
 """Days after which unused machine code is removed."""
@@ -41,8 +41,12 @@ _OPTIONS = {
     "error_model": "numpy",
     # No reference counting: a kernel allocates nothing, and its caller holds all its arrays.
     "_nrt": False,
+    # Said of every kernel, since numba otherwise takes these two over from the caller that is compiled first,
+    # so that the bits of a run would depend on the order in which kernels are compiled.
+    "fastmath": False,
+    "forceinline": False,
 }
-"""Options of numba for all kernels."""
+"""Options of numba for all kernels, unless they say otherwise."""
 
 
 def _modules_behind(name: str) -> set[str]:
@@ -156,13 +160,13 @@ def kernel(
             options["pipeline_class"] = _Noalias
         folder = cache_folder(module_of(function))
         if folder is None or not kept:
-            return numba.njit(**_OPTIONS, **options)(function)
+            return numba.njit(**_OPTIONS | options)(function)
         # The folder is read when the function is decorated; numba has no argument for it, and other
         # users of numba in this process keep the folder they have.
         before = numba.config.CACHE_DIR  # type: ignore[attr-defined]
         numba.config.CACHE_DIR = str(folder)  # type: ignore[attr-defined]
         try:
-            return numba.njit(**_OPTIONS, cache=True, **options)(function)
+            return numba.njit(cache=True, **_OPTIONS | options)(function)
         finally:
             numba.config.CACHE_DIR = before  # type: ignore[attr-defined]
 

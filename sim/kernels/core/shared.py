@@ -132,19 +132,19 @@ def solve(problem, b):
 
 
 @kernel(inline="always")
-def add_damping(problem, v, z, factor, out):
-    """`linear.implicit.add_damping_product` at the positions of the problem's state."""
-    _call_resistance(problem.resistance, problem.body, problem.state, problem.state.q, v, z, factor, out)
+def add_damping(problem, q, v, z, factor, out):
+    """`linear.implicit.add_damping_product` of the problem's body."""
+    _call_resistance(problem.resistance, problem.body, problem.state, q, v, z, factor, out)
 
 
 @kernel(inline="always")
-def keeps_apart(problem, q, to_q):
+def no_tunnelling(problem, q, to_q):
     """`around.contact.stays_apart`, where there is contact."""
     return problem.apart == 0 or _call_apart(problem.apart, problem.body, q, to_q)
 
 
 @kernel(inline="always")
-def bears(problem, q, tolerance):
+def within_strength(problem, q, tolerance):
     """Whether no spring is strained at positions q so far beyond its limits that a step should be shorter."""
     return problem.settle == 0 or not _call_overstrained(problem.overstrained, problem, q, tolerance)
 

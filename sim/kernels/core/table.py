@@ -1,14 +1,17 @@
-"""Tables: groups of arrays and numbers that are passed to a kernel as one pointer.
+"""Tables and records: groups of arrays and numbers that are passed to a kernel as one pointer.
 
 A kernel needs some hundred arrays. As separate arguments they would take seven machine words each at every
 call, which takes longer than the step of a short rope, and compiling that takes longer than compiling the
 arithmetic. A table is an object with typed, read-only attributes: numbers, arrays and other tables. Its
 values are kept in a block of memory, from which compiled code loads what it uses. `body.stiffness` is the
 array both in Python and in a kernel.
+
+A record is a table whose numbers change: Python and kernels read `run.time` and write `run.time = 0.0`.
 """
 
 from __future__ import annotations
 
+import inspect
 import struct
 from collections.abc import Iterator
 from typing import Any, ClassVar, NamedTuple, Self, dataclass_transform
@@ -16,6 +19,8 @@ from typing import Any, ClassVar, NamedTuple, Self, dataclass_transform
 import numpy as np
 from llvmlite import ir
 from numba import types
+from numba.core.errors import TypingError
+from numba.core.imputils import lower_setattr_generic
 from numba.core.typing.templates import AttributeTemplate
 from numba.extending import (
     NativeValue,
@@ -55,11 +60,11 @@ class _Field(NamedTuple):
 
 
 class TableType(types.Type):
-    """numba's type of the tables of one class."""
+    """numba's type of the tables of one class; `mutable`: whether their numbers change."""
 
-    def __init__(self, name: str) -> None:
-        super().__init__(f"Table({name})")
-        self.class_name = name
+    def __init__(self, name: str, mutable: bool) -> None:
+        super().__init__(f"{'Record' if mutable else 'Table'}({name})")
+        self.class_name, self.mutable = name, mutable
 
     @property
     def fields(self) -> dict[str, _Field]:
@@ -67,35 +72,39 @@ class TableType(types.Type):
         return _CLASSES[self.class_name].fields
 
 
-_CLASSES: dict[str, type[Table]] = {}
-"""All subclasses of `Table`, by name."""
+_CLASSES: dict[str, type[_Block]] = {}
+"""All tables and records, by name."""
 
 
-@dataclass_transform(kw_only_default=True, frozen_default=True)
-class Table:
-    """The base of all tables; a subclass declares its fields as annotated attributes.
+class _Block:
+    """What tables and records have in common; a subclass declares its fields as annotated attributes.
 
     Raises:
         TypeError: a field is missing or unknown, or an array has another type than the kernels expect.
     """
 
+    mutable: ClassVar[bool] = False
+    numbers: ClassVar[tuple[str, ...]]  # of a record: names of the fields that are numbers
+    _starts: ClassVar[list[int]]  # where these are kept, as in `_Field`
     fields: ClassVar[dict[str, _Field]]
     numba_type: ClassVar[TableType]
     _numba_type_: ClassVar[TableType]
 
     def __init_subclass__(cls) -> None:
         cls.fields, start = {}, 0
-        for name, kind in cls.__annotations__.items():
+        for name, kind in inspect.get_annotations(cls).items():
             if kind in _ARRAYS:
                 item, dimensions = _ARRAYS[kind]
                 dtype = np.dtype(float if item == types.float64 else np.int64)
                 cls.fields[name] = _Field(start, types.Array(item, dimensions, "C"), dtype, dimensions)
                 start += 1 + dimensions
             else:
-                type_ = _NUMBERS.get(kind) or TableType(kind)  # a table that may be declared later
+                # A table may be declared later, but not one of a subclass.
+                table = _CLASSES[kind].numba_type if kind in _CLASSES else TableType(kind, False)
+                type_ = _NUMBERS.get(kind, table)
                 cls.fields[name] = _Field(start, type_, is_float=kind == "float")
                 start += 1
-        cls.numba_type = TableType(cls.__name__)
+        cls.numba_type = TableType(cls.__name__, cls.mutable)
         cls._numba_type_ = cls.numba_type  # numba checks this attribute before it calls `typeof_impl`
         _CLASSES[cls.__name__] = cls
 
@@ -116,17 +125,15 @@ class Table:
             elif field.is_float:
                 words += _BITS.unpack(_FLOAT.pack(value))
             else:
-                words.append(value.address() if isinstance(value, Table) else int(value))
+                words.append(value.address() if isinstance(value, _Block) else int(value))
         self.__dict__.update(values)
         self.__dict__["_block"] = np.array(words, np.int64)
+        self.__dict__["_floats"] = self.__dict__["_block"].view(np.float64)
         self.__dict__["_address"] = self.__dict__["_block"].ctypes.data
 
     def address(self) -> int:
         """The address of the block."""
         return self.__dict__["_address"]
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"{type(self).__name__}.{name}: a table is read-only; see `replaced`")
 
     def replaced(self, **changes: Any) -> Self:
         """A copy of the table with other values in some fields; arrays are not copied."""
@@ -141,6 +148,60 @@ class Table:
         for name in self.fields:
             if isinstance(value := getattr(self, name), np.ndarray):
                 yield name, value
+
+
+@dataclass_transform(kw_only_default=True, frozen_default=True)
+class Table(_Block):
+    """The base of all tables."""
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"{type(self).__name__}.{name}: a table is read-only; see `replaced`")
+
+
+class Record(_Block):
+    """The base of all records: their numbers can be set, and are zero at first; their arrays stay."""
+
+    mutable = True
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        cls.numbers = tuple(
+            n for n, f in cls.fields.items() if isinstance(f.type, (types.Number, types.Boolean))
+        )
+        cls._starts = [cls.fields[name].start for name in cls.numbers]
+        for name in cls.numbers:
+            setattr(cls, name, _number(cls.fields[name]))
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**dict.fromkeys(self.numbers, 0) | values)
+
+    def __setattr__(self, name: str, value: float) -> None:
+        if name not in self.numbers:
+            raise AttributeError(f"{type(self).__name__} has no number {name}")
+        super().__setattr__(name, value)
+
+    def clear(self) -> None:
+        """Set all numbers to zero."""
+        self.__dict__["_block"][self._starts] = 0
+
+    def take_over(self, other: Self) -> None:
+        """Set all numbers to those of another record."""
+        self.__dict__["_block"][self._starts] = other.__dict__["_block"][self._starts]
+
+
+def _number(field: _Field) -> property:
+    """A number of a record, as an attribute in Python."""
+    start, kind = field.start, bool if field.type == types.boolean else int
+
+    def set_float(record: Any, value: float) -> None:
+        record._floats[start] = value
+
+    def set_whole(record: Any, value: int) -> None:
+        record._block[start] = value
+
+    if field.is_float:
+        return property(lambda record: float(record._floats[start]), set_float)
+    return property(lambda record: kind(record._block[start]), set_whole)
 
 
 # ------------------------------------------------------------------------- registration with numba
@@ -174,13 +235,15 @@ class _TableAttributes(AttributeTemplate):
 @lower_getattr_generic(TableType)
 def _load_field(context: Any, builder: Any, kind: TableType, table: Any, name: str) -> Any:
     start, type_ = kind.fields[name][:2]
+    changes = kind.mutable and not isinstance(type_, (types.Array, TableType))
 
     def load(offset: int, as_type: ir.Type = _WORD) -> Any:
         words = builder.bitcast(table, _WORD.as_pointer())
         index = builder.gep(words, [ir.Constant(ir.IntType(32), start + offset)])
         loaded = builder.load(builder.bitcast(index, as_type.as_pointer()))
-        # A table never changes, whatever a kernel writes elsewhere, so loads may be moved out of loops.
-        loaded.set_metadata("invariant.load", builder.module.add_metadata([]))
+        if not changes:
+            # It never does, whatever a kernel writes elsewhere, so the load may be moved out of loops.
+            loaded.set_metadata("invariant.load", builder.module.add_metadata([]))
         return loaded
 
     if isinstance(type_, types.Array):
@@ -196,3 +259,18 @@ def _load_field(context: Any, builder: Any, kind: TableType, table: Any, name: s
     if type_ == types.boolean:
         return builder.icmp_unsigned("!=", load(0), ir.Constant(_WORD, 0))
     return load(0, _DOUBLE if type_ == types.float64 else _WORD)
+
+
+@lower_setattr_generic(TableType)
+def _store_field(context: Any, builder: Any, signature: Any, arguments: Any, name: str) -> None:
+    kind, given = signature.args
+    field = kind.fields[name]
+    if not kind.mutable or isinstance(field.type, (types.Array, TableType)):
+        raise TypingError(f"{kind.class_name}.{name} cannot be set")
+    value = context.cast(builder, arguments[1], given, field.type)
+    if field.type == types.boolean:
+        value = builder.zext(value, _WORD)
+    index = builder.gep(
+        builder.bitcast(arguments[0], _WORD.as_pointer()), [ir.Constant(ir.IntType(32), field.start)]
+    )
+    builder.store(value, builder.bitcast(index, (_DOUBLE if field.is_float else _WORD).as_pointer()))

@@ -13,7 +13,7 @@ from __future__ import annotations
 from typing import Any
 
 from .strength import Strength
-from .table import Floats, Indices, Rows, Table
+from .table import Floats, Indices, Record, Rows, Table
 
 Environment = Any
 """`forces.environment.Environment`, whose parts are on the pages about forces: these need the tables here."""
@@ -224,103 +224,117 @@ class Drive(Table):
     turn: float  # rate of the rest angles, degrees/s
 
 
+class Run(Record):
+    """How far a run has come, and what it did."""
+
+    time: float  # simulated time, s
+    origin: float  # time at which the run began, s
+    step: float  # the next step that the current method would try, s; 0 where unknown
+    farthest: float  # largest coordinate of a good state, px
+    fastest: float  # largest velocity component of one, px/s
+    current: bool  # the accelerations belong to the present state
+    what: int  # GOOD or what is wrong, see `integrators.guard`
+    mass: int  # slot of the mass at which it was found
+    steps: int  # accepted ones
+    rejected: int
+    forces: int  # evaluations of the accelerations
+    matrices: int  # factorised ones
+    fallbacks: int  # fallback steps
+
+
+class Phase(Table):
+    """A point of the motion: what a step leads from, and to; vectors as in `State`."""
+
+    q: Floats  # (2 slots) positions, px
+    v: Floats  # (2 slots) velocities, px/s
+    a: Floats  # (2 slots) accelerations, px/s²; of no meaning for methods that do not keep them
+
+
+class Trial(Record):
+    """One step that is tried, see `integrators.loop`."""
+
+    h: float  # its length, s
+    end: float  # the time that it leads to, s
+    far: float  # its largest coordinate, px; infinite where unknown, as are the next two
+    fast: float  # its largest velocity component, px/s
+    moved: float  # largest change of a coordinate, px, if the last forces are those at its end
+    failures: int  # number of steps refused since the last good one
+    number: int  # of fixed steps before it
+    most: int  # number of fixed steps that may be done at once
+    count: int  # number that was done
+
+
+class VerletState(Record):
+    """What velocity Verlet keeps from step to step."""
+
+    cap: float  # the largest step that seems to be stable, s
+    limited: int  # number of steps in this call that were limited by stability
+    row: int  # the row with the accelerations that predict velocities
+
+
+class AlphaState(Record):
+    """What generalized-alpha keeps from step to step."""
+
+    rows: Rows  # (4, 2 slots); no rows where the method is not used
+    last: float  # the last step that is part of `rows`, s; 0 where there is none
+    older: float  # the step before it, s; 0 where there is none
+    solvable: float  # the largest step for which Newton's method seems to converge, s; 0 where unknown
+    steps: int  # number of steps since it took over
+    contraction: float  # size of Newton's second update by the square of the first, 1/px; 0: unknown
+    next_cube: float  # three time spans of the step that is tried multiplied, s³
+    cube: float  # those of the last step, to which the error of its prediction is proportional; 0: unknown
+
+
+class AdamsState(Record):
+    """What Adams methods keep from step to step."""
+
+    past: Rows  # (PAST, 2 slots) past accelerations; no rows where the method is not used
+    time: float  # of the latest row of `past`, s; negative if that is invalid
+    spacing: float  # the time between two rows, s
+    degree: int  # of the polynomial
+    most: int  # the degree that the method is raising its degree to
+    head: int  # the row with the latest acceleration
+    known: int  # number of rows, from the latest on, at the present spacing
+    since: int  # number of steps since the step size changed
+    kinks: bool  # the kinks of air friction matter, see `integrators.kinks`
+    turns: bool  # in the step that is tried, a velocity changes its sign, and they matter
+
+
+VERLET, ROSENBROCK, ALPHA, ADAMS = 0, 1, 2, 3
+"""The methods that `auto` chooses from."""
+CHOICES = 4
+"""Number of these methods."""
+
+
+class AutoState(Record):
+    """What `auto` has learnt of its methods."""
+
+    step: Floats  # (CHOICES,) the next step of each, s
+    pace: (
+        Floats  # (CHOICES,) simulated s that each gains in the computing time of a Verlet step; < 0: unknown
+    )
+    work: float  # computing time since another method was last tried, in Verlet steps
+    last: int  # the method that had the last turn
+    asked: int  # number of times that another method was tried
+    turn: int  # the method whose turn it is, or -1
+    began: float  # time at which this turn began, s
+    tried: int  # the number of steps that had been tried by then
+    limited: float  # the share of steps in Verlet's last turn that were limited by stability
+
+
 class IntegratorState(Table):
     """Mutable: what an integrator keeps from step to step, and its scratch; vectors as in `State`."""
 
     a: Floats  # accelerations of the state, px/s²
-    controller: Floats  # see the CONTROLLER_ constants
-    limits: Floats  # largest coordinate, px, and largest velocity component, px/s, of a good state
-    counts: Indices  # see the COUNT_ constants
+    old: Phase  # the state and these accelerations
+    new: Phase  # room for a step
     rows: Rows  # (R, 2 slots) scratch
-    selector: Floats  # what `auto` has learnt, see the AUTO_ constants
-    history: Rows  # (4, 2 slots) kept by generalized-alpha from step to step; no rows where it is not used
-    past: Rows  # (PAST, 2 slots) past accelerations of Adams methods; no rows where they are not used
-
-
-CONTROLLER_TIME = 0
-"""In `controller`: simulated time, s."""
-CONTROLLER_STEP = 1
-"""In `controller`: the next step that the current method would try, s; 0 where unknown."""
-CONTROLLER_CAP = 2
-"""In `controller`: the largest step of Verlet that seems to be stable, s."""
-CONTROLLER_LAST = 3
-"""In `controller`: the last step that is part of `history`, s; 0 where there is none."""
-CONTROLLER_LAST_BUT_ONE = 4
-"""In `controller`: the step before it in `history`, s; 0 where there is none."""
-CONTROLLER_SOLVABLE = 5
-"""In `controller`: the largest step for which Newton's method seems to converge, s; 0 where unknown."""
-CONTROLLER_BEGUN = 6
-"""In `controller`: number of steps that generalized-alpha has taken since it took over."""
-CONTROLLER_PAST = 7
-"""In `controller`, of Adams methods: time of the latest row of `past`, s; negative if that is invalid."""
-CONTROLLER_SPACING = 8
-"""In `controller`, of Adams methods: the time between two rows of `past`, s."""
-CONTROLLER_DEGREE = 9
-"""In `controller`, of Adams methods: the degree of the polynomial."""
-CONTROLLER_HEAD = 10
-"""In `controller`, of Adams methods: the row of `past` with the latest acceleration."""
-CONTROLLER_SINCE = 11
-"""In `controller`, of Adams methods: number of steps since the step size changed."""
-CONTROLLER_HELD = 12
-"""In `controller`: the share of Verlet's steps in its last turn that were limited by stability."""
-CONTROLLER_CONTRACTION = 13
-"""In `controller`: size of the second update of Newton's method divided by the square of the first, 1/px; 0
-where unknown."""
-CONTROLLER_CUBE = 14
-"""In `controller`: a product of three time spans, s³, to which the error of generalized-alpha's last
-prediction is proportional; 0 where unknown."""
-CONTROLLER_MOST = 15
-"""In `controller`, of Adams methods: the degree that the method is raising its degree to."""
-CONTROLLER_KNOWN = 16
-"""In `controller`, of Adams methods: number of rows of `past`, from the latest on, at the present spacing."""
-CONTROLLER_ORIGIN = 17
-"""In `controller`: the time at which the run began, s."""
-CONTROLLERS = 18
-"""Length of `controller`."""
-
-ARM_VERLET, ARM_ROSENBROCK, ARM_ALPHA, ARM_ADAMS = 0, 1, 2, 3
-"""The methods that `auto` chooses from."""
-ARMS = 4
-"""Number of these methods."""
-
-AUTO_STEP = 0
-"""In `selector`: from here on, the next step of each method, s."""
-AUTO_PACE = ARMS
-"""In `selector`: from here on, the simulated time, s, that each method gains in the computing time of one
-Verlet step; negative where unknown."""
-AUTO_WORK = 2 * ARMS
-"""In `selector`: computing time since another method was last tried, in Verlet steps."""
-AUTO_LAST = 2 * ARMS + 1
-"""In `selector`: the method that had the last turn."""
-AUTO_ASKED = 2 * ARMS + 2
-"""In `selector`: number of times that another method was tried."""
-AUTO_TURN = 2 * ARMS + 3
-"""In `selector`: the method whose turn it is, or -1."""
-AUTO_BEGAN = 2 * ARMS + 4
-"""In `selector`: the time at which this turn began, s."""
-AUTO_TRIED = 2 * ARMS + 5
-"""In `selector`: the number of steps that had been tried by then."""
-AUTO_NEW = (0.0,) * ARMS + (-1.0,) * ARMS + (0.0,) * 3 + (-1.0, 0.0, 0.0)
-"""Initial contents of `selector`."""
-
-COUNT_FRESH = 0
-"""In `counts`: 1 if `a` belongs to the present state, 0 if not."""
-COUNT_STEPS = 1
-"""In `counts`: number of accepted steps."""
-COUNT_REJECTED = 2
-"""In `counts`: number of rejected steps."""
-COUNT_WHAT = 3
-"""In `counts`: GOOD or what is wrong, see `integrators.guard`."""
-COUNT_MASS = 4
-"""In `counts`: slot of the mass at which it was found."""
-COUNT_FORCES = 5
-"""In `counts`: number of evaluations of the accelerations."""
-COUNT_MATRICES = 6
-"""In `counts`: number of factorised matrices."""
-COUNT_FALLBACKS = 7
-"""In `counts`: number of fallback steps."""
-COUNTS = 8
-"""Length of `counts`."""
+    run: Run
+    trial: Trial
+    verlet: VerletState
+    alpha: AlphaState
+    adams: AdamsState
+    auto: AutoState
 
 
 class Tableau(Table):
@@ -372,37 +386,34 @@ class Adams(Table):
     back: Rows  # (PAST², PAST) weights in the velocity gained in the last r steps, in row k PAST + r
 
 
+class Work(Record):
+    """What has changed the energy since the balance was opened, kg px²/s²."""
+
+    anchors: float  # by moved anchors
+    damping: float  # by damping, which is negative
+    air: float  # by air friction, which is negative
+    law: float  # by a force law that has no energy
+    keys: float  # by keys that change rest lengths and rest angles
+    fallbacks: float  # by fallback steps, which is negative or zero
+    walls: float  # by friction on walls and in contact, and by bouncing, which is negative
+    plastic: float  # lost in yielding, which is negative
+    broken: float  # of springs and joints that broke, which is negative
+
+    @property
+    def total(self) -> float:
+        """The sum of all; for Python only."""
+        return sum(getattr(self, name) for name in self.numbers)
+
+
 class EnergyBalance(Table):
     """What has changed the energy since the balance was opened, and scratch for computing it."""
 
     active: bool
-    work: Floats  # (WORKS,) kg px²/s², see the WORK_ constants
+    work: Work
     mass: Floats  # (slots,) kg
     rows: Rows  # (k, 2 slots) scratch, see `energy.work`
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `energy.dissipation`
     quick: Rows  # (W, 2 slots) scratch, see `forces.walls.mark_quick`; empty for methods of first order
-
-
-WORK_ANCHORS = 0
-"""In `EnergyBalance.work`: work done by moved anchors."""
-WORK_DAMPING = 1
-"""In `EnergyBalance.work`: work of damping, which is negative."""
-WORK_AIR = 2
-"""In `EnergyBalance.work`: work of air friction, which is negative."""
-WORK_LAW = 3
-"""In `EnergyBalance.work`: work of a force law that has no energy."""
-WORK_KEYS = 4
-"""In `EnergyBalance.work`: work of keys that change rest lengths and rest angles."""
-WORK_FALLBACK = 5
-"""In `EnergyBalance.work`: energy added by fallback steps, which is negative or zero."""
-WORK_WALLS = 6
-"""In `EnergyBalance.work`: work of friction on walls and in contact, and of bouncing, which is negative."""
-WORK_PLASTIC = 7
-"""In `EnergyBalance.work`: energy lost in yielding, which is negative."""
-WORK_BROKEN = 8
-"""In `EnergyBalance.work`: energy of springs and joints that broke, which is negative."""
-WORKS = 9
-"""Length of `EnergyBalance.work`."""
 
 
 class Problem(Table):
@@ -428,5 +439,5 @@ class Problem(Table):
     explicit: Tableau
     implicit: Rosenbrock
     adams: Adams
-    costs: Floats  # (ARMS,) computing time of a step of each `auto` method, in Verlet steps; 0: not used
-    tolerance_factor: Floats  # (ARMS,) tolerance of each of them as a part of the scene's
+    costs: Floats  # (CHOICES,) computing time of a step of each `auto` method, in Verlet steps; 0: not used
+    tolerance_factor: Floats  # (CHOICES,) tolerance of each of them as a part of the scene's

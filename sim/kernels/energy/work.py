@@ -11,7 +11,6 @@ from ...forces.walls import gather_others, mark_quick, work_of_quick
 from ..core.drive import drive_to, hand_speed
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate
-from ..core.tables import WORK_ANCHORS, WORK_DAMPING, WORK_KEYS, WORK_LAW, WORK_WALLS
 from .dissipation import gather_dampers, taken_away
 
 _ACCELERATION = 3
@@ -92,8 +91,8 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
             gather_others(body, q, v, a, _WEIGHTS[i], quick)
         gather_dampers(body, q, v, _WEIGHTS[i], balance.dampers)
     if any_quick:
-        balance.work[WORK_WALLS] += work_of_quick(body, state.v, v1, h, quick)
-    balance.work[WORK_DAMPING] -= taken_away(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
+        balance.work.walls += work_of_quick(body, state.v, v1, h, quick)
+    balance.work.damping -= taken_away(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
     if drive.pressed or drive.timed:
         drive_to(body, state, drive, t + h, q, v)
 
@@ -102,7 +101,7 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
 def _add_powers(problem, drive, t, h, q, v):
     """Add h times the powers in the state q, v at time t."""
     body, state, balance = problem.body, problem.state, problem.balance
-    slots, sums, still, true = q.size // 2, balance.work, balance.rows[2], balance.rows[_ACCELERATION]
+    slots, work, still, true = q.size // 2, balance.work, balance.rows[2], balance.rows[_ACCELERATION]
     for j in range(v.size):
         true[j] = v[j]
     for i in range(drive.mass.size):  # in `v`, the velocity of a mass that is led may be zero
@@ -119,10 +118,10 @@ def _add_powers(problem, drive, t, h, q, v):
             _add_work_of_anchors(problem, drive, q, v, v, h)
     add_power(body, state, balance, q, v, h)
     if body.law == TUTORIAL:
-        sums[WORK_LAW] += h * power_of_law(body, state, q, true)
+        work.law += h * power_of_law(body, state, q, true)
     if drive.pressed:
         keys = spring_power_of_keys(body, state, drive.growth, q)
-        sums[WORK_KEYS] += h * (keys + joint_power_of_keys(body, state, drive.turn, q))
+        work.keys += h * (keys + joint_power_of_keys(body, state, drive.turn, q))
 
 
 @kernel(fastmath=FAST)
@@ -134,4 +133,4 @@ def _add_work_of_anchors(problem, drive, q, v, rate, h):
     for i in range(drive.mass.size):
         m = drive.mass[i]
         power = scratch.fx[m] * rate[m] + scratch.fy[m] * rate[slots + m]
-        problem.balance.work[WORK_ANCHORS] -= h * power
+        problem.balance.work.anchors -= h * power

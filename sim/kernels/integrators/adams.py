@@ -10,44 +10,18 @@ friction are kept out of the past accelerations where they matter, see `kinks`.
 
 from __future__ import annotations
 
-import math
-
 from ..core.bits import from_bits, size_bits
-from ..core.drive import act_at, drive_to
+from ..core.drive import drive_to
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate, bears, keeps_apart, settle
-from ..core.tables import (
-    CONTROLLER_DEGREE,
-    CONTROLLER_HEAD,
-    CONTROLLER_KNOWN,
-    CONTROLLER_MOST,
-    CONTROLLER_PAST,
-    CONTROLLER_SINCE,
-    CONTROLLER_SPACING,
-    CONTROLLER_STEP,
-    CONTROLLER_TIME,
-    COUNT_FORCES,
-    COUNT_REJECTED,
-    COUNT_STEPS,
-    COUNT_WHAT,
-    PAST,
-    SPARE,
-)
-from .guard import GOOD, STUCK, sound
+from ..core.shared import accelerate
+from ..core.tables import PAST, SPARE
+from .guard import STUCK
 from .kinks import ago, any_turns, kinks_matter, turn_past, with_kinks, without_kinks
-from .steps import (
-    HOPELESS,
-    SHORTEST_STEP,
-    WORTH_SHORTENING,
-    ensure_acceleration,
-    first_step,
-    replace_state,
-    shortest_of,
-    stays_gentle,
-)
+from .loop import advance
+from .steps import HOPELESS, SHORTEST_STEP, first_step
 
-_EVENLY = 4
+_EQUAL_STEPS = 4.0
 """Number of steps before the end of a call that are made equally long."""
 
 _SPAN = 1e-3
@@ -87,136 +61,132 @@ decay in steps of 0.34 to 0.62 of the limit."""
 
 @kernel(fastmath=FAST)
 def run_adams(problem, drive, end, tolerance, attempts):
-    """Advance to `end` with error control; arguments as of `run_verlet`."""
-    ensure_acceleration(problem, drive)
-    body, state, scratch, integrator, balance = (
-        problem.body,
-        problem.state,
-        problem.scratch,
-        problem.integrator,
-        problem.balance,
-    )
-    method, near_limit = problem.adams, problem.near_limit
-    controller, count = integrator.controller, integrator.counts
-    q, v, past, rows = state.q, state.v, integrator.past, integrator.rows
-    to_q, to_v, to_a, ahead = rows[0], rows[1], rows[2], rows[3]
-    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
-    degree, most, known, head, since, spacing = 0, method.degree, 1, 0, 0, 0.0
-    if controller[CONTROLLER_PAST] == t:
-        degree, head, since = (
-            int(controller[CONTROLLER_DEGREE]),
-            int(controller[CONTROLLER_HEAD]),
-            int(controller[CONTROLLER_SINCE]),
-        )
-        most, known, spacing = (
-            int(controller[CONTROLLER_MOST]),
-            int(controller[CONTROLLER_KNOWN]),
-            controller[CONTROLLER_SPACING],
-        )
-    else:
-        for j in range(1, q.size - SPARE):
-            past[0, j] = integrator.a[j]
+    """Advance to `end` with error control; arguments as of `advance`."""
+    advance(problem, drive, end, tolerance, attempts, _begin, _step, _control, _EQUAL_STEPS, True)
+
+
+@kernel(internal=True, fastmath=FAST)
+def _begin(problem, drive, tolerance):
+    """See `advance`."""
+    integrator, method = problem.integrator, problem.adams
+    run, adams = integrator.run, integrator.adams
+    if adams.time != run.time:
+        _forget(integrator, method)
         first = first_step(integrator, drive, 0.01 * tolerance)
-        h = min(h, first) if h > 0.0 else first
-    kinks = kinks_matter(state.air, past[head], h, method.error[degree], tolerance)
-    farthest, fastest = integrator.limits[0], integrator.limits[1]
-    failures, tries, steps, swaps, shortest = 0, 0, 0, 0, 0.0
-    while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
-        tries += 1
-        step, rest = h, end - t
-        if rest < (_EVENLY + 1e-6) * h:
-            step = rest / max(math.ceil(rest / h - 1e-6), 1)
-        top = _STEADY if step > _UNSTEADY * near_limit else method.degree
-        most = min(most, top)
-        degree = min(degree, most)
-        if degree > 0 and abs(step - spacing) > 1e-9 * spacing:
-            _space(past, head, method, degree, step / spacing, rows)
-            known = degree + 1
-            kinks = kinks_matter(state.air, past[head], step, method.error[degree], tolerance)
-        spacing = step
-        _predict(q, v, past, head, method, degree, step, to_q, to_v, ahead)
-        if drive.moving:
-            drive_to(body, state, drive, t + step, to_q, to_v)
-        accelerate(problem, to_q, to_v, to_a)
-        if kinks and any_turns(v, to_v):
-            without_kinks(state.air, v, to_v, to_a)
-        by_q, by_v = step * step * method.to_position[degree], step * method.to_velocity[degree]
-        change, far, fast, moved = _correct(q, by_q, by_v, to_a, ahead, to_q, to_v)
-        turns = kinks and any_turns(v, to_v)
-        if turns:
-            with_kinks(state.air, v, past[head], to_a, step, to_q, to_v)
-        span = max(step, min(_SPAN, _SHORT * step)) if failures > 0 else step
-        scale = step * step / (span * tolerance)
-        error = scale * method.error[degree] * from_bits(change)
-        if not error < HOPELESS:
-            error = HOPELESS
-        good = error <= 1.0
-        # What turned was moved again after `far` and `fast` were found.
-        if turns or not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
-            good = good and sound(body, integrator, to_q, to_v, step < WORTH_SHORTENING)
-        good = good and stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest)
-        good = good and keeps_apart(problem, q, to_q)
-        if good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance)):
-            if degree == most and since % _WEIGHED == _WEIGHED - 1:
-                most, error = _best_degree(past, head, known, method, degree, top, scale, error, to_a)
-            # Overwrites the oldest acceleration, which is no longer needed.
-            head = (head - 1) & (PAST - 1)
-            known = min(known + 1, PAST)
-            accelerate(problem, to_q, to_v, past[head])
-            if turns:
-                turn_past(state.air, v, to_v, past, head, known, method.back, step)
-            shortest = shortest_of(body, scratch)
-            steps += 1
-            if balance.active:
-                accumulate(problem, drive, t, to_q, to_v, past[head], step)
-                replace_state(state.q, state.v, integrator.a, to_q, to_v, past[head])
-            else:
-                # Swap the arrays instead of copying them.
-                q, to_q, v, to_v = to_q, q, to_v, v
-                swaps += 1
-            settle(problem, q)
-            t = end if step == rest else t + step
-            since, failures = since + 1, 0
-            degree = min(degree, most)
-            rising = degree < most
-            factor = 1.0
-            if rising or error > _MUCH or (error < _LITTLE and since > _PATIENCE):  # powers are slow
-                factor = min(
-                    0.9 * max(error, 1e-12) ** (-1.0 / (degree + 2.0)),
-                    _FIRST_LONGER if rising else _MUCH_LONGER,
-                )
-            degree += rising
-            if rising or factor < 0.95 or factor > _LONGER:
-                since = 0
-                # A step that was cut short says little about longer ones.
-                h = max(h, step * factor) if step < 0.999 * h else step * factor
-        else:
-            act_at(body, state, drive, t)
-            since, failures = 0, failures + 1
-            if degree == most and error > 1.0:
-                most, error = _best_degree(past, head, 0, method, degree, top, scale, error, to_a)
-                degree = most
-            h = step * min(0.5, max(0.2, 0.9 * max(error, 2.0) ** (-1.0 / (degree + 2.0))))
-            if failures > 2:
-                degree, known = 0, 1  # the past no longer predicts anything
-            if h < SHORTEST_STEP:
-                count[COUNT_WHAT] = STUCK
-    if swaps % 2:
-        replace_state(state.q, state.v, integrator.a, q, v, past[head])
-    else:
-        for j in range(1, q.size - SPARE):
-            integrator.a[j] = past[head, j]
-    count[COUNT_FORCES] += tries + steps
-    count[COUNT_STEPS] += steps
-    count[COUNT_REJECTED] += tries - steps
-    controller[CONTROLLER_TIME], controller[CONTROLLER_STEP] = t, h
-    controller[CONTROLLER_PAST], controller[CONTROLLER_SPACING] = t, spacing
-    controller[CONTROLLER_DEGREE], controller[CONTROLLER_HEAD], controller[CONTROLLER_SINCE] = (
-        degree,
-        head,
-        since,
-    )
-    controller[CONTROLLER_MOST], controller[CONTROLLER_KNOWN] = most, known
+        run.step = min(run.step, first) if run.step > 0.0 else first
+    _look_for_kinks(problem, run.step, tolerance)
+
+
+@kernel(internal=True, fastmath=FAST)
+def _step(problem, drive, old, new, t, h, tolerance):
+    """See `advance`."""
+    state, integrator, method = problem.state, problem.integrator, problem.adams
+    adams, trial, past = integrator.adams, integrator.trial, integrator.adams.past
+    ahead = integrator.rows[0]
+    adams.most = min(adams.most, _highest_degree(problem, h))
+    degree = adams.degree = min(adams.degree, adams.most)
+    if degree > 0 and abs(h - adams.spacing) > 1e-9 * adams.spacing:
+        _space(past, adams.head, method, degree, h / adams.spacing, integrator.rows)
+        adams.known = degree + 1
+        _look_for_kinks(problem, h, tolerance)
+    adams.spacing = h
+    _predict(old.q, old.v, past, adams.head, method, degree, h, new.q, new.v, ahead)
+    if drive.moving:
+        drive_to(problem.body, state, drive, t + h, new.q, new.v)
+    accelerate(problem, new.q, new.v, new.a)
+    integrator.run.forces += 1
+    if adams.kinks and any_turns(old.v, new.v):
+        without_kinks(state.air, old.v, new.v, new.a)
+    by_q, by_v = h * h * method.to_position[degree], h * method.to_velocity[degree]
+    change, far, fast, moved = _correct(old.q, by_q, by_v, new.a, ahead, new.q, new.v)
+    adams.turns = adams.kinks and any_turns(old.v, new.v)
+    if adams.turns:
+        with_kinks(state.air, old.v, past[adams.head], new.a, h, new.q, new.v)
+    else:  # what turned was moved again
+        trial.far, trial.fast = from_bits(far), from_bits(fast)
+    trial.moved = from_bits(moved)
+    error = _scale(trial, h, tolerance) * method.error[degree] * from_bits(change)
+    return error if error < HOPELESS else HOPELESS
+
+
+@kernel(internal=True, fastmath=FAST)
+def _control(problem, drive, old, new, h, tolerance, error, good):
+    """See `advance`."""
+    state, integrator, method = problem.state, problem.integrator, problem.adams
+    run, adams, past, planned = integrator.run, integrator.adams, integrator.adams.past, integrator.run.step
+    degree, top, scale = adams.degree, _highest_degree(problem, h), _scale(integrator.trial, h, tolerance)
+    if not good:
+        adams.since = 0
+        if degree == adams.most and error > 1.0:
+            degree, error = _best_degree(past, adams.head, 0, method, degree, top, scale, error, new.a)
+            adams.most = degree
+        h *= min(0.5, max(0.2, 0.9 * max(error, 2.0) ** (-1.0 / (degree + 2.0))))
+        if integrator.trial.failures > 1:
+            degree, adams.known = 0, 1  # the past no longer predicts anything
+        adams.degree = degree
+        if h < SHORTEST_STEP:
+            run.what = STUCK
+        return h
+    if degree == adams.most and adams.since % _WEIGHED == _WEIGHED - 1:
+        adams.most, error = _best_degree(
+            past, adams.head, adams.known, method, degree, top, scale, error, new.a
+        )
+    # Overwrites the oldest acceleration, which is no longer needed.
+    adams.head = (adams.head - 1) & (PAST - 1)
+    adams.known = min(adams.known + 1, PAST)
+    latest = past[adams.head]
+    accelerate(problem, new.q, new.v, latest)
+    run.forces += 1
+    if adams.turns:
+        turn_past(state.air, old.v, new.v, past, adams.head, adams.known, method.back, h)
+    for j in range(1, latest.size - SPARE):
+        new.a[j] = latest[j]
+    adams.time = integrator.trial.end
+    adams.since += 1
+    degree = min(degree, adams.most)
+    rising = degree < adams.most
+    factor = 1.0
+    if rising or error > _MUCH or (error < _LITTLE and adams.since > _PATIENCE):  # powers are slow
+        factor = min(
+            0.9 * max(error, 1e-12) ** (-1.0 / (degree + 2.0)), _FIRST_LONGER if rising else _MUCH_LONGER
+        )
+    adams.degree = degree + rising
+    if rising or factor < 0.95 or factor > _LONGER:
+        adams.since = 0
+        # A step that was cut short says little about longer ones.
+        return max(planned, h * factor) if h < 0.999 * planned else h * factor
+    return planned
+
+
+@kernel(internal=True)
+def _forget(integrator, method):
+    """Begin with the present accelerations alone."""
+    adams = integrator.adams
+    adams.degree, adams.most, adams.head, adams.known, adams.since = 0, method.degree, 0, 1, 0
+    adams.spacing, adams.time = 0.0, integrator.run.time
+    for j in range(1, integrator.a.size - SPARE):
+        adams.past[0, j] = integrator.a[j]
+
+
+@kernel(forceinline=True)
+def _look_for_kinks(problem, h, tolerance):
+    """Note whether kinks of air friction matter in steps of length h."""
+    adams = problem.integrator.adams
+    weight = problem.adams.error[adams.degree]
+    adams.kinks = kinks_matter(problem.state.air, adams.past[adams.head], h, weight, tolerance)
+
+
+@kernel(forceinline=True)
+def _highest_degree(problem, h):
+    """The highest degree for a step of length h."""
+    return _STEADY if h > _UNSTEADY * problem.near_limit else problem.adams.degree
+
+
+@kernel(forceinline=True)
+def _scale(trial, h, tolerance):
+    """The factor that turns a difference of accelerations into an error in tolerances."""
+    span = max(h, min(_SPAN, _SHORT * h)) if trial.failures > 0 else h
+    return h * h / (span * tolerance)
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
@@ -325,7 +295,7 @@ def _space(past, head, method, degree, ratio, rows):
     a0, a1, a2, a3 = past[head], past[ago(head, 1)], past[ago(head, 2)], past[ago(head, 3)]
     a4, a5, a6, a7 = past[ago(head, 4)], past[ago(head, 5)], past[ago(head, 6)], past[ago(head, 7)]
     for m in range(1, degree + 1):
-        at, out = ratio * m, rows[3 + m]
+        at, out = ratio * m, rows[m]
         d1, d2 = at - 1.0, at - 2.0 if degree > 1 else 1.0
         d3, d4 = at - 3.0 if degree > 2 else 1.0, at - 4.0 if degree > 3 else 1.0
         d5, d6 = at - 5.0 if degree > 4 else 1.0, at - 6.0 if degree > 5 else 1.0
@@ -351,6 +321,6 @@ def _space(past, head, method, degree, ratio, rows):
             low = w0 * a0[j] + w1 * a1[j] + w2 * a2[j] + w3 * a3[j]
             out[j] = low + (w4 * a4[j] + w5 * a5[j] + w6 * a6[j] + w7 * a7[j])
     for m in range(1, degree + 1):
-        row, out = past[ago(head, m)], rows[3 + m]
+        row, out = past[ago(head, m)], rows[m]
         for j in range(1, size - SPARE):
             row[j] = out[j]

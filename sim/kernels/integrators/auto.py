@@ -10,31 +10,7 @@ from __future__ import annotations
 import math
 
 from ..core.jit import FAST, kernel
-from ..core.tables import (
-    ARM_ADAMS,
-    ARM_ALPHA,
-    ARM_ROSENBROCK,
-    ARM_VERLET,
-    ARMS,
-    AUTO_ASKED,
-    AUTO_BEGAN,
-    AUTO_LAST,
-    AUTO_PACE,
-    AUTO_STEP,
-    AUTO_TRIED,
-    AUTO_TURN,
-    AUTO_WORK,
-    CONTROL_SCALE,
-    CONTROLLER_BEGUN,
-    CONTROLLER_HELD,
-    CONTROLLER_LAST,
-    CONTROLLER_LAST_BUT_ONE,
-    CONTROLLER_STEP,
-    CONTROLLER_TIME,
-    COUNT_REJECTED,
-    COUNT_STEPS,
-    COUNT_WHAT,
-)
+from ..core.tables import ADAMS, ALPHA, CHOICES, CONTROL_SCALE, ROSENBROCK, VERLET
 from ..core.vectors import from_to
 from .guard import GOOD, STUCK
 
@@ -99,116 +75,118 @@ def next_turn(problem, end, whole_tolerance, left):
         tolerance; and how many steps were tried in the last turn.
     """
     integrator, costs = problem.integrator, problem.costs
-    controller, count, selector = integrator.controller, integrator.counts, integrator.selector
+    run, alpha, auto = integrator.run, integrator.alpha, integrator.auto
     tries = 0
-    if selector[AUTO_TURN] >= 0.0:
-        tries = count[COUNT_STEPS] + count[COUNT_REJECTED] - int(selector[AUTO_TRIED])
-        _enter_turn(integrator, costs, int(selector[AUTO_TURN]), tries, end)
-        selector[AUTO_TURN] = -1.0
+    if auto.turn >= 0:
+        tries = run.steps + run.rejected - auto.tried
+        _enter_turn(integrator, costs, auto.turn, tries, end)
+        auto.turn = -1
         left -= max(tries, 1)
-    if not (controller[CONTROLLER_TIME] < end and left > 0 and count[COUNT_WHAT] == GOOD):
+    if not (run.time < end and left > 0 and run.what == GOOD):
         return -1, 0, 0.0, tries
-    arm, limit = _whose_turn(selector, costs, _LONG_STEP * whole_tolerance**0.2, controller[CONTROLLER_HELD])
-    began, step = controller[CONTROLLER_TIME], selector[AUTO_STEP + arm]
+    arm, limit = _whose_turn(auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited)
+    began, step = run.time, auto.step[arm]
     tolerance = problem.tolerance_factor[arm] * whole_tolerance
-    if _is_delicate(problem.body, problem.state, problem.state.q):
+    if _near_singular(problem.body, problem.state, problem.state.q):
         tolerance *= _WITH_CARE
-    selector[AUTO_TURN], selector[AUTO_BEGAN] = arm, began
-    selector[AUTO_TRIED] = count[COUNT_STEPS] + count[COUNT_REJECTED]
-    if selector[AUTO_PACE + arm] < 0.0 and step <= 0.0 and arm != ARM_VERLET:
-        step = min(4.0 * selector[AUTO_STEP + ARM_VERLET], 0.5 * (end - began))
-    if arm == ARM_ALPHA and arm != int(selector[AUTO_LAST]):
-        controller[CONTROLLER_BEGUN] = 0.0
+    auto.turn, auto.began = arm, began
+    auto.tried = run.steps + run.rejected
+    if auto.pace[arm] < 0.0 and step <= 0.0 and arm != VERLET:
+        step = min(4.0 * auto.step[VERLET], 0.5 * (end - began))
+    if arm == ALPHA and arm != auto.last:
+        alpha.steps = 0
         step *= _TAKING_OVER
-    controller[CONTROLLER_STEP] = step
+    run.step = step
     return arm, min(limit, left), max(tolerance, 1e-13), tries
 
 
 @kernel(fastmath=FAST)
 def _enter_turn(integrator, costs, arm, tries, end):
     """Update what is known of a method after a turn in which it tried `tries` steps."""
-    controller, count, selector = integrator.controller, integrator.counts, integrator.selector
-    went = controller[CONTROLLER_TIME] - selector[AUTO_BEGAN]
-    fresh = selector[AUTO_PACE + arm] < 0.0
-    begins = arm == ARM_ADAMS and arm != int(selector[AUTO_LAST])
-    if arm in (ARM_VERLET, ARM_ADAMS):  # they do not update the history
-        if controller[CONTROLLER_LAST] > 0.0 and went < 0.5 * selector[AUTO_STEP + ARM_ALPHA]:
-            controller[CONTROLLER_LAST] += went
+    run, alpha, auto = integrator.run, integrator.alpha, integrator.auto
+    went = run.time - auto.began
+    fresh = auto.pace[arm] < 0.0
+    begins = arm == ADAMS and arm != auto.last
+    if arm in (VERLET, ADAMS):  # they do not update the history
+        if alpha.last > 0.0 and went < 0.5 * auto.step[ALPHA]:
+            alpha.last += went
         else:
-            controller[CONTROLLER_LAST] = controller[CONTROLLER_LAST_BUT_ONE] = 0.0
-    selector[AUTO_STEP + arm] = controller[CONTROLLER_STEP]
-    selector[AUTO_LAST] = arm
+            alpha.last = alpha.older = 0.0
+    auto.step[arm] = run.step
+    auto.last = arm
+    if arm == VERLET:
+        auto.limited = integrator.verlet.limited / max(tries, 1)
     pace = went / (max(tries, 1) * costs[arm])
-    if count[COUNT_WHAT] == STUCK and arm != ARM_ROSENBROCK and costs[ARM_ROSENBROCK] > 0.0:
-        count[COUNT_WHAT] = GOOD  # another method may still find a step
-        selector[AUTO_STEP + arm] = 0.0
-        selector[AUTO_PACE + arm] = 0.0
-        if selector[AUTO_PACE + ARM_ROSENBROCK] == 0.0:
-            selector[AUTO_PACE + ARM_ROSENBROCK] = -1.0
-    elif arm == ARM_ALPHA or fresh or begins:
+    if run.what == STUCK and arm != ROSENBROCK and costs[ROSENBROCK] > 0.0:
+        run.what = GOOD  # another method may still find a step
+        auto.step[arm] = 0.0
+        auto.pace[arm] = 0.0
+        if auto.pace[ROSENBROCK] == 0.0:
+            auto.pace[ROSENBROCK] = -1.0
+    elif arm == ALPHA or fresh or begins:
         # Its steps have only begun to grow; and one bad turn is no reason to change the method.
-        pace = max(pace, controller[CONTROLLER_STEP] / costs[arm])
-        before = selector[AUTO_PACE + arm]
-        selector[AUTO_PACE + arm] = max(pace, (1.0 - _NEWS) * before + _NEWS * pace)
-        if arm == ARM_ALPHA and selector[AUTO_PACE + arm] < before:
+        pace = max(pace, run.step / costs[arm])
+        before = auto.pace[arm]
+        auto.pace[arm] = max(pace, (1.0 - _NEWS) * before + _NEWS * pace)
+        if arm == ALPHA and auto.pace[arm] < before:
             # What slows it down also slows down the other implicit method.
-            selector[AUTO_PACE + ARM_ROSENBROCK] *= selector[AUTO_PACE + arm] / before
-    elif controller[CONTROLLER_TIME] < end:
-        selector[AUTO_PACE + arm] = pace
+            auto.pace[ROSENBROCK] *= auto.pace[arm] / before
+    elif run.time < end:
+        auto.pace[arm] = pace
     else:
         # The last step of a call is cut short; at best, it would have cost nothing.
         most = pace * tries / (tries - 1) if tries > 1 else math.inf
-        selector[AUTO_PACE + arm] = max(pace, min(selector[AUTO_PACE + arm], most))
-    selector[AUTO_WORK] += tries * costs[arm]
+        auto.pace[arm] = max(pace, min(auto.pace[arm], most))
+    auto.work += tries * costs[arm]
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _whose_turn(selector, costs, long_step, held):
+def _whose_turn(auto, costs, long_step, held):
     """(method, number of steps that it may try); `held`: share of Verlet's steps limited by stability."""
-    if selector[AUTO_PACE + ARM_VERLET] < 0.0:
-        return ARM_VERLET, _BEGINNING if costs[ARM_ALPHA] == 0.0 else _BEGINNING_OF_LONG
-    best = ARM_VERLET
-    for arm in range(1, ARMS):
-        if selector[AUTO_PACE + arm] > selector[AUTO_PACE + best]:
+    if auto.pace[VERLET] < 0.0:
+        return VERLET, _BEGINNING if costs[ALPHA] == 0.0 else _BEGINNING_OF_LONG
+    best = VERLET
+    for arm in range(1, CHOICES):
+        if auto.pace[arm] > auto.pace[best]:
             best = arm
-    pace = selector[AUTO_PACE + best]
+    pace = auto.pace[best]
     # Where stability limits Verlet's steps, or a long body calls for an implicit method, it limits those of
     # Adams methods even more.
-    worth = best != ARM_ALPHA and held <= _HELD
-    unknown = costs[ARM_ADAMS] > 0.0 and selector[AUTO_PACE + ARM_ADAMS] < 0.0
-    adams_unknown = unknown and pace * costs[ARM_ADAMS] < long_step
-    if worth and adams_unknown and costs[ARM_ALPHA] == 0.0:
+    worth = best != ALPHA and held <= _HELD
+    unknown = costs[ADAMS] > 0.0 and auto.pace[ADAMS] < 0.0
+    adams_unknown = unknown and pace * costs[ADAMS] < long_step
+    if worth and adams_unknown and costs[ALPHA] == 0.0:
         # Where Adams methods are good, implicit methods hardly ever are, so Adams is tried first.
-        if held > 0.0 and selector[AUTO_WORK] < 2.0 * _BEGINNING:
+        if held > 0.0 and auto.work < 2.0 * _BEGINNING:
             return best, _BEGINNING
-        selector[AUTO_WORK] = 0.0
-        return ARM_ADAMS, _few(ARM_ADAMS)
-    for arm in range(1, ARMS):
-        unknown = costs[arm] > 0.0 and selector[AUTO_PACE + arm] < 0.0 and pace * costs[arm] < long_step
-        if unknown and (arm != ARM_ADAMS or (worth and selector[AUTO_WORK] >= _SOME)):
-            selector[AUTO_WORK] = 0.0
+        auto.work = 0.0
+        return ADAMS, _few(ADAMS)
+    for arm in range(1, CHOICES):
+        unknown = costs[arm] > 0.0 and auto.pace[arm] < 0.0 and pace * costs[arm] < long_step
+        if unknown and (arm != ADAMS or (worth and auto.work >= _SOME)):
+            auto.work = 0.0
             return arm, _few(arm)
-    other = (best + 1 + int(selector[AUTO_ASKED]) % (ARMS - 1)) % ARMS
-    if costs[other] > 0.0 and (worth or other != ARM_ADAMS):
+    other = (best + 1 + auto.asked % (CHOICES - 1)) % CHOICES
+    if costs[other] > 0.0 and (worth or other != ADAMS):
         tries = _few(other)
-        price = tries * costs[other] + (_RESTART * costs[best] if best in (ARM_ALPHA, ARM_ADAMS) else 0.0)
-        close = best != ARM_ALPHA and selector[AUTO_PACE + other] > _CLOSE * pace
+        price = tries * costs[other] + (_RESTART * costs[best] if best in (ALPHA, ADAMS) else 0.0)
+        close = best != ALPHA and auto.pace[other] > _CLOSE * pace
         share = _SHARE if close else _SHARE_OF_HOPELESS
-        if selector[AUTO_WORK] * share > price:
-            selector[AUTO_WORK] = 0.0
-            selector[AUTO_ASKED] += 1.0
+        if auto.work * share > price:
+            auto.work = 0.0
+            auto.asked += 1
             return other, tries
     else:
-        selector[AUTO_ASKED] += 1.0
-    if best != ARM_ALPHA and int(selector[AUTO_LAST]) == ARM_ALPHA:
+        auto.asked += 1
+    if best != ALPHA and auto.last == ALPHA:
         return best, _few(best)  # what is known of it is out of date
-    if best == ARM_VERLET and held > _HELD:
+    if best == VERLET and held > _HELD:
         return best, _LONG_TURN
-    return best, _TURN if best in (ARM_VERLET, ARM_ADAMS) else _IMPLICIT_TURN
+    return best, _TURN if best in (VERLET, ADAMS) else _IMPLICIT_TURN
 
 
 @kernel(fastmath=FAST)
-def _is_delicate(body, state, q):
+def _near_singular(body, state, q):
     """Whether any spring is short, or any joint is bent by over 90 degrees from rest: A . R(-r) B < 0."""
     short = _SHORT * state.controls[CONTROL_SCALE]
     for s in range(body.springs):
@@ -229,4 +207,4 @@ def _is_delicate(body, state, q):
 @kernel(forceinline=True)
 def _few(arm):
     """Number of steps of a trial; methods with a history need more, as they begin with short steps."""
-    return 8 if arm == ARM_VERLET else 12 if arm == ARM_ALPHA else 24 if arm == ARM_ADAMS else 4
+    return 8 if arm == VERLET else 12 if arm == ALPHA else 24 if arm == ADAMS else 4

@@ -20,7 +20,6 @@ from ...forces.joints import deflection_at, is_sine, joint_energy, joint_vectors
 from ...forces.springs import spring_force
 from ..core.drive import wrap
 from ..core.jit import FAST, kernel
-from ..core.tables import COUNT_FRESH, COUNT_WHAT, WORK_BROKEN, WORK_PLASTIC
 from ..core.vectors import deflection, length_of
 from .guard import CHANGED
 
@@ -75,20 +74,20 @@ def settle(problem, q):
             state.set_length[s] += moved
             state.hardened[s] += strength.hardening[s] * abs(moved)
             state.rest_tension[s] += stiffness * moved
-            balance.work[WORK_PLASTIC] -= 0.5 * (force * force - after * after) / stiffness
+            balance.work.plastic -= 0.5 * (force * force - after * after) / stiffness
             force, changed = after, True
         if abs(force) > strength.breaking[s] and state.broken[s] == 0.0:
             state.broken[s] = 1.0
-            balance.work[WORK_BROKEN] -= 0.5 * force * force / stiffness
+            balance.work.broken -= 0.5 * force * force / stiffness
             if body.environment.contact.present:
                 update_pairs(body, q[:slots], q[slots:])
-                balance.work[WORK_BROKEN] -= energy_on_spring(body, q, s)
+                balance.work.broken -= energy_on_spring(body, q, s)
             changed = True
     for j in range(body.joints):
         changed |= _settle_joint(problem, q, j)
     if changed:
-        problem.integrator.counts[COUNT_WHAT] = CHANGED
-        problem.integrator.counts[COUNT_FRESH] = 0
+        problem.integrator.run.what = CHANGED
+        problem.integrator.run.current = False
 
 
 @kernel(fastmath=FAST)
@@ -102,7 +101,7 @@ def _settle_joint(problem, q, j):
     (ax, ay), (bx, by) = joint_vectors(body, q, j)
     before = size * joint_energy(body.law, ax, ay, bx, by, state.torque_rest[j + 1], soft)
     if state.broken[s] + state.broken[r] > 0.0:
-        balance.work[WORK_BROKEN] -= before
+        balance.work.broken -= before
         return True
     moved, _, _, _ = _bent_by(body, state, q, j)
     if moved == 0.0:
@@ -112,7 +111,7 @@ def _settle_joint(problem, q, j):
     state.torque_rest[j + 1] = rest
     state.torque_cos[j + 1], state.torque_sin[j + 1] = size * math.cos(rest), size * math.sin(rest)
     after = size * joint_energy(body.law, ax, ay, bx, by, rest, soft)
-    balance.work[WORK_PLASTIC] -= before - after
+    balance.work.plastic -= before - after
     return True
 
 

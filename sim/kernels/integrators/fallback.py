@@ -12,21 +12,9 @@ import math
 from ..core.drive import act_at, drive_to
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate, add_damping, factorise, solve
-from ..core.tables import (
-    CONTROLLER_LAST,
-    CONTROLLER_LAST_BUT_ONE,
-    CONTROLLER_STEP,
-    CONTROLLER_TIME,
-    COUNT_FALLBACKS,
-    COUNT_FRESH,
-    COUNT_MATRICES,
-    COUNT_WHAT,
-    WORK_ANCHORS,
-    WORK_FALLBACK,
-)
 from ..core.vectors import from_to
 from ..energy.energies import energies
-from .guard import GOOD, sound
+from .guard import GOOD, state_ok
 from .steps import max_abs
 
 
@@ -35,19 +23,19 @@ def run_fallback(problem, drive, h, shortest, reach):
     """One step of h seconds from a state in which the integrators are stuck.
 
     Args:
-        problem, drive: as of `run_verlet`.
+        problem, drive: as of `integrators.loop.advance`.
         h: length of the step, s.
         shortest: length to which shorter springs are set, px.
         reach: largest distance that a mass moves, px.
     """
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     slots = state.q.size // 2
-    controller, q, v, rows = integrator.controller, state.q, state.v, integrator.rows
+    run, alpha, q, v, rows = integrator.run, integrator.alpha, state.q, state.v, integrator.rows
     to_q, to_v, a, move, parts = rows[0], rows[1], rows[2], rows[3], rows[4]
     kept_q, kept_v = rows[5], rows[6]
     for j in range(q.size):
         kept_q[j], kept_v[j], a[j] = q[j], v[j], 0.0
-    t = controller[CONTROLLER_TIME]
+    t = run.time
     mass = balance.mass
     first = energies(body, state, mass, q, v, parts)
     if drive.moving:
@@ -60,7 +48,7 @@ def run_fallback(problem, drive, h, shortest, reach):
             x, y = from_to(q, i, k)
             if math.sqrt(x * x + y * y) < shortest:
                 # A different direction for each spring, so that no two coincide.
-                far = integrator.limits[0]
+                far = run.farthest
                 q[k] = min(max(q[i] + shortest * math.cos(1.0 + s), -far), far)
                 q[slots + k] = min(max(q[slots + i] + shortest * math.sin(1.0 + s), -far), far)
     before = energies(body, state, mass, q, v, parts)
@@ -72,7 +60,7 @@ def run_fallback(problem, drive, h, shortest, reach):
     for i in range(drive.mass.size):
         m = drive.mass[i]
         move[m], move[slots + m] = 0.0, 0.0
-    add_damping(problem, v, v, -1.0, move)
+    add_damping(problem, q, v, v, -1.0, move)
     solve(problem, move)
     for m in range(1, body.masses + 1):
         size = math.sqrt(move[m] * move[m] + move[slots + m] * move[slots + m])
@@ -90,14 +78,10 @@ def run_fallback(problem, drive, h, shortest, reach):
         if drive.moving:
             drive_to(body, state, drive, t + h, to_q, to_v)
         after = energies(body, state, mass, to_q, to_v, parts)
-        if (
-            after <= before
-            and max_abs(to_q) <= integrator.limits[0]
-            and max_abs(to_v) <= integrator.limits[1]
-        ):
+        if after <= before and max_abs(to_q) <= run.farthest and max_abs(to_v) <= run.fastest:
             break
         part *= 0.5
-    if not sound(body, integrator, to_q, to_v, True):
+    if not state_ok(body, integrator, to_q, to_v, True):
         for j in range(q.size):  # a driven mass is out of bounds
             q[j], v[j] = kept_q[j], kept_v[j]
         act_at(body, state, drive, t)
@@ -105,11 +89,11 @@ def run_fallback(problem, drive, h, shortest, reach):
     for j in range(q.size):
         q[j], v[j] = to_q[j], to_v[j]
     # Giving springs a length and moving anchors also changed the energy.
-    balance.work[WORK_ANCHORS] += before - first
-    balance.work[WORK_FALLBACK] += after - before
-    controller[CONTROLLER_TIME] = t + h
-    controller[CONTROLLER_STEP] = controller[CONTROLLER_LAST] = controller[CONTROLLER_LAST_BUT_ONE] = 0.0
-    integrator.counts[COUNT_FRESH] = 0
-    integrator.counts[COUNT_WHAT] = GOOD
-    integrator.counts[COUNT_FALLBACKS] += 1
-    integrator.counts[COUNT_MATRICES] += 1
+    balance.work.anchors += before - first
+    balance.work.fallbacks += after - before
+    run.time = t + h
+    run.step = alpha.last = alpha.older = 0.0
+    run.current = False
+    run.what = GOOD
+    run.fallbacks += 1
+    run.matrices += 1

@@ -11,39 +11,12 @@ from __future__ import annotations
 import math
 
 from ...forces.all import impact_time
-from ..core.drive import act_at, drive_to
+from ..core.drive import drive_to
 from ..core.jit import FAST, kernel
-from ..core.shared import accelerate, accumulate, bears, factorise, keeps_apart, settle, solve
-from ..core.tables import (
-    CONTROLLER_BEGUN,
-    CONTROLLER_CONTRACTION,
-    CONTROLLER_CUBE,
-    CONTROLLER_LAST,
-    CONTROLLER_LAST_BUT_ONE,
-    CONTROLLER_SOLVABLE,
-    CONTROLLER_STEP,
-    CONTROLLER_TIME,
-    COUNT_FORCES,
-    COUNT_MATRICES,
-    COUNT_REJECTED,
-    COUNT_STEPS,
-    COUNT_WHAT,
-    SPARE,
-)
-from .guard import GOOD, sound
-from .steps import (
-    HOPELESS,
-    SHORTEST_STEP,
-    WORTH_SHORTENING,
-    ensure_acceleration,
-    first_step,
-    fixed_steps,
-    fixed_time,
-    is_gentle,
-    max_abs,
-    max_abs_difference,
-    step_after,
-)
+from ..core.shared import accelerate, factorise, no_tunnelling, solve
+from ..core.tables import SPARE
+from .loop import advance
+from .steps import HOPELESS, SHORTEST_STEP, first_step, max_abs, max_abs_difference, step_after
 from .turning import predict, remember, turn_and_stretch
 
 _RHO = 0.8
@@ -73,7 +46,7 @@ _SPAN = 2.5e-3
 """The error of a step is held to the tolerance of this many seconds, whatever its length: with an error per
 unit step, the steps of this method of second order would be too short to pay."""
 
-_LEFT = 0.75
+_AFTER_FAILURE = 0.75
 """Largest length, relative to a step whose error was too large, of the step that follows; the error grows
 smoothly, so that halving the step would be too much."""
 _WORTH = 1.25
@@ -90,19 +63,47 @@ _IMPACT = 0.3
 """Largest fixed step in which something hits a wall or a body, relative to the time until it is deepest: in
 longer ones it may leave faster than it came."""
 
+_ACCEPTED = 1.5
+"""Largest error of a step, in tolerances; steps are chosen for an error below one."""
+
 _ERROR = 0.1
 """Error of a step as a fraction of the distance between prediction and solution, found by experiment."""
 
 
 @kernel(fastmath=FAST)
 def run_alpha(problem, drive, end, tolerance, attempts):
-    """Advance to `end`; arguments as of `run_verlet`."""
-    ensure_acceleration(problem, drive)
-    body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
-    matrix, fixed = problem.matrix, problem.fixed
-    controller, count = integrator.controller, integrator.counts
-    q, v, rows = state.q, state.v, integrator.rows
-    start, to_q, to_v, speed, move, guess, force, pull = (
+    """Advance to `end`; arguments as of `advance`."""
+    advance(problem, drive, end, tolerance, attempts, _begin, _step, _control, math.inf, True)
+
+
+@kernel(internal=True, fastmath=FAST)
+def _begin(problem, drive, tolerance):
+    """See `advance`."""
+    integrator, fixed = problem.integrator, problem.fixed
+    run, alpha, a_prev = integrator.run, integrator.alpha, integrator.alpha.rows[0]
+    if alpha.steps == 0:
+        alpha.cube = 0.0
+        for j in range(1, a_prev.size - SPARE):
+            a_prev[j] = integrator.a[j]
+    if fixed > 0.0:
+        run.step = min(run.step, fixed) if run.step > 0.0 else fixed
+    elif run.step <= 0.0:
+        run.step = 4.0 * first_step(integrator, drive, _SPAN * tolerance)
+
+
+@kernel(internal=True, fastmath=FAST)
+def _step(problem, drive, old, new, t, h, tolerance):
+    """See `advance`. A fixed step may be divided by itself."""
+    body, state, integrator, matrix, fixed = (
+        problem.body,
+        problem.state,
+        problem.integrator,
+        problem.matrix,
+        problem.fixed,
+    )
+    alpha, trial, rows = integrator.alpha, integrator.trial, integrator.rows
+    q, v, to_q, to_v = old.q, old.v, new.q, new.v
+    start, speed, move, q_pred, force, pull, vector = (
         rows[0],
         rows[1],
         rows[2],
@@ -110,158 +111,151 @@ def run_alpha(problem, drive, end, tolerance, attempts):
         rows[4],
         rows[5],
         rows[6],
-        rows[8],
     )
-    late, missed = integrator.history[0], integrator.history[3]  # late: the method's own acceleration
-    if controller[CONTROLLER_BEGUN] == 0.0:
-        controller[CONTROLLER_CUBE] = 0.0
-        for j in range(1, q.size - SPARE):
-            late[j] = integrator.a[j]
+    a_prev, predictor_error = alpha.rows[0], alpha.rows[3]
     precision = 0.05 * _SPAN * tolerance if fixed == 0.0 else 1e-9
-    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
-    goal = end
     if fixed > 0.0:
-        h = min(h, fixed) if h > 0.0 else fixed
-    elif h <= 0.0:
-        h = 4.0 * first_step(integrator, drive, _SPAN * tolerance)
-    failed = False
-    for _ in range(attempts):
-        if not (t < end and count[COUNT_WHAT] == GOOD):
-            break
-        # Equal steps up to the end: where steps change, what is kept from the last one is only of first
-        # order. A fixed step is divided by itself, so that a run does not depend on how it is cut into calls.
-        most = h
-        if fixed > 0.0:
-            goal = fixed_time(problem, fixed_steps(problem, t) + 1)
-            if body.environment.present:
-                most = min(h, _IMPACT * impact_time(body, state, q, v, integrator.a, h))
-        parts = math.ceil((goal - t - 4e-16 * abs(t)) / most - 1e-6)  # times are rounded
-        step = (goal - t) / max(parts, 1)
-        # Motions that are too fast for the coming steps show up in the accelerations: discard those.
-        calming = fixed == 0.0 and controller[CONTROLLER_BEGUN] < _CALMING
-        am, af, gamma, beta, kept = _EULER if calming else _ALPHA
-        weight = 1.0 / (1.0 - af)
-        inverse = 1.0 / (beta * step * step)
-        # At positions q the velocity is speed + g1 (q - start), and the force must be g2 (q - start) - pull.
-        g2 = weight * (1.0 - am) * inverse
-        g1 = gamma / (beta * step)
-        # `late` belongs to a time that is off by a fraction of the step (Jay & Negrut, 2007): rescale it.
-        ratio = min(step / controller[CONTROLLER_LAST], 2.0) if controller[CONTROLLER_LAST] > 0.0 else 1.0
+        # The parts are equal, so that a run does not depend on how it is cut into calls.
+        parts = math.ceil((h - 4e-16 * abs(t)) / _longest(problem, old) - 1e-6)  # times are rounded
+        if parts > 1:
+            h /= parts
+            trial.h, trial.end = h, t + h
+    am, af, gamma, beta, kept = _parameters(problem)
+    weight, inverse = 1.0 / (1.0 - af), 1.0 / (beta * h * h)
+    # At positions q the velocity is speed + g1 (q - start), and the force must be g2 (q - start) - pull.
+    g2 = weight * (1.0 - am) * inverse
+    g1 = gamma / (beta * h)
+    # `a_prev` belongs to a time that is off by a fraction of the step (Jay & Negrut, 2007): rescale it.
+    ratio = min(h / alpha.last, 2.0) if alpha.last > 0.0 else 1.0
+    for j in range(1, q.size - SPARE):
+        own = old.a[j] + ratio * (a_prev[j] - old.a[j])
+        start[j] = q[j] + h * v[j] + h * h * kept * own
+        to_q[j] = q[j] + h * v[j] + 0.5 * h * h * own
+        speed[j] = v[j] + h * (1.0 - gamma) * own
+        pull[j] = weight * (af * old.a[j] - am * own)
+    if drive.moving:
+        drive_to(body, state, drive, t + h, to_q, to_v)
+    predict(problem, q, h, to_q, vector)
+    # The prediction is a polynomial of time, so its error is expected to resemble that of the last one.
+    h1, h0 = alpha.last, alpha.older
+    alpha.next_cube = h * (h + h1) * (h + h1 + h0) if h0 > 0.0 else 0.0
+    again = alpha.next_cube / alpha.cube if alpha.cube > 0.0 else 0.0
+    if again > 8.0:
+        again = 0.0
+    for j in range(1, q.size - SPARE):
+        q_pred[j] = to_q[j]
+        to_q[j] += again * predictor_error[j]
+    converged, last = False, 1e300
+    surveyed = fixed == 0.0 and alpha.contraction > 0.0 and alpha.steps % _SURVEY > 0
+    for iteration in range(_ITERATIONS):
         for j in range(1, q.size - SPARE):
-            own = integrator.a[j] + ratio * (late[j] - integrator.a[j])
-            start[j] = q[j] + step * v[j] + step * step * kept * own
-            to_q[j] = q[j] + step * v[j] + 0.5 * step * step * own
-            speed[j] = v[j] + step * (1.0 - gamma) * own
-            pull[j] = weight * (af * integrator.a[j] - am * own)
+            to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
         if drive.moving:
-            drive_to(body, state, drive, t + step, to_q, to_v)
-        predict(problem, step, to_q, rows[7])
-        # The prediction is a polynomial of time, so its error is expected to resemble that of the last one.
-        h1, h0 = controller[CONTROLLER_LAST], controller[CONTROLLER_LAST_BUT_ONE]
-        cube = step * (step + h1) * (step + h1 + h0) if h0 > 0.0 else 0.0
-        again = cube / controller[CONTROLLER_CUBE] if controller[CONTROLLER_CUBE] > 0.0 else 0.0
-        if again > 8.0:
-            again = 0.0
+            drive_to(body, state, drive, t + h, to_q, to_v)
+        accelerate(problem, to_q, to_v, force)
         for j in range(1, q.size - SPARE):
-            guess[j] = to_q[j]
-            to_q[j] += again * missed[j]
-        converged = False
-        surveyed = (
-            fixed == 0.0
-            and controller[CONTROLLER_CONTRACTION] > 0.0
-            and int(controller[CONTROLLER_BEGUN]) % _SURVEY > 0
-        )
-        last = 1e300
-        for iteration in range(_ITERATIONS):
-            for j in range(1, q.size - SPARE):
-                to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
-            if drive.moving:
-                drive_to(body, state, drive, t + step, to_q, to_v)
-            accelerate(problem, to_q, to_v, force)
-            for j in range(1, q.size - SPARE):
-                move[j] = force[j] - (g2 * (to_q[j] - start[j]) - pull[j])
-            _rest(drive, move)
-            # The second iteration is close enough to the first to use its matrix.
-            if iteration != 1 or last > 10.0 * _SPAN * tolerance:
-                factorise(problem, to_q, to_v, g2, g1, False)
-                count[COUNT_MATRICES] += 1
-            solve(problem, move)
-            count[COUNT_FORCES] += 1
-            size = max_abs(move)
-            if not size < 1e8 or (iteration >= 3 and size > 0.5 * last):
-                break
-            turn_and_stretch(matrix, state.inverse_mass, to_q, move, rows[7])
-            if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
-                converged = True
-            elif iteration == 0 and surveyed:
-                converged = (
-                    controller[CONTROLLER_CONTRACTION] * size * size < _SLIGHT * tolerance * step * step
-                )
-            if iteration == 1:
-                controller[CONTROLLER_CONTRACTION] = max(
-                    size / (last * last), 0.5 * controller[CONTROLLER_CONTRACTION]
-                )
-            if converged:
-                break
-            last = size
-        error = HOPELESS
+            move[j] = force[j] - (g2 * (to_q[j] - start[j]) - pull[j])
+        _rest(drive, move)
+        # The second iteration is close enough to the first to use its matrix.
+        if iteration != 1 or last > 10.0 * _SPAN * tolerance:
+            factorise(problem, to_q, to_v, g2, g1, False)
+            integrator.run.matrices += 1
+        solve(problem, move)
+        integrator.run.forces += 1
+        size = max_abs(move)
+        if not size < 1e8 or (iteration >= 3 and size > 0.5 * last):
+            break
+        turn_and_stretch(matrix, state.inverse_mass, to_q, move, vector)
+        if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
+            converged = True
+        elif iteration == 0 and surveyed:
+            converged = alpha.contraction * size * size < _SLIGHT * tolerance * h * h
+        if iteration == 1:
+            alpha.contraction = max(size / (last * last), 0.5 * alpha.contraction)
         if converged:
-            for j in range(1, q.size - SPARE):
-                to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
-            if drive.moving:
-                drive_to(body, state, drive, t + step, to_q, to_v)
-            error = 0.0
-            if fixed == 0.0:
-                part = _ERROR if controller[CONTROLLER_LAST_BUT_ONE] > 0.0 else 0.3 * _ERROR
-                error = (1.0 if calming else part) * max_abs_difference(to_q, guess) / (_SPAN * tolerance)
-        good = error <= 1.5 and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
-        good = good and keeps_apart(problem, q, to_q)
-        if good and fixed == 0.0:
-            good = is_gentle(body, state, q, to_q, step)
-            good = good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance))
-        if good:
-            if balance.active:
-                for j in range(1, q.size - SPARE):
-                    force[j] = g2 * (to_q[j] - start[j]) - pull[j]
-                _rest(drive, force)
-                accumulate(problem, drive, t, to_q, to_v, force, step)
-            t = goal if step == goal - t else t + step
-            remember(problem, step, 0.0)
-            for j in range(1, q.size - SPARE):
-                late[j] = (to_q[j] - start[j]) * inverse
-                integrator.a[j] = g2 * (to_q[j] - start[j]) - pull[j]
-                q[j], v[j], missed[j] = to_q[j], to_v[j], to_q[j] - guess[j]
-            _rest(drive, late)
-            _rest(drive, integrator.a)
-            controller[CONTROLLER_CUBE] = 0.0 if calming else cube
-            controller[CONTROLLER_BEGUN] += 1.0
-            settle(problem, q)
-            count[COUNT_STEPS] += 1
-        else:
-            error = max(error, 2.0)
-            count[COUNT_REJECTED] += 1
-            act_at(body, state, drive, t)
-        after = step_after(integrator, h, step, error, 3, good, failed, _LEFT)
-        if not good and error >= HOPELESS:
-            controller[CONTROLLER_SOLVABLE] = after = _SOLVED * step
-        elif controller[CONTROLLER_SOLVABLE] > 0.0:
-            controller[CONTROLLER_SOLVABLE] *= _RAISE if fixed == 0.0 else _RAISE_FIXED
-            after = min(after, controller[CONTROLLER_SOLVABLE])
-        if not good or after > _WORTH * h or after < 0.8 * h:
-            h = after
-        failed = not good
-        if fixed > 0.0:
-            h = min(h, fixed)
-        elif not good and h < 1e-6 and h > SHORTEST_STEP:
-            # What was kept from earlier steps may be the cause: discard it.
-            controller[CONTROLLER_LAST] = controller[CONTROLLER_LAST_BUT_ONE] = controller[
-                CONTROLLER_BEGUN
-            ] = controller[CONTROLLER_CUBE] = 0.0
-            accelerate(problem, q, v, integrator.a)
-            for j in range(1, q.size - SPARE):
-                late[j] = integrator.a[j]
-    controller[CONTROLLER_TIME] = t
-    controller[CONTROLLER_STEP] = h
+            break
+        last = size
+    if not converged:
+        return HOPELESS
+    for j in range(1, q.size - SPARE):
+        to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
+        new.a[j] = g2 * (to_q[j] - start[j]) - pull[j]
+    if drive.moving:
+        drive_to(body, state, drive, t + h, to_q, to_v)
+        _rest(drive, new.a)
+    if fixed > 0.0:
+        return 0.0 if no_tunnelling(problem, q, to_q) else 2.0
+    part = _ERROR if alpha.older > 0.0 else 0.3 * _ERROR
+    error = (1.0 if _is_calming(problem) else part) * max_abs_difference(to_q, q_pred) / (_SPAN * tolerance)
+    return error / _ACCEPTED
+
+
+@kernel(internal=True, fastmath=FAST)
+def _control(problem, drive, old, new, h, tolerance, error, good):
+    """See `advance`."""
+    integrator, fixed, planned = problem.integrator, problem.fixed, problem.integrator.run.step
+    alpha, failures = integrator.alpha, integrator.trial.failures
+    start, q_pred, a_prev, predictor_error = (
+        integrator.rows[0],
+        integrator.rows[3],
+        alpha.rows[0],
+        alpha.rows[3],
+    )
+    hopeless, error = error >= HOPELESS, _ACCEPTED * error
+    if good:
+        remember(problem, old.q, h, 0.0)
+        _, _, _, beta, _ = _parameters(problem)
+        inverse = 1.0 / (beta * h * h)
+        for j in range(1, old.q.size - SPARE):
+            a_prev[j] = (new.q[j] - start[j]) * inverse
+            predictor_error[j] = new.q[j] - q_pred[j]
+        _rest(drive, a_prev)
+        alpha.cube = 0.0 if _is_calming(problem) else alpha.next_cube
+        alpha.steps += 1
+    else:
+        error = max(error, 2.0)
+    after = step_after(integrator, planned, h, error, 3, good, failures > 0, _AFTER_FAILURE)
+    if not good and hopeless:
+        alpha.solvable = after = _SOLVED * h
+    elif alpha.solvable > 0.0:
+        alpha.solvable *= _RAISE if fixed == 0.0 else _RAISE_FIXED
+        after = min(after, alpha.solvable)
+    if good and 0.8 * planned <= after <= _WORTH * planned:
+        after = planned
+    if fixed > 0.0:
+        return min(after, fixed)
+    if not good and SHORTEST_STEP < after < 1e-6:
+        # What was kept from earlier steps may be the cause: discard it.
+        alpha.last = alpha.older = alpha.cube = 0.0
+        alpha.steps = 0
+        accelerate(problem, old.q, old.v, old.a)
+        for j in range(1, old.q.size - SPARE):
+            a_prev[j] = old.a[j]
+    return after
+
+
+@kernel(forceinline=True)
+def _is_calming(problem):
+    """Whether this is one of the first steps.
+
+    Motions that are too fast for the coming steps show up in accelerations: the first steps discard those.
+    """
+    return problem.fixed == 0.0 and problem.integrator.alpha.steps < _CALMING
+
+
+@kernel(forceinline=True)
+def _parameters(problem):
+    """The parameters of a step, see `_ALPHA`."""
+    return _EULER if _is_calming(problem) else _ALPHA
+
+
+@kernel(forceinline=True)
+def _longest(problem, old):
+    """The longest part of a fixed step that may be tried from here, s."""
+    body, longest = problem.body, problem.integrator.run.step
+    if not body.environment.present:
+        return longest
+    return min(longest, _IMPACT * impact_time(body, problem.state, old.q, old.v, old.a, longest))
 
 
 @kernel(forceinline=True)

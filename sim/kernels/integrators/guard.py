@@ -6,7 +6,6 @@ import numpy as np
 
 from ..core.bits import from_bits, size_bits
 from ..core.jit import FAST, kernel
-from ..core.tables import COUNT_MASS, COUNT_WHAT
 
 GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED, STUCK, CHANGED = 0, 1, 2, 3, 4, 5
 """What is wrong with a state. STUCK: no step from it is accepted, however short. CHANGED: nothing is wrong,
@@ -14,13 +13,13 @@ but springs have yielded or broken, so that the run has to begin anew."""
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def sound(body, integrator, q, v, final):
+def state_ok(body, integrator, q, v, final):
     """Whether all numbers of a state are within the limits.
 
-    If not, and `final`, what is wrong is written into `integrator.counts`, which ends the run. Otherwise a
+    If not, and `final`, what is wrong is written into `integrator.run`, which ends the run. Otherwise a
     shorter step may still be tried.
     """
-    farthest, fastest = integrator.limits[0], integrator.limits[1]
+    farthest, fastest = integrator.run.farthest, integrator.run.fastest
     far, fast = 0, 0
     for j in range(q.size):
         far = max(far, size_bits(q[j]))
@@ -34,8 +33,8 @@ def sound(body, integrator, q, v, final):
 
 @kernel(fastmath=FAST)
 def _blame(body, integrator, q, v):
-    """Write into `integrator.counts` what is wrong, and at which mass."""
-    farthest, fastest = integrator.limits[0], integrator.limits[1]
+    """Write into `integrator.run` what is wrong, and at which mass."""
+    farthest, fastest = integrator.run.farthest, integrator.run.fastest
     slots = q.size // 2
     for i in range(1, body.masses + 1):
         for j in (i, slots + i):
@@ -47,6 +46,6 @@ def _blame(body, integrator, q, v):
             elif abs(v[j]) > fastest:
                 what = BAD_SPEED
             if what != GOOD:
-                integrator.counts[COUNT_WHAT] = what
-                integrator.counts[COUNT_MASS] = i
+                integrator.run.what = what
+                integrator.run.mass = i
                 return

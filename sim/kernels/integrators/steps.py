@@ -12,15 +12,7 @@ from ..core.drive import drive_to
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time, whole_eights
 from ..core.shared import accelerate
-from ..core.tables import (
-    CONTROLLER_ORIGIN,
-    CONTROLLER_PAST,
-    CONTROLLER_TIME,
-    COUNT_FORCES,
-    COUNT_FRESH,
-    COUNT_WHAT,
-    SPARE,
-)
+from ..core.tables import SPARE
 from ..core.vectors import from_to
 from .guard import STUCK
 
@@ -51,17 +43,17 @@ HOPELESS = 1e30
 def ensure_acceleration(problem, drive):
     """Move held masses to where they should be and update the accelerations, unless both are up to date."""
     body, state, integrator = problem.body, problem.state, problem.integrator
-    if integrator.counts[COUNT_FRESH] == 0:
+    if not integrator.run.current:
         if drive.moving:
-            drive_to(body, state, drive, integrator.controller[CONTROLLER_TIME], state.q, state.v)
+            drive_to(body, state, drive, integrator.run.time, state.q, state.v)
         accelerate(problem, state.q, state.v, integrator.a)
-        integrator.counts[COUNT_FORCES] += 1
-        integrator.counts[COUNT_FRESH] = 1
-        integrator.controller[CONTROLLER_PAST] = -1.0
+        integrator.run.forces += 1
+        integrator.run.current = True
+        integrator.adams.time = -1.0
 
 
 @kernel(fastmath=FAST)
-def is_gentle(body, state, q, to_q, step):
+def all_rotations_ok(body, state, q, to_q, step):
     """Whether no spring has turned by more than 60 degrees in a step.
 
     If one has, for instance because its ends passed each other, the forces in between were never evaluated.
@@ -90,15 +82,15 @@ def _has_turned(x, y, to_x, to_y, softening):
 
 
 @kernel(forceinline=True)
-def stays_gentle(body, state, q, to_q, step, moved, shortest):
-    """`is_gentle`, but quicker where no mass has moved far.
+def rotation_ok(body, state, q, to_q, step, moved, shortest):
+    """`all_rotations_ok`, but quicker where no mass has moved far.
 
     Args:
-        body, state, q, to_q, step: as of `is_gentle`.
+        body, state, q, to_q, step: as of `all_rotations_ok`.
         moved: largest change of a coordinate in the step, px.
         shortest: length of the shortest spring at the start, px, or less.
     """
-    return _BOTH_ENDS * moved < _SURE * shortest or is_gentle(body, state, q, to_q, step)
+    return _BOTH_ENDS * moved < _SURE * shortest or all_rotations_ok(body, state, q, to_q, step)
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -114,20 +106,22 @@ def shortest_of(body, scratch):
 
 
 @kernel(forceinline=True)
-def fitting_step(t, end, h):
-    """The step to try, s: at most h, not beyond the end, and without leaving a tiny rest."""
+def fitting_step(t, end, h, equal_steps):
+    """The step to try, s: at most h, not beyond the end, and without leaving a tiny rest.
+
+    So many steps before the end are made equally long: where steps change, what a method keeps from the last
+    ones is worth less.
+    """
     rest = end - t
-    if h >= 0.999999 * rest:
-        return rest
-    if 2.0 * h > rest:
-        return 0.5 * rest
-    return h
+    if rest >= (equal_steps + 1e-6) * h:
+        return h
+    return rest / max(math.ceil(rest / h - 1e-6), 1)
 
 
 @kernel(forceinline=True)
 def fixed_steps(problem, t):
     """The number of whole steps of a fixed length from where the run began to time t."""
-    passed = t - problem.integrator.controller[CONTROLLER_ORIGIN]
+    passed = t - problem.integrator.run.origin
     # Times are rounded, the more the later it is.
     return int((passed + 4e-16 * abs(t)) / problem.fixed + 1e-6)
 
@@ -135,7 +129,7 @@ def fixed_steps(problem, t):
 @kernel(forceinline=True)
 def fixed_time(problem, number):
     """The time of a step of a fixed length, s; the same bits however the run is cut into calls."""
-    return problem.integrator.controller[CONTROLLER_ORIGIN] + number * problem.fixed
+    return problem.integrator.run.origin + number * problem.fixed
 
 
 @kernel(fastmath=FAST)
@@ -168,7 +162,7 @@ def step_after(integrator, h, step, error, order, good, after_failure, left=0.5)
     if not good:
         h = step * min(factor, left)
         if h < SHORTEST_STEP:
-            integrator.counts[COUNT_WHAT] = STUCK
+            integrator.run.what = STUCK
         return h
     return step_after_good(h, step, factor, after_failure)
 

@@ -7,45 +7,45 @@ motion. As a complex number, the vector of a spring becomes vector * (1 + z), fo
 from __future__ import annotations
 
 from ..core.jit import FAST, kernel
-from ..core.tables import CONTROLLER_LAST, CONTROLLER_LAST_BUT_ONE, SPARE
+from ..core.tables import SPARE
 
 _LEAST = 1e-100
 """Lower bound, px², of a squared length that is divided by."""
 
 
 @kernel(internal=True, fastmath=FAST)
-def remember(problem, step, least):
-    """Add a step to the history of the springs' vectors; called before the state is replaced.
+def remember(problem, q, step, least):
+    """Add a step from positions q to the history of the springs' vectors.
 
     Steps that together are shorter than `least` (s) count as one, since the next step is much longer.
     """
-    matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
-    controller, slots = integrator.controller, q.size // 2
-    if 0.0 < controller[CONTROLLER_LAST] < least:
-        controller[CONTROLLER_LAST] += step
+    matrix, integrator = problem.matrix, problem.integrator
+    alpha, slots = integrator.alpha, q.size // 2
+    if 0.0 < alpha.last < least:
+        alpha.last += step
         return
-    last, older = integrator.history[1], integrator.history[2]
+    last, older = alpha.rows[1], alpha.rows[2]
     for j in range(1, q.size - SPARE):
         older[j] = last[j]
     for i in range(matrix.walk.size):
         m = matrix.walk[i]
         p = matrix.parent[m]
         last[m], last[slots + m] = q[m] - q[p], q[slots + m] - q[slots + p]
-    controller[CONTROLLER_LAST_BUT_ONE] = controller[CONTROLLER_LAST]
-    controller[CONTROLLER_LAST] = step
+    alpha.older = alpha.last
+    alpha.last = step
 
 
 @kernel(internal=True, fastmath=FAST)
-def predict(problem, step, to_q, vector):
-    """Predict positions by extrapolating how each spring of the forest turned and stretched in two steps.
+def predict(problem, q, step, to_q, vector):
+    """Extrapolate from positions q how each spring of the forest turned and stretched in two steps.
 
     z - z²/2, the logarithm of 1 + z to second order, is extrapolated as a polynomial of time. Held masses and
     those without a parent keep their positions in `to_q`; `vector` is scratch.
     """
-    matrix, integrator, q = problem.matrix, problem.integrator, problem.state.q
-    controller, slots = integrator.controller, q.size // 2
-    last, older = integrator.history[1], integrator.history[2]
-    h1, h0 = controller[CONTROLLER_LAST], controller[CONTROLLER_LAST_BUT_ONE]
+    matrix, integrator = problem.matrix, problem.integrator
+    alpha, slots = integrator.alpha, q.size // 2
+    last, older = alpha.rows[1], alpha.rows[2]
+    h1, h0 = alpha.last, alpha.older
     if h1 == 0.0:
         return
     c1, c0 = step / h1, 0.0

@@ -3,39 +3,16 @@
 from __future__ import annotations
 
 from ..core.bits import from_bits, size_bits
-from ..core.drive import act_at, drive_to
+from ..core.drive import drive_to
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, accumulate, bears, keeps_apart, settle
-from ..core.tables import (
-    CONTROLLER_CAP,
-    CONTROLLER_HELD,
-    CONTROLLER_STEP,
-    CONTROLLER_TIME,
-    COUNT_FORCES,
-    COUNT_REJECTED,
-    COUNT_STEPS,
-    COUNT_WHAT,
-    SPARE,
-)
-from .guard import GOOD, sound
-from .steps import (
-    HOPELESS,
-    SHORTEST_SPAN,
-    WORTH_SHORTENING,
-    ensure_acceleration,
-    first_step,
-    fitting_step,
-    fixed_steps,
-    fixed_time,
-    replace_state,
-    shortest_of,
-    stays_gentle,
-    step_after,
-)
+from ..core.shared import accelerate
+from ..core.tables import SPARE
+from .loop import advance
+from .steps import HOPELESS, SHORTEST_SPAN, first_step, step_after
 
-_ROOMY = 0.8
-"""Error, in tolerances, at which the step keeps its length."""
+_ERROR_AT_CAP = 0.8
+"""Largest error, in tolerances, that a step of the length of the remembered limit may be expected to make."""
 
 _STRICTLY = 0.27
 """Fraction of the tolerance for steps that are not near the stability limit. Near it, errors reach the
@@ -45,15 +22,15 @@ add up."""
 _PAST = 0.25
 """Weight of the previous acceleration in the prediction of velocities near the stability limit."""
 
-_SINK = 0.93
+_CAP_AFTER_FAILURE = 0.93
 """The remembered limit after a failed step, relative to that step."""
-_RAISE = 1.002
+_CAP_GROWTH = 1.002
 """Factor by which that limit rises again in every step."""
 
 
 @kernel(fastmath=FAST)
 def run_verlet(problem, drive, end, tolerance, attempts):
-    """Advance to `end` by x += h v + h²/2 a, v += h/2 (a + a').
+    """Advance to `end` by x += h v + h²/2 a, v += h/2 (a + a'); arguments as of `advance`.
 
     Forces that depend on velocities use v + h a for those at the end of the step. This is of second order,
     but under damping its stability limit is lower than that of symplectic Euler, see `sim.motion.stability`.
@@ -64,115 +41,69 @@ def run_verlet(problem, drive, end, tolerance, attempts):
     The error of a step is estimated as h² |a' - a| / 12. Near the stability limit this estimate stays small
     and then rises suddenly, so a failed step is remembered as a limit, which then rises slowly. If the next
     step fails as well, at half the length, that is due to the vibration that is left, and not to the limit.
-
-    Args:
-        problem: the tables.
-        drive: how held masses move, and what held keys do.
-        end: the time to advance to, s.
-        tolerance: position error, px, that the steps of a second may add up to; unused with a fixed step.
-        attempts: number of steps that may be tried.
     """
-    ensure_acceleration(problem, drive)
-    body, state, scratch, integrator, balance = (
-        problem.body,
-        problem.state,
-        problem.scratch,
-        problem.integrator,
-        problem.balance,
-    )
-    fixed, near_limit = problem.fixed, problem.near_limit
-    controller, count = integrator.controller, integrator.counts
-    q, v, a, rows = state.q, state.v, integrator.a, integrator.rows
-    to_q, to_v, to_a, driven, slope, to_slope = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]
-    slots = q.size // 2
-    farthest, fastest = integrator.limits[0], integrator.limits[1]
-    t, h = controller[CONTROLLER_TIME], controller[CONTROLLER_STEP]
-    first = 0
-    if fixed > 0.0:
-        h, first = fixed, fixed_steps(problem, t)
-        end = fixed_time(problem, fixed_steps(problem, end))
-    elif h <= 0.0:
-        h = 0.5 * first_step(integrator, drive, 0.01 * tolerance)
-        controller[CONTROLLER_CAP] = 1e9
-    cap = controller[CONTROLLER_CAP]
-    for j in range(a.size):
-        slope[j] = a[j]
-    failures = 0  # consecutive ones
-    steps, tries, held, swaps, shortest = 0, 0, 0, 0, 0.0
-    while tries < attempts and t < end and count[COUNT_WHAT] == GOOD:
-        tries += 1
-        step = fixed if fixed > 0.0 else fitting_step(t, end, h)
-        half = 0.5 * step
-        near = fixed == 0.0 and h >= near_limit
-        _predict(q, v, a, slope, step, to_q, to_v)
-        if drive.moving:
-            drive_to(body, state, drive, t + step, to_q, to_v)
-            for k in range(drive.mass.size):
-                m = drive.mass[k]
-                driven[m], driven[slots + m] = to_v[m], to_v[slots + m]
-        accelerate(problem, to_q, to_v, to_a)
-        past = _PAST if near else 0.0
-        change, far, fast, moved = _correct(q, v, a, to_a, half, past, to_q, to_v, to_slope)
-        for k in range(drive.mass.size):
-            m = drive.mass[k]
-            for j in (m, slots + m):
-                to_v[j] = driven[j]
-                fast = max(fast, size_bits(driven[j]))
-        error = 0.0
-        if fixed == 0.0:
-            error = from_bits(change) * step * step / (12.0 * max(step, SHORTEST_SPAN) * tolerance)
-            if not near:
-                error *= 1.0 / _STRICTLY
-            if not error < HOPELESS:
-                error = HOPELESS
-        good = error <= 1.0
-        if good and fixed == 0.0:
-            good = stays_gentle(body, state, q, to_q, step, from_bits(moved), shortest)
-            good = good and keeps_apart(problem, q, to_q)
-            good = good and (step < WORTH_SHORTENING or bears(problem, to_q, tolerance))
-        if not (from_bits(far) <= farthest and from_bits(fast) <= fastest):
-            good = good and sound(body, integrator, to_q, to_v, fixed > 0.0 or step < WORTH_SHORTENING)
-        if not good:
-            act_at(body, state, drive, t)
-            if fixed == 0.0:
-                if failures != 1:
-                    cap = _SINK * step
-                h = min(step_after(integrator, h, step, max(error, 2.0), 2, False, failures > 0), cap)
-                failures += 1
-            continue
-        shortest = shortest_of(body, scratch)  # before the energy balance, which evaluates forces elsewhere
-        if balance.active:
-            accumulate(problem, drive, t, to_q, to_v, to_a, step)
-            replace_state(state.q, state.v, integrator.a, to_q, to_v, to_a)
-        else:
-            # Swap the arrays instead of copying them.
-            q, to_q, v, to_v, a, to_a = to_q, q, to_v, v, to_a, a
-            swaps += 1
-        slope, to_slope = to_slope, slope
-        settle(problem, q)
-        steps += 1
-        if fixed > 0.0:
-            t = fixed_time(problem, first + steps)
-        else:
-            t = end if step == end - t else t + step
-            cap *= _RAISE
-            if failures == 0 and error * cap * cap < _ROOMY * step * step and cap < 2.0 * step:
-                # The limit determines the next step, which therefore need not wait for the error.
-                h = cap
-                held += 1
-            else:
-                h = step_after(integrator, h, step, error, 2, True, failures > 0)
-                if h > cap:
-                    h = cap
-                    held += 1
-            failures = 0
-    if swaps % 2:
-        replace_state(state.q, state.v, integrator.a, q, v, a)
-    count[COUNT_FORCES] += tries
-    count[COUNT_STEPS] += steps
-    count[COUNT_REJECTED] += tries - steps
-    controller[CONTROLLER_TIME], controller[CONTROLLER_STEP], controller[CONTROLLER_CAP] = t, h, cap
-    controller[CONTROLLER_HELD] = held / max(tries, 1)
+    advance(problem, drive, end, tolerance, attempts, _begin, _step, _control, 2.0, True)
+
+
+@kernel(internal=True, fastmath=FAST)
+def _begin(problem, drive, tolerance):
+    """See `advance`."""
+    integrator = problem.integrator
+    run, verlet, slope = integrator.run, integrator.verlet, integrator.rows[0]
+    if problem.fixed == 0.0 and run.step <= 0.0:
+        run.step, verlet.cap = 0.5 * first_step(integrator, drive, 0.01 * tolerance), 1e9
+    verlet.limited, verlet.row = 0, 0
+    for j in range(slope.size):
+        slope[j] = integrator.a[j]
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _step(problem, drive, old, new, t, h, tolerance):
+    """See `advance`."""
+    integrator = problem.integrator
+    trial, row = integrator.trial, integrator.verlet.row
+    slope, next_slope = integrator.rows[row], integrator.rows[1 - row]
+    near = problem.fixed == 0.0 and integrator.run.step >= problem.near_limit
+    _predict(old.q, old.v, old.a, slope, h, new.q, new.v)
+    if drive.moving:
+        drive_to(problem.body, problem.state, drive, t + h, new.q, new.v)
+    accelerate(problem, new.q, new.v, new.a)
+    integrator.run.forces += 1
+    past = _PAST if near else 0.0
+    change, far, fast, moved = _correct(old.q, old.v, old.a, new.a, 0.5 * h, past, new.q, new.v, next_slope)
+    trial.far, trial.fast, trial.moved = from_bits(far), from_bits(fast), from_bits(moved)
+    if problem.fixed > 0.0:
+        return 0.0
+    error = from_bits(change) * h * h / (12.0 * max(h, SHORTEST_SPAN) * tolerance)
+    if not near:
+        error *= 1.0 / _STRICTLY
+    return error if error < HOPELESS else HOPELESS
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _control(problem, drive, old, new, h, tolerance, error, good):
+    """See `advance`."""
+    integrator, planned = problem.integrator, problem.integrator.run.step
+    verlet, failures, cap = integrator.verlet, integrator.trial.failures, integrator.verlet.cap
+    if good:
+        verlet.row = 1 - verlet.row
+    if problem.fixed > 0.0:
+        return planned
+    if not good:
+        if failures != 1:
+            cap = _CAP_AFTER_FAILURE * h
+        verlet.cap = cap
+        return min(step_after(integrator, planned, h, max(error, 2.0), 2, False, failures > 0), cap)
+    cap *= _CAP_GROWTH
+    verlet.cap = cap
+    if failures == 0 and error * cap * cap < _ERROR_AT_CAP * h * h and cap < 2.0 * h:
+        # The limit determines the next step, which therefore need not wait for the error.
+        verlet.limited += 1
+        return cap
+    after = step_after(integrator, planned, h, error, 2, True, failures > 0)
+    if after > cap:
+        verlet.limited += 1
+    return min(after, cap)
 
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)

@@ -1,0 +1,176 @@
+"""The loop that all methods share: lead held masses, try a step, judge it, and keep it or try a shorter one.
+
+A method is a step: a kernel that leads from one `Phase` to another and estimates its error. One that chooses
+its steps, or that keeps something from step to step, also has a kernel that begins a run and one that
+controls what comes next. All else is here: fixed and chosen steps, what makes a step acceptable, held keys,
+the energy balance, and springs that yield and break. `integrators.runge_kutta` is the shortest example.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ..core.drive import lead_to, set_controls
+from ..core.jit import kernel
+from ..core.shared import accelerate, accumulate, no_tunnelling, settle, within_strength
+from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT
+from .guard import GOOD, state_ok
+from .steps import (
+    WORTH_SHORTENING,
+    ensure_acceleration,
+    fitting_step,
+    fixed_steps,
+    fixed_time,
+    replace_state,
+    rotation_ok,
+    shortest_of,
+)
+
+_MOST_AT_ONCE = 64
+"""Number of fixed steps that may be done between two checks of the state. If a check fails, they are done
+again one at a time, so that a body that runs away stops at its last good state."""
+
+
+@kernel(inline="always")
+def advance(problem, drive, end, tolerance, attempts, begin, step, control, equal_steps, knows_a):
+    """Advance to `end` by a method.
+
+    Args:
+        problem: the tables. With a fixed step (`problem.fixed`) only whole steps are done.
+        drive: how held masses move, and what held keys do.
+        end: the time to advance to, s.
+        tolerance: position error, px, that the steps of a second may add up to; unused with a fixed step.
+        attempts: number of steps that may be tried.
+        begin: kernel(problem, drive, tolerance), called first. Where `run.step` is 0, it sets that.
+        step: kernel(problem, drive, old, new, t, h, tolerance) that leads from `old` at time t to `new` at
+            t + h, evaluating forces with held masses and keys where they are then (`drive_to`). Returns the
+            error in tolerances; a step above 1 is not kept. It may go less far (`trial.h`, `trial.end`), and
+            may report what it knows of `new` (`trial.far`, `trial.fast`, `trial.moved`), which saves time. It
+            may also do up to `trial.most` fixed steps at once, and say so (`trial.count`, `trial.end`).
+        control: kernel(problem, drive, old, new, h, tolerance, error, good), called after a step was judged
+            and before it is kept. Returns the step to try next; see `steps.step_after`.
+        equal_steps: number of steps before the end that are made equally long; see `fitting_step`.
+        knows_a: whether the method uses the accelerations at `old` and leaves those at `new`.
+    """
+    body, state, scratch, integrator, balance = (
+        problem.body,
+        problem.state,
+        problem.scratch,
+        problem.integrator,
+        problem.balance,
+    )
+    run, trial, old, new, fixed = (
+        integrator.run,
+        integrator.trial,
+        integrator.old,
+        integrator.new,
+        problem.fixed,
+    )
+    number = last = 0
+    most = 1 if balance.active or problem.settle != 0 else _MOST_AT_ONCE
+    if knows_a:
+        ensure_acceleration(problem, drive)
+    else:
+        run.current = False
+    if fixed > 0.0:
+        number = fixed_steps(problem, run.time)
+        last = fixed_steps(problem, end)
+        end = fixed_time(problem, last)
+    begin(problem, drive, tolerance)
+    trial.failures = 0
+    t, goal, is_whole = run.time, end, run.time == fixed_time(problem, number)
+    tries, steps, swaps, shortest = 0, 0, 0, 0.0
+    while tries < attempts and t < end and run.what == GOOD:
+        trial.count = 1
+        if fixed > 0.0:
+            goal = fixed_time(problem, number + 1)
+            h = fixed if is_whole else goal - t
+            trial.end, trial.number = goal, number
+            trial.most = min(most, last - number, attempts - tries) if is_whole else 1
+        else:
+            h = fitting_step(t, end, run.step, equal_steps)
+            trial.end = goal if h == goal - t else t + h
+        trial.h, trial.far, trial.fast, trial.moved = h, math.inf, math.inf, math.inf
+        scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
+        if balance.active and not knows_a:
+            lead_to(drive, t, old.q, old.v)
+            accelerate(problem, old.q, old.v, old.a)
+        error = step(problem, drive, old, new, t, h, tolerance)
+        h = trial.h
+        if drive.mass.size > 0:
+            lead_to(drive, trial.end, new.q, new.v)
+            trial.far = math.inf
+        good = error <= 1.0 and _is_acceptable(problem, old, new, h, tolerance, shortest)
+        tries += trial.count if good else 1
+        if not good and drive.moving:  # the step has set them to a later time
+            _act_as(body, state, drive, t, scale, shift)
+        if not good and trial.count > 1:
+            most, tries = 1, tries - 1  # one at a time, up to the last good state
+            continue
+        run.step = control(problem, drive, old, new, h, tolerance, error, good)
+        if not good:
+            trial.failures += 1
+            continue
+        # Before the energy balance, which evaluates forces elsewhere.
+        shortest = shortest_of(body, scratch) if trial.moved < math.inf else 0.0
+        if balance.active:
+            if not knows_a:
+                accelerate(problem, new.q, new.v, new.a)
+            scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
+            accumulate(problem, drive, t, new.q, new.v, new.a, h)
+            if drive.moving:
+                _act_as(body, state, drive, trial.end, scale, shift)
+            replace_state(old.q, old.v, old.a, new.q, new.v, new.a)
+        else:
+            # Swap the arrays instead of copying them.
+            old, new = new, old
+            swaps += 1
+        settle(problem, old.q)
+        steps += trial.count
+        t, is_whole = trial.end, fixed == 0.0 or trial.end == fixed_time(problem, number + trial.count)
+        number += trial.count if is_whole else 0
+        trial.failures = 0
+    run.time = t
+    if swaps % 2:
+        replace_state(state.q, state.v, integrator.a, old.q, old.v, old.a)
+    run.steps += steps
+    run.rejected += tries - steps
+
+
+@kernel(forceinline=True)
+def _is_acceptable(problem, old, new, h, tolerance, shortest):
+    """Whether a step with a small error may be kept; if not, a shorter one may still be tried."""
+    body, integrator = problem.body, problem.integrator
+    run, trial, fixed = integrator.run, integrator.trial, problem.fixed
+    too_short = h < WORTH_SHORTENING
+    final = too_short or (fixed > 0.0 and trial.count == 1)
+    known_ok = trial.far <= run.farthest and trial.fast <= run.fastest
+    if not (known_ok or state_ok(body, integrator, new.q, new.v, final)):
+        return False
+    if fixed > 0.0:
+        return True
+    return (
+        rotation_ok(body, problem.state, old.q, new.q, h, trial.moved, shortest)
+        and no_tunnelling(problem, old.q, new.q)
+        and (too_short or within_strength(problem, new.q, tolerance))
+    )
+
+
+@kernel(forceinline=True)
+def _act_as(body, state, drive, t, scale, shift):
+    """Set the clock of the gusts to time t, and what held keys change to given values."""
+    if drive.timed:
+        state.clock[0] = t
+    if drive.pressed:
+        set_controls(body, state, scale, shift)
+
+
+@kernel(internal=True)
+def begin_at_once(problem, drive, tolerance):
+    """For methods with a fixed step: nothing to begin with."""
+
+
+@kernel(internal=True)
+def go_on(problem, drive, old, new, h, tolerance, error, good):
+    """For methods with a fixed step: they have no step to choose."""
+    return problem.integrator.run.step
