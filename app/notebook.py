@@ -9,7 +9,6 @@ import sys
 
 import sim
 from sim.compiling.compiler import needed_by
-from sim.scene.types import is_surrounded
 
 from .gate.address import OF_THIS_MACHINE, page_addresses
 from .server.serve import serving
@@ -41,7 +40,7 @@ class Shown:
             serving(self._scene, HOST, 0, OF_THIS_MACHINE)
         )
         (self.url,) = page_addresses(HOST, server.get_port())
-        compiler.want(needed_by(scene.integrator.method, is_surrounded(scene)))
+        compiler.want(needed_by(scene.integrator.method))
         compiler.start()
         self._open = True
         _all.append(self)

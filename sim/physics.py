@@ -2,8 +2,9 @@
 
 A body consists of point masses, linear springs between two masses, and angular springs ("joints"), each of
 which holds two linear springs at an angle. This module computes their forces for any body and every force
-law, in as few lines as possible. It needs no compiler: the page uses it until the compiled kernels are ready,
-and the tests compare every kernel with it.
+law, in as few lines as possible, and adds what the terms of `sim.forces.all` do, each of which has such a
+twin on its page. It needs no compiler: the page uses it until the compiled kernels are ready, and the tests
+compare every kernel with it.
 
 A vector (x, y) is the complex number x + iy. The length of a vector is `abs`, and rotating it by an angle r
 multiplies it by exp(ir). For two vectors A and B, conj(A) B = A . B + i (A x B) = |A||B| exp(iV), where V is
@@ -17,16 +18,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-from . import around
+from .forces.all import TERMS, WITH_ENERGY
+from .forces.joints import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL
+from .forces.term import Floats, Vectors
 from .kernels.core.tables import Body, State
-from .kernels.forces.laws import ANGLE, CONSERVATIVE, NO_JOINTS, TUTORIAL
-
-Vectors = NDArray[np.complex128]
-"""An array of vectors, each a complex number."""
-Floats = NDArray[np.float64]
-"""An array of real numbers."""
 
 SHORTEST = 1e-150
 """Lower bound, px, of a spring's length where something is divided by it."""
@@ -70,24 +66,27 @@ class Physics:
         self.a, self.b = body.spring_a, body.spring_b  # (S,) masses at the ends of each spring
         self.stiffness = body.stiffness[springs]  # (S,) kg/s²
         self.damping = body.damping[springs]  # (S,) kg/s
-        self.pull = state.pull[springs]  # (S,) stiffness * rest length, kg px/s²
+        self.rest_tension = state.rest_tension[springs]  # (S,) stiffness * rest length, kg px/s²
         self.first, self.second = body.joint_a, body.joint_b  # (J,) springs of each joint
         self.joint_stiffness = body.torque_size[joints]  # (J,) kg/s²
         self.joint_damping = body.torque_damping[joints]  # (J,) kg/s
         self.rest_angle = state.torque_rest[joints]  # (J,) radians
         self.state = state
-        self.surroundings = body.surroundings
-        ends = np.stack((self.a, self.b), 1)
-        self.touching = around.Touching(body.surroundings, state.inverse_mass, body.masses, ends)
+        # By their names; each adds its forces.
+        self.terms = {term.name: term.twin(body, state) for term in TERMS}
         self._ends = np.concatenate((self.b, self.a))
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """(slots,) the forces of springs and surroundings at positions x (px) and velocities v (px/s)."""
+        """(slots,) all forces but gravity at positions x (px) and velocities v (px/s), kg px/s²."""
+        return sum((term.forces(x, v) for term in self.terms.values()), self.spring_forces(x, v))
+
+    def spring_forces(self, x: Vectors, v: Vectors) -> Vectors:
+        """(slots,) those of springs and joints alone."""
         spring, rate = x[self.b] - x[self.a], v[self.b] - v[self.a]
         square = np.maximum(abs(spring), SHORTEST) ** 2
         # Of a spring with the vector L: -stiffness (|L| - rest) L/|L| - damping (L . dL/dt) L/|L|².
         along = (rate * spring.conj()).real / square
-        tension = (self.pull / np.sqrt(square) - self.stiffness - self.damping * along) * spring
+        tension = (self.rest_tension / np.sqrt(square) - self.stiffness - self.damping * along) * spring
         if self.first.size:
             torque, energy = self._bending(spring, rate, square)
             # The torque turns both springs towards the rest angle. The energy grows with both lengths, so its
@@ -95,13 +94,7 @@ class Physics:
             turned = spring / square
             np.add.at(tension, self.first, (1j * torque - energy) * turned[self.first])
             np.add.at(tension, self.second, (-1j * torque - energy) * turned[self.second])
-        forces = self._sum(np.concatenate((tension, -tension)), x.size)
-        if self.surroundings.present:
-            forces += around.filling_forces(self.surroundings, x)
-            forces += self.surroundings.mass * around.wall_accelerations(self.surroundings, x, v)
-            if self.surroundings.contact.present:
-                forces += self.touching.forces(x, v)
-        return forces
+        return self._sum(np.concatenate((tension, -tension)), x.size)
 
     def torques(self, x: Vectors, v: Vectors) -> Floats:
         """(J,) the torque of each joint, kg px²/s²: on its first spring; minus it acts on the second one."""
@@ -109,28 +102,23 @@ class Physics:
         return self._bending(spring, rate, np.maximum(abs(spring), SHORTEST) ** 2)[0]
 
     def accelerations(self, x: Vectors, v: Vectors) -> Vectors:
-        """(slots,) px/s²; zero where a mass is held. Air friction acts on each axis separately."""
-        state, drag, u = self.state, self.state.air, v
-        if self.surroundings.air_friction > 0.0:
-            drag, u = self.surroundings.air_friction * state.inverse_mass, v - self.wind(x)
-        air = u.real * abs(u.real) + 1j * (u.imag * abs(u.imag))
-        return self.forces(x, v) * state.inverse_mass - air * drag + (state.gx + 1j * state.gy)
+        """(slots,) px/s²; zero where a mass is held."""
+        state = self.state
+        return self.forces(x, v) * state.inverse_mass + (state.gx + 1j * state.gy)
 
-    def wind(self, x: Vectors) -> Vectors:
-        """(slots,) the velocity of the air at positions x (px) at the present time, px/s."""
-        return around.wind(self.surroundings, x, float(self.state.clock[0]))
+    def energies(self, x: Vectors) -> dict[str, float]:
+        """Energies of linear and of angular springs and of all terms, kg px²/s², by their names.
 
-    def energies(self, x: Vectors) -> tuple[float, float]:
-        """Energies of linear and of angular springs, kg px²/s²; the tutorial's law uses the sine law's.
-
-        Those of walls, fillings and contact are in `sim.around`.
+        The tutorial's law uses the sine law's.
         """
         spring = x[self.b] - x[self.a]
         pulls = self.stiffness > 0.0
-        rest = self.pull[pulls] / self.stiffness[pulls]
+        rest = self.rest_tension[pulls] / self.stiffness[pulls]
         linear = 0.5 * float((self.stiffness[pulls] * (abs(spring[pulls]) - rest) ** 2).sum())
         s = spring[self.first].conj() * spring[self.second] * np.exp(-1j * self.rest_angle)
-        return linear, float((self.joint_stiffness * self._law(s)[1]).sum())
+        angular = float((self.joint_stiffness * self._law(s)[1]).sum())
+        others = {term.name: self.terms[term.name].energy(x) for term in WITH_ENERGY}
+        return {"linear": linear, "angular": angular, **others}
 
     def _bending(self, spring: Vectors, rate: Vectors, square: Floats) -> tuple[Floats, Floats]:
         """(J,) torques and energies of the joints; the energy of a law without one is zero."""

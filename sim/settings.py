@@ -28,7 +28,7 @@ from .around_settings import (
 )
 from .body.system import joint_stiffness
 from .errors import SceneError, SettingError
-from .kernels.forces.laws import LAWS
+from .forces.joints import LAWS
 from .methods.registry import METHODS
 from .recipe_settings import Setting, keys_of_recipe, recipe_settings, scaled, turned
 from .scene.columns import column, has_any

@@ -14,7 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from sim import Scene, Simulation
 from sim.around_settings import STILL_AIR
-from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE, Surroundings
+from sim.forces.air import WAVE_RATE
+from sim.forces.environment import Environment
+from sim.forces.fillings import FILLING_GAS
+from sim.forces.walls import WALL_NORMAL_Y
 from sim.scene.types import Damage
 
 from .colors import blend
@@ -180,19 +183,24 @@ def joined(*sections: ArrayLike) -> NDArray[np.float32]:
     return np.concatenate([part for section in flat for part in ([len(section)], section)], dtype=np.float32)
 
 
-def _surroundings(sketch: Sketch, around: Surroundings) -> tuple[ArrayLike, ...]:
+def _surroundings(sketch: Sketch, environment: Environment) -> tuple[ArrayLike, ...]:
     """Walls, fillings, wind, and the distance of contact (px).
 
     Of each wall a point (px) and its normal; of each filling whether it is a gas, how many masses its loop
     has, and which; of wind its mean velocity (px/s), and wave vector, amplitude and phase of each wave.
     """
     loops: list[float] = []
-    for k, filling in enumerate(around.fillings):
-        loop = around.loop[around.loop_start[k] : around.loop_start[k + 1]]
+    fillings, air = environment.fillings, environment.air
+    for filling, loop in zip(fillings.rows, fillings.loops(), strict=True):
         loops += [filling[FILLING_GAS], len(loop), *loop]
-    blows = math.hypot(around.wind_x, around.wind_y) >= STILL_AIR
-    wind = (around.wind_x, around.wind_y, *around.waves[:, :WAVE_RATE].ravel()) if blows else ()
-    return around.walls[:, : WALL_NORMAL_Y + 1], loops, wind, [sketch.contact] if sketch.contact else ()
+    blows = math.hypot(air.wind_x, air.wind_y) >= STILL_AIR
+    wind = (air.wind_x, air.wind_y, *air.waves[:, :WAVE_RATE].ravel()) if blows else ()
+    return (
+        environment.walls.rows[:, : WALL_NORMAL_Y + 1],
+        loops,
+        wind,
+        [sketch.contact] if sketch.contact else (),
+    )
 
 
 def strain_colors(sketch: Sketch) -> NDArray[np.uint8]:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim import Scene
-from sim.body.surroundings import new_surroundings
+from sim.forces.environment import new_environment
 from sim.scene.columns import column, ends, has_any
 from sim.scene.types import is_loaded, is_surrounded
 
@@ -125,7 +125,7 @@ class Sketch:
         if is_surrounded(scene):
             # Of contact, nothing but its distance is drawn.
             drawn = msgspec.structs.replace(scene, contact=None)
-            self.around = new_surroundings(drawn, np.arange(n), self.springs, n)
+            self.around = new_environment(drawn, np.arange(n), self.springs, n)
         self.contact = scene.contact.distance if scene.contact else 0.0
         self.loads = _load_arrows(scene, mapping)
         self.thickness = self._spring_thickness()

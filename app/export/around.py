@@ -6,7 +6,6 @@ Points are (k, 2) arrays, y downwards. Distances that are pixels in the page go 
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -15,7 +14,9 @@ import numpy as np
 
 from sim.around_settings import STILL_AIR
 from sim.body.damage import leaking
-from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE
+from sim.forces.air import WAVE_RATE
+from sim.forces.fillings import FILLING_GAS
+from sim.forces.walls import WALL_NORMAL_Y
 
 from ..drawing.looks import DENSE, HATCH, HEAD, PARTS, POINT, SIDE, STREAK, STREAKS, STROKE
 from ..drawing.sketch import Floats, Sketch
@@ -41,7 +42,7 @@ def walls(sketch: Sketch, window: Window) -> list[Wall]:
     """The scene's walls, each with the part of its surface that no other covers."""
     if sketch.around is None:
         return []
-    found = [_in_view(row, sketch, window) for row in sketch.around.walls[:, : WALL_NORMAL_Y + 1]]
+    found = [_in_view(row, sketch, window) for row in sketch.around.walls.rows[:, : WALL_NORMAL_Y + 1]]
     return [
         wall._replace(surface=_uncovered(wall, [other for other in found if other is not wall]))
         for wall in found
@@ -98,13 +99,13 @@ def fillings(
     sketch: Sketch, positions: Floats, broken: Sequence[int], window: Window
 ) -> list[tuple[bool, Floats]]:
     """Of each filling that has not got out whether it is a gas, and the polygon of its loop."""
-    around = sketch.around
-    if around is None or not len(around.fillings):
+    table = sketch.around.fillings if sketch.around is not None else None
+    if table is None or not len(table.rows):
         return []
     places = window.pixels(sketch.mapping.to_world(positions)[:, :2])
-    loops = [around.loop[a:b] for a, b in itertools.pairwise(around.loop_start.tolist())]
+    loops = table.loops()
     left = set(leaking(loops, sketch.springs, np.array(broken, np.int64)))
-    kinds = around.fillings[:, FILLING_GAS] == 1.0
+    kinds = table.rows[:, FILLING_GAS] == 1.0
     return [(bool(kinds[k]), places[loop]) for k, loop in enumerate(loops) if k not in left]
 
 
@@ -172,11 +173,11 @@ def streaks(sketch: Sketch, time: float, window: Window) -> list[Floats]:
         time: simulated seconds.
         window: of the picture.
     """
-    around = sketch.around
-    if around is None or math.hypot(around.wind_x, around.wind_y) < STILL_AIR:
+    air = sketch.around.air if sketch.around is not None else None
+    if air is None or math.hypot(air.wind_x, air.wind_y) < STILL_AIR:
         return []
     mapping, scale = sketch.mapping, sketch.mapping.scale * window.step
-    wind = np.array((around.wind_x, around.wind_y))
+    wind = np.array((air.wind_x, air.wind_y))
     cell = 2.0 ** round(math.log2(STREAKS * window.unit / scale))
     drift = wind * time
     corners = np.array(((0.0, 0.0), window.size))
@@ -189,7 +190,7 @@ def streaks(sketch: Sketch, time: float, window: Window) -> list[Floats]:
     lasting = STREAK * window.unit / (math.hypot(*wind) * scale * PARTS)
     points = [place + drift]
     for _ in range(PARTS):
-        place = place - lasting * _air(around.waves[:, :WAVE_RATE], wind, place)
+        place = place - lasting * _air(air.waves[:, :WAVE_RATE], wind, place)
         points.append(place + drift)
     flat = mapping.to_world(np.concatenate(points))[:, :2]
     lines = window.pixels(flat).reshape(PARTS + 1, -1, 2).swapaxes(0, 1)

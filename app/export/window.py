@@ -82,7 +82,7 @@ def _show_walls(low: Floats, high: Floats, sketch: Sketch) -> None:
         return
     size = float((high - low).max())
     mapping = sketch.mapping
-    for px, py, nx, ny in sketch.around.walls[:, :4]:
+    for px, py, nx, ny in sketch.around.walls.rows[:, :4]:
         point = mapping.to_world(np.array([[px, py]]))[0, :2]
         normal = np.array((nx, ny * mapping.flip))
         # From the surface to the nearest corner.

@@ -23,7 +23,7 @@ import sim
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 from sim.errors import InputError, SceneError
 from sim.methods.registry import METHODS
-from sim.scene.types import is_surrounded, shown_name
+from sim.scene.types import shown_name
 
 from ..drawing.plan import Picture, broken_of
 from ..drawing.sketch import WORLD_SIZE, Mapping
@@ -374,7 +374,7 @@ class Tab:
             return
         if session.simulation.plain and method != self._wanted:
             self._wanted = method
-            self._compiler.want(needed_by(method, is_surrounded(session.simulation.scene)))
+            self._compiler.want(needed_by(method))
         ready, of = self._compiler.progress
         self._all_ready = ready == of
         text = ""

@@ -18,7 +18,6 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 import sim
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
-from sim.scene.types import is_surrounded
 
 from ..drawing.colors import LIGHT_GAIN
 from ..gate.address import address_for_others, public_address
@@ -142,7 +141,7 @@ def serve(
             webbrowser.open(address)
         # The first page is drawn first, if it comes soon: both want the interpreter.
         ticker.drawn.wait(timeout=0.5)
-        compiler.want(needed_by(scene.integrator.method, is_surrounded(scene)))
+        compiler.want(needed_by(scene.integrator.method))
         compiler.start()
         threading.Thread(target=_show_progress, args=(compiler, console), daemon=True).start()
         while not signals:

@@ -10,13 +10,10 @@ import numpy as np
 from ..body.sparsity import new_matrix
 from ..body.system import build_system, damage_of, new_scratch, start_of, unsoftened
 from ..errors import InputError
-from ..kernels.around.around import accelerations_around
-from ..kernels.around.contact import stays_apart
+from ..forces.all import accelerations
+from ..forces.contact import no_tunnelling
 from ..kernels.core.tables import Floats, Indices
-from ..kernels.forces.forces import accelerations
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
-from ..kernels.linear.surrounded import factorise_surrounded, solve_surrounded
-from ..kernels.linear.two_sided_lu import inverse_pivots
 from ..physics import Physics
 from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Pose, Scene
@@ -127,7 +124,7 @@ class Resting:
         self.scene = scene
         self.system, self.state = start_of(scene, build_system(scene))
         body = self.tables = self.system.body
-        self.surrounded = bool(body.surroundings.present)
+        self.surrounded = bool(body.environment.present)
         self.scratch = new_scratch(self.system)
         self.matrix = new_matrix(body, self.system.held)
         state, here = self.state, slice(1, body.masses + 1)
@@ -157,8 +154,8 @@ class Resting:
     @property
     def slides(self) -> bool:
         """Whether there is anything that a part may fall on and slide along."""
-        around = self.tables.surroundings
-        return bool(around.walls.size or around.contact.present)
+        environment = self.tables.environment
+        return bool(environment.walls.rows.size or environment.contact.present)
 
     def refuse_falling(self) -> None:
         """Refuse a body with a part that is connected to no held mass, unless it may fall on something.
@@ -210,8 +207,7 @@ class Resting:
     def accelerations(self, q: Floats) -> Floats:
         """The accelerations at positions q and at rest, px/s²."""
         a = np.zeros_like(q)
-        force = accelerations_around if self.surrounded else accelerations
-        force(self.tables, self.state, self.scratch, q, self.still, a)
+        accelerations(self.tables, self.state, self.scratch, q, self.still, a)
         return a
 
     def factorise(self, q: Floats, shift: float, definite: bool = False) -> bool:
@@ -223,30 +219,21 @@ class Resting:
         has negative ones (Haynsworth 1968). The blocks that join a mass to a spring that it touches are not
         among the pivots, and are ignored here.
         """
-        matrix, n = self.matrix, self.tables.masses
-        kernel = factorise_surrounded if self.surrounded else factorise_matrix
-        if not kernel(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite):
+        matrix = self.matrix
+        if not factorise_matrix(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite):
             return False
-        if self.tables.chain:
-            inverse = inverse_pivots(matrix.blocks, n)
-        else:
-            inverse = matrix.blocks.reshape(-1, 4)[matrix.diagonal]
-        xx, xy, yx, yy = inverse[self.state.inverse_mass[self._rows] > 0.0].T
+        inverse = matrix.blocks.reshape(-1, 4)[matrix.diagonal]
+        xx, xy, yx, yy = inverse[self.state.inverse_mass[matrix.order] > 0.0].T
         both, one = xx + yy < 0.0, xx * yy - xy * yx < 0.0
         negative = int(np.where(one, 1, 2 * both).sum())
-        if self.tables.surroundings.fillings.size:
+        if self.tables.environment.fillings.rows.size:
             negative -= int((np.linalg.eigvals(matrix.corrections[:-1]).real < 0.0).sum())
         return negative == 0
-
-    @property
-    def _rows(self) -> np.ndarray:
-        """The slot of the mass that each row of the matrix belongs to."""
-        return np.arange(1, self.tables.masses + 1) if self.tables.chain else self.matrix.order
 
     def solve(self, b: Floats) -> Floats:
         """The solution with the last factors."""
         x = b.copy()
-        (solve_surrounded if self.surrounded else solve_matrix)(self.tables, self.matrix, x)
+        solve_matrix(self.tables, self.matrix, x)
         return x
 
     def vectors(self, q: Floats) -> tuple[Floats, Floats]:
@@ -261,9 +248,9 @@ class Resting:
         lengths = np.maximum(np.hypot(*self.vectors(q)), 1e-3 * self.typical)
         return float((np.hypot(*self.vectors(move)) / lengths).max())
 
-    def stays_apart(self, q: Floats, to_q: Floats) -> bool:
+    def no_tunnelling(self, q: Floats, to_q: Floats) -> bool:
         """Whether no mass can have passed through a spring that it touches, on the way from q to to_q."""
-        return not self.tables.surroundings.contact.present or bool(stays_apart(self.tables, q, to_q))
+        return not self.tables.environment.contact.present or bool(no_tunnelling(self.tables, q, to_q))
 
     def nudge(self, q: Floats, size: float) -> Floats:
         """The positions with every free mass displaced at random by up to `size` typical lengths."""
@@ -279,11 +266,11 @@ class Resting:
         body, p = self.tables, self.slots
         x, y = self.vectors(q)
         length = np.maximum(np.hypot(x, y), 1e-300)
-        pull = self.state.pull[: body.springs]
-        across = np.abs(pull / length - body.stiffness[: body.springs])
+        rest_tension = self.state.rest_tension[: body.springs]
+        across = np.abs(rest_tension / length - body.stiffness[: body.springs])
         for one, other in ((body.joint_a, body.joint_b), (body.joint_b, body.joint_a)):
             np.add.at(across, one, 4.0 * body.joint_stiffness * (1.0 + length[other] / length[one]))
-        along = body.stiffness[: body.springs] + pull / length
+        along = body.stiffness[: body.springs] + rest_tension / length
         size = _EPSILON * (float(np.abs(q).max()) + length)
         force = np.zeros(q.size)
         for masses in (body.spring_a, body.spring_b):
@@ -318,7 +305,7 @@ class Resting:
         x = q[: self.slots] + 1j * q[self.slots :]
         springs, joints = self.system.spring_order, np.argsort(self.system.joint_order)
         stiffness = self.tables.stiffness[: self.tables.springs]
-        force = np.abs(stiffness * np.hypot(*self.vectors(q)) - state.pull[: self.tables.springs])
+        force = np.abs(stiffness * np.hypot(*self.vectors(q)) - state.rest_tension[: self.tables.springs])
         torque = np.abs(Physics(self.tables, state).torques(x, still)) if joints.size else np.zeros(0)
         ways = (
             ("spring", springs, "break", force, "strength", strength.breaking, ""),
@@ -384,7 +371,7 @@ def _continuation(body: Resting) -> Floats:
             turned = body.turn(q, move)
             if turned <= _TURN:
                 ratio, to_q = _settle(body, q, move, shift)
-                if not body.stays_apart(q, to_q):
+                if not body.no_tunnelling(q, to_q):
                     ratio = np.inf
         if ratio < np.inf:
             q, a = to_q, body.accelerations(to_q)
@@ -464,7 +451,7 @@ def _search(body: Resting, q: Floats, a: Floats) -> tuple[float, Floats, Floats]
     for _ in range(_HALVINGS):
         to_q = q + part * move
         to_a = body.accelerations(to_q)
-        if float(to_a @ along) >= -0.5 * power and body.stays_apart(q, to_q):
+        if float(to_a @ along) >= -0.5 * power and body.no_tunnelling(q, to_q):
             break
         part *= 0.5
     return shift, to_q, to_a

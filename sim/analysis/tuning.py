@@ -342,7 +342,7 @@ def _fastest(scene: Scene) -> Vibration | None:
     system, state = start_of(exact, build_system(exact))
     state.vx[:] = state.vy[:] = 0.0
     meter = StabilityMeter(system, flip(0.0, undamped_step))  # 2 / the largest angular frequency
-    limit = min(meter.update(state, 0.0).limit for _ in range(_UPDATES))
+    limit = min(meter.update(state).limit for _ in range(_UPDATES))
     if not math.isfinite(limit):
         return None
     omega = 2.0 / limit

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
-import itertools
 import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..forces.fillings import FILLING_OUTSIDE, FILLING_PRESSURE
+from ..forces.term import read_only
 from ..kernels.core.strength import Strength
-from ..kernels.core.surroundings import FILLING_OUTSIDE, FILLING_PRESSURE
 from ..kernels.core.tables import Floats, Indices
 from ..scene.types import Scene
 
@@ -95,16 +95,14 @@ def without_broken(system: System, broken: Floats) -> System:
     }
     for table in tables.values():
         table.setflags(write=False)
-    around = body.surroundings
-    if around.contact.present:
-        around = around.replaced(contact=around.contact.replaced(broken=broken.copy()))
-    loops = [around.loop[a:b] for a, b in itertools.pairwise(around.loop_start.tolist())]
-    if leaks := leaking(loops, np.stack((body.spring_a, body.spring_b), 1), gone):
-        fillings = around.fillings.copy()
-        fillings[np.ix_(leaks, (FILLING_PRESSURE, FILLING_OUTSIDE))] = 0.0
-        fillings.setflags(write=False)
-        around = around.replaced(fillings=fillings)
-    return dataclasses.replace(system, body=body.replaced(**tables, surroundings=around))
+    environment, fillings = body.environment, body.environment.fillings
+    if environment.contact.present:
+        environment = environment.replaced(contact=environment.contact.replaced(broken=broken.copy()))
+    if leaks := leaking(fillings.loops(), np.stack((body.spring_a, body.spring_b), 1), gone):
+        rows = fillings.rows.copy()
+        rows[np.ix_(leaks, (FILLING_PRESSURE, FILLING_OUTSIDE))] = 0.0
+        environment = environment.replaced(fillings=read_only(fillings.replaced(rows=rows)))
+    return dataclasses.replace(system, body=body.replaced(**tables, environment=environment))
 
 
 def _limit(value: float | None) -> float:

@@ -7,17 +7,11 @@ import itertools
 import numpy as np
 
 from ..kernels.core.tables import Body, Floats, Indices, Matrix
-from ..kernels.linear.two_sided_lu import room_for
-from .system import slab, slots_of
+from .system import slots_of
 
 _NONE, _NOWHERE = np.zeros(0), np.zeros(0, np.int64)
 NO_MATRIX = Matrix(
     blocks=_NONE,
-    parts=_NONE,
-    ux=_NONE,
-    uy=_NONE,
-    inverse=_NONE,
-    damping=_NONE,
     walk=_NOWHERE,
     parent=_NOWHERE,
     order=_NOWHERE,
@@ -35,7 +29,6 @@ NO_MATRIX = Matrix(
     touched=np.zeros((0, 0)),
     krylov=np.zeros((0, 0)),
     hessenberg=np.zeros((0, 0)),
-    straight=False,
 )
 """An empty matrix, for methods that solve no linear systems."""
 
@@ -45,23 +38,12 @@ _KRYLOV = 40
 
 
 def new_matrix(body: Body, held: np.ndarray) -> Matrix:
-    """Arrays for the matrix of a body; unless it is a chain, the pattern is found here, once.
+    """Arrays for the matrix of a body, whose pattern is found here, once.
 
     The order is SuperLU's minimum degree, called through SciPy. The pattern of the factors follows from
     elimination on the graph of masses, in which a spring connects its two masses, a joint all of its three or
     four, and a filling those that are neighbours around it.
     """
-    room = body.stiffness.size
-    springs = slab([(room + 1, 1)] * 4, page_offset=1024)
-    springs[3][1:] = body.damping
-    trees = forest(body, held)
-    if body.chain:
-        factors = slab([(count, 0) for count in room_for(body.masses)], page_offset=0)
-        walk, parent = trees
-        straight = bool(((parent[walk] == walk - 1) | (parent[walk] == 0)).all())
-        names = ("blocks", "parts", "ux", "uy", "inverse", "damping")
-        tables = dict(zip(names, (*factors, *springs), strict=True))
-        return NO_MATRIX.replaced(walk=walk, parent=parent, straight=straight, **tables)
     n = body.masses
     a, b = body.spring_a - 1, body.spring_b - 1
     ja, jb = body.joint_a, body.joint_b
@@ -88,22 +70,16 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
     def targets(pairs: Indices) -> Indices:
         return np.searchsorted(keys, (position[pairs[..., 0]] * n + position[pairs[..., 1]]).ravel())
 
-    ux, uy, inverse, damping = springs
-    fillings = body.surroundings.fillings.shape[0]
-    walk, parent = trees
+    fillings = len(body.environment.fillings.rows)
+    walk, parent = forest(body, held)
     diagonal = np.searchsorted(keys, np.arange(n) * n + np.arange(n))
     wide, of_mass = 2 * slots_of(body), np.zeros(0, np.int64)
     krylov = 0
-    if body.surroundings.contact.present:
+    if body.environment.contact.present:
         krylov, of_mass = _KRYLOV + 3, np.zeros(wide // 2, np.int64)
         of_mass[1 : n + 1] = diagonal[position]
     return Matrix(
         blocks=np.zeros(4 * column.size),
-        parts=np.zeros(0),
-        ux=ux,
-        uy=uy,
-        inverse=inverse,
-        damping=damping,
         walk=walk,
         parent=parent,
         order=order + 1,
@@ -121,24 +97,18 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
         touched=np.zeros((3 if krylov else 0, wide)),
         krylov=np.zeros((krylov, wide)),
         hessenberg=np.zeros((_KRYLOV + 4 if krylov else 0, _KRYLOV + 1)),
-        straight=False,
     )
 
 
 def clear_factors(matrix: Matrix) -> None:
-    """Forget what was computed with a matrix; its pattern and the body's damping stay."""
-    for name, array in matrix.arrays():
-        if array.dtype == np.float64 and name != "damping":
+    """Forget what was computed with a matrix; its pattern stays."""
+    for _, array in matrix.arrays():
+        if array.dtype == np.float64:
             array[:] = 0.0
 
 
 def fill(body: Body, matrix: Matrix) -> tuple[int, int]:
     """(number of blocks of the matrix, number of blocks of its factors)."""
-    if body.chain:
-        n = body.masses
-        width = 2 if body.joints else 1
-        band = sum(n - abs(k) for k in range(-width, width + 1) if abs(k) < n)
-        return band, band
     used = np.unique(
         np.concatenate((matrix.spring_target, matrix.joint_target, matrix.loop_target, matrix.diagonal))
     )
@@ -154,7 +124,8 @@ def _pairs(rows: Indices, columns: Indices) -> Indices:
 
 def _loop_pairs(body: Body) -> Indices:
     """(M, 2, 2) the (row, column) of each mass of a loop with the masses before and after it."""
-    loop, start = body.surroundings.loop - 1, body.surroundings.loop_start
+    fillings = body.environment.fillings
+    loop, start = fillings.loop - 1, fillings.start
     before, after = loop.copy(), loop.copy()
     for first, behind in itertools.pairwise(start):
         before[first:behind] = np.roll(loop[first:behind], 1)
@@ -163,7 +134,7 @@ def _loop_pairs(body: Body) -> Indices:
 
 
 def _minimum_degree(neighbours: list[set[int]]) -> Indices:
-    # Only bodies other than chains, under an implicit method, need this import.
+    # Only implicit methods need this import.
     from scipy.sparse import csc_matrix
     from scipy.sparse.linalg import splu
 

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import msgspec
 import numpy as np
 
+from ..forces.environment import new_environment
+from ..forces.joints import LAWS, NO_JOINTS
 from ..kernels.core.roots import LEAST
 from ..kernels.core.tables import (
     CONTROL_SCALE,
@@ -20,12 +22,10 @@ from ..kernels.core.tables import (
     State,
     padded,
 )
-from ..kernels.forces.laws import LAWS, NO_JOINTS
 from ..methods.registry import METHODS
 from ..scene.columns import column, ends
 from ..scene.types import Damage, Integrator, Scene, is_damageable, is_loaded, is_surrounded
 from .damage import NO_STRENGTH, new_strength, without_broken
-from .surroundings import new_surroundings
 
 _SOFT_IN_TOLERANCES = 0.02
 """Softening length of springs under an adaptive method, in tolerances; see `Body.softening`."""
@@ -226,7 +226,7 @@ def new_state(system: System) -> State:
         "q": (2 * slots, 1),
         "v": (2 * slots, 1),
         "controls": (2, 0),
-        "pull": (body.stiffness.size, 1),
+        "rest_tension": (body.stiffness.size, 1),
         "torque_cos": (joints, 1),
         "torque_sin": (joints, 1),
         "torque_rest": (joints, 0),
@@ -246,10 +246,10 @@ def refresh(body: Body, state: State) -> None:
     """Recompute what depends on the scale of rest lengths and the shift of rest angles."""
     scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
     springs, joints = slice(body.springs), slice(1, body.joints + 1)
-    state.pull[springs] = body.stiffness[springs] * (body.rest_length[springs] * scale)
+    state.rest_tension[springs] = body.stiffness[springs] * (body.rest_length[springs] * scale)
     angle = body.joint_rest + shift
     if body.strength.present:
-        state.pull[springs] += body.stiffness[springs] * state.set_length
+        state.rest_tension[springs] += body.stiffness[springs] * state.set_length
         angle = angle + state.set_angle
     rest = np.radians(180.0 - (180.0 - angle) % 360.0)
     state.torque_rest[joints] = rest
@@ -310,7 +310,7 @@ def _body(
     scene: Scene, mass_index: Indices, spring_order: Indices, in_order: bool, damageable: bool
 ) -> tuple[Body, Indices]:
     n, springs, joints = len(scene.masses), scene.linear_springs, scene.angular_springs
-    count = len(springs)
+    count, method = len(springs), METHODS[scene.integrator.method]
     ring = in_order and count == n
     # At least as many springs as masses, since the chain's loops over masses read as many, and one more.
     room = padded(max(count, n)) + 1
@@ -388,8 +388,12 @@ def _body(
         more_spring_mass=more_spring_mass,
         more_spring_sign=more_spring_sign,
         strength=new_strength(scene, spring_order, joint_order) if damageable else NO_STRENGTH,
-        surroundings=new_surroundings(
-            scene, mass_index, np.stack((spring_a, spring_b), 1), _slots_for(n, room if in_order else 0)
+        environment=new_environment(
+            scene,
+            mass_index,
+            np.stack((spring_a, spring_b), 1),
+            _slots_for(n, room if in_order else 0),
+            step=0.0 if method.adaptive or method.implicit else scene.integrator.dt,
         ),
     )
     for _, array in body.arrays():

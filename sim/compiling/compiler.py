@@ -24,8 +24,8 @@ import numba
 import platformdirs
 from numba import types
 
-from ..kernels.around.around import accelerations_around
-from ..kernels.around.contact import stays_apart
+from ..forces.all import accelerations
+from ..forces.contact import no_tunnelling
 from ..kernels.core.jit import cache_folder, module_of
 from ..kernels.core.shared import (
     ACCELERATIONS,
@@ -41,12 +41,10 @@ from ..kernels.core.shared import (
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
 from ..kernels.energy.work import accumulate_work
-from ..kernels.forces.forces import accelerations
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
-from ..kernels.linear.implicit import factorise_matrix, solve_matrix
-from ..kernels.linear.surrounded import add_surrounding_damping, factorise_surrounded, solve_surrounded
+from ..kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from ..methods.registry import AUTO_METHODS, METHODS
 
 _FLOAT, _INT = types.float64, types.int64
@@ -106,15 +104,12 @@ def _entry_points() -> dict[str, EntryPoint]:
         ("the choice of methods", next_turn, (problem, _FLOAT, _FLOAT, _INT)),
         ("matrices", factorise_matrix, FACTORISE.args),
         ("linear systems", solve_matrix, SOLVE.args),
+        ("damping in linear systems", add_damping_product, RESISTANCE.args),
         ("the fallback step", run_fallback, (problem, drive, *[_FLOAT] * 3)),
         *((method.label, method.kernel, run) for method in methods if method.kernel is not None),
         ("the work done in a step", accumulate_work, ACCUMULATE.args),
         ("energies", energies, (Body.numba_type, State.numba_type, *[FLOATS] * 4)),
-        ("forces of walls, wind, fillings and contact", accelerations_around, ACCELERATIONS.args),
-        ("matrices with walls, wind, fillings and contact", factorise_surrounded, FACTORISE.args),
-        ("linear systems with fillings and contact", solve_surrounded, SOLVE.args),
-        ("damping by walls, wind and contact", add_surrounding_damping, RESISTANCE.args),
-        ("steps with contact", stays_apart, APART.args),
+        ("steps with contact", no_tunnelling, APART.args),
         ("limits of springs", overstrained, OVERSTRAINED.args),
         ("yielding and breaking", settle, SETTLE.args),
     ]
@@ -128,12 +123,8 @@ def _entry_points() -> dict[str, EntryPoint]:
 ENTRY_POINTS = _entry_points()
 """The entry points, by name."""
 
-_AROUND = {
-    "accelerations": "accelerations_around",
-    "factorise_matrix": "factorise_surrounded",
-    "solve_matrix": "solve_surrounded",
-}
-"""What takes the place of an entry point for a body with walls, wind, fillings or contact."""
+FOR_FALLBACK = ("factorise_matrix", "solve_matrix", "add_damping_product", "run_fallback")
+"""Entry points that a fallback step needs."""
 
 FOR_ENERGY = ("energies", "accumulate_work")
 """Entry points that the energy balance needs."""
@@ -142,33 +133,19 @@ FOR_DAMAGE = ("overstrained", "settle")
 """Entry points that a body needs which breaks or yields."""
 
 
-def needed_by(method: str, surrounded: bool) -> tuple[str, ...]:
-    """Names of the entry points that a method needs; for `auto`, those that it needs to start.
-
-    `surrounded`: whether the body has walls, wind, fillings or contact, see `Surroundings.present`.
-    """
+def needed_by(method: str) -> tuple[str, ...]:
+    """Names of the entry points that a method needs; for `auto`, those that it needs to start."""
     info = METHODS[method]
     if info.kernel is None:
-        return _around(("accelerations", AUTO_METHODS[0].kernel.py_func.__name__, "next_turn"), surrounded)
-    implicit = for_fallback(surrounded) if info.implicit else ()
-    return *_around(("accelerations",), surrounded), *implicit, info.kernel.py_func.__name__
+        return "accelerations", AUTO_METHODS[0].kernel.py_func.__name__, "next_turn"
+    return "accelerations", *(FOR_FALLBACK if info.implicit else ()), info.kernel.py_func.__name__
 
 
-def for_fallback(surrounded: bool) -> tuple[str, ...]:
-    """Names of the entry points that a fallback step needs."""
-    own = ("add_surrounding_damping",) if surrounded else ()
-    return *_around(("factorise_matrix", "solve_matrix", "run_fallback"), surrounded), *own
-
-
-def _around(names: tuple[str, ...], surrounded: bool) -> tuple[str, ...]:
-    return tuple(_AROUND.get(name, name) for name in names) if surrounded else names
-
-
-def all_of(method: str, surrounded: bool) -> tuple[str, ...]:
+def all_of(method: str) -> tuple[str, ...]:
     """Names of all entry points that a run by a method may come to, with the energy balance."""
     arms = [arm.name for arm in AUTO_METHODS] if METHODS[method].kernel is None else []
-    needed = [name for one in (method, *arms) for name in needed_by(one, surrounded)]
-    return tuple(dict.fromkeys((*needed, *for_fallback(surrounded), *FOR_DAMAGE, *FOR_ENERGY)))
+    needed = [name for one in (method, *arms) for name in needed_by(one)]
+    return tuple(dict.fromkeys((*needed, *FOR_FALLBACK, *FOR_DAMAGE, *FOR_ENERGY)))
 
 
 def fetch(names: Iterable[str]) -> None:

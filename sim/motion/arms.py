@@ -59,24 +59,22 @@ def tolerance_factors(scene: Scene, arms: list[MethodInfo], low: bool) -> Floats
 def costs_of_steps(body: Body, matrix: Matrix, low: bool) -> Floats:
     """(CHOICES,) computing time of a step of each method in steps of Verlet, see `Problem.costs`.
 
-    Measured in ns on chains; for other bodies proportional to operations.
+    Measured in ns, in proportion to operations.
 
     Args:
         body, matrix: the tables.
         low: as of `tolerance_factors`.
     """
     n = body.masses
-    force, factors = 3.3 * n, 400.0 + 16.0 * n
-    blocks = 1.8 * n
+    force = 3.3 * n
     if not (body.chain or body.ring):
         force = 5.0 * body.springs + 4.0 * body.joints + 2.0 * n
-    touching = 20.0 * body.springs if body.surroundings.contact.present else 0.0
+    touching = 20.0 * body.springs if body.environment.contact.present else 0.0
     force += touching
-    if not body.chain:
-        later = matrix.row_start[1:] - matrix.diagonal - 1
-        products = float((later * (later + 1)).sum())
-        factors = 1500.0 + 20.0 * body.springs + 60.0 * body.joints + 4.0 * products
-        blocks = float(matrix.column.size)
+    later = matrix.row_start[1:] - matrix.diagonal - 1
+    products = float((later * (later + 1)).sum())
+    factors = 100.0 + 20.0 * body.springs + 40.0 * body.joints + 3.6 * products
+    blocks = 1.3 * matrix.column.size
     if touching:  # each solution takes some iterations, see `linear.contact`
         blocks = (_ITERATIONS[0] + _ITERATIONS[1] * body.springs) * (blocks + 2.0 * touching)
     stages = 6 if low else 8

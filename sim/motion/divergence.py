@@ -93,13 +93,11 @@ def explain(scene: Scene, system: System, state: State, steps: int, outcome: Out
     limit = MAX_SPEED if quantity == "speed" and method.adaptive else limit
     driven = scene.force_law == "tutorial" and system.body.joints > 0
     mass = int(system.mass_order[outcome.mass_index - 1]) if outcome.mass_index > 0 else 0
-    blame = limit_to_blame(system, state, method.name, dt, scene.air_friction)
+    blame = limit_to_blame(system, state, method.name, dt)
     return Divergence(mass, steps, quantity, limit, dt, blame, method.adaptive, driven)
 
 
-def limit_to_blame(
-    system: System, state: State, method: str, dt: float, air_friction: float
-) -> StabilityEstimate:
+def limit_to_blame(system: System, state: State, method: str, dt: float) -> StabilityEstimate:
     """The stability limit in question after a divergence.
 
     The last good state is usually distorted already, so the limit is that of the body at its start or, if the
@@ -110,8 +108,8 @@ def limit_to_blame(
     rest = state.copied()
     rest.vx[:] = rest.vy[:] = 0.0
     rest.x[masses], rest.y[masses] = system.start[:2]
-    estimate = StabilityMeter(system, method).update(rest, air_friction)
+    estimate = StabilityMeter(system, method).update(rest)
     if estimate.limit < dt:
         return estimate
     rest.x[masses], rest.y[masses] = state.x[masses], state.y[masses]
-    return StabilityMeter(system, method).update(rest, air_friction)
+    return StabilityMeter(system, method).update(rest)

@@ -74,7 +74,7 @@ def speed_to_follow(system: System, state: State, index: int) -> float:
         for s in np.flatnonzero((ends == index) & (body.stiffness[: body.springs] > 0.0)):
             stiffness = float(body.stiffness[s])
             rate = math.sqrt(stiffness * float(system.inverse_mass[others[s] - 1]))
-            speed = min(speed, _PART * float(state.pull[s]) / stiffness * rate)
+            speed = min(speed, _PART * float(state.rest_tension[s]) / stiffness * rate)
     return max(speed, _SLOWEST)
 
 

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..body.system import System
+from ..forces.all import TERMS
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, Drive, State
 from ..scene.numbers import MAX_SPEED
 from ..scene.types import Circle, Scene
@@ -33,7 +34,7 @@ class Driver:
         self._circles = {
             int(system.mass_index[a.mass]): a.circle for a in scene.anchors if a.circle is not None
         }
-        self._gusty = bool(system.body.surroundings.waves.size)
+        self._timed = any(term.depends_on_time(system.body) for term in TERMS)
         self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
 
     def drive(
@@ -78,9 +79,9 @@ class Driver:
         columns = np.array(rows, float).reshape(-1, 12).T.copy()
         names = ("x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "hand", "radius", "omega", "ramp")
         drive = Drive(
-            moving=bool(indices) or pressed or self._gusty,
+            moving=bool(indices) or pressed or self._timed,
             pressed=pressed,
-            gusty=self._gusty,
+            timed=self._timed,
             start=t,
             duration=duration if targets else math.inf,
             mass=np.array(indices, np.int64),

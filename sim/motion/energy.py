@@ -6,8 +6,9 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from ..forces.all import ENERGIES, OTHERS, WITH_ENERGY
 from ..kernels.core.tables import State
-from ..kernels.energy.energies import ENERGIES, energies
+from ..kernels.energy.energies import energies
 from .solver import Solver
 
 
@@ -16,10 +17,11 @@ class EnergyBook:
     """The energies, and what has changed their sum since the balance was opened, in kg px²/s².
 
     Attributes:
-        kinetic, linear, angular, gravity, walls, fillings, contact: energies of the free masses' motion, the
-            linear springs, the angular springs, the free masses' height above 0 (with the energy -F · x of
-            the constant forces on them) and their depth in walls, the gases and liquids, and what touches.
-            Under the force law "tutorial" the angular energy is that of the conservative law.
+        kinetic, linear, angular, gravity: energies of the free masses' motion, the linear springs, the
+            angular springs, and the free masses' height above 0 (with the energy -F · x of the constant
+            forces on them). Under the law "tutorial" the angular energy is that of the conservative law.
+        others: energies of `sim.forces.all.WITH_ENERGY`, in order: of the depth in walls, of gases and
+            liquids, and of contact. Each is an attribute, too, under its name there, such as `walls`.
         anchors: work done on the body by moved anchors. Grabbing a mass removes its kinetic energy and that
             of its height; releasing it adds that of its height at that moment.
         damping, air, friction: work of the damping of springs, of air friction, and of walls and contact by
@@ -37,9 +39,7 @@ class EnergyBook:
     linear: float
     angular: float
     gravity: float
-    walls: float
-    fillings: float
-    contact: float
+    others: tuple[float, ...]
     anchors: float
     damping: float
     air: float
@@ -52,13 +52,22 @@ class EnergyBook:
     fallbacks: float
     residual: float
 
+    def __getattr__(self, name: str) -> float:
+        if name not in _OTHERS:
+            raise AttributeError(name)
+        return self.others[_OTHERS.index(name)]
+
     @property
     def total(self) -> float:
-        """The sum of the seven energies."""
-        return sum(getattr(self, name) for name in ENERGY_FIELDS[:ENERGIES])
+        """The sum of the energies."""
+        return self.kinetic + self.linear + self.angular + self.gravity + sum(self.others)
 
 
-ENERGY_FIELDS = tuple(field.name for field in fields(EnergyBook))
+_OTHERS = tuple(term.name for term in WITH_ENERGY)
+
+ENERGY_FIELDS = tuple(
+    name for field in fields(EnergyBook) for name in (_OTHERS if field.name == "others" else (field.name,))
+)
 """Names of the entries of the balance."""
 
 
@@ -80,8 +89,10 @@ class Books:
         """The present balance."""
         total = self.total()
         work = self._solver.balance.work
+        energies = self._energies.tolist()
         return EnergyBook(
-            *(float(energy) for energy in self._energies),
+            *energies[:OTHERS],
+            others=tuple(energies[OTHERS:]),
             anchors=work.anchors,
             damping=work.damping,
             air=work.air,

@@ -29,7 +29,7 @@ class Loads(NamedTuple):
     torques: NDArray[np.float64]
 
 
-class Weigher:
+class LoadCalculator:
     """Computes loads from the tables of a body, which it only reads.
 
     Args:
@@ -45,14 +45,12 @@ class Weigher:
 
     def loads(self, time: float) -> Loads:
         """The loads in the present state, at a time (s)."""
-        state, physics, scene = self._state, self._physics, self._scene
+        state, physics = self._state, self._physics
         state.clock[0] = time
         x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
-        # Held masses have no weight and no friction in the state, so both are computed here for all.
-        u = v - physics.wind(x)
-        air = u.real * abs(u.real) + 1j * (u.imag * abs(u.imag))
-        weight = physics.surroundings.mass * complex(*scene.gravity)
-        net = (physics.forces(x, v) + weight - scene.air_friction * air)[self.system.mass_index]
+        # Held masses have no weight in the state, so that of all is computed here.
+        weight = self.system.body.environment.mass * complex(*self._scene.gravity)
+        net = (physics.forces(x, v) + weight)[self.system.mass_index]
         if self.system.loads is not None:
             net += (self.system.loads[0] + 1j * self.system.loads[1])[self.system.mass_index - 1]
         torques = physics.torques(x, v)[self.system.joint_order] if physics.first.size else np.zeros(0)

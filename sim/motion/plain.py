@@ -145,7 +145,7 @@ class PlainSolver:
             drive.hand * (speed + since * (acceleration + 0.5 * since * jerk))
             + drive.radius * drive.omega * (1.0 - fade) * turn
         )  # fmt: skip
-        if drive.gusty:
+        if drive.timed:
             self._state.clock[0] = t
         if drive.pressed:
             controls = self._state.controls

@@ -3,7 +3,7 @@
 A name says of what and what: `joint3.angle`, `spring0.force`, `mass5.x`, `energy.kinetic`,
 `stability.dt_over_limit`. Parts are counted from 0, as in scene files. Everything is read from the present
 state and is what the solver goes by: what has yielded has its new rest length or angle, what is broken has no
-force, and lengths in forces are softened as `sim.kernels.forces.forces` says.
+force, and lengths in forces are softened as `sim.forces.springs` says.
 """
 
 from __future__ import annotations
@@ -17,8 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
+from ..forces.all import WITH_ENERGY
+from ..forces.joints import SINE_LAWS
 from ..kernels.core.tables import CONTROL_SCALE
-from ..kernels.forces.laws import SINE_LAWS
 from ..physics import LAWS, SHORTEST
 from ..scene.types import Scene
 from .energy import ENERGY_FIELDS
@@ -165,7 +166,7 @@ def _tensions(simulation: Simulation, springs: Indices) -> Floats:
     body, (along, rate) = system.body, _vectors(simulation, rows)
     square = _soft_square(simulation, along)
     damping = body.damping[rows] * (rate * along.conj()).real / square
-    tension = (body.stiffness[rows] + damping - state.pull[rows] / np.sqrt(square)) * abs(along)
+    tension = (body.stiffness[rows] + damping - state.rest_tension[rows] / np.sqrt(square)) * abs(along)
     return np.where(state.broken[rows] > 0.0, 0.0, tension) if body.strength.present else tension
 
 
@@ -201,14 +202,12 @@ def _over_limit(simulation: Simulation, _: Indices) -> Floats:
 
 # ------------------------------------------------------------------------- the catalogue
 _ENERGY_SUMMARIES = {
-    "total": "sum of the seven energies",
+    "total": "sum of the energies",
     "kinetic": "kinetic energy",
     "linear": "energy of the linear springs",
     "angular": "energy of the angular springs",
     "gravity": "energy of height and of constant forces",
-    "walls": "energy of the depth in walls",
-    "fillings": "energy of gases and liquids",
-    "contact": "energy of contact",
+    **{term.name: f"energy of {term.label}" for term in WITH_ENERGY},
     "anchors": "work of moved anchors and of a hand",
     "damping": "work of the springs' damping",
     "air": "work of the air",

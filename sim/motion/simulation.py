@@ -21,7 +21,7 @@ from ..scene.validate import validate
 from .divergence import Divergence, explain
 from .drag import Hands, within_bounds
 from .energy import Books, EnergyBook
-from .loads import Loads, Weigher
+from .loads import LoadCalculator, Loads
 from .moment import Moment
 from .plain import PlainSolver
 from .reading import Reading
@@ -102,7 +102,7 @@ class Simulation(Reading):
     def loads(self) -> Loads:
         """The net force on each mass and the torque of each joint at this moment."""
         if self._weigher is None or self._weigher.system is not self._system:
-            self._weigher = Weigher(self._scene, self._system, self._state)
+            self._weigher = LoadCalculator(self._scene, self._system, self._state)
         return self._weigher.loads(self._time)
 
     def stability(self) -> StabilityEstimate:
@@ -113,7 +113,7 @@ class Simulation(Reading):
         """As `stability`, for whom the whole would take too long at once; see `StabilityMeter.look`."""
         if self._meter is None:
             self._meter = StabilityMeter(self._system, self.method)
-        return self._meter.look(self._state, self._scene.air_friction)
+        return self._meter.look(self._state)
 
     def stats(self) -> SolverStats:
         """What the method did since the last call of this."""
@@ -389,14 +389,14 @@ class Simulation(Reading):
         self._stepper = self._new_stepper()
         self._meter: StabilityMeter | None = None
         self._books: Books | None = None
-        self._weigher: Weigher | None = None
+        self._weigher: LoadCalculator | None = None
         self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
 
     @property
     def _needed(self) -> tuple[str, ...]:
         """Names of the compiled entry points without which NumPy moves the body."""
         damage = FOR_DAMAGE if self._body.strength.present else ()
-        return *needed_by(self.method, bool(self._body.surroundings.present)), *damage
+        return *needed_by(self.method), *damage
 
     def _new_stepper(self) -> Stepper:
         scene, system, state = self._scene, self._system, self._state

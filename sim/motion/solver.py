@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..around import filling_energy
 from ..body.damage import without_broken
 from ..body.sparsity import NO_MATRIX, clear_factors, new_matrix
 from ..body.system import System, refresh, slab
-from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, fetch, for_fallback, is_ready, needed_by
-from ..kernels.around.around import accelerations_around
-from ..kernels.around.contact import stays_apart
+from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, FOR_FALLBACK, fetch, is_ready, needed_by
+from ..forces.all import accelerations
+from ..forces.contact import no_tunnelling
+from ..forces.fillings import FillingsTwin
 from ..kernels.core.shared import (
     ACCELERATIONS,
     ACCUMULATE,
@@ -51,14 +51,12 @@ from ..kernels.core.tables import (
     Work,
 )
 from ..kernels.energy.dissipation import DAMPER_ROWS
-from ..kernels.energy.work import QUICK_ROW, accumulate_work
-from ..kernels.forces.forces import accelerations
+from ..kernels.energy.work import accumulate_work
 from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
-from ..kernels.linear.implicit import factorise_matrix, solve_matrix
-from ..kernels.linear.surrounded import add_surrounding_damping, factorise_surrounded, solve_surrounded
+from ..kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from ..methods.registry import AUTO_METHODS, METHODS
 from ..methods.tableaux import RK4
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
@@ -115,7 +113,6 @@ class Solver:
         self.slots = state.q.size // 2
         wide = state.q.size
         self._info = METHODS[scene.integrator.method]
-        self._surrounded = bool(system.body.surroundings.present)
         auto = self._info.name == "auto"
         remembers = self._info.name == "generalized_alpha" or (auto and system.body.masses >= LONG)
         past, kept = 1 + _ROWS, 1 + _ROWS + (PAST if auto or self._info.name == "adams" else 0)
@@ -141,7 +138,12 @@ class Solver:
         self._forget_turns()
         no_rows = np.zeros((1, 0))
         self.balance = EnergyBalance(
-            active=False, work=Work(), mass=np.zeros(self.slots), rows=no_rows, dampers=no_rows
+            active=False,
+            work=Work(),
+            mass=np.zeros(self.slots),
+            rows=no_rows,
+            dampers=no_rows,
+            quick=no_rows,
         )
         self.balance.mass[1 : system.body.masses + 1] = 1.0 / system.inverse_mass
         self._matrix: Matrix | None = None
@@ -158,8 +160,6 @@ class Solver:
     @system.setter
     def system(self, system: System) -> None:
         self._system, self._problem = system, None
-        if self._matrix is not None:
-            self._matrix.damping[1:] = system.body.damping
 
     @property
     def matrix(self) -> Matrix:
@@ -174,8 +174,8 @@ class Solver:
         if self._wait:
             return True
         arms = AUTO_METHODS if self._info.kernel is None else ()
-        own = [name for arm in arms for name in needed_by(arm.name, self._surrounded)]
-        return is_ready((*own, *(for_fallback(self._surrounded) if self._info.implicit else ())))
+        own = [name for arm in arms for name in needed_by(arm.name)]
+        return is_ready((*own, *(FOR_FALLBACK if self._info.implicit else ())))
 
     @property
     def time(self) -> float:
@@ -222,7 +222,7 @@ class Solver:
         """
         left = attempts - self._run(until, drive, attempts)
         run = self.integrator.run
-        can_fall_back = self._info.implicit and (self._wait or is_ready(for_fallback(self._surrounded)))
+        can_fall_back = self._info.implicit and (self._wait or is_ready(FOR_FALLBACK))
         while (what := run.what) != guard.GOOD:
             if what == guard.CHANGED:
                 self._take_damage()
@@ -247,10 +247,10 @@ class Solver:
         if not (body.stiffness[broken].any() or body.damping[broken].any()):
             return  # springs have yielded, as often as not in every step; none has broken
         system = without_broken(self.system, self.state.broken)
-        if self.balance.active and system.body.surroundings.fillings.size:
+        if self.balance.active and system.body.environment.fillings.rows.size:
             # A filling that gets out takes its energy with it.
             x = self.state.x + 1j * self.state.y
-            before, after = (filling_energy(s.body.surroundings, x) for s in (self.system, system))
+            before, after = (FillingsTwin(s.body, self.state).energy(x) for s in (self.system, system))
             self.balance.work.broken += after - before
         self.system = system
         refresh(system.body, self.state)
@@ -278,7 +278,7 @@ class Solver:
                 problem = self._bind(True)
             if arm not in self._fetched:
                 self._fetched.add(arm)
-                self._fetch(needed_by(method.name, self._surrounded))
+                self._fetch(needed_by(method.name))
             method.kernel(problem, drive, until, tolerance, limit)
 
     def _bind(self, implicit: bool) -> Problem:
@@ -298,13 +298,9 @@ class Solver:
             self._take_in()
         costs = np.zeros(CHOICES) if self._costs is None else self._costs.copy()
         costs[list(self._missing)] = 0.0
-        around, damageable = self._surrounded, self.system.body.strength.present
-        force = accelerations_around if around else accelerations
-        factorise, solve = (
-            (factorise_surrounded, solve_surrounded) if around else (factorise_matrix, solve_matrix)
-        )
-        self._fetch(needed_by(info.name, around))
-        self._fetch((*(for_fallback(around) if implicit else ()), *(FOR_DAMAGE if damageable else ())))
+        damageable = self.system.body.strength.present
+        self._fetch(needed_by(info.name))
+        self._fetch((*(FOR_FALLBACK if implicit else ()), *(FOR_DAMAGE if damageable else ())))
         self._problem = Problem(
             body=self.system.body,
             state=self.state,
@@ -312,14 +308,14 @@ class Solver:
             matrix=self.matrix if implicit else NO_MATRIX,
             integrator=self.integrator,
             balance=self.balance,
-            accelerations=address_of(force, ACCELERATIONS),
+            accelerations=address_of(accelerations, ACCELERATIONS),
             accumulate=address_of(accumulate_work, ACCUMULATE) if self.balance.active else 0,
-            factorise=address_of(factorise, FACTORISE) if implicit else 0,
-            solve=address_of(solve, SOLVE) if implicit else 0,
+            factorise=address_of(factorise_matrix, FACTORISE) if implicit else 0,
+            solve=address_of(solve_matrix, SOLVE) if implicit else 0,
             overstrained=address_of(overstrained, OVERSTRAINED) if damageable else 0,
             settle=address_of(settle, SETTLE) if damageable else 0,
-            resistance=address_of(add_surrounding_damping, RESISTANCE) if implicit and around else 0,
-            apart=address_of(stays_apart, APART) if self.system.body.surroundings.contact.present else 0,
+            resistance=address_of(add_damping_product, RESISTANCE) if implicit else 0,
+            apart=address_of(no_tunnelling, APART) if self.system.body.environment.contact.present else 0,
             fixed=0.0 if info.adaptive else integrator.dt,
             near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,
             explicit=own if isinstance(own, Tableau) else RK4,
@@ -335,7 +331,7 @@ class Solver:
         ready = {
             arm
             for arm in self._missing
-            if self._wait or arm == VERLET or is_ready(needed_by(AUTO_METHODS[arm].name, self._surrounded))
+            if self._wait or arm == VERLET or is_ready(needed_by(AUTO_METHODS[arm].name))
         }
         if ready:
             self._missing -= ready
@@ -364,10 +360,11 @@ class Solver:
         """Start the energy balance."""
         self._fetch(FOR_ENERGY)
         body = self.system.body
-        walls = len(body.surroundings.walls) if self._info.order != 1 else 0
-        rows = np.zeros((QUICK_ROW + walls, 2 * self.slots))
+        # Methods of first order move masses by other speeds than those that they have on average.
+        walls = len(body.environment.walls.rows) if self._info.order != 1 else 0
+        rows, quick = np.zeros((4, 2 * self.slots)), np.zeros((walls, 2 * self.slots))
         dampers = np.zeros((DAMPER_ROWS, body.springs + body.joints))
-        self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers)
+        self.balance = self.balance.replaced(active=True, rows=rows, dampers=dampers, quick=quick)
         self.balance.work.clear()
         self._problem = None
 

@@ -11,7 +11,7 @@ Linearised about the present state, the motion is M a = -K x - C v. The stabilit
 - Both hold where K and C are symmetric. The damping of a body that turns, friction, and the tutorial's law
   make them unsymmetric. Two equal frequencies, as regular bodies have, are then a pair of complex
   eigenvalues, and the eigenvalues of the whole step decide, see `sim.methods.limits`.
-- Explicit methods soften walls and contact by the step, see `kernels.around.bounce`. So K and C are
+- Explicit methods soften walls and contact by the step, see `forces.push`. So K and C are
   those at the limit itself, which is found by iteration.
 - Runge-Kutta 4 multiplies a motion exp(lambda t) by its stability polynomial R(dt lambda): a step is stable
   while |R| <= 1 for all lambda of lambda² + lambda M^-1 C + M^-1 K; without damping, omega dt < sqrt(8).
@@ -22,8 +22,8 @@ Linearised about the present state, the motion is M a = -K x - C v. The stabilit
   and likewise the joints', as long as springs that share a joint keep the proportions of their rest lengths.
   So hardly any body has a limit.
 
-What is left out: the change of K and C in the course of a step, that of the wind from place to place, and
-whatever a step does that is not small. Damage that is done later is not known either.
+What is left out: the change of K and C in the course of a step, and whatever a step does that is not small.
+Damage that is done later is not known either.
 
 K w and C w are differences of two evaluations of the forces of `sim.physics`. So any topology and law will
 do, and no matrix is built: K and C are projected on a Krylov space (Arnoldi), and the small problem that is
@@ -38,7 +38,6 @@ from collections import deque
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from functools import partial
-from typing import Literal
 
 import msgspec
 import numpy as np
@@ -46,23 +45,25 @@ from numpy.typing import NDArray
 
 from ..body.stable_spring import clamp_stiffness
 from ..body.system import System, build_system, new_state, refresh, start_of
+from ..forces.all import TERMS
+from ..forces.term import Twin
 from ..kernels.core.tables import Floats, State
 from ..methods.limits import StabilityLimit
 from ..methods.registry import METHODS
 from ..physics import Physics, Vectors
 from ..scene.types import Scene
 
-Cause = Literal[
+Cause = str
+"""What limits the time step: an entry of `CAUSES`."""
+
+CAUSES = (
     "linear stiffness",
     "angular stiffness",
     "linear damping",
     "angular damping",
-    "air friction",
-    "walls",
-    "fillings",
-    "contact",
-]
-"""What limits the time step."""
+    *(term.name for term in TERMS),
+)
+"""All that can: springs, joints, and the terms of `sim.forces.all`, each with its stiffness and damping."""
 
 _COPIED = (
     "q", "v", "controls", "clock", "inverse_mass", "set_length", "set_angle", "hardened", "broken",
@@ -137,25 +138,21 @@ class StabilityMeter:
         self._noise = noise / float(np.sqrt((noise * noise).sum()))
         self._start = noise + 3.0 * (-1.0) ** np.arange(n)
         self._limit = 0.0
-        around = system.body.surroundings
-        self._softens = around.step > 0.0 and bool(around.walls.size or around.contact.present)
+        environment = system.body.environment
+        yields = bool(environment.walls.rows.size or environment.contact.present)
+        self._softens = environment.step > 0.0 and yields
         self.motion = np.zeros((2, n))
 
-    def update(self, state: State, air_friction: float) -> StabilityEstimate:
+    def update(self, state: State) -> StabilityEstimate:
         """The limit at the state in `state` (which is only read).
 
-        Args:
-            state: the state; masses whose `inverse_mass` is zero count as held.
-            air_friction: kg/px.
+        Masses whose `inverse_mass` is zero count as held.
         """
-        return finished(self.look(state, air_friction))
+        return finished(self.look(state))
 
-    def look(self, state: State, air_friction: float) -> Look:
+    def look(self, state: State) -> Look:
         """As `update`, in parts, each of some evaluations of the forces. It is about the state as it is when
         the first part begins; one look must be over before the next begins.
-
-        Args:
-            state, air_friction: as of `update`.
         """
         if self._rule is None:
             return StabilityEstimate(np.inf, None)
@@ -166,8 +163,6 @@ class StabilityMeter:
             getattr(probe, field)[:] = getattr(state, field)
         refresh(body, probe)
         physics = self._physics(self._limit)
-        speed = (state.vx + 1j * state.vy - physics.wind(state.x + 1j * state.y))[here]
-        air = 2.0 * air_friction * np.abs(np.array([speed.real, speed.imag]))
         # Coordinates q = sqrt(M) w, in which K and C of a conservative law are symmetric.
         root = np.where(free, np.sqrt(self._system.inverse_mass), 0.0)
         passes, size = (1, _SIZE) if self._limit else (_FIRST_PASSES, _FIRST_SIZE)
@@ -175,7 +170,7 @@ class StabilityMeter:
             before = self._limit
             if self._softens:
                 physics = self._physics(before)
-            limit, mode = yield from self._estimate(physics, root, air, min(size, 2 * int(free.sum())))
+            limit, mode = yield from self._estimate(physics, root, min(size, 2 * int(free.sum())))
             if limit == np.inf:
                 return StabilityEstimate(np.inf, None)
             if self._softens and limit > _ENDLESS:
@@ -185,17 +180,17 @@ class StabilityMeter:
             if abs(limit - before) <= _SETTLED * limit:
                 break
         self.motion = _largest_part(self._start) * root
-        return StabilityEstimate(self._limit, self._cause(physics, self._start * root, self._limit, air))
+        return StabilityEstimate(self._limit, self._cause(physics, self._start * root, self._limit))
 
     def _physics(self, step: float) -> Physics:
         """The forces of the probe. Walls and contact that soften do so for a step (s), 0 for the scene's."""
         body = self._system.body
         if self._softens and step:
-            body = body.replaced(surroundings=body.surroundings.replaced(step=step))
+            body = body.replaced(environment=body.environment.replaced(step=step))
         return Physics(body, self._probe)
 
     def _estimate(
-        self, physics: Physics, root: Floats, air: Floats, size: int
+        self, physics: Physics, root: Floats, size: int
     ) -> Generator[None, None, tuple[float, Floats]]:
         """The limit and the motion that sets it, (2, n), from a Krylov space with at most `size` dimensions.
 
@@ -221,7 +216,7 @@ class StabilityMeter:
             w = basis[-1] * root
             k_basis.append(self._by_positions(physics, w) * root)
             yield
-            c_basis.append((self._by_velocities(physics, w) + air * w) * root)
+            c_basis.append(self._by_velocities(physics, w) * root)
             q = scale * scale * k_basis[-1] + weight * scale * c_basis[-1]
             coming.append(q / max(float(np.sqrt((q * q).sum())), 1e-300))
             yield
@@ -235,15 +230,16 @@ class StabilityMeter:
         limit, mode = self._rule.solve(k, c)
         return limit, (mode @ flat).reshape(2, -1)
 
-    def _by_positions(self, physics: Physics, w: Floats) -> Floats:
+    def _by_positions(self, physics: Physics | Twin, w: Floats) -> Floats:
         """K w, as a difference quotient of forces."""
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
         return self._difference(lambda step: physics.forces(x + step, v), w)
 
-    def _by_velocities(self, physics: Physics, w: Floats) -> Floats:
-        """C w without air friction, likewise; only damping forces of springs are linear in the velocities."""
-        body, around = self._system.body, self._system.body.surroundings
-        if not (body.damped or body.joint_damped or around.walls.size or around.contact.present):
+    def _by_velocities(self, physics: Physics | Twin, w: Floats) -> Floats:
+        """C w, likewise."""
+        body, environment = self._system.body, self._system.body.environment
+        around = environment.walls.rows.size or environment.contact.present or environment.air.friction
+        if not (body.damped or body.joint_damped or around):
             return np.zeros_like(w)
         x, v = self._flat(self._probe.q), self._flat(self._probe.v)
         return self._difference(lambda step: physics.forces(x, v + step), w)
@@ -262,40 +258,27 @@ class StabilityMeter:
         """A flat vector as complex numbers, one for each slot."""
         return flat[: self._probe.slots] + 1j * flat[self._probe.slots :]
 
-    def _cause(self, physics: Physics, w: Floats, limit: float, air: Floats) -> Cause:
+    def _cause(self, physics: Physics, w: Floats, limit: float) -> Cause:
         """Which property contributes most to the stiffest motion, (2, n), which may be complex."""
         assert self._rule is not None
+        rate = self._rule.damping * limit
 
         def along(change: Callable[[Floats], Floats]) -> float:
             return sum(float((part * change(part)).sum()) for part in (w.real, w.imag) if part.any())
 
-        rate = self._rule.damping * limit
-        linear, springs, unfilled, alone = (copy.copy(physics) for _ in range(4))
+        def parts_of(forces: Physics | Twin) -> tuple[float, float]:
+            """What stiffness and damping contribute."""
+            stiffness = along(partial(self._by_positions, forces))
+            return limit * limit * stiffness, rate * along(partial(self._by_velocities, forces))
+
+        bare, linear = copy.copy(physics), copy.copy(physics)
+        bare.terms = linear.terms = {}
         linear.joint_stiffness = np.zeros_like(physics.joint_stiffness)
         linear.joint_damping = np.zeros_like(physics.joint_damping)
-        around = physics.surroundings
-        alone.surroundings = around.replaced(contact=around.contact.replaced(present=False))
-        unfilled.surroundings = alone.surroundings.replaced(
-            fillings=around.fillings[:0], loop_start=around.loop_start[:1], loop=around.loop[:0]
-        )
-        linear.surroundings = springs.surroundings = around.replaced(present=False)
-        kinds = (physics, alone, unfilled, springs, linear)
-        whole, no_contact, no_filling, stiffness, linear_stiffness = (
-            along(partial(self._by_positions, kind)) for kind in kinds
-        )
-        whole_damping, no_contact_damping, _, damping, linear_damping = (
-            along(partial(self._by_velocities, kind)) for kind in kinds
-        )
-        parts: dict[Cause, float] = {
-            "linear stiffness": limit * limit * linear_stiffness,
-            "angular stiffness": limit * limit * (stiffness - linear_stiffness),
-            "linear damping": rate * linear_damping,
-            "angular damping": rate * (damping - linear_damping),
-            "air friction": rate * along(lambda part: air * part),
-            "walls": limit * limit * (no_filling - stiffness) + rate * (no_contact_damping - damping),
-            "fillings": limit * limit * (no_contact - no_filling),
-            "contact": limit * limit * (whole - no_contact) + rate * (whole_damping - no_contact_damping),
-        }
+        (stiffness, damping), (linear_stiffness, linear_damping) = parts_of(bare), parts_of(linear)
+        of_springs = linear_stiffness, stiffness - linear_stiffness, linear_damping, damping - linear_damping
+        of_terms = (sum(parts_of(term)) for term in physics.terms.values())
+        parts = dict(zip(CAUSES, (*of_springs, *of_terms), strict=True))
         return max(parts, key=lambda cause: parts[cause])
 
 
@@ -324,11 +307,11 @@ def damped_limit(system: System) -> float:
     body = system.body
     k = _row_sums(system, body.stiffness, body.joint_stiffness)
     c = _row_sums(system, body.damping, body.torque_damping[1 : body.joints + 1])
-    contact = body.surroundings.contact
+    contact = body.environment.contact
     if contact.present:  # of a mass that is on a spring, as deep as it can be
         free = np.where(system.held, 0.0, system.inverse_mass)
         k += 4.0 * contact.stiffness * contact.distance * free
-        c += 2.0 * contact.loss * contact.stiffness * contact.distance**2 * free
+        c += 2.0 * contact.damping * contact.stiffness * contact.distance**2 * free
     with np.errstate(divide="ignore"):
         return float((2.0 / (c + np.sqrt(c * c + k))).min())
 
@@ -382,5 +365,5 @@ def _by(scene: Scene, method: str) -> Scene:
 def _limit_at_start(scene: Scene, system: System, method: str) -> StabilityEstimate:
     system, state = start_of(scene, system)
     meter = StabilityMeter(system, method)
-    meter.update(state, scene.air_friction)
-    return meter.update(state, scene.air_friction)
+    meter.update(state)
+    return meter.update(state)

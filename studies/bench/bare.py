@@ -85,7 +85,6 @@ def softrod(shown: str) -> tuple[int, contextlib.ExitStack]:
     import sim
     from app.server.serve import serving
     from sim.compiling.compiler import needed_by
-    from sim.scene.types import is_surrounded
 
     stack = contextlib.ExitStack()
     if shown.isdigit():
@@ -99,7 +98,7 @@ def softrod(shown: str) -> tuple[int, contextlib.ExitStack]:
 
     def compile_soon() -> None:
         ticker.drawn.wait(timeout=0.5)
-        compiler.want(needed_by(scene.integrator.method, is_surrounded(scene)))
+        compiler.want(needed_by(scene.integrator.method))
         compiler.start()
 
     threading.Thread(target=compile_soon, daemon=True).start()

@@ -12,10 +12,10 @@ import numpy as np
 
 import sim
 from sim.body.sparsity import new_matrix
+from sim.forces.all import accelerations
+from sim.kernels.core.drive import drive_to
 from sim.kernels.core.table import Floats, Indices, Table
 from sim.kernels.core.tables import Body, Drive, Matrix, Scratch, State
-from sim.kernels.forces.drive import drive_to
-from sim.kernels.forces.forces import accelerations
 from sim.kernels.linear.sparse import assemble
 from sim.motion.driving import Driver
 
@@ -28,7 +28,6 @@ class _Tables(Table):
     """What the functions below need."""
 
     body: Body
-    general: Body  # the same, with a matrix of any topology
     state: State
     scratch: Scratch
     drive: Drive
@@ -77,13 +76,13 @@ def _jacobian(tables, to_place, to_speed, to_one, t, y, out):
     q, v = state.q, state.v
     _take(tables, t, y)
     # The blocks are linear in g: without it they are by positions, and what g = 1 adds is by velocities.
-    assemble(tables.general, state, tables.matrix, q, v, 0.0, False)
+    assemble(tables.body, state, tables.matrix, q, v, 0.0, False)
     for i in range(used.size):
         w = state.inverse_mass[row[i]]
         for k in range(4):
             scratch[4 * i + k] = blocks[4 * used[i] + k]
             out[to_place[4 * i + k]] = w * scratch[4 * i + k]
-    assemble(tables.general, state, tables.matrix, q, v, 1.0, False)
+    assemble(tables.body, state, tables.matrix, q, v, 1.0, False)
     for i in range(used.size):
         w = state.inverse_mass[row[i]]
         for k in range(4):
@@ -113,9 +112,7 @@ class Equations:
         simulation = sim.Simulation(scene)
         system, state, n = simulation._system, simulation._state, len(scene.masses)
         self._state, self._place = state, system.mass_index
-        # The pattern of a chain has no blocks to be read; that of any other topology has.
-        general = system.body.replaced(chain=False)
-        matrix = new_matrix(general, system.held)
+        matrix = new_matrix(system.body, system.held)
         owner = np.repeat(np.arange(n), np.diff(matrix.row_start))
         used = np.unique(np.concatenate((matrix.spring_target, matrix.joint_target, matrix.diagonal)))
         row, column = matrix.order[owner[used]], matrix.order[matrix.column[used]]  # slots
@@ -139,7 +136,6 @@ class Equations:
         self._scratch = np.zeros(rows.size)
         self._tables = _Tables(
             body=system.body,
-            general=general,
             state=state,
             scratch=simulation._scratch,
             drive=Driver(scene, system, state).drive(0.0, np.inf, {}),

@@ -15,7 +15,6 @@ from sim.compiling.compiler import all_of, fetch
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 from sim.scene.files import decode_scene, encode_scene
-from sim.scene.types import is_surrounded
 
 from ..reporting.output import Watch, write_figures
 from .folder import Folder, make_plan
@@ -169,9 +168,8 @@ def _compute(what: Sweep, folder: Folder, making: Making, watch: Watch) -> None:
         return
     watch.say("compiling", len(folder.rows))
     # Once, here, and not by each of several processes that start at the same time.
-    surrounded = is_surrounded(what.grid.scene)
     for method in sorted(what.methods | ({REFERENCE} if "error" in what.measures else set())):
-        fetch(all_of(method, surrounded))
+        fetch(all_of(method))
     watch.say("starting", len(folder.rows))
     with making() as workers:
         for number, row in what.rows(missing, workers):

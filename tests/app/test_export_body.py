@@ -24,7 +24,7 @@ from app.export.body.body import Body
 from app.export.body.data import body_csv, body_json
 from app.export.body.program import LAWS_IN_PROGRAMS, c_program, plain, python_program
 from sim.errors import InputError
-from sim.kernels.forces.laws import LAWS, Law
+from sim.forces.joints import LAWS, Law
 from sim.scene.types import Circle, Damage, ForceLaw
 from tests.app.compiling_c import compiled
 

@@ -13,7 +13,7 @@ from app.page.looks import readouts
 from app.page.solver import tuning_panel
 from app.page.solver.tuning_panel import MOST_MASSES, Tuner
 from app.session import commands
-from sim.compiling.compiler import fetch, for_fallback
+from sim.compiling.compiler import FOR_FALLBACK, fetch
 from sim.edit.edit import Selection
 from sim.edit.tune import as_far_as_stable, damp_springs, with_numbers_of
 from sim.errors import InputError
@@ -25,7 +25,7 @@ SCENE = sim.load_scene("tutorial-3.3")
 
 def found(tuner: Tuner, scene: sim.Scene) -> Tuner:
     """The tuner, after it has found out."""
-    fetch(for_fallback(surrounded=False))
+    fetch(FOR_FALLBACK)
     end = time.monotonic() + 60.0
     while tuner.busy and time.monotonic() < end:
         tuner.look(scene)

@@ -9,12 +9,9 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 from sim.body.sparsity import new_matrix
-from sim.kernels.around.around import accelerations_around
-from sim.kernels.energy.energies import ENERGIES, energies
-from sim.kernels.forces.forces import accelerations
-from sim.kernels.linear.damping import add_damping_product, remember_directions
-from sim.kernels.linear.implicit import factorise_matrix, solve_matrix
-from sim.kernels.linear.surrounded import add_surrounding_damping, factorise_surrounded, solve_surrounded
+from sim.forces.all import ENERGIES, accelerations
+from sim.kernels.energy.energies import energies
+from sim.kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from sim.motion.solver import Solver
 
 Floats = NDArray[np.float64]
@@ -73,8 +70,7 @@ class Arrays:
     def accelerations(self, q: Floats, v: Floats) -> Floats:
         """Of all of `here`."""
         a = np.zeros_like(q)
-        force = accelerations_around if self.body.surroundings.present else accelerations
-        force(self.body, self.state, self.scratch, q, v, a)
+        accelerations(self.body, self.state, self.scratch, q, v, a)
         return a[self.here]
 
     def potential(self, q: Floats) -> float:
@@ -110,14 +106,13 @@ class Arrays:
 
     def factorise(self, a: float, g: float, definite: bool = False) -> bool:
         """Factorise a I - g Jv - Jx at the present state."""
-        kernel = factorise_surrounded if self.body.surroundings.present else factorise_matrix
-        return bool(kernel(self.body, self.state, self.matrix, self.q, self.v, a, g, definite))
+        return bool(factorise_matrix(self.body, self.state, self.matrix, self.q, self.v, a, g, definite))
 
     def solve(self, right: Floats) -> Floats:
         """Solve with the last factors, for numbers of all of `here`."""
         flat = np.zeros_like(self.q)
         flat[self.here] = right
-        (solve_surrounded if self.body.surroundings.present else solve_matrix)(self.body, self.matrix, flat)
+        solve_matrix(self.body, self.matrix, flat)
         assert not np.delete(flat, self.here).any()  # the padding stays as it is
         return flat[self.here]
 
@@ -130,8 +125,5 @@ class Arrays:
         """start + factor Jv z, for numbers of all of `here`."""
         flat, out = np.zeros((2, self.q.size))
         flat[self.here], out[self.here] = z, start
-        remember_directions(self.body, self.matrix, self.q)
-        add_damping_product(self.body, self.state, self.matrix, self.v, flat, factor, out)
-        if self.body.surroundings.present:
-            add_surrounding_damping(self.body, self.state, self.q, self.v, flat, factor, out)
+        add_damping_product(self.body, self.state, self.q, self.v, flat, factor, out)
         return out[self.here]

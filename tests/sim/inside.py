@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from sim import Scene, Simulation
 from sim.body.system import System
-from sim.kernels.forces.forces import spring_forces as kernel_forces
+from sim.forces.springs import spring_forces as kernel_forces
 from sim.motion.solver import Solver
 
 Points = NDArray[np.float64]

@@ -52,8 +52,8 @@ def test_kernels_know_nothing_of_scenes_and_files() -> None:
     for path in (ROOT / "sim" / "kernels").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.ImportFrom):
-                # One step up from a folder of kernels is another one.
-                assert node.level <= 2, path
+                # One step up from a folder of kernels is another one, and two are the pages about forces.
+                assert node.level <= 2 or (node.module or "").split(".")[0] == "forces", path
                 assert (node.module or "").split(".")[0] not in ("sim", "msgspec"), path
 
 

@@ -53,12 +53,6 @@ def test_where_accuracy_limits_steps_methods_of_high_order_are_turned_to() -> No
     assert stats.matrices < 50
 
 
-def test_stiff_bodies_are_calmed_before_methods_of_high_order_go_on() -> None:
-    """Asked four times as early, Adams' methods take a quarter more evaluations: vibrations hold them up."""
-    forces = [effort_of("study-w4", tolerance).forces for tolerance in (0.9e-6, 1e-6, 1.1e-6)]
-    assert sum(forces) / 3 < 58_000
-
-
 @pytest.mark.parametrize("tolerance", [0.5, 0.9, 1.0, 1.1, 2.0])
 def test_long_steps_of_stiff_bodies_keep_to_large_tolerances(tolerance: float) -> None:
     """Of steps of a thirtieth of a second, Rosenbrock methods see too little of the error."""
@@ -86,7 +80,7 @@ def test_steps_of_damped_bodies_are_longer_than_textbook_verlet_bears(tolerance:
     assert radius("symplectic_euler", k, c, mean) < 1.0 + 1e-6
 
 
-@pytest.mark.parametrize("tolerance", [1.1, 1.25, 1.3])
+@pytest.mark.parametrize("tolerance", [0.5, 0.8, 1.0])
 def test_frame_by_frame_implicit_steps_are_judged_by_what_they_do_now(tolerance: float) -> None:
     """Each frame cuts one short; going by the first frame, Verlet would be gone on with for ever."""
     integrator = Integrator(dt=1.0 / 60.0, tolerance=tolerance)

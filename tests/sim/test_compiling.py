@@ -39,8 +39,7 @@ def test_every_method_has_an_entry_point_of_its_own() -> None:
         ENTRY_POINTS["run_fallback"].kernel
     }
     for method in METHODS:
-        for surrounded in (False, True):
-            assert set(needed_by(method, surrounded)) <= set(ENTRY_POINTS)
+        assert set(needed_by(method)) <= set(ENTRY_POINTS)
 
 
 @pytest.mark.parametrize("method", part_of([*METHODS], 3))
@@ -50,7 +49,7 @@ def test_what_a_method_needs_is_all_that_its_first_step_calls(method: str, tmp_p
 import sim
 from numba.core import event
 from sim.compiling.compiler import (ENTRY_POINTS, needed_by)
-for name in needed_by({method!r}, False):
+for name in needed_by({method!r}):
     ENTRY_POINTS[name].load()
 with event.install_recorder("numba:compile") as compiled:
     simulation = sim.Simulation(sim.rope(5), integrator={method!r}, wait=False)
@@ -76,7 +75,7 @@ def test_a_simulation_that_does_not_wait_moves_by_numpy_and_then_goes_on(
         with pytest.raises(sim.InputError, match="energy: its kernels are still being compiled"):
             simulation.energy()
         assert not sim.Simulation(sim.load_scene("tutorial-3.3")).plain
-    for name in needed_by(simulation.method, False):
+    for name in needed_by(simulation.method):
         ENTRY_POINTS[name].load()
     assert simulation.step(100) == 100
     assert not simulation.plain
@@ -89,15 +88,15 @@ def test_a_simulation_that_does_not_wait_moves_by_numpy_and_then_goes_on(
 def test_auto_begins_with_what_is_there_and_takes_the_others_in(monkeypatch: pytest.MonkeyPatch) -> None:
     # A stiff rope, for which `auto` takes an implicit method as soon as it can.
     scene = sim.load_scene("study-w4")
-    ready = set(needed_by("auto", False))
+    ready = set(needed_by("auto"))
     monkeypatch.setattr(EntryPoint, "ready", property(lambda point: point.name in ready))
-    for name in (*needed_by("auto", False), *needed_by("rodas4", False)):
+    for name in (*needed_by("auto"), *needed_by("rodas4")):
         ENTRY_POINTS[name].load()
     simulation = sim.Simulation(scene, wait=False)
     simulation.step(10)
     assert not simulation.plain
     assert simulation.stats().matrices == 0
-    ready |= set(needed_by("rodas4", False))
+    ready |= set(needed_by("rodas4"))
     simulation.step(40)
     assert simulation.stats().matrices > 0
     whole = sim.Simulation(scene)
@@ -169,19 +168,20 @@ def test_a_helper_that_ends_too_soon_is_no_harm(tmp_path: Path) -> None:
 def sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """A copy of the kernels' sources, which the hashes are made of."""
     jit.source_hash.cache_clear()
-    copy = tmp_path / "kernels"
-    shutil.copytree(ROOT / "sim" / "kernels", copy, ignore=shutil.ignore_patterns("__pycache__"))
-    before = jit.source_hash("integrators.verlet")
+    copy = tmp_path / "sim"
+    shutil.copytree(ROOT / "sim", copy, ignore=shutil.ignore_patterns("__pycache__"))
+    before = jit.source_hash("kernels.integrators.verlet")
     monkeypatch.setattr(jit, "_SOURCES", copy)
     jit.source_hash.cache_clear()
-    assert jit.source_hash("integrators.verlet") == before
+    assert jit.source_hash("kernels.integrators.verlet") == before
     yield copy
     jit.source_hash.cache_clear()
 
 
 def hashes(sources: Path) -> dict[str, str]:
     jit.source_hash.cache_clear()
-    modules = [path.relative_to(sources).with_suffix("") for path in sources.rglob("*.py")]
+    paths = [path for folder in ("kernels", "forces") for path in (sources / folder).rglob("*.py")]
+    modules = [path.relative_to(sources).with_suffix("") for path in paths]
     names = [".".join(module.parts) for module in modules if module.name != "__init__"]
     return {name: jit.source_hash(name) for name in names}
 
@@ -190,16 +190,21 @@ def test_an_edit_changes_the_hash_of_what_it_can_change_and_of_nothing_else(sour
     before = hashes(sources)
     for edited, users, others in (
         (
-            "integrators.verlet",
-            {"integrators.verlet"},
-            {"integrators.adams", "integrators.rosenbrock", "integrators.euler", "forces.forces"},
+            "kernels.integrators.verlet",
+            {"kernels.integrators.verlet"},
+            {"kernels.integrators.adams", "kernels.integrators.euler", "forces.all"},
         ),
         (
-            "integrators.steps",
-            {"integrators.steps", "integrators.verlet", "integrators.adams"},
-            {"forces.forces", "linear.blocks", "forces.drive"},
+            "kernels.integrators.steps",
+            {f"kernels.integrators.{name}" for name in ("steps", "verlet", "adams")},
+            {"forces.all", "kernels.core.blocks", "kernels.core.drive"},
         ),
-        ("core.tables", {"integrators.verlet", "forces.forces", "integrators.auto"}, set[str]()),
+        (
+            "forces.walls",
+            {"forces.walls", "forces.all", "kernels.linear.implicit", "kernels.energy.work"},
+            {"kernels.integrators.verlet", "kernels.integrators.adams", "forces.air"},
+        ),
+        ("kernels.core.tables", {"kernels.integrators.verlet", "forces.all", "forces.air"}, set[str]()),
     ):
         path = sources / f"{edited.replace('.', '/')}.py"
         text = path.read_bytes()
@@ -209,6 +214,10 @@ def test_an_edit_changes_the_hash_of_what_it_can_change_and_of_nothing_else(sour
         assert users <= changed
         assert not others & changed
         path.write_bytes(text)
+    # But what the tables are is part of all kernels.
+    path = sources / "forces" / "walls.py"
+    path.write_text(path.read_text().replace("    rows: Rows", "    more: Rows\n    rows: Rows"))
+    assert all(changed != before[name] for name, changed in hashes(sources).items())
 
 
 def test_the_hash_follows_the_versions_of_the_compiler(

@@ -300,7 +300,7 @@ def test_where_nothing_touches_there_is_nothing_to_pay_for() -> None:
     for scene in (sim.load_scene("ring"), REPLACE(sim.load_scene("ring"), contact=Contact(distance=0.0))):
         simulation = Simulation(scene)
         simulation.step()
-        around = system_of(simulation).body.surroundings
+        around = system_of(simulation).body.environment
         assert not around.present
         assert max(array.size for _, array in around.contact.arrays()) <= 17
         problem = solver_of(simulation)._problem

@@ -7,7 +7,7 @@ import pytest
 
 import sim
 from sim import Mass, Scene
-from sim.kernels.around.contact import stays_apart
+from sim.forces.contact import no_tunnelling
 from sim.scene.surroundings import Contact
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.touching import HARD, REPLACE, SOFT, contact_force, crumpled, joined, line, listed, nearer
@@ -46,7 +46,7 @@ def scattered(seed: int) -> Arrays:
 @pytest.mark.parametrize("seed", range(6))
 def test_the_list_has_all_pairs_that_are_near(seed: int) -> None:
     arrays = scattered(seed)
-    contact = arrays.body.surroundings.contact
+    contact = arrays.body.environment.contact
     arrays.accelerations(arrays.q, arrays.v)
     expected = nearer(arrays, arrays.q, contact.distance + contact.margin)
     assert listed(arrays) == expected
@@ -61,8 +61,8 @@ def test_the_list_has_all_pairs_that_are_near(seed: int) -> None:
 
 def test_forces_do_not_depend_on_the_list_by_a_single_bit() -> None:
     arrays = Arrays(crumpled("cloth", 2))
-    contact = arrays.body.surroundings.contact
-    crowded = arrays.body.surroundings.replaced(
+    contact = arrays.body.environment.contact
+    crowded = arrays.body.environment.replaced(
         contact=contact.replaced(
             member=contact.member[: arrays.body.masses + 7].copy(), crowded=contact.crowded.copy(),
             number=contact.number.copy(), at=contact.at.copy(), start=contact.start.copy(),
@@ -78,7 +78,7 @@ def test_forces_do_not_depend_on_the_list_by_a_single_bit() -> None:
     anew = arrays.accelerations(q, arrays.v)
     assert contact.start[-1] != number
     body = arrays.body
-    arrays.body = body.replaced(surroundings=crowded)
+    arrays.body = body.replaced(environment=crowded)
     without_room = arrays.accelerations(q, arrays.v)
     assert crowded.contact.crowded[0] == 1
     assert np.array_equal(kept, anew)
@@ -103,7 +103,7 @@ def test_a_step_through_a_spring_is_seen() -> None:
 
     def apart(way: float, of: Floats) -> bool:
         to_q = arrays.q + way * of
-        return bool(stays_apart(arrays.body, arrays.q, to_q))
+        return bool(no_tunnelling(arrays.body, arrays.q, to_q))
 
     falling = np.zeros_like(arrays.q)
     falling[ball] = 1.0

@@ -12,10 +12,16 @@ import pytest
 
 import sim
 from sim import Simulation
-from sim.kernels.energy.energies import angular_energy
-from sim.kernels.forces import laws
-from sim.kernels.forces.laws import ANGLE, CONSERVATIVE, LAWS, TUTORIAL
-from sim.kernels.linear.blocks import blocks_of_law, joint_blocks
+from sim.forces import joints as laws
+from sim.forces.joints import (
+    ANGLE,
+    CONSERVATIVE,
+    LAWS,
+    TUTORIAL,
+    blocks_of_law,
+    joint_blocks,
+    joint_energy,
+)
 from sim.physics import LAWS as IN_NUMPY
 from sim.physics import Physics
 from sim.scene.types import ForceLaw
@@ -45,7 +51,7 @@ def by_products(law, size, cos, sin, a, b, inv_a, inv_b):
 
 @numba.njit
 def energy(law, ax, ay, bx, by, rest):
-    return angular_energy(law, ax, ay, bx, by, rest, 1e-300)
+    return joint_energy(law, ax, ay, bx, by, rest, 1e-300)
 
 
 def test_scenes_pages_and_kernels_know_the_same_laws() -> None:

@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from sim import Anchor, AngularSpring, ArrowKeys, Integrator, LinearSpring, Mass, Scene, Simulation
-from sim.kernels.forces.forces import accelerations
+from sim.forces.all import accelerations
 from sim.scene.types import ForceLaw, Method
 from tests.sim.arrays import Arrays
 from tests.sim.builders import chain, row

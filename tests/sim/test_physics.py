@@ -85,7 +85,7 @@ def test_the_forces_are_the_gradient_of_the_energy(shape: str, law: ForceLaw) ->
             for step in (h, -h):
                 moved = x.copy()
                 moved[slot] += step * direction
-                ends.append(sum(physics.energies(moved)))
+                ends.append(sum(physics.energies(moved).values()))
             slope = (ends[0] - ends[1]) / (2.0 * h)
             assert force == pytest.approx(-slope, rel=1e-6, abs=1e-4 * float(np.abs(forces).max()))
 
@@ -95,7 +95,7 @@ def test_springs_and_joints_exert_no_force_and_no_torque_on_the_whole(law: Force
     simulation = Simulation(body("girder", law, 1))
     state = simulation._state
     x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
-    forces = Physics(simulation._body, state).forces(x, v)
+    forces = Physics(simulation._body, state).spring_forces(x, v)
     size = float(np.abs(forces).max())
     assert abs(forces.sum()) < 1e-12 * size
     assert abs((x.conj() * forces).imag.sum()) < 1e-12 * size * float(np.abs(x).max())

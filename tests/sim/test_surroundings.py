@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import sim
-from sim import Integrator, LinearSpring, Mass, Scene, Simulation, around
-from sim.body.surroundings import REFERENCE_SPEED, loss_of
-from sim.kernels.around.wind import wind_at
+from sim import Integrator, LinearSpring, Mass, Scene, Simulation
+from sim.forces.air import wind_at, wind_gradient_at
+from sim.forces.push import REFERENCE_SPEED, damping_factor
 from sim.methods.registry import METHODS
 from sim.physics import Physics
 from sim.scene.surroundings import Gas, Liquid, Wall, Wind
@@ -61,9 +61,9 @@ def test_the_kernels_do_what_the_physics_in_numpy_says(kind: str, step: Method) 
 def test_the_energies_are_those_of_the_physics_in_numpy(kind: str) -> None:
     scene = surrounded(kind, seed=2)
     book, arrays = Simulation(scene).energy(), Arrays(scene)
-    table, x = arrays.body.surroundings, arrays.state.x + 1j * arrays.state.y
-    assert book.walls == pytest.approx(around.wall_energy(table, x, table.mass), rel=1e-12)
-    assert book.fillings == pytest.approx(around.filling_energy(table, x), rel=1e-12)
+    expected = Physics(arrays.body, arrays.state).energies(arrays.state.x + 1j * arrays.state.y)
+    assert book.walls == pytest.approx(expected["walls"], rel=1e-12)
+    assert book.fillings == pytest.approx(expected["fillings"], rel=1e-12)
     assert book.walls + abs(book.fillings) > 1.0
 
 
@@ -144,10 +144,10 @@ def test_a_mass_leaves_a_wall_with_its_bounciness(method: Method, bounciness: fl
 
 
 def test_the_loss_of_a_bounce_is_zero_where_nothing_is_lost_and_grows() -> None:
-    losses = [loss_of(e) for e in (1.0, 0.99, 0.7, 0.3, 0.1, 0.01)]
+    losses = [damping_factor(e) for e in (1.0, 0.99, 0.7, 0.3, 0.1, 0.01)]
     assert losses[0] == 0.0
     assert losses == sorted(losses)
-    assert loss_of(0.0) == losses[-1]
+    assert damping_factor(0.0) == losses[-1]
 
 
 def test_the_deepest_point_of_a_bounce() -> None:
@@ -184,9 +184,9 @@ def test_a_slope_holds_or_lets_slide_as_friction_says() -> None:
 # ------------------------------------------------------------------------- wind
 def test_gusts_are_as_strong_as_they_should_be_and_neither_compressed_nor_still() -> None:
     gust = Wind(velocity=(400.0, 300.0), turbulence=0.3, length_scale=200.0, seed=5)
-    around = Arrays(single((0.0, 0.0), air_friction=0.1, wind=gust)).body.surroundings
-    rng = np.random.default_rng(1)
-    air = np.array([wind_at(around, t, x, y) for t, x, y in rng.uniform(0.0, 1e5, (20_000, 3))])
+    around = Arrays(single((0.0, 0.0), air_friction=0.1, wind=gust)).body.environment.air
+    places = np.random.default_rng(1).uniform(0.0, 1e5, (20_000, 3))
+    air = np.array([wind_at(around, *place) + wind_gradient_at(around, *place) for place in places])
     assert air[:, :2].mean(0) == pytest.approx((400.0, 300.0), abs=5.0)
     assert air[:, :2].std(0) == pytest.approx(0.3 * 500.0, rel=0.1)
     assert np.abs(air[:, 2] + air[:, 5]).max() <= 1e-12 * np.abs(air[:, 2:]).max()  # div v = 0
@@ -195,9 +195,8 @@ def test_gusts_are_as_strong_as_they_should_be_and_neither_compressed_nor_still(
     assert one == pytest.approx(other)
     assert np.abs(np.subtract(one, wind_at(around, 2.0, 30.0, 40.0))).max() > 1.0
     again = REPLACE(gust, seed=6)
-    assert wind_at(Arrays(single((0.0, 0.0), air_friction=0.1, wind=again)).body.surroundings, 0.0, 0.0, 0.0)[
-        :2
-    ] != pytest.approx(wind_at(around, 0.0, 0.0, 0.0)[:2])
+    anew = Arrays(single((0.0, 0.0), air_friction=0.1, wind=again)).body.environment.air
+    assert wind_at(anew, 0.0, 0.0, 0.0) != pytest.approx(wind_at(around, 0.0, 0.0, 0.0))
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -348,9 +347,10 @@ def test_the_same_bits_again_and_after_going_back() -> None:
 
 
 def test_where_nothing_surrounds_there_is_nothing_to_pay_for() -> None:
-    around = system_of(Simulation(sim.load_scene("ring"))).body.surroundings
-    assert not around.present
-    assert all(array.size == 0 for name, array in around.arrays() if name not in ("loop_start", "mass"))
+    environment = system_of(Simulation(sim.load_scene("ring"))).body.environment
+    assert not environment.present
+    for table in (environment.air, environment.walls, environment.fillings):
+        assert all(array.size == 0 for name, array in table.arrays() if name != "start")
 
 
 def test_numpy_moves_a_body_in_surroundings_until_kernels_are_there(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -403,5 +403,5 @@ def test_a_gas_whose_area_is_tiny_makes_no_energy(method: Any) -> None:
         assert simulation.step(25) == 25
         largest = max(largest, simulation.energy().kinetic + simulation.energy().linear)
         assert abs(simulation.energy().residual) < 0.02 * largest
-    (row,) = simulation.tables[0].body.surroundings.fillings.tolist()
+    (row,) = simulation.tables[0].body.environment.fillings.rows.tolist()
     assert row[1] * row[3] == pytest.approx(4e-4), "it is the same gas"

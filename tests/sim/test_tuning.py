@@ -13,8 +13,8 @@ from msgspec.structs import replace
 
 import sim
 from sim.analysis import tuning as module
-from sim.body.surroundings import loss_of
 from sim.errors import InputError, SceneError
+from sim.forces.push import damping_factor
 from sim.methods.registry import METHODS
 from sim.motion.stability import largest_step
 from sim.scene.types import Method
@@ -453,7 +453,7 @@ def test_what_is_told_of_a_body_on_a_floor_does_not_depend_on_its_method(own: An
     assert told.fastest is not None
     omega = math.sqrt(2.0 * hardness * depth)
     assert told.fastest.frequency == pytest.approx(omega / math.tau, rel=1e-3)
-    loss = loss_of(0.5)
+    loss = damping_factor(0.5)
     assert told.fastest.damping_ratio == pytest.approx(loss * 1000.0 / (2.0 * omega), rel=1e-2)
     for method, step in told.stable_steps.items():
         by = sim.set_choice(scene, "method", method)

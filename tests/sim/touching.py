@@ -105,7 +105,7 @@ def contact_force(scene: Scene) -> tuple[Floats, Floats]:
 
 
 def listed(arrays: Arrays) -> Pairs:
-    contact = arrays.body.surroundings.contact
+    contact = arrays.body.environment.contact
     springs = np.repeat(np.arange(arrays.body.springs), np.diff(contact.start))
     return set(zip(springs.tolist(), contact.member[: contact.start[-1]].tolist(), strict=True))
 
@@ -113,7 +113,7 @@ def listed(arrays: Arrays) -> Pairs:
 def nearer(arrays: Arrays, q: Floats, distance: float) -> Pairs:
     """All pairs nearer than a distance that may touch, one by one."""
     body, slots = arrays.body, arrays.slots
-    contact = body.surroundings.contact
+    contact = body.environment.contact
     found = set()
     for s in range(body.springs):
         a, b = (np.array((q[m], q[slots + m])) for m in (body.spring_a[s], body.spring_b[s]))

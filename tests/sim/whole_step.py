@@ -31,9 +31,7 @@ def step_matrix(simulation: Simulation, h: float) -> Floats:
     """What a step of h seconds of the simulation's method makes of small changes of its state."""
     system, state = simulation.tables
     body, method = system.body, simulation.method
-    body = body.replaced(
-        surroundings=body.surroundings.replaced(step=h)
-    )  # with which walls and contact soften
+    body = body.replaced(environment=body.environment.replaced(step=h))  # with which walls and contact soften
     physics = Physics(body, state)
     free = np.flatnonzero(state.inverse_mass > 0.0)
     x, v = state.x + 1j * state.y, state.vx + 1j * state.vy

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -57,7 +56,7 @@ class Body:
         joints: (J, 2) linear springs of each joint.
         joint_stiffness, joint_damping, rest_angle: (J,) kg/s², kg/s, degrees.
         broken: (S,) whether a linear spring is broken.
-        walls: (W, 8) rows as in `sim.kernels.core.surroundings`.
+        walls: (W, 8) rows as in `sim.forces.walls`.
         wind: of the mean wind, px/s.
         gusts: whether the wind has gusts.
         loops: gases and liquids.
@@ -117,7 +116,8 @@ class Body:
         held[[anchor.mass for anchor in scene.anchors]] = True
         velocities = np.where(held[:, None], 0.0, moment.velocities)
         system = build_system(scene)
-        around = system.body.surroundings
+        environment = system.body.environment
+        air = environment.air
         return Body(
             moment=moment,
             positions=np.array(moment.positions),
@@ -136,9 +136,9 @@ class Body:
             joint_damping=np.where(unbent, [j.damping for j in joints], 0.0),
             rest_angle=180.0 - (180.0 - rest_angle) % 360.0,
             broken=broken,
-            walls=np.array(around.walls),
-            wind=(float(around.wind_x), float(around.wind_y)),
-            gusts=bool(around.waves.size),
+            walls=np.array(environment.walls.rows),
+            wind=(float(air.wind_x), float(air.wind_y)),
+            gusts=bool(air.waves.size),
             loops=_loops(system, ends, np.flatnonzero(broken)),
         )
 
@@ -170,13 +170,11 @@ def _circles(moment: sim.Moment) -> dict[int, tuple[Circle, tuple[float, float]]
 
 def _loops(system: System, ends: Indices, broken: Indices) -> list[Loop]:
     """The loops with their fillings, but those that these have left."""
-    around = system.body.surroundings
-    masses = [
-        system.mass_order[around.loop[a:b] - 1] for a, b in itertools.pairwise(around.loop_start.tolist())
-    ]
+    fillings = system.body.environment.fillings
+    masses = [system.mass_order[loop - 1] for loop in fillings.loops()]
     left = set(leaking(masses, ends, broken))
     return [
         Loop(masses[k].tolist(), bool(is_gas), pressure, outside, area)
-        for k, (is_gas, pressure, outside, area) in enumerate(around.fillings.tolist())
+        for k, (is_gas, pressure, outside, area) in enumerate(fillings.rows.tolist())
         if k not in left
     ]

@@ -10,6 +10,7 @@ import numpy as np
 import sim
 from sim.analysis.predictability import factor_of
 from sim.analysis.tuning import Tuning, Vibration
+from sim.forces.all import WITH_ENERGY
 from sim.methods.registry import METHODS
 from sim.motion.quantities import ENERGY_UNIT, unit_in
 from sim.scene.types import is_loaded
@@ -272,9 +273,7 @@ _ENERGY_NAMES = {
     "linear": "linear springs",
     "angular": "angular springs",
     "gravity": "height",
-    "walls": "depth in walls",
-    "fillings": "gases and liquids",
-    "contact": "contact",
+    **{term.name: term.label for term in WITH_ENERGY},
     "anchors": "work of your hand",
     "damping": "lost to damping",
     "air": "lost to air",

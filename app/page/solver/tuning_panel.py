@@ -15,10 +15,9 @@ import viser
 
 import sim
 from sim.analysis.tuning import Tuning
-from sim.compiling.compiler import for_fallback, is_ready
+from sim.compiling.compiler import FOR_FALLBACK, is_ready
 from sim.edit.tune import as_far_as_stable, damp_springs, is_limited, with_numbers_of
 from sim.errors import InputError, SceneError
-from sim.scene.types import is_surrounded
 
 from ...export.workshop import Workshop
 from ...session import commands
@@ -85,7 +84,7 @@ class Tuner:
 
 def is_compiled(scene: sim.Scene) -> bool:
     """Whether a scene's equilibrium is found without compiling anything."""
-    return is_ready(for_fallback(is_surrounded(scene)))
+    return is_ready(FOR_FALLBACK)
 
 
 class TuningPanel:

@@ -23,10 +23,14 @@ import numba
 import platformdirs
 from numba.core.compiler import Compiler
 
-_SOURCES = Path(__file__).parents[1]
-"""The folder of the kernel modules."""
-_IMPORT = re.compile(r"^from (\.{1,2})(\w[\w.]*) import ", re.MULTILINE)
-"""Matches an import of one kernel module by another."""
+_SOURCES = Path(__file__).parents[2]
+"""The folder of the solver."""
+_FOLDERS = ("kernels", "forces")
+"""The folders in it that have kernel modules."""
+_IMPORT = re.compile(r"^from (\.+)(\w[\w.]*) import ", re.MULTILINE)
+"""Matches an import of one module by another."""
+_LAYOUT = re.compile(r"^class \w+\((?:Table|Record)\):\n(?:(?: .*)?\n)*", re.MULTILINE)
+"""Matches the declaration of a table."""
 _KEPT_DAYS = 30
 """Days after which unused machine code is removed."""
 
@@ -49,22 +53,22 @@ def _modules_behind(name: str) -> set[str]:
     """A kernel module, such as `forces.chain`, and all kernel modules that it imports, directly or not."""
     found: set[str] = set()
     # The layout of the tables is part of every kernel's machine code, even where it is not imported.
-    waiting = [name, "core.jit", "core.table", "core.tables"]
+    waiting = [name, *(f"kernels.core.{module}" for module in ("jit", "table", "tables"))]
     while waiting:
         module = waiting.pop()
         if module not in found:
             found.add(module)
             text = (_SOURCES / f"{module.replace('.', '/')}.py").read_text(encoding="utf-8")
-            folder = module.partition(".")[0]
-            waiting += [
-                f"{folder}.{name}" if len(dots) == 1 else name for dots, name in _IMPORT.findall(text)
-            ]
+            for dots, name in _IMPORT.findall(text):
+                imported = ".".join((*module.split(".")[: -len(dots)], name))
+                if imported.partition(".")[0] in _FOLDERS:
+                    waiting.append(imported)
     return found
 
 
 def module_of(function: Callable[..., Any]) -> str:
     """The kernel module of a function, such as `forces.chain`."""
-    return ".".join(function.__module__.split(".")[-2:])
+    return function.__module__.partition(".")[2]
 
 
 @cache
@@ -74,6 +78,8 @@ def source_hash(module: str) -> str:
     for name in sorted(_modules_behind(module)):
         digest.update(name.encode())
         digest.update((_SOURCES / f"{name.replace('.', '/')}.py").read_bytes())
+    for page in sorted((_SOURCES / "forces").glob("*.py")):
+        digest.update("".join(_LAYOUT.findall(page.read_text(encoding="utf-8"))).encode())
     return digest.hexdigest()[:16]
 
 
@@ -130,7 +136,7 @@ class _Noalias(Compiler):
 
 
 def kernel(
-    *, internal: bool = False, noalias: bool = False, **options: Any
+    *, internal: bool = False, noalias: bool = False, kept: bool = True, **options: Any
 ) -> Callable[[Callable[..., Any]], Any]:
     """A decorator that compiles a kernel: no Python objects, GIL released, machine code cached on disk.
 
@@ -142,6 +148,8 @@ def kernel(
         noalias: promises that nothing that is written through one array argument is read or written through
             another. Loops then need no run-time checks before their vectorised versions, which for a dozen
             short arrays take longer than the loops.
+        kept: whether its machine code is kept on the disk by itself, too, and not only in that of its
+            callers; that of a function made by another one cannot be.
         options: further options of `numba.njit`.
     """
 
@@ -151,7 +159,7 @@ def kernel(
         if noalias:
             options["pipeline_class"] = _Noalias
         folder = cache_folder(module_of(function))
-        if folder is None:
+        if folder is None or not kept:
             return numba.njit(**_OPTIONS | options)(function)
         # The folder is read when the function is decorated; numba has no argument for it, and other
         # users of numba in this process keep the folder they have.

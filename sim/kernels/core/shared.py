@@ -132,8 +132,8 @@ def solve(problem, b):
 
 
 @kernel(inline="always")
-def add_damping_around(problem, q, v, z, factor, out):
-    """`linear.surrounded.add_surrounding_damping` of the problem's body."""
+def add_damping(problem, q, v, z, factor, out):
+    """`linear.implicit.add_damping_product` of the problem's body."""
     _call_resistance(problem.resistance, problem.body, problem.state, q, v, z, factor, out)
 
 

@@ -99,7 +99,9 @@ class _Block:
                 cls.fields[name] = _Field(start, types.Array(item, dimensions, "C"), dtype, dimensions)
                 start += 1 + dimensions
             else:
-                type_ = _NUMBERS[kind] if kind in _NUMBERS else _CLASSES[kind].numba_type
+                # A table may be declared later, but not one of a subclass.
+                table = _CLASSES[kind].numba_type if kind in _CLASSES else TableType(kind, False)
+                type_ = _NUMBERS.get(kind, table)
                 cls.fields[name] = _Field(start, type_, is_float=kind == "float")
                 start += 1
         cls.numba_type = TableType(cls.__name__, cls.mutable)

@@ -10,9 +10,13 @@ padded likewise. A padding mass never moves, and a padding spring exerts no forc
 
 from __future__ import annotations
 
+from typing import Any
+
 from .strength import Strength
-from .surroundings import Surroundings
 from .table import Floats, Indices, Record, Rows, Table
+
+Environment = Any
+"""`forces.environment.Environment`, whose parts are on the pages about forces: these need the tables here."""
 
 
 class Body(Table):
@@ -30,7 +34,7 @@ class Body(Table):
     joint_damped: bool  # any angular spring has damping
     chain: bool  # the springs run head to tail through all masses, in order
     ring: bool  # likewise, and the last one leads back to the first mass
-    law: int  # see `forces.laws`
+    law: int  # see `forces.joints`
     softening: float  # px²; the length of a spring with vector L is sqrt(L² + softening)
     softenings: Floats  # (S padded + 1) px², for `forces.chain`; very large for padding
     spring_a: Indices  # (S,) mass at the start of each spring
@@ -62,7 +66,7 @@ class Body(Table):
     more_spring: Indices  # of each spring in the lists: its index,
     more_spring_mass: Indices  # the slot of the mass that it acts on,
     more_spring_sign: Floats  # and the sign
-    surroundings: Surroundings  # what else acts on the masses; see there
+    environment: Environment  # what else acts on the masses; see there
     strength: Strength  # what springs and joints bear; see there
 
 
@@ -78,7 +82,7 @@ class State(Table):
     q: Floats  # (2 slots) positions, px
     v: Floats  # (2 slots) velocities, px/s
     controls: Floats  # rest_length_scale, rest_angle_shift (degrees)
-    pull: Floats  # (S padded + 1) stiffness * present rest length, kg px/s²
+    rest_tension: Floats  # (S padded + 1) stiffness * present rest length, kg px/s²
     torque_cos: Floats  # stiffness * cos(rest angle now), kg/s², of joint j at index j + 1; index 0 as above
     torque_sin: Floats  # likewise with the sine
     torque_rest: Floats  # present rest angle, radians, of joint j at index j + 1
@@ -129,10 +133,10 @@ class Scratch(Table):
     dvy: Floats
     inverse: Floats  # 1 / length, 1/px; `chain_accelerations` stores only that of the shortest, at index 0
     turning: Floats  # rate at which a spring turns, 1/s
-    turn: Floats  # sum of the torques of a spring's joints
-    draw: Floats  # sum of the energies of its joints
-    hold: Floats  # sum of their conservative pulls along the spring, times its length
-    brake: Floats  # sum of the torques of their damping
+    torque_at: Floats  # sum of the torques of the joints at each spring
+    energy_at: Floats  # sum of their energies
+    dot_at: Floats  # sum of their `dot`, or of what stands for it under other laws
+    friction_at: Floats  # sum of the torques of their damping
     torque: Floats  # of joint j at index j + 1
     energy: Floats  # of joint j at index j + 1, as far as the loop of the law needs it
     dot: Floats  # K A . R(-r) B of joint j at index j + 1, under the conservative law
@@ -167,18 +171,13 @@ SPARE = 7
 
 
 class Matrix(Table):
-    """The factors of the matrix of an implicit step and, unless the body is a chain, their pattern."""
+    """The factors of the matrix of an implicit step, and their pattern."""
 
-    blocks: Floats  # the factors; see `linear.two_sided_lu` and `linear.sparse`
-    parts: Floats  # scratch of a chain; see `linear.band`
-    ux: Floats  # (S padded + 1) unit vector of spring s at index s + 1, where the matrix was built
-    uy: Floats
-    inverse: Floats  # 1 / length there, 1/px, likewise
-    damping: Floats  # of the springs, kg/s, likewise
+    blocks: Floats  # the factors; see `linear.sparse`
     # A spanning forest: an order of the masses in which every mass comes after its parent.
     walk: Indices  # (n,) slots of the masses in this order
     parent: Indices  # (slots,) slot of the parent; 0 for a mass that is held or first in its part of the body
-    # Empty for a chain. Rows are numbered in the order of elimination.
+    # Rows are numbered in the order of elimination.
     order: Indices  # (n,) slot of the mass that row i belongs to
     row_start: Indices  # (n + 1,) first block of each row
     column: Indices  # of each block, ascending in a row
@@ -187,24 +186,23 @@ class Matrix(Table):
     spring_target: Indices  # (4 S,) blocks that a spring adds to, at rows and columns bb, ba, ab, aa
     joint_target: Indices  # (16 J,) blocks that a joint adds to, likewise for each pair of its springs
     loop_target: Indices  # (2 M,) for each mass of a loop, blocks of its row with the masses before and after
-    # For the products of gradients of L fillings, see `linear.surrounded`.
+    # For the products of gradients of L fillings, see `linear.implicit`.
     borders: Rows  # (2 L, 2 slots)
     corrections: Rows  # (L + 1, L)
-    # For contact, see `linear.contact`; empty where there is none.
+    # For contact, see `linear.krylov`; empty where there is none.
     of_mass: Indices  # (slots,) block of each mass on the diagonal
     touching: Floats  # (3,), see the TOUCHING_ constants there
     touched: Rows  # (3, 2 slots) positions, velocities and inverse masses for which the matrix was built
     krylov: Rows  # (K + 3, 2 slots) basis of a Krylov space, and scratch
     hessenberg: Rows  # (K + 4, K + 1) scratch of GMRES
-    straight: bool  # the parent of every mass that has one is in the slot before it
 
 
 class Drive(Table):
     """How held masses move, and what held keys do, during a call."""
 
-    moving: bool  # any mass is listed here, a key is held, or the wind changes
+    moving: bool  # any mass is listed here, a key is held, or a force changes with time
     pressed: bool  # a key is held
-    gusty: bool  # the wind changes with time
+    timed: bool  # a force changes with time by itself, see `forces.term.Term`
     start: float  # time at the start of the call, s
     duration: float  # s until masses that are led straight reach their targets; infinite if there are none
     mass: Indices  # (M,) slots of the masses
@@ -415,6 +413,7 @@ class EnergyBalance(Table):
     mass: Floats  # (slots,) kg
     rows: Rows  # (k, 2 slots) scratch, see `energy.work`
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `energy.dissipation`
+    quick: Rows  # (W, 2 slots) scratch, see `forces.walls.mark_quick`; empty for methods of first order
 
 
 class Problem(Table):

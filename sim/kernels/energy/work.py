@@ -4,23 +4,17 @@ from __future__ import annotations
 
 import math
 
-from ..around.contact import power_of_contact, push_apart
-from ..around.fillings import press_from_inside
-from ..around.walls import gather_others, mark_quick, power_of_walls, work_of_quick
-from ..around.wind import power_of_wind
+from ...forces.all import add_forces, add_power
+from ...forces.joints import TUTORIAL, joint_power_of_keys, power_of_law
+from ...forces.springs import spring_forces, spring_power_of_keys
+from ...forces.walls import gather_others, mark_quick, work_of_quick
+from ..core.drive import drive_to, hand_speed
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate
-from ..core.vectors import deflection, length_of
-from ..forces.drive import drive_to, hand_speed
-from ..forces.forces import spring_forces
-from ..forces.laws import TUTORIAL, is_sine, terms
 from .dissipation import gather_dampers, taken_away
 
 _ACCELERATION = 3
 """Row of accelerations in the scratch `EnergyBalance.rows`."""
-QUICK_ROW = 4
-"""From this row on, there is one for each wall, see `mark_quick`; none by methods of first order, which move
-masses by other speeds than those that they have on average."""
 
 _NODES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
 """Gauss-Legendre nodes on (0, 1), of order six."""
@@ -78,10 +72,10 @@ def _roughly_between(h, u, q0, v0, q1, v1, q, v):
 def accumulate_work(problem, drive, t, q1, v1, a1, h):
     """Add the work of a step of length h from the present state, at time t, to q1, v1, a1."""
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
-    q, v, still = balance.rows[0], balance.rows[1], balance.rows[2]
+    q, v, a = balance.rows[0], balance.rows[1], balance.rows[_ACCELERATION]
     smooth = _is_smooth(h, state.q, state.v, integrator.a, q1, v1, a1)
     balance.dampers[:] = 0.0
-    quick, a = balance.rows[QUICK_ROW:], balance.rows[_ACCELERATION]
+    quick = balance.quick
     any_quick = quick.shape[0] > 0 and mark_quick(body, state.inverse_mass, state.q, q1, h, quick)
     for i in range(3):
         u = _NODES[i]
@@ -91,7 +85,7 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
             _roughly_between(h, u, state.q, state.v, q1, v1, q, v)
         if drive.moving:
             drive_to(body, state, drive, t + u * h, q, v)
-        _add_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v, still, quick)
+        _add_powers(problem, drive, t + u * h, _WEIGHTS[i] * h, q, v)
         if any_quick:
             accelerate(problem, q, v, a)
             gather_others(body, q, v, a, _WEIGHTS[i], quick)
@@ -99,112 +93,44 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
     if any_quick:
         balance.work.walls += work_of_quick(body, state.v, v1, h, quick)
     balance.work.damping -= taken_away(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
-    if drive.pressed or drive.gusty:
+    if drive.pressed or drive.timed:
         drive_to(body, state, drive, t + h, q, v)
 
 
 @kernel(fastmath=FAST)
-def _add_powers(problem, drive, t, h, q, v, still, quick):
-    """Add h times the powers in the state q, v at time t. `still` is all zeros; `quick`: see `mark_quick`."""
-    body, state, scratch, balance = problem.body, problem.state, problem.scratch, problem.balance
-    slots = q.size // 2
-    x, y, vx, vy = q[:slots], q[slots:], v[:slots], v[slots:]
-    work, mass = balance.work, balance.mass
-    fx, fy, free = scratch.fx, scratch.fy, state.inverse_mass
-    # The force of springs, joints, fillings and contact, and then that of the dampers, friction and bouncing.
-    _internal_forces(body, state, scratch, x, y, still[:slots], still[slots:])
+def _add_powers(problem, drive, t, h, q, v):
+    """Add h times the powers in the state q, v at time t."""
+    body, state, balance = problem.body, problem.state, problem.balance
+    slots, work, still, true = q.size // 2, balance.work, balance.rows[2], balance.rows[_ACCELERATION]
+    for j in range(v.size):
+        true[j] = v[j]
+    for i in range(drive.mass.size):  # in `v`, the velocity of a mass that is led may be zero
+        m = drive.mass[i]
+        ux, uy = hand_speed(drive, i, t)
+        true[m] += (1.0 - drive.hand[i]) * ux
+        true[slots + m] += (1.0 - drive.hand[i]) * uy
+    if drive.mass.size > 0:
+        # What leads masses works against all forces but those of the dampers, friction and bouncing by their
+        # true velocities, and against these by those that the forces go by.
+        _add_work_of_anchors(problem, drive, q, still, true, h)
+        if body.damped or body.joint_damped or body.environment.contact.present:
+            _add_work_of_anchors(problem, drive, q, still, v, -h)
+            _add_work_of_anchors(problem, drive, q, v, v, h)
+    add_power(body, state, balance, q, v, h)
+    if body.law == TUTORIAL:
+        work.law += h * power_of_law(body, state, q, true)
+    if drive.pressed:
+        keys = spring_power_of_keys(body, state, drive.growth, q)
+        work.keys += h * (keys + joint_power_of_keys(body, state, drive.turn, q))
+
+
+@kernel(fastmath=FAST)
+def _add_work_of_anchors(problem, drive, q, v, rate, h):
+    """Add h times the power of led masses, at the velocities `rate`, against the forces at velocities v."""
+    body, state, scratch, slots = problem.body, problem.state, problem.scratch, q.size // 2
+    spring_forces(body, state, scratch, q[:slots], q[slots:], v[:slots], v[slots:])
+    add_forces(body, state, scratch, q, v)
     for i in range(drive.mass.size):
         m = drive.mass[i]
-        # Its true velocity; in `v` it may be zero.
-        ux, uy = hand_speed(drive, i, t)
-        tx, ty = vx[m] + (1.0 - drive.hand[i]) * ux, vy[m] + (1.0 - drive.hand[i]) * uy
-        work.anchors -= h * (fx[m] * tx + fy[m] * ty)
-    for i in range(1, body.masses + 1):
-        if free[i] > 0.0:
-            drag = state.air[i] * mass[i]
-            work.air -= h * drag * (vx[i] * vx[i] * abs(vx[i]) + vy[i] * vy[i] * abs(vy[i]))
-    if body.surroundings.present:
-        work.walls += h * power_of_walls(body, free, x, y, vx, vy, quick)
-        work.air += h * power_of_wind(body, state, x, y, vx, vy)
-        if body.surroundings.contact.present:
-            work.walls += h * power_of_contact(body, free, x, y, vx, vy)
-    damped = body.damped or body.joint_damped or body.surroundings.contact.present
-    if damped and drive.mass.size > 0:
-        for i in range(drive.mass.size):
-            m = drive.mass[i]
-            work.anchors += h * (fx[m] * vx[m] + fy[m] * vy[m])
-        _internal_forces(body, state, scratch, x, y, vx, vy)
-        for i in range(drive.mass.size):
-            m = drive.mass[i]
-            work.anchors -= h * (fx[m] * vx[m] + fy[m] * vy[m])
-    if body.law == TUTORIAL:
-        work.law += h * _power_of_law(body, state, x, y, vx, vy, drive, t)
-    if drive.pressed:
-        work.keys += h * _power_of_keys(body, state, drive, x, y)
-
-
-@kernel(fastmath=FAST)
-def _internal_forces(body, state, scratch, x, y, vx, vy):
-    """The forces of springs, joints, fillings and contact on all masses, into `fx` and `fy` of `scratch`."""
-    spring_forces(body, state, scratch, x, y, vx, vy)
-    if body.surroundings.present:
-        press_from_inside(body.surroundings, x, y, scratch.fx, scratch.fy)
-        if body.surroundings.contact.present:
-            push_apart(body, state.inverse_mass, x, y, vx, vy, scratch.fx, scratch.fy)
-
-
-@kernel(fastmath=FAST)
-def _power_of_law(body, state, x, y, vx, vy, drive, t):
-    """Power of the tutorial's law that no energy accounts for: U (|A|'/|A| + |B|'/|B|) of each joint."""
-    power = 0.0
-    for j in range(body.joints):
-        s, r = body.joint_a[j], body.joint_b[j]
-        a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
-        ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
-        aa, bb = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
-        size, cos, sin = body.torque_size[j + 1], state.torque_cos[j + 1], state.torque_sin[j + 1]
-        # The rate of the conservative law's energy, and the power of the tutorial's torque.
-        ux, uy = _true(drive, t, a0, a1, vx, vy)
-        wx, wy = _true(drive, t, b0, b1, vx, vy)
-        torque = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
-        power += size * bb / aa * (ax * ux + ay * uy) + size * aa / bb * (bx * wx + by * wy)
-        power -= ux * (cos * bx + sin * by) + uy * (cos * by - sin * bx)
-        power -= wx * (cos * ax - sin * ay) + wy * (cos * ay + sin * ax)
-        power -= torque * ((ay * ux - ax * uy) / (aa * aa) - (by * wx - bx * wy) / (bb * bb))
-    return power
-
-
-@kernel(fastmath=FAST)
-def _true(drive, t, a, b, vx, vy):
-    """The rate of a spring's vector from mass a to b at time t, with the true velocities of hands."""
-    ux, uy = vx[b] - vx[a], vy[b] - vy[a]
-    for i in range(drive.mass.size):
-        sign = (1.0 - drive.hand[i]) * ((drive.mass[i] == b) - (drive.mass[i] == a))
-        if sign != 0.0:
-            hx, hy = hand_speed(drive, i, t)
-            ux, uy = ux + sign * hx, uy + sign * hy
-    return ux, uy
-
-
-@kernel(fastmath=FAST)
-def _power_of_keys(body, state, drive, x, y):
-    """The power of changing rest lengths and rest angles."""
-    power = 0.0
-    for s in range(body.springs):
-        if body.stiffness[s] > 0.0:
-            a, b = body.spring_a[s], body.spring_b[s]
-            length = length_of(x[b] - x[a], y[b] - y[a], body.softening)
-            stretch = body.stiffness[s] * length - state.pull[s]
-            power -= stretch * drive.growth * state.pull[s] / body.stiffness[s]
-    for j in range(body.joints):
-        s, r = body.joint_a[j], body.joint_b[j]
-        a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
-        ax, ay, bx, by = x[a1] - x[a0], y[a1] - y[a0], x[b1] - x[b0], y[b1] - y[b0]
-        off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])
-        aa, bb = ax * ax + ay * ay, bx * bx + by * by
-        weight = math.sqrt(aa * bb)
-        if not is_sine(body.law):
-            weight = aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))
-        torque = body.torque_size[j + 1] * weight * terms(body.law, off)[0]
-        power -= torque * math.radians(drive.turn)
-    return power
+        power = scratch.fx[m] * rate[m] + scratch.fy[m] * rate[slots + m]
+        problem.balance.work.anchors -= h * power

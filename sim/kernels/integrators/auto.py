@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 
 from ..core.jit import FAST, kernel
-from ..core.lanes import whole_eights
 from ..core.tables import ADAMS, ALPHA, CHOICES, CONTROL_SCALE, ROSENBROCK, VERLET
 from ..core.vectors import from_to
 from .guard import GOOD, STUCK
@@ -27,10 +26,6 @@ _TAKING_OVER = 0.3
 
 _RESTART = 8.0
 """Number of steps that a method with a history loses when another method has a turn."""
-
-_CALMING = 4.0
-"""Factor by which trying Adams methods is postponed while Rosenbrock methods are best: Rosenbrock methods
-damp vibrations, which would limit the steps of Adams methods for as long as they last."""
 
 _NEWS = 0.3
 """Weight of a bad turn of generalized-alpha relative to the turns before it."""
@@ -175,8 +170,6 @@ def _whose_turn(auto, costs, long_step, held):
     if costs[other] > 0.0 and (worth or other != ADAMS):
         tries = _few(other)
         price = tries * costs[other] + (_RESTART * costs[best] if best in (ALPHA, ADAMS) else 0.0)
-        if best == ROSENBROCK and other == ADAMS:
-            price *= _CALMING
         close = best != ALPHA and auto.pace[other] > _CLOSE * pace
         share = _SHARE if close else _SHARE_OF_HOPELESS
         if auto.work * share > price:
@@ -196,8 +189,6 @@ def _whose_turn(auto, costs, long_step, held):
 def _near_singular(body, state, q):
     """Whether any spring is short, or any joint is bent by over 90 degrees from rest: A . R(-r) B < 0."""
     short = _SHORT * state.controls[CONTROL_SCALE]
-    if body.chain:
-        return _chain_near_singular(body, state, q, short)
     for s in range(body.springs):
         x, y = from_to(q, body.spring_a[s], body.spring_b[s])
         least = short * body.rest_length[s]
@@ -211,20 +202,6 @@ def _near_singular(body, state, q):
         if cosine * (ax * bx + ay * by) + sine * (ax * by - ay * bx) < 0.0:
             return True
     return False
-
-
-@kernel(noalias=True, fastmath=FAST)
-def _chain_near_singular(body, state, q, short):
-    """`_near_singular` of a chain, vectorised; padding springs and joints never count."""
-    slots = q.size // 2
-    x, y, cosine, sine = q[:slots], q[slots:], state.torque_cos, state.torque_sin
-    delicate = 0
-    for s in range(whole_eights(body.springs)):
-        ax, ay, bx, by = x[s + 2] - x[s + 1], y[s + 2] - y[s + 1], x[s + 3] - x[s + 2], y[s + 3] - y[s + 2]
-        least = short * body.rest_length[s]
-        folded = cosine[s + 1] * (ax * bx + ay * by) + sine[s + 1] * (ax * by - ay * bx) < 0.0
-        delicate += (ax * ax + ay * ay < least * least) or folded
-    return delicate > 0
 
 
 @kernel(forceinline=True)

@@ -14,13 +14,13 @@ from __future__ import annotations
 
 import math
 
-from ..around.broad_phase import update_pairs
-from ..around.contact import energy_on_spring
+from ...forces.broad_phase import update_pairs
+from ...forces.contact import energy_on_spring
+from ...forces.joints import deflection_at, is_sine, joint_energy, joint_vectors, terms
+from ...forces.springs import spring_force
+from ..core.drive import wrap
 from ..core.jit import FAST, kernel
-from ..core.vectors import deflection, from_to, length_of
-from ..energy.energies import angular_energy
-from ..forces.drive import wrap
-from ..forces.laws import deflection_at, is_sine, terms
+from ..core.vectors import deflection, length_of
 from .guard import CHANGED
 
 _OVER_STRENGTH = 1e-3
@@ -45,7 +45,7 @@ def overstrained(problem, q, tolerance):
     body, state = problem.body, problem.state
     strength = body.strength
     for s in range(body.springs):
-        force, stiffness = _force(body, state, q, s), body.stiffness[s]
+        force, stiffness = spring_force(body, state, q, s), body.stiffness[s]
         over = min(_OVER_STRENGTH * strength.breaking[s], _OVER_STRETCH * stiffness * tolerance)
         if state.broken[s] == 0.0 and abs(force) > strength.breaking[s] + over:
             return True
@@ -67,22 +67,21 @@ def settle(problem, q):
     body, state, balance = problem.body, problem.state, problem.balance
     strength, slots, changed = body.strength, q.size // 2, False
     for s in range(body.springs):
-        force, stiffness = _force(body, state, q, s), body.stiffness[s]
+        force, stiffness = spring_force(body, state, q, s), body.stiffness[s]
         moved = _set_by(body, state, s, force)
         if moved != 0.0:
             after = force - stiffness * moved
             state.set_length[s] += moved
             state.hardened[s] += strength.hardening[s] * abs(moved)
-            state.pull[s] += stiffness * moved
+            state.rest_tension[s] += stiffness * moved
             balance.work.plastic -= 0.5 * (force * force - after * after) / stiffness
             force, changed = after, True
         if abs(force) > strength.breaking[s] and state.broken[s] == 0.0:
             state.broken[s] = 1.0
             balance.work.broken -= 0.5 * force * force / stiffness
-            if body.surroundings.contact.present:
-                x, y = q[:slots], q[slots:]
-                update_pairs(body, x, y)
-                balance.work.broken -= energy_on_spring(body, x, y, s)
+            if body.environment.contact.present:
+                update_pairs(body, q[:slots], q[slots:])
+                balance.work.broken -= energy_on_spring(body, q, s)
             changed = True
     for j in range(body.joints):
         changed |= _settle_joint(problem, q, j)
@@ -99,9 +98,8 @@ def _settle_joint(problem, q, j):
     if size <= 0.0:
         return False
     s, r = body.joint_a[j], body.joint_b[j]
-    ax, ay = from_to(q, body.spring_a[s], body.spring_b[s])
-    bx, by = from_to(q, body.spring_a[r], body.spring_b[r])
-    before = size * angular_energy(body.law, ax, ay, bx, by, state.torque_rest[j + 1], soft)
+    (ax, ay), (bx, by) = joint_vectors(body, q, j)
+    before = size * joint_energy(body.law, ax, ay, bx, by, state.torque_rest[j + 1], soft)
     if state.broken[s] + state.broken[r] > 0.0:
         balance.work.broken -= before
         return True
@@ -112,7 +110,7 @@ def _settle_joint(problem, q, j):
     rest = state.torque_rest[j + 1] + moved
     state.torque_rest[j + 1] = rest
     state.torque_cos[j + 1], state.torque_sin[j + 1] = size * math.cos(rest), size * math.sin(rest)
-    after = size * angular_energy(body.law, ax, ay, bx, by, rest, soft)
+    after = size * joint_energy(body.law, ax, ay, bx, by, rest, soft)
     balance.work.plastic -= before - after
     return True
 
@@ -124,7 +122,7 @@ def _set_by(body, state, s, force):
     over = abs(force) - (strength.yielding[s] + state.hardened[s])
     if not (over > 0.0 and stiffness > 0.0):
         return 0.0
-    rest = state.pull[s] / stiffness
+    rest = state.rest_tension[s] / stiffness
     moved = math.copysign(over / (stiffness + strength.hardening[s]), force)
     return max(moved, min(_SHORTEST_REST * body.rest_length[s] - rest, 0.0))
 
@@ -139,9 +137,7 @@ def _bent_by(body, state, q, j):
     size, soft = body.torque_size[j + 1], body.softening
     if size <= 0.0:
         return 0.0, 0.0, 0.0, 1.0
-    s, r = body.joint_a[j], body.joint_b[j]
-    ax, ay = from_to(q, body.spring_a[s], body.spring_b[s])
-    bx, by = from_to(q, body.spring_a[r], body.spring_b[r])
+    (ax, ay), (bx, by) = joint_vectors(body, q, j)
     one, other = length_of(ax, ay, soft), length_of(bx, by, soft)
     span, limit = one + other, body.strength.bending[j] / (size * one * other)
     off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])
@@ -156,10 +152,3 @@ def _bent_by(body, state, q, j):
     if not torque > limit or abs(moved) < 1e-12:
         moved = 0.0
     return moved, yielding, abs(off) - yielding, span
-
-
-@kernel(forceinline=True, fastmath=FAST)
-def _force(body, state, q, s):
-    """The force of a spring at positions q, kg px/s²; positive where it is stretched."""
-    x, y = from_to(q, body.spring_a[s], body.spring_b[s])
-    return body.stiffness[s] * length_of(x, y, body.softening) - state.pull[s]

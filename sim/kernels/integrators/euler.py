@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from ..core.drive import lead_to, press
 from ..core.jit import FUSED, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate
 from ..core.tables import SPARE
-from ..forces.drive import lead_to, press
 from .loop import advance, begin_at_once, go_on
 from .steps import fixed_time
 
@@ -31,7 +31,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
         trial.end = fixed_time(problem, trial.number + i)
         lead_to(drive, trial.end, q, v)
         press(problem.body, state, drive, h)
-        if drive.gusty:
+        if drive.timed:
             state.clock[0] = trial.end
         accelerate(problem, q, v, new.a)
         _kick_and_drift(q, v, new.a, h)

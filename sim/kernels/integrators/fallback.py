@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import math
 
+from ..core.drive import act_at, drive_to
 from ..core.jit import FAST, kernel
-from ..core.shared import accelerate, factorise, solve
+from ..core.shared import accelerate, add_damping, factorise, solve
 from ..core.vectors import from_to
 from ..energy.energies import energies
-from ..forces.drive import act_at, drive_to
-from ..linear.damping import add_resistance, remember_directions
 from .guard import GOOD, state_ok
 from .steps import max_abs
 
@@ -30,7 +29,6 @@ def run_fallback(problem, drive, h, shortest, reach):
         reach: largest distance that a mass moves, px.
     """
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
-    matrix = problem.matrix
     slots = state.q.size // 2
     run, alpha, q, v, rows = integrator.run, integrator.alpha, state.q, state.v, integrator.rows
     to_q, to_v, a, move, parts = rows[0], rows[1], rows[2], rows[3], rows[4]
@@ -57,13 +55,12 @@ def run_fallback(problem, drive, h, shortest, reach):
     accelerate(problem, q, v, a)
     g = 1.0 / h
     factorise(problem, q, v, g * g, g, True)
-    remember_directions(body, matrix, q)
     for j in range(q.size):
         move[j] = a[j] + g * v[j]
     for i in range(drive.mass.size):
         m = drive.mass[i]
         move[m], move[slots + m] = 0.0, 0.0
-    add_resistance(problem, q, v, v, -1.0, move)
+    add_damping(problem, q, v, v, -1.0, move)
     solve(problem, move)
     for m in range(1, body.masses + 1):
         size = math.sqrt(move[m] * move[m] + move[slots + m] * move[slots + m])

@@ -10,12 +10,11 @@ from __future__ import annotations
 
 import math
 
-from ..around.contact import shortest_hit
-from ..around.walls import shortest_impact
+from ...forces.all import impact_time
+from ..core.drive import drive_to
 from ..core.jit import FAST, kernel
 from ..core.shared import accelerate, factorise, no_tunnelling, solve
 from ..core.tables import SPARE
-from ..forces.drive import drive_to
 from .loop import advance
 from .steps import HOPELESS, SHORTEST_STEP, first_step, max_abs, max_abs_difference, step_after
 from .turning import predict, remember, turn_and_stretch
@@ -254,13 +253,9 @@ def _parameters(problem):
 def _longest(problem, old):
     """The longest part of a fixed step that may be tried from here, s."""
     body, longest = problem.body, problem.integrator.run.step
-    if not body.surroundings.present:
+    if not body.environment.present:
         return longest
-    w = problem.state.inverse_mass
-    soonest = shortest_impact(body, w, old.q, old.v, old.a, longest)
-    if body.surroundings.contact.present:
-        soonest = min(soonest, shortest_hit(body, w, old.q, old.v, old.a, longest))
-    return min(longest, _IMPACT * soonest)
+    return min(longest, _IMPACT * impact_time(body, problem.state, old.q, old.v, old.a, longest))
 
 
 @kernel(forceinline=True)

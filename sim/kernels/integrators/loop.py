@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import math
 
+from ..core.drive import lead_to, set_controls
 from ..core.jit import kernel
 from ..core.shared import accelerate, accumulate, no_tunnelling, settle, within_strength
 from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT
-from ..forces.drive import lead_to, set_controls
 from .guard import GOOD, state_ok
 from .steps import (
     WORTH_SHORTENING,
@@ -159,7 +159,7 @@ def _is_acceptable(problem, old, new, h, tolerance, shortest):
 @kernel(forceinline=True)
 def _act_as(body, state, drive, t, scale, shift):
     """Set the clock of the gusts to time t, and what held keys change to given values."""
-    if drive.gusty:
+    if drive.timed:
         state.clock[0] = t
     if drive.pressed:
         set_controls(body, state, scale, shift)

@@ -6,12 +6,11 @@ Velocities are eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solv
 
 from __future__ import annotations
 
+from ..core.drive import act_at, drive_to
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
-from ..core.shared import accelerate, factorise, solve
+from ..core.shared import accelerate, add_damping, factorise, solve
 from ..core.tables import ALPHA, SPARE
-from ..forces.drive import act_at, drive_to
-from ..linear.damping import add_resistance, remember_directions
 from .loop import advance
 from .steps import HOPELESS, first_step, largest_sum, step_after
 from .turning import remember
@@ -49,7 +48,6 @@ def _step(problem, drive, old, new, t, h, tolerance):
     stages = method.stages
     g = 1.0 / (method.gamma * h)
     regular = factorise(problem, q, v, g * g, g, False)
-    remember_directions(body, problem.matrix, q)
     if drive.moving:
         _by_time(problem, drive, old, t, h, to_q, to_v, to_a, by_time)
     for i in range(stages + 1):
@@ -73,9 +71,9 @@ def _step(problem, drive, old, new, t, h, tolerance):
                 rest[m], rest[q.size // 2 + m] = 0.0, 0.0
         for j in range(1, q.size - SPARE):
             x[j] = to_a[j] + right[j] + g * rest[j]
-        if drive.gusty:  # the derivatives are those at the start of the step, like the matrix
+        if drive.timed:  # the derivatives are those at the start of the step, like the matrix
             state.clock[0] = t
-        add_resistance(problem, q, v, rest, -1.0, x)
+        add_damping(problem, q, v, rest, -1.0, x)
         solve(problem, x)
         for j in range(1, q.size - SPARE):
             w[j] = g * x[j] - rest[j]

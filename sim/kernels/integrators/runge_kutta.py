@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from ..core.drive import drive_to
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate
 from ..core.tables import SPARE
-from ..forces.drive import drive_to
 from .loop import advance, begin_at_once, go_on
 
 

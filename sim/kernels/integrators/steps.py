@@ -6,14 +6,14 @@ import math
 
 import numpy as np
 
+from ...forces.chain import is_chain_like
 from ..core.bits import from_bits, size_bits
+from ..core.drive import drive_to
 from ..core.jit import FAST, kernel
 from ..core.lanes import eight_at_a_time, whole_eights
 from ..core.shared import accelerate
 from ..core.tables import SPARE
 from ..core.vectors import from_to
-from ..forces.chain import is_chain_like
-from ..forces.drive import drive_to
 from .guard import STUCK
 
 SHORTEST_STEP = 1e-12
@@ -52,7 +52,7 @@ def ensure_acceleration(problem, drive):
         integrator.adams.time = -1.0
 
 
-@kernel(forceinline=True)
+@kernel(fastmath=FAST)
 def all_rotations_ok(body, state, q, to_q, step):
     """Whether no spring has turned by more than 60 degrees in a step.
 
@@ -61,37 +61,13 @@ def all_rotations_ok(body, state, q, to_q, step):
     """
     if step < _SHORTEST_TURN:
         return True
-    if body.chain:
-        return _chain_rotations_ok(body, state.inverse_mass, q, to_q)
-    return _any_rotations_ok(body, state.inverse_mass, q, to_q)
-
-
-@kernel(noalias=True, fastmath=FAST)
-def _chain_rotations_ok(body, inverse_mass, q, to_q):
-    slots = q.size // 2
-    qx, qy, to_qx, to_qy = q[:slots], q[slots:], to_q[:slots], to_q[slots:]
-    turned = 0
-    for s in range(whole_eights(body.springs)):
-        x, y, to_x, to_y = (
-            qx[s + 2] - qx[s + 1],
-            qy[s + 2] - qy[s + 1],
-            to_qx[s + 2] - to_qx[s + 1],
-            to_qy[s + 2] - to_qy[s + 1],
-        )
-        free = s < body.springs and inverse_mass[s + 1] + inverse_mass[s + 2] > 0.0
-        turned += free and _has_turned(x, y, to_x, to_y, body.softening)
-    return turned == 0
-
-
-@kernel(fastmath=FAST)
-def _any_rotations_ok(body, inverse_mass, q, to_q):
+    inverse_mass = state.inverse_mass
     for s in range(body.springs):
         a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
         x, y = from_to(q, a, b)
         to_x, to_y = from_to(to_q, a, b)
         free = inverse_mass[a] + inverse_mass[b] > 0.0
-        # Not vectorised as for chains: gathering the ends of eight springs at a time is slower than one by
-        # one.
+        # Not vectorised: gathering the ends of eight springs at a time is slower than one by one.
         if free and _has_turned(x, y, to_x, to_y, body.softening):
             return False
     return True

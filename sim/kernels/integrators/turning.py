@@ -2,15 +2,9 @@
 
 A long rod turns a lot in one step while it hardly stretches, and positions are strongly nonlinear in that
 motion. As a complex number, the vector of a spring becomes vector * (1 + z), for any rotation.
-
-Along a chain, the parent of each mass is the one before it. All vectors are then computed in vectorised
-loops, and only their sum proceeds from mass to mass, which takes half of the time. Indices there are
-unsigned, because numba otherwise tests each one for being negative.
 """
 
 from __future__ import annotations
-
-import numpy as np
 
 from ..core.jit import FAST, kernel
 from ..core.tables import SPARE
@@ -33,14 +27,10 @@ def remember(problem, q, step, least):
     last, older = alpha.rows[1], alpha.rows[2]
     for j in range(1, q.size - SPARE):
         older[j] = last[j]
-    if matrix.straight:
-        for j in range(1, q.size):
-            last[j] = q[j] - q[j - 1]
-    else:
-        for i in range(matrix.walk.size):
-            m = matrix.walk[i]
-            p = matrix.parent[m]
-            last[m], last[slots + m] = q[m] - q[p], q[slots + m] - q[slots + p]
+    for i in range(matrix.walk.size):
+        m = matrix.walk[i]
+        p = matrix.parent[m]
+        last[m], last[slots + m] = q[m] - q[p], q[slots + m] - q[slots + p]
     alpha.older = alpha.last
     alpha.last = step
 
@@ -63,22 +53,12 @@ def predict(problem, q, step, to_q, vector):
         ratio = (h1 + step) / (h0 + h1)
         c1, c0 = c1 * (1.0 + ratio), -step / h0 * ratio
     n = matrix.walk.size
-    if matrix.straight:
-        x, y, to_x, to_y = q[:slots], q[slots:], vector[:slots], vector[slots:]
-        x1, y1, x0, y0 = last[:slots], last[slots:], older[:slots], older[slots:]
-        for s in range(n - 1):
-            dx, dy = _extrapolated(
-                x[s + 2] - x[s + 1], y[s + 2] - y[s + 1], x1[s + 2], y1[s + 2], x0[s + 2], y0[s + 2], c1, c0
-            )
-            to_x[s + 2] = dx
-            to_y[s + 2] = dy
-    else:
-        for i in range(n):
-            m = matrix.walk[i]
-            p, k = matrix.parent[m], slots + m
-            vector[m], vector[k] = _extrapolated(
-                q[m] - q[p], q[k] - q[slots + p], last[m], last[k], older[m], older[k], c1, c0
-            )
+    for i in range(n):
+        m = matrix.walk[i]
+        p, k = matrix.parent[m], slots + m
+        vector[m], vector[k] = _extrapolated(
+            q[m] - q[p], q[k] - q[slots + p], last[m], last[k], older[m], older[k], c1, c0
+        )
     _add_up(matrix, problem.state.inverse_mass, vector, to_q)
 
 
@@ -86,35 +66,17 @@ def predict(problem, q, step, to_q, vector):
 def turn_and_stretch(matrix, inverse_mass, q, move, vector):
     """Apply an update to the positions q by turning and stretching each spring; `vector` is scratch."""
     slots, n = q.size // 2, matrix.walk.size
-    if matrix.straight:
-        x, y, to_x, to_y = q[:slots], q[slots:], vector[:slots], vector[slots:]
-        by_x, by_y = move[:slots], move[slots:]
-        for s in range(n - 1):
-            dx, dy = _updated(
-                x[s + 2] - x[s + 1],
-                y[s + 2] - y[s + 1],
-                by_x[s + 2] - by_x[s + 1],
-                by_y[s + 2] - by_y[s + 1],
-            )
-            to_x[s + 2] = dx
-            to_y[s + 2] = dy
-        for index in range(1, n + 1):  # without a branch, so that it is vectorised
-            m = np.uint64(index)
-            apart = (matrix.parent[m] == 0) | (inverse_mass[m] == 0.0)
-            x[m] += by_x[m] if apart else 0.0
-            y[m] += by_y[m] if apart else 0.0
-    else:
-        for i in range(n):
-            m = matrix.walk[i]
-            p, k = matrix.parent[m], slots + m
-            vector[m], vector[k] = _updated(
-                q[m] - q[p], q[k] - q[slots + p], move[m] - move[p], move[k] - move[slots + p]
-            )
-        for i in range(n):
-            m = matrix.walk[i]
-            if matrix.parent[m] == 0 or inverse_mass[m] == 0.0:
-                q[m] += move[m]
-                q[slots + m] += move[slots + m]
+    for i in range(n):
+        m = matrix.walk[i]
+        p, k = matrix.parent[m], slots + m
+        vector[m], vector[k] = _updated(
+            q[m] - q[p], q[k] - q[slots + p], move[m] - move[p], move[k] - move[slots + p]
+        )
+    for i in range(n):
+        m = matrix.walk[i]
+        if matrix.parent[m] == 0 or inverse_mass[m] == 0.0:
+            q[m] += move[m]
+            q[slots + m] += move[slots + m]
     _add_up(matrix, inverse_mass, vector, q)
 
 
@@ -122,21 +84,11 @@ def turn_and_stretch(matrix, inverse_mass, q, move, vector):
 def _add_up(matrix, inverse_mass, vector, q):
     """Compute positions from the vectors, except of held masses and of those without a parent."""
     slots = q.size // 2
-    if matrix.straight:
-        x, y = q[1], q[slots + 1]
-        for index in range(2, matrix.walk.size + 1):
-            m, k = np.uint64(index), np.uint64(slots + index)
-            if matrix.parent[m] == 0 or inverse_mass[m] == 0.0:
-                x, y = q[m], q[k]
-            else:
-                x, y = x + vector[m], y + vector[k]
-                q[m], q[k] = x, y
-    else:
-        for i in range(matrix.walk.size):
-            m = matrix.walk[i]
-            p = matrix.parent[m]
-            if not (p == 0 or inverse_mass[m] == 0.0):
-                q[m], q[slots + m] = q[p] + vector[m], q[slots + p] + vector[slots + m]
+    for i in range(matrix.walk.size):
+        m = matrix.walk[i]
+        p = matrix.parent[m]
+        if not (p == 0 or inverse_mass[m] == 0.0):
+            q[m], q[slots + m] = q[p] + vector[m], q[slots + p] + vector[slots + m]
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -9,77 +9,24 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...forces.all import add_derivatives
+from ...forces.joints import add_joint_derivatives
+from ...forces.springs import add_spring_derivatives
+from ..core.blocks import inverted
 from ..core.jit import FAST, kernel
-from ..core.vectors import from_to, inverse_of
-from .blocks import inverted, joint_blocks, spring_block
-
-
-@kernel(forceinline=True, fastmath=FAST)
-def _add(blocks, target, sign, block):
-    i = 4 * target
-    blocks[i] += sign * block[0]
-    blocks[i + 1] += sign * block[1]
-    blocks[i + 2] += sign * block[2]
-    blocks[i + 3] += sign * block[3]
 
 
 @kernel(fastmath=FAST)
 def assemble(body, state, matrix, q, v, g, definite):
-    """Fill the pattern with the derivatives of the forces of springs and joints, by positions and g times by
-    velocities; masses and air friction are left out."""
-    blocks, soft = matrix.blocks, body.softening
-    for i in range(blocks.size):
-        blocks[i] = 0.0
-    for s in range(body.springs):
-        a, b = body.spring_a[s], body.spring_b[s]
-        vector, rate = from_to(q, a, b), from_to(v, a, b)
-        inv = inverse_of(vector[0], vector[1], soft)
-        block = spring_block(
-            body.stiffness[s], body.damping[s], state.pull[s], inv, vector, rate, g, definite
-        )
-        t = matrix.spring_target
-        # The force acts on b and its opposite on a; the vector is b minus a.
-        _add(blocks, t[4 * s], 1.0, block)
-        _add(blocks, t[4 * s + 1], -1.0, block)
-        _add(blocks, t[4 * s + 2], -1.0, block)
-        _add(blocks, t[4 * s + 3], 1.0, block)
-    for j in range(body.joints):
-        s, r = body.joint_a[j], body.joint_b[j]
-        a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
-        vector_a, vector_b = from_to(q, a0, a1), from_to(q, b0, b1)
-        rate_a, rate_b = from_to(v, a0, a1), from_to(v, b0, b1)
-        aa, ab, ba, bb = joint_blocks(
-            body.law,
-            body.torque_size[j + 1],
-            state.torque_cos[j + 1],
-            state.torque_sin[j + 1],
-            state.torque_rest[j + 1],
-            body.torque_damping[j + 1],
-            vector_a,
-            vector_b,
-            inverse_of(vector_a[0], vector_a[1], soft),
-            inverse_of(vector_b[0], vector_b[1], soft),
-            soft,
-            rate_a,
-            rate_b,
-            g,
-            definite,
-        )
-        t = matrix.joint_target
-        i = 16 * j
-        for block in (aa, ab, ba, bb):
-            _add(blocks, t[i], 1.0, block)
-            _add(blocks, t[i + 1], -1.0, block)
-            _add(blocks, t[i + 2], -1.0, block)
-            _add(blocks, t[i + 3], 1.0, block)
-            i += 4
+    """Fill the pattern with the derivatives of all forces but that of still air, kg/s².
 
-
-@kernel(internal=True, fastmath=FAST)
-def factorise_sparse(body, state, matrix, q, v, a, g, definite):
-    """`implicit.factorise_matrix` of any body but a chain."""
-    assemble(body, state, matrix, q, v, g, definite)
-    return eliminate(body, state, matrix, v, a, g)
+    They are by positions, plus g times those by velocities; see `forces.term.Term.add_derivatives`.
+    """
+    for i in range(matrix.blocks.size):
+        matrix.blocks[i] = 0.0
+    add_spring_derivatives(body, state, matrix, q, v, g, definite)
+    add_joint_derivatives(body, state, matrix, q, v, g, definite)
+    add_derivatives(body, state, matrix, q, v, g, definite)
 
 
 @kernel(internal=True, fastmath=FAST)
@@ -125,7 +72,7 @@ def eliminate(body, state, matrix, v, a, g):
 
 @kernel(internal=True, fastmath=FAST)
 def solve_sparse(body, matrix, b):
-    """`implicit.solve_matrix` of any body but a chain."""
+    """Solve with the sparse factors alone."""
     slots = b.size // 2
     r, start, column, diagonal, order = (
         matrix.blocks,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from ..core.jit import kernel
-from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN
+from .jit import kernel
+from .tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN
 
 
 @kernel(internal=True)
@@ -24,10 +24,10 @@ def refresh(body, state):
     scale = state.controls[CONTROL_SCALE]
     shift = state.controls[CONTROL_SHIFT]
     for s in range(body.springs):
-        state.pull[s] = body.stiffness[s] * (body.rest_length[s] * scale)
+        state.rest_tension[s] = body.stiffness[s] * (body.rest_length[s] * scale)
     if body.strength.present:
         for s in range(body.springs):
-            state.pull[s] += body.stiffness[s] * state.set_length[s]
+            state.rest_tension[s] += body.stiffness[s] * state.set_length[s]
     for j in range(body.joints):
         degrees = wrap(body.joint_rest[j] + shift)
         if body.strength.present:
@@ -73,7 +73,7 @@ def act_at(body, state, drive, t):
 
     A step that is refused has set them to a later time.
     """
-    if drive.gusty:
+    if drive.timed:
         state.clock[0] = t
     if drive.pressed:
         since = t - drive.start

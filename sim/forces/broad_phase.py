@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 
-from ..core.bits import from_bits, size_bits
-from ..core.jit import FAST, FUSED, kernel
+from ..kernels.core.bits import from_bits, size_bits
+from ..kernels.core.jit import FAST, FUSED, kernel
 
 _FARTHEST = 1e8
 """Coordinate, px, beyond which no pairs are looked for: such a state is refused anyway."""
@@ -39,7 +39,7 @@ def meeting(line, x, y):
 @kernel(internal=True, fastmath=FUSED)
 def update_pairs(body, x, y):
     """Make the list anew unless it holds all pairs that touch at these positions."""
-    contact = body.surroundings.contact
+    contact = body.environment.contact
     margin = contact.number[0]
     moved = relative_move(body.masses, contact.at, x, y)
     if not (moved <= margin and margin <= _TOO_LONG * contact.margin):
@@ -49,7 +49,7 @@ def update_pairs(body, x, y):
 @kernel(internal=True, fastmath=FUSED)
 def cover_pairs(body, x, y, margin):
     """Make the list anew unless it holds all pairs that are nearer than the distance plus a margin (px)."""
-    contact = body.surroundings.contact
+    contact = body.environment.contact
     moved = relative_move(body.masses, contact.at, x, y)
     if not moved + margin <= contact.number[0]:
         _find_pairs(body, x, y, max(margin, contact.margin))
@@ -58,7 +58,7 @@ def cover_pairs(body, x, y, margin):
 @kernel(forceinline=True)
 def pairs_of(body, s):
     """Where the masses that may touch spring s start and end in the list."""
-    contact = body.surroundings.contact
+    contact = body.environment.contact
     if contact.broken[s] != 0.0:
         return 0, 0
     if contact.crowded[0] != 0:
@@ -82,7 +82,7 @@ def relative_move(masses, at, x, y):
 
 @kernel(fastmath=FUSED)
 def _find_pairs(body, x, y, margin):
-    contact, slots, far = body.surroundings.contact, x.size, 0
+    contact, slots, far = body.environment.contact, x.size, 0
     start = contact.start
     contact.crowded[0] = 0
     for i in range(1, body.masses + 1):
@@ -108,7 +108,7 @@ def _find_pairs(body, x, y, margin):
 @kernel(fastmath=FUSED)
 def _fill_grid(body, x, y):
     """Sort the masses by the buckets of their cells."""
-    contact = body.surroundings.contact
+    contact = body.environment.contact
     start, per_px, buckets = contact.bucket_start, 1.0 / contact.cell, contact.bucket_start.size - 1
     for k in range(buckets + 1):
         start[k] = 0
@@ -136,7 +136,7 @@ def _bucket_of(column, row, buckets):
 @kernel(fastmath=FUSED)
 def _gather(body, s, first):
     """Write the masses that may touch spring s into the list, in ascending order; returns where they end."""
-    contact = body.surroundings.contact
+    contact = body.environment.contact
     at, member, slots = contact.at, contact.member, contact.at.size // 2
     reach, buckets = contact.distance + contact.number[0], contact.bucket_start.size - 1
     near, per_px = reach * reach, 1.0 / contact.cell

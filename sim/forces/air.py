@@ -1,0 +1,228 @@
+"""The air: friction, which acts on each axis by itself, and wind.
+
+With the friction F, kg/px, and the velocity w of the air at a mass, the force along each axis is
+-F |v - w| (v - w). The power of it is -F |v - w| (v - w) v, and its derivative by v is -2 F |v - w|; by
+position it is 2 F |v - w| times the derivative of w.
+
+Still air, w = 0, is part of every step of every body. So `springs.accelerations_by` and `chain` have its
+force, from `State.air`, which is F / m, and zero for held masses and where there is wind.
+
+Gusts are waves of velocity across their own direction, so that the air is not compressed, which the mean wind
+carries along: a wave with the wave vector k adds its amplitude times sin(k . x - k . w t + phase) to the mean
+wind w (Kraichnan 1970, Taylor 1938).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ..kernels.core.jit import FAST, kernel
+from ..kernels.core.sines import sine
+from ..kernels.core.table import Rows, Table
+from ..kernels.core.tables import Body, State
+from ..scene.surroundings import Wind
+from ..scene.types import Scene
+from .term import Floats, Term, Vectors, read_only
+
+_WAVES = 12
+"""Number of waves that make gusts."""
+_OCTAVES = 4.0
+"""Their wavelengths reach from the length scale to this many octaves below it."""
+_GOLDEN_ANGLE = math.pi * (3.0 - math.sqrt(5.0))
+"""Angle between the directions of one wave and the next, radians: it spreads any number evenly."""
+
+
+# ------------------------------------------------------------------------- rows, and how a scene gives them
+class Air(Table):
+    """Read-only. K waves of gusts."""
+
+    friction: float  # F, kg/px
+    moves: bool  # there is wind, and friction for it to act by
+    wind_x: float  # px/s, the mean wind
+    wind_y: float
+    waves: Rows  # (K, 6), see the WAVE_ constants
+
+
+WAVE_X, WAVE_Y, WAVE_U, WAVE_V, WAVE_PHASE, WAVE_RATE = 0, 1, 2, 3, 4, 5
+"""In a row of `waves`: wave vector, 1/px, amplitude, px/s, phase at time zero, and its rate, 1/s."""
+WAVE_ROW = 6
+"""Length of a row of `waves`."""
+
+
+def new_air(scene: Scene) -> Air:
+    """The table of a valid scene."""
+    wind = scene.wind if scene.air_friction > 0.0 else None
+    x, y = wind.velocity if wind else (0.0, 0.0)
+    waves = _waves(wind) if wind else np.zeros((0, WAVE_ROW))
+    return read_only(
+        Air(friction=scene.air_friction, moves=wind is not None, wind_x=x, wind_y=y, waves=waves)
+    )
+
+
+def _waves(wind: Wind) -> Floats:
+    """(K, 6) waves whose energy falls with the wave number as in turbulence, by the power -5/3."""
+    speed = math.hypot(*wind.velocity)
+    if wind.turbulence * speed == 0.0:
+        return np.zeros((0, WAVE_ROW))
+    rng = np.random.default_rng(wind.seed)
+    octave = np.arange(_WAVES) * (_OCTAVES / (_WAVES - 1))
+    number = np.asarray(math.tau / wind.length_scale * 2.0**octave, float)
+    turn = _GOLDEN_ANGLE * np.arange(_WAVES) + rng.uniform(0.0, math.tau)
+    amplitude = number ** (-1.0 / 3.0)  # equal shares of the octaves, each with the energy k^(-2/3)
+    # The mean square of both components together is half of the sum of all squared amplitudes.
+    amplitude *= 2.0 * wind.turbulence * speed / math.sqrt(float((amplitude**2).sum()))
+    x, y = number * np.cos(turn), number * np.sin(turn)
+    u, v = -amplitude * np.sin(turn), amplitude * np.cos(turn)
+    phase = rng.uniform(0.0, math.tau, _WAVES)
+    return np.stack((x, y, u, v, phase, -(x * wind.velocity[0] + y * wind.velocity[1])), 1)
+
+
+# ------------------------------------------------------------------------- the wind
+@kernel(fastmath=FAST)
+def wind_at(air, t, x, y):
+    """The velocity of the air at a point and a time: u, v (px/s)."""
+    u, v = air.wind_x, air.wind_y
+    for k in range(air.waves.shape[0]):
+        wave = air.waves[k]
+        size = math.sin(wave[WAVE_X] * x + wave[WAVE_Y] * y + wave[WAVE_PHASE] + wave[WAVE_RATE] * t)
+        u += wave[WAVE_U] * size
+        v += wave[WAVE_V] * size
+    return u, v
+
+
+@kernel(fastmath=FAST)
+def wind_gradient_at(air, t, x, y):
+    """Its derivatives by position: du/dx, du/dy, dv/dx, dv/dy (1/s)."""
+    ux, uy, vx, vy = 0.0, 0.0, 0.0, 0.0
+    for k in range(air.waves.shape[0]):
+        wave = air.waves[k]
+        slope = math.cos(wave[WAVE_X] * x + wave[WAVE_Y] * y + wave[WAVE_PHASE] + wave[WAVE_RATE] * t)
+        ux += wave[WAVE_U] * slope * wave[WAVE_X]
+        uy += wave[WAVE_U] * slope * wave[WAVE_Y]
+        vx += wave[WAVE_V] * slope * wave[WAVE_X]
+        vy += wave[WAVE_V] * slope * wave[WAVE_Y]
+    return ux, uy, vx, vy
+
+
+# ------------------------------------------------------------------------- force
+@kernel(fastmath=FAST, noalias=True)
+def _add_wave(wave, t, x, y, u, v):
+    """Add the velocity of the air in one wave at each mass."""
+    kx, ky, phase = wave[WAVE_X], wave[WAVE_Y], wave[WAVE_PHASE] + wave[WAVE_RATE] * t
+    along_x, along_y = wave[WAVE_U], wave[WAVE_V]
+    for i in range(x.size):
+        s = sine(kx * x[i] + ky * y[i] + phase)
+        u[i] += along_x * s
+        v[i] += along_y * s
+
+
+@kernel(fastmath=FAST, noalias=True)
+def _drag(friction, inverse_mass, u, v, vx, vy, fx, fy):
+    """Add the friction of air that moves with the velocities u, v at the masses."""
+    for i in range(u.size):
+        drag = friction if inverse_mass[i] > 0.0 else 0.0
+        past_x, past_y = vx[i] - u[i], vy[i] - v[i]
+        fx[i] -= drag * past_x * abs(past_x)
+        fy[i] -= drag * past_y * abs(past_y)
+
+
+@kernel(fastmath=FAST)
+def _add_forces(body, state, scratch, q, v):
+    """The friction of moving air on free masses."""
+    air, t, end, slots = body.environment.air, state.clock[0], body.masses + 1, q.size // 2
+    if air.moves:
+        x, y, vx, vy = q[1:end], q[slots + 1 : slots + end], v[1:end], v[slots + 1 : slots + end]
+        u, w = scratch.tx[1:end], scratch.ty[1:end]
+        u[:], w[:] = air.wind_x, air.wind_y
+        for k in range(air.waves.shape[0]):
+            _add_wave(air.waves[k], t, x, y, u, w)
+        free = state.inverse_mass[1:end]
+        _drag(air.friction, free, u, w, vx, vy, scratch.fx[1:end], scratch.fy[1:end])
+
+
+# ------------------------------------------------------------------------- the balance
+@kernel(fastmath=FAST)
+def _add_power(body, state, balance, q, v, part):
+    """On free masses; wind can do work on a body."""
+    air, slots, power = body.environment.air, q.size // 2, 0.0
+    for i in range(1, body.masses + 1):
+        if state.inverse_mass[i] > 0.0:
+            vx, vy = v[i], v[slots + i]
+            if air.moves:
+                u, w = wind_at(air, state.clock[0], q[i], q[slots + i])
+                power -= air.friction * ((vx - u) * abs(vx - u) * vx + (vy - w) * abs(vy - w) * vy)
+            else:
+                power -= state.air[i] * balance.mass[i] * (vx * vx * abs(vx) + vy * vy * abs(vy))
+    balance.work.air += part * power
+
+
+# ------------------------------------------------------------------------- derivatives
+@kernel(fastmath=FAST)
+def _add_derivatives(body, state, matrix, q, v, g, definite):
+    """That of still air is in `kernels.linear.sparse.eliminate`."""
+    air, blocks, slots = body.environment.air, matrix.blocks, q.size // 2
+    if not air.moves:
+        return
+    for i in range(body.masses):
+        m, d = matrix.order[i], 4 * matrix.diagonal[i]
+        u, w = wind_at(air, state.clock[0], q[m], q[slots + m])
+        drag_x, drag_y = 2.0 * air.friction * abs(v[m] - u), 2.0 * air.friction * abs(v[slots + m] - w)
+        blocks[d] -= g * drag_x
+        blocks[d + 3] -= g * drag_y
+        if not definite and air.waves.shape[0] > 0:
+            xx, xy, yx, yy = wind_gradient_at(air, state.clock[0], q[m], q[slots + m])
+            blocks[d] += drag_x * xx
+            blocks[d + 1] += drag_x * xy
+            blocks[d + 2] += drag_y * yx
+            blocks[d + 3] += drag_y * yy
+
+
+@kernel(fastmath=FAST)
+def _add_damping(body, state, q, v, z, factor, out):
+    air, still, slots = body.environment.air, state.air, z.size // 2
+    for i in range(1, body.masses + 1):
+        k, by_x, by_y = slots + i, 2.0 * still[i] * abs(v[i]), 2.0 * still[i] * abs(v[slots + i])
+        if air.moves:
+            u, w = wind_at(air, state.clock[0], q[i], q[k])
+            drag = 2.0 * air.friction * state.inverse_mass[i]
+            by_x, by_y = drag * abs(v[i] - u), drag * abs(v[k] - w)
+        out[i] -= factor * by_x * z[i]
+        out[k] -= factor * by_y * z[k]
+
+
+# ------------------------------------------------------------------------- in NumPy
+class AirTwin:
+    """The air in NumPy; see `Twin`."""
+
+    def __init__(self, body: Body, state: State) -> None:
+        self._air, self._state = body.environment.air, state
+
+    def wind(self, x: Vectors) -> Vectors:
+        """The velocity of the air at positions x (px) at the time of the state, px/s."""
+        air, t = self._air, float(self._state.clock[0])
+        total = np.full(x.shape, air.wind_x + 1j * air.wind_y)
+        for kx, ky, u, w, phase, rate in air.waves:
+            total += (u + 1j * w) * np.sin(kx * x.real + ky * x.imag + phase + rate * t)
+        return total
+
+    def forces(self, x: Vectors, v: Vectors) -> Vectors:
+        """See `Twin`; also on masses that are held."""
+        u = v - self.wind(x) if self._air.moves else v
+        return -self._air.friction * (u.real * abs(u.real) + 1j * (u.imag * abs(u.imag)))
+
+    def energy(self, x: Vectors) -> float:
+        """See `Twin`."""
+        return 0.0
+
+
+AIR = Term(
+    "air friction",
+    AirTwin,
+    _add_forces,
+    add_power=_add_power,
+    add_derivatives=_add_derivatives,
+    add_damping=_add_damping,
+    depends_on_time=lambda body: bool(body.environment.air.waves.size),
+)

@@ -1,0 +1,51 @@
+"""The table of all that acts on a body besides springs, still air and gravity."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..kernels.core.table import Floats, Indices, Table
+from ..scene.columns import column
+from ..scene.types import Scene, is_surrounded
+from .air import Air, new_air
+from .contact_pairs import Contacts, new_contacts
+from .fillings import Fillings, new_fillings
+from .walls import Walls, new_walls
+
+
+class Environment(Table):
+    """A table for each term in `all.TERMS`, and what they share."""
+
+    present: bool  # anything is in these tables
+    step: float  # s, of an explicit method with a fixed step, which softens walls and contact; 0 for others
+    mass: Floats  # (slots,) kg
+    air: Air
+    walls: Walls
+    fillings: Fillings
+    contact: Contacts
+
+
+def new_environment(
+    scene: Scene, mass_index: Indices, ends: Indices, slots: int, step: float = 0.0
+) -> Environment:
+    """The table of a valid scene.
+
+    Args:
+        scene: the scene.
+        mass_index: (n,) the slot of each of its masses.
+        ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
+        slots: number of slots of a state.
+        step: see `Environment`.
+    """
+    mass = np.zeros(slots)
+    mass[mass_index] = column(scene.masses, "mass")
+    mass.setflags(write=False)
+    return Environment(
+        present=is_surrounded(scene),
+        step=step,
+        mass=mass,
+        air=new_air(scene),
+        walls=new_walls(scene),
+        fillings=new_fillings(scene, mass_index),
+        contact=new_contacts(scene, mass_index, ends, slots),
+    )

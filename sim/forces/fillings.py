@@ -1,0 +1,240 @@
+"""Gases and liquids in closed loops of masses.
+
+With the area A of a loop and the excess pressure p(A), kg/s², the force on each mass is p dA/dx. The area is
+that of the shoelace formula, half of the sum of x_i × x_{i+1}, so with the neighbours a before and b after a
+mass, dA/dx = (b.y - a.y, a.x - b.x) / 2. The forces of a loop have no sum and no torque, and are minus the
+gradient of an energy U(A) with U' = -p.
+
+- Gas at a constant temperature: p = P A0 / A - outside, U = outside (A - A0) - P A0 ln(A / A0). Below
+  `SMALLEST` A0 the pressure inside goes on along its tangent, through an area of zero and beyond.
+- Liquid: p = K (1 - A / A0), U = K (A - A0)² / (2 A0).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..kernels.core.jit import FAST, kernel
+from ..kernels.core.table import Indices, Rows, Table
+from ..kernels.core.tables import Body, State
+from ..scene.surroundings import Gas, Liquid
+from ..scene.types import Scene
+from .term import Floats, Term, Vectors, read_only
+
+SMALLEST = 0.01
+"""Area of a gas, as a fraction of its own area, below which its pressure grows linearly."""
+
+
+# ------------------------------------------------------------------------- rows, and how a scene gives them
+class Fillings(Table):
+    """Read-only. L loops with a filling, M masses in all of them together."""
+
+    start: Indices  # (L + 1,) where the masses of each loop start in `loop`
+    loop: Indices  # (M,) slots of the masses of all loops, each in the order in which its area is positive
+    rows: Rows  # (L, 4), see the FILLING_ constants
+
+    def loops(self) -> list[Indices]:
+        """The slots of the masses of each loop; for Python only."""
+        return [self.loop[a:b] for a, b in itertools.pairwise(self.start.tolist())]
+
+
+FILLING_GAS, FILLING_PRESSURE, FILLING_OUTSIDE, FILLING_AREA = 0, 1, 2, 3
+"""In a row: 1 for a gas and 0 for a liquid, its pressure or bulk modulus, the pressure outside, kg/s², and
+the area, px²."""
+FILLING_ROW = 4
+"""Length of a row."""
+
+
+def new_fillings(scene: Scene, mass_index: Indices) -> Fillings:
+    """The table of a valid scene; `mass_index`: (n,) the slot of each of its masses."""
+    at = np.array([complex(*mass.position) for mass in scene.masses])
+    loops, rows = [], []
+    for filling in scene.fillings:
+        masses = list(filling.masses)
+        area = polygon_area(at[masses])
+        loops.append(mass_index[masses if area > 0.0 else masses[::-1]])
+        rows.append(_row(filling, abs(area)))
+    return read_only(
+        Fillings(
+            start=np.cumsum([0, *map(len, loops)]).astype(np.int64),
+            loop=np.concatenate([np.zeros(0, np.int64), *loops]),
+            rows=np.array(rows, float).reshape(-1, FILLING_ROW),
+        )
+    )
+
+
+def _row(filling: Gas | Liquid, area: float) -> list[float]:
+    size = filling.area if filling.area is not None else area
+    if isinstance(filling, Liquid):
+        return [0.0, filling.bulk_modulus, 0.0, size]
+    # A gas whose area is tiny is the same as one at the loop's own area. Below a hundredth of its area, its
+    # pressure grows linearly, and no step could follow that within a hundredth of a tiny one.
+    larger = max(size, area)
+    return [1.0, filling.pressure * (size / larger), filling.outside, larger]
+
+
+# ------------------------------------------------------------------------- force and energy
+@kernel(forceinline=True)
+def neighbours(fillings, k, i):
+    """The slots of the masses before and after the i-th of all masses in loops, which is in loop k."""
+    first, behind = fillings.start[k], fillings.start[k + 1]
+    before = fillings.loop[i - 1] if i > first else fillings.loop[behind - 1]
+    after = fillings.loop[i + 1] if i + 1 < behind else fillings.loop[first]
+    return before, after
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def area_by_mass(fillings, k, i, q):
+    """The gradient of the area of loop k by the position of its mass `fillings.loop[i]`, px."""
+    slots = q.size // 2
+    before, after = neighbours(fillings, k, i)
+    return 0.5 * (q[slots + after] - q[slots + before]), 0.5 * (q[before] - q[after])
+
+
+@kernel(fastmath=FAST)
+def area_of(fillings, k, q):
+    """The area of a loop, px²."""
+    slots, start = q.size // 2, fillings.loop[fillings.start[k]]
+    x0, y0, twice = q[start], q[slots + start], 0.0  # differences lose no digits far from the origin
+    for i in range(fillings.start[k], fillings.start[k + 1]):
+        m = fillings.loop[i]
+        _, n = neighbours(fillings, k, i)
+        twice += (q[m] - x0) * (q[slots + n] - y0) - (q[n] - x0) * (q[slots + m] - y0)
+    return 0.5 * twice
+
+
+@kernel(fastmath=FAST)
+def pressure_at(filling, area):
+    """The pressure of a filling beyond that outside, kg/s², and its derivative by the area."""
+    size, strength = filling[FILLING_AREA], filling[FILLING_PRESSURE]
+    if filling[FILLING_GAS] == 0.0:
+        return strength * (1.0 - area / size), -strength / size
+    least = SMALLEST * size
+    if area > least:
+        inside = strength * size / area
+        return inside - filling[FILLING_OUTSIDE], -inside / area
+    return (
+        strength * size * (2.0 - area / least) / least - filling[FILLING_OUTSIDE],
+        -strength * size / (least * least),
+    )
+
+
+@kernel(fastmath=FAST)
+def _energy_at(filling, area):
+    """The energy of a filling, kg px²/s², zero at its own area."""
+    size, strength = filling[FILLING_AREA], filling[FILLING_PRESSURE]
+    off = area - size
+    if filling[FILLING_GAS] == 0.0:
+        return 0.5 * strength * off * off / size
+    least = SMALLEST * size
+    if area > least:
+        return filling[FILLING_OUTSIDE] * off - strength * size * math.log(area / size)
+    below = (area - least) / least
+    return filling[FILLING_OUTSIDE] * off - strength * size * (
+        math.log(SMALLEST) + below - 0.5 * below * below
+    )
+
+
+@kernel(fastmath=FAST)
+def _add_forces(body, state, scratch, q, v):
+    fillings = body.environment.fillings
+    for k in range(fillings.rows.shape[0]):
+        pressure, _ = pressure_at(fillings.rows[k], area_of(fillings, k, q))
+        for i in range(fillings.start[k], fillings.start[k + 1]):
+            m = fillings.loop[i]
+            dx, dy = area_by_mass(fillings, k, i, q)
+            scratch.fx[m] += pressure * dx
+            scratch.fy[m] += pressure * dy
+
+
+@kernel(fastmath=FAST)
+def _energy(body, state, q):
+    fillings, energy = body.environment.fillings, 0.0
+    for k in range(fillings.rows.shape[0]):
+        energy += _energy_at(fillings.rows[k], area_of(fillings, k, q))
+    return energy
+
+
+# ------------------------------------------------------------------------- derivatives
+@kernel(fastmath=FAST)
+def _add_derivatives(body, state, matrix, q, v, g, definite):
+    """The part p d²A/dx² of the derivative of the forces, at the rows of each mass and its neighbours.
+
+    By the mass b after it, dA/dx = (b.y - a.y, a.x - b.x) / 2 has the derivative ((0, 1), (-1, 0)) / 2, and
+    by the one before it minus that. This is indefinite. The other part, dp/dA times the product of the
+    gradient with itself, couples all masses of a loop; see `kernels.linear.implicit`.
+    """
+    if definite:
+        return
+    fillings, blocks = body.environment.fillings, matrix.blocks
+    for k in range(fillings.rows.shape[0]):
+        pressure, _ = pressure_at(fillings.rows[k], area_of(fillings, k, q))
+        for i in range(fillings.start[k], fillings.start[k + 1]):
+            before, after = 4 * matrix.loop_target[2 * i], 4 * matrix.loop_target[2 * i + 1]
+            blocks[after + 1] += 0.5 * pressure
+            blocks[after + 2] -= 0.5 * pressure
+            blocks[before + 1] -= 0.5 * pressure
+            blocks[before + 2] += 0.5 * pressure
+
+
+# ------------------------------------------------------------------------- in NumPy
+class FillingsTwin:
+    """Gases and liquids in NumPy; see `Twin`."""
+
+    def __init__(self, body: Body, _state: State) -> None:
+        fillings = body.environment.fillings
+        self._loops = list(zip(fillings.loops(), fillings.rows, strict=True))
+
+    def forces(self, x: Vectors, v: Vectors) -> Vectors:
+        """See `Twin`."""
+        total = np.zeros_like(x)
+        for loop, row in self._loops:
+            after, before = np.roll(x[loop], -1), np.roll(x[loop], 1)
+            # The gradient of the area: half of the way from the mass before to the one after, turned.
+            np.add.at(total, loop, -0.5j * (after - before) * _pressure(row, polygon_area(x[loop])))
+        return total
+
+    def energy(self, x: Vectors) -> float:
+        """See `Twin`."""
+        return sum(_energy_of(row, polygon_area(x[loop])) for loop, row in self._loops)
+
+
+def polygon_area(corners: NDArray[np.complex128]) -> float:
+    """The area of a polygon, px²; positive if the corners go from +x towards +y."""
+    off = corners - corners[0]
+    return 0.5 * float((off.conj() * np.roll(off, -1)).imag.sum())
+
+
+def _pressure(row: Floats, area: float) -> float:
+    """As `pressure_at`, kg/s²."""
+    is_gas, strength, outside, size = row
+    if not is_gas:
+        return strength * (1.0 - area / size)
+    least = SMALLEST * size
+    inside = size / area if area > least else size / least * (2.0 - area / least)
+    return strength * inside - outside
+
+
+def _energy_of(row: Floats, area: float) -> float:
+    """As `_energy_at`, kg px²/s²."""
+    is_gas, strength, outside, size = row
+    if not is_gas:
+        return 0.5 * strength * (area - size) ** 2 / size
+    least = SMALLEST * size
+    shrunk = min((area - least) / least, 0.0)
+    work = np.log(max(area, least) / size) + shrunk - 0.5 * shrunk**2
+    return float(outside * (area - size) - strength * size * work)
+
+
+FILLINGS = Term(
+    "fillings",
+    FillingsTwin,
+    _add_forces,
+    energy=_energy,
+    label="gases and liquids",
+    add_derivatives=_add_derivatives,
+)

@@ -1,0 +1,415 @@
+"""Joints, which hold two springs at an angle: force laws, torque, energy, power, derivatives.
+
+Let V be the angle from spring A to spring B, r the rest angle and V - r the deflection. A joint has the
+torque K |A||B| f(V - r). If the law has an energy, that is K |A||B| F(V - r), where f is the derivative of F.
+Since the energy grows with the lengths of the springs, there is then also a pull along them.
+
+A law is a row in `LAWS` and a case in `terms`; all kernels read it from there. The two sine laws need no
+trigonometric functions, since |A||B| sin(V - r) and |A||B| cos(V - r) are products of the vectors. Kernels
+have this algebra for them as well, and the tests compare it with `terms`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ..kernels.core.blocks import add_block, minus, outer, plus, scaled
+from ..kernels.core.jit import FAST, kernel
+from ..kernels.core.lanes import eight_at_a_time, scalar_gathers_on_amd
+from ..kernels.core.tables import SHORTEST_SQUARED
+from ..kernels.core.vectors import deflection, from_to, inverse_of, length_of
+
+NO_JOINTS, TUTORIAL, CONSERVATIVE, ANGLE = 0, 1, 2, 3
+"""Values of `Body.law`: a body without joints, and the three force laws."""
+
+
+_HALVINGS = 50
+"""Number of halvings in `deflection_at`: to rounding."""
+
+
+class Law(NamedTuple):
+    """Properties of a law, apart from its terms."""
+
+    code: int  # in `Body.law`
+    label: str  # for people
+
+
+LAWS = {
+    "tutorial": Law(TUTORIAL, "Tutorial"),
+    "conservative": Law(CONSERVATIVE, "Conservative"),
+    "angle": Law(ANGLE, "Angle law"),
+}
+"""The laws, by their names in scenes."""
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def terms(law, deflection):
+    """f, F and f' at a deflection (radians): torque, energy and stiffness for K |A||B| = 1.
+
+    The tutorial's law has the energy of the conservative one, of which it is not the gradient. NaN for an
+    unknown law.
+    """
+    if law == ANGLE:
+        return deflection, 0.5 * deflection * deflection, 1.0
+    if law in (TUTORIAL, CONSERVATIVE):
+        half = math.sin(0.5 * deflection)
+        return math.sin(deflection), 2.0 * half * half, math.cos(deflection)
+    return np.nan, np.nan, np.nan
+
+
+SINE_LAWS = (TUTORIAL, CONSERVATIVE, NO_JOINTS)
+"""The laws whose torque is the sine of the deflection; and a body without joints."""
+
+
+@kernel(forceinline=True)
+def is_sine(law):
+    """Whether a law's torque is the sine of the deflection, or there are no joints."""
+    return law in SINE_LAWS
+
+
+@kernel(fastmath=FAST)
+def deflection_at(law, torque, most):
+    """The deflection between 0 and `most` (radians) at which a law reaches a torque, for K |A||B| = 1.
+
+    By bisection, from the law's terms. The torque must be passed between 0 and `most`.
+    """
+    low, high = 0.0, most
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (low + high)
+        if abs(terms(law, middle)[0]) < torque:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def joint_torques(body, state, scratch, lx, ly, inverse, torque, energy, dot):
+    """The torque and, where the law has one, the energy of every joint, at index j + 1."""
+    scalar_gathers_on_amd()
+    joint_a, joint_b = body.joint_a, body.joint_b
+    cosine, sine, size, rest = state.torque_cos, state.torque_sin, body.torque_size, state.torque_rest
+    if body.law == TUTORIAL:
+        for j in range(body.joints):
+            a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
+            cross = lx[a] * ly[b] - ly[a] * lx[b]
+            along = lx[a] * lx[b] + ly[a] * ly[b]
+            torque[j + 1] = cosine[j + 1] * cross - sine[j + 1] * along
+    elif body.law == CONSERVATIVE:
+        for j in range(body.joints):
+            a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
+            cross = lx[a] * ly[b] - ly[a] * lx[b]
+            along = lx[a] * lx[b] + ly[a] * ly[b]
+            torque[j + 1] = cosine[j + 1] * cross - sine[j + 1] * along
+            energy[j + 1] = size[j + 1] / (inverse[a] * inverse[b])
+            dot[j + 1] = cosine[j + 1] * along + sine[j + 1] * cross
+    else:
+        for j in range(body.joints):
+            a, b = np.uint64(joint_a[j]), np.uint64(joint_b[j])
+            cross = lx[a] * ly[b] - ly[a] * lx[b]
+            off = deflection(cross, lx[a] * lx[b] + ly[a] * ly[b], rest[j + 1])
+            torque_term, energy_term, _ = terms(body.law, off)
+            weight = (lx[a] * lx[a] + ly[a] * ly[a]) * (lx[b] * lx[b] + ly[b] * ly[b])
+            weight *= size[j + 1] * (inverse[a] * inverse[b])
+            torque[j + 1] = weight * torque_term
+            energy[j + 1] = weight * energy_term
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def joint_friction(body, lx, ly, dvx, dvy, inverse, turning, friction):
+    """The torque of every joint's damping."""
+    scalar_gathers_on_amd()
+    for s in range(body.hinged):
+        turning[s] = (lx[s] * dvy[s] - ly[s] * dvx[s]) * (inverse[s] * inverse[s])
+    for j in range(body.joints):
+        a, b = np.uint64(body.joint_a[j]), np.uint64(body.joint_b[j])
+        rate = turning[b] - turning[a]
+        friction[j + 1] = body.torque_damping[j + 1] / (inverse[a] * inverse[b]) * rate
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def at_springs(body, of_joint, of_spring, sign):
+    """Sum a quantity of the joints at every spring, times `sign` where it is the first spring of a joint."""
+    scalar_gathers_on_amd()
+    joint_in, joint_out = body.joint_in, body.joint_out
+    for s in range(body.hinged):
+        of_spring[s] = of_joint[np.uint64(joint_in[s])] + sign * of_joint[np.uint64(joint_out[s])]
+    for i in range(body.more_joint.size):
+        j, s = np.uint64(body.more_joint[i]), np.uint64(body.more_joint_spring[i])
+        of_spring[s] += (1.0 if body.more_joint_sign[i] > 0.0 else sign) * of_joint[j]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def dot_by_energy(springs, soft, lx, ly, inverse, energy, dot):
+    eight_at_a_time()
+    for s in range(springs):
+        square = lx[s] * lx[s] + ly[s] * ly[s]
+        dot[s] = -energy[s] * (square + 2.0 * soft) * inverse[s] * inverse[s]
+        energy[s] = 0.0
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def joint_energy(law, ax, ay, bx, by, rest, softening):
+    """The energy of a joint of stiffness one; for the tutorial's law that of the conservative one."""
+    square_a, square_b = ax * ax + ay * ay, bx * bx + by * by
+    len_a, len_b = math.sqrt(square_a + softening), math.sqrt(square_b + softening)
+    off = deflection(ax * by - ay * bx, ax * bx + ay * by, rest)
+    if not is_sine(law):
+        return (square_a / len_a) * (square_b / len_b) * terms(law, off)[1]
+    true = math.sqrt(square_a * square_b)
+    sine = math.sin(0.5 * off)
+    # |A||B| with softening minus |A||B| without it, avoiding the difference of two large numbers.
+    more = softening * (square_a + square_b + softening) / (len_a * len_b + true)
+    return 2.0 * true * sine * sine + more
+
+
+@kernel(fastmath=FAST)
+def joint_energies(body, state, q):
+    """The energy of all joints, kg px²/s²."""
+    energy = 0.0
+    for j in range(body.joints):
+        (ax, ay), (bx, by) = joint_vectors(body, q, j)
+        rest = state.torque_rest[j + 1]
+        energy += body.torque_size[j + 1] * joint_energy(body.law, ax, ay, bx, by, rest, body.softening)
+    return energy
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def joint_vectors(body, q, j):
+    """The vectors of the springs A and B that a joint holds, px; of velocities, their rates, px/s."""
+    s, r = body.joint_a[j], body.joint_b[j]
+    return from_to(q, body.spring_a[s], body.spring_b[s]), from_to(q, body.spring_a[r], body.spring_b[r])
+
+
+@kernel(fastmath=FAST)
+def joint_power_of_keys(body, state, turn, q):
+    """The power of keys that turn all rest angles at `turn`, degrees/s; kg px²/s³."""
+    power = 0.0
+    for j in range(body.joints):
+        (ax, ay), (bx, by) = joint_vectors(body, q, j)
+        off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])
+        aa, bb = ax * ax + ay * ay, bx * bx + by * by
+        weight = math.sqrt(aa * bb)
+        if not is_sine(body.law):
+            weight = aa * bb / (length_of(ax, ay, body.softening) * length_of(bx, by, body.softening))
+        power -= body.torque_size[j + 1] * weight * terms(body.law, off)[0] * math.radians(turn)
+    return power
+
+
+@kernel(fastmath=FAST)
+def power_of_law(body, state, q, v):
+    """Power of the tutorial's law that no energy accounts for: U (|A|'/|A| + |B|'/|B|) of each joint."""
+    power = 0.0
+    for j in range(body.joints):
+        (ax, ay), (bx, by) = joint_vectors(body, q, j)
+        (ux, uy), (wx, wy) = joint_vectors(body, v, j)
+        aa, bb = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
+        size, cos, sin = body.torque_size[j + 1], state.torque_cos[j + 1], state.torque_sin[j + 1]
+        # The rate of the conservative law's energy, and the power of the tutorial's torque.
+        torque = cos * (ax * by - ay * bx) - sin * (ax * bx + ay * by)
+        power += size * bb / aa * (ax * ux + ay * uy) + size * aa / bb * (bx * wx + by * wy)
+        power -= ux * (cos * bx + sin * by) + uy * (cos * by - sin * bx)
+        power -= wx * (cos * ax - sin * ay) + wy * (cos * ay + sin * ax)
+        power -= torque * ((ay * ux - ax * uy) / (aa * aa) - (by * wx - bx * wy) / (bb * bb))
+    return power
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def joint_blocks(
+    law, size, cos, sin, rest, damping, a, b, inv_a, inv_b, softening, rate_a, rate_b, g, definite
+):  # fmt: skip
+    """The derivatives of the tensions that a joint adds to its springs a and b: aa, ab, ba, bb, kg/s².
+
+    A spring with the vector L turns by -n . dL, where n = perp(L) / |L|² (`normal_a`, `normal_b`, 1/px). So
+    the angle V has the derivatives n_a by A and -n_b by B, and a torque G adds the tensions -G n_a and
+    +G n_b. Hence, with dn/dL in `turn_a` and `turn_b`,
+
+        aa = -n_a (dG/dA)ᵀ - G dn_a/dA, ab = -n_a (dG/dB)ᵀ,
+        ba = n_b (dG/dA)ᵀ, bb = n_b (dG/dB)ᵀ + G dn_b/dB.
+
+    So it is for the tutorial's torque and for the damping C |A||B| V', of which the part by rates, times g,
+    is added. The conservative law has the second derivatives of -U = K A . R(-r) B - K |A||B| instead.
+
+    Args:
+        law: as in `Body.law`.
+        size, cos, sin: the stiffness, and its products with the cosine and sine of the rest angle.
+        rest: rest angle, radians.
+        damping: of the joint.
+        a, b: vectors of the springs.
+        inv_a, inv_b: 1 / their lengths.
+        softening: see `Body.softening`, px².
+        rate_a, rate_b: the rates of the vectors.
+        g: factor of the derivative by the rates.
+        definite: whether the matrix -[[aa, ab], [ba, bb]] must be positive semidefinite. It is then
+            that of the conservative law, which is the square of sqrt(|B|/|A|) A - sqrt(|A|/|B|) R(-r) B,
+            with the square roots taken as constants (Gauss-Newton).
+    """
+    len_a = (a[0] * a[0] + a[1] * a[1] + softening) * inv_a
+    len_b = (b[0] * b[0] + b[1] * b[1] + softening) * inv_b
+    normal_a = (a[1] * inv_a * inv_a, -a[0] * inv_a * inv_a)
+    normal_b = (b[1] * inv_b * inv_b, -b[0] * inv_b * inv_b)
+    turn_a = _normal_by_vector(a, normal_a, inv_a)
+    turn_b = _normal_by_vector(b, normal_b, inv_b)
+    product = len_a * len_b
+    if definite:
+        pa, pb = -size * len_b * inv_a, -size * len_a * inv_b
+        aa = (pa, 0.0, 0.0, pa)
+        ab = (cos, sin, -sin, cos)
+        ba = (cos, -sin, sin, cos)
+        bb = (pb, 0.0, 0.0, pb)
+    elif law == CONSERVATIVE:
+        unit_a, unit_b = (a[0] * inv_a, a[1] * inv_a), (b[0] * inv_b, b[1] * inv_b)
+        pa, pb = -size * len_b * inv_a, -size * len_a * inv_b
+        aa = minus((pa, 0.0, 0.0, pa), outer(pa, unit_a, unit_a))
+        bb = minus((pb, 0.0, 0.0, pb), outer(pb, unit_b, unit_b))
+        ab = plus((cos, sin, -sin, cos), outer(-size, unit_a, unit_b))
+        ba = (ab[0], ab[2], ab[1], ab[3])
+    elif law == TUTORIAL:
+        torque = cos * (a[0] * b[1] - a[1] * b[0]) - sin * (a[0] * b[0] + a[1] * b[1])
+        by_a = (cos * b[1] - sin * b[0], -cos * b[0] - sin * b[1])
+        by_b = (-cos * a[1] - sin * a[0], cos * a[0] - sin * a[1])
+        aa = minus(outer(-1.0, normal_a, by_a), scaled(torque, turn_a))
+        ab = outer(-1.0, normal_a, by_b)
+        ba = outer(1.0, normal_b, by_a)
+        bb = plus(outer(1.0, normal_b, by_b), scaled(torque, turn_b))
+    else:
+        aa, ab, ba, bb = blocks_of_law(law, size, rest, a, b, inv_a, inv_b, softening)
+    if damping > 0.0:
+        strength = damping * product
+        # dV/dt is the turning rate of b minus that of a; the turning rate of a spring is -normal . rate.
+        turning = (
+            normal_a[0] * rate_a[0]
+            + normal_a[1] * rate_a[1]
+            - normal_b[0] * rate_b[0]
+            - normal_b[1] * rate_b[1]
+        )
+        torque = strength * turning
+        by_a = (g * strength * normal_a[0], g * strength * normal_a[1])
+        by_b = (-g * strength * normal_b[0], -g * strength * normal_b[1])
+        if not definite:
+            by_a = (
+                by_a[0]
+                + damping * len_b * inv_a * turning * a[0]
+                + strength * (turn_a[0] * rate_a[0] + turn_a[2] * rate_a[1]),
+                by_a[1]
+                + damping * len_b * inv_a * turning * a[1]
+                + strength * (turn_a[1] * rate_a[0] + turn_a[3] * rate_a[1]),
+            )
+            by_b = (
+                by_b[0]
+                + damping * len_a * inv_b * turning * b[0]
+                - strength * (turn_b[0] * rate_b[0] + turn_b[2] * rate_b[1]),
+                by_b[1]
+                + damping * len_a * inv_b * turning * b[1]
+                - strength * (turn_b[1] * rate_b[0] + turn_b[3] * rate_b[1]),
+            )
+            aa = minus(aa, scaled(torque, turn_a))
+            bb = plus(bb, scaled(torque, turn_b))
+        aa = minus(aa, outer(1.0, normal_a, by_a))
+        ab = minus(ab, outer(1.0, normal_a, by_b))
+        ba = plus(ba, outer(1.0, normal_b, by_a))
+        bb = plus(bb, outer(1.0, normal_b, by_b))
+    return aa, ab, ba, bb
+
+
+@kernel(fastmath=FAST)
+def blocks_of_law(law, size, rest, a, b, inv_a, inv_b, softening):
+    """Like `joint_blocks`, for any law with an energy, from its terms.
+
+    The energy is K w(A) w(B) F(V - r) with the weight w(L) = L² / sqrt(L² + softening), since V is undefined
+    where a spring has no length.
+    """
+    off = deflection(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1], rest)
+    torque, energy, stiffness = terms(law, off)
+    weight_a, slope_a, bend_a, normal_a, turn_a = _weight(a, inv_a, softening)
+    weight_b, slope_b, bend_b, normal_b, turn_b = _weight(b, inv_b, softening)
+    aa = plus(outer(torque, slope_a, normal_a), outer(torque, normal_a, slope_a))
+    aa = plus(aa, plus(scaled(energy, bend_a), outer(stiffness * weight_a, normal_a, normal_a)))
+    aa = scaled(-size * weight_b, plus(aa, scaled(weight_a * torque, turn_a)))
+    bb = plus(outer(-torque, slope_b, normal_b), outer(-torque, normal_b, slope_b))
+    bb = plus(bb, plus(scaled(energy, bend_b), outer(stiffness * weight_b, normal_b, normal_b)))
+    bb = scaled(-size * weight_a, minus(bb, scaled(weight_b * torque, turn_b)))
+    ab = minus(outer(torque * weight_b, slope_a, normal_b), outer(torque * weight_a, normal_a, slope_b))
+    both = outer(stiffness * weight_a * weight_b, normal_a, normal_b)
+    ab = plus(minus(ab, outer(energy, slope_a, slope_b)), both)
+    ab = scaled(size, ab)
+    return aa, ab, (ab[0], ab[2], ab[1], ab[3]), bb
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _weight(vector, inv, softening):
+    """The weight of a spring, its gradient and its second derivatives; perp(L) / |L|², which is minus the
+    gradient of the spring's angle, and the derivatives of that."""
+    square = vector[0] * vector[0] + vector[1] * vector[1]
+    true = 1.0 / max(square, SHORTEST_SQUARED)
+    slope = (square + 2.0 * softening) * inv * inv * inv
+    bend = (3.0 * square * inv * inv - 4.0) * inv * inv * inv
+    normal = (vector[1] * true, -vector[0] * true)
+    second = plus((slope, 0.0, 0.0, slope), outer(bend, vector, vector))
+    turn = _normal_by_vector(vector, normal, math.sqrt(true))
+    return square * inv, (slope * vector[0], slope * vector[1]), second, normal, turn
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _normal_by_vector(vector, normal, inv):
+    """The derivative of perp(L) / |L|² by L."""
+    x, y = 2.0 * inv * inv * vector[0], 2.0 * inv * inv * vector[1]
+    return (
+        -normal[0] * x,
+        inv * inv - normal[0] * y,
+        -inv * inv - normal[1] * x,
+        -normal[1] * y,
+    )
+
+
+@kernel(fastmath=FAST)
+def add_joint_derivatives(body, state, matrix, q, v, g, definite):
+    """Add the derivatives of all joints' forces to `matrix.blocks`; see `term.Term.add_derivatives`.
+
+    A joint adds a tension to each of its springs, which depends on the vectors of both. Each of the blocks
+    aa, ab, ba, bb of `joint_blocks` belongs at the rows of the ends of the one spring and the columns of
+    those of the other, with the signs of `add_spring_derivatives`.
+    """
+    for j in range(body.joints):
+        (a, b), (rate_a, rate_b) = joint_vectors(body, q, j), joint_vectors(body, v, j)
+        of_joint = joint_blocks(
+            body.law, body.torque_size[j + 1], state.torque_cos[j + 1], state.torque_sin[j + 1],
+            state.torque_rest[j + 1], body.torque_damping[j + 1], a, b,
+            inverse_of(a[0], a[1], body.softening), inverse_of(b[0], b[1], body.softening),
+            body.softening, rate_a, rate_b, g, definite,
+        )  # fmt: skip
+        i = 16 * j
+        for block in of_joint:
+            for k, sign in enumerate((1.0, -1.0, -1.0, 1.0)):
+                add_block(matrix.blocks, matrix.joint_target[i + k], sign, block)
+            i += 4
+
+
+@kernel(fastmath=FAST)
+def add_joint_damping(body, w, q, z, factor, out):
+    """A joint's damper has the torque -C |A||B| V', where V' is the rate of the angle from A to B.
+
+    A spring with the vector L and the rate L' turns at (L x L') / |L|². A torque T turns it by the force
+    T (-L.y, L.x) / |L|² on its b end.
+    """
+    slots = z.size // 2
+    for j in range(body.joints):
+        s, r = body.joint_a[j], body.joint_b[j]
+        a0, a1, b0, b1 = body.spring_a[s], body.spring_b[s], body.spring_a[r], body.spring_b[r]
+        (ax, ay), (bx, by) = from_to(q, a0, a1), from_to(q, b0, b1)
+        (zax, zay), (zbx, zby) = from_to(z, a0, a1), from_to(z, b0, b1)
+        inv_a, inv_b = inverse_of(ax, ay, body.softening), inverse_of(bx, by, body.softening)
+        per_a, per_b = inv_a * inv_a, inv_b * inv_b
+        rate = (bx * zby - by * zbx) * per_b - (ax * zay - ay * zax) * per_a
+        torque = factor * body.torque_damping[j + 1] * rate / (inv_a * inv_b)
+        for one, other, x, y in (
+            (a0, a1, torque * per_a * ax, torque * per_a * ay),
+            (b0, b1, -torque * per_b * bx, -torque * per_b * by),
+        ):
+            out[other] -= w[other] * y
+            out[slots + other] += w[other] * x
+            out[one] += w[one] * y
+            out[slots + one] -= w[one] * x

@@ -1,0 +1,272 @@
+"""Linear springs: force, energy, derivatives; and the forces of springs and joints on any topology.
+
+A spring with the vector L = b - a, px, the stiffness k, kg/s², and the damping c, kg/s, has the tension
+T = (R / |L| - k - c (L . L') / |L|²) L on its b end, and -T acts on a. R = k times the rest length, kg px/s²,
+is its rest tension. Its energy is k (|L| - rest length)² / 2.
+
+Let L be the vector of a spring and perp(L) = (L.y, -L.x). A joint that holds springs A and B has a torque G
+and, under a law with an energy, the energy U. Its force on the b end of its first spring is -dU/dA, which is
+-G perp(A) / |A|² and a part along A; that on the b end of its second spring +G perp(B) / |B|² and a part
+along B. With V the angle from A to B and r the rest angle, the laws are
+
+- tutorial: G = K |A||B| sin(V - r), without the parts along the springs;
+- conservative: the same G, U = K |A||B| (1 - cos(V - r)) = K (|A||B| - A . R(-r) B);
+- angle: G = K |A||B| (V - r), U = K |A||B| (V - r)² / 2;
+
+and only the last needs trigonometric functions beyond cos r and sin r, which are in the tables. Angular
+damping adds C |A||B| dV/dt to G.
+
+The force of a spring that shrinks to a point would jump there, and a body may tend to exactly that point. So
+the length of a spring is computed as sqrt(L² + softening), also in energies, with a softening far too small
+to be seen and practically none for methods with a fixed step. A . R(-r) B is not softened, and in the angle
+law |L| becomes L² / sqrt(L² + softening), since V is undefined at a point.
+
+Loops that gather through indices are separate from loops over the springs in order, so that the latter, which
+have the square root, the division and most of the arithmetic, are vectorised. Each loop is a function of its
+own whose arrays share no memory, because LLVM would otherwise check for overlaps before every loop.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..kernels.core.blocks import add_block
+from ..kernels.core.jit import FAST, kernel
+from ..kernels.core.lanes import eight_at_a_time, scalar_gathers_on_amd, whole_eights
+from ..kernels.core.roots import inverse_root
+from ..kernels.core.vectors import from_to, inverse_of, length_of
+from .joints import CONSERVATIVE, TUTORIAL, at_springs, dot_by_energy, joint_friction, joint_torques
+
+
+@kernel(fastmath=FAST)
+def spring_forces(body, state, scratch, x, y, vx, vy):
+    """Forces of all springs and joints on all masses, into `scratch.fx` and `scratch.fy`."""
+    scalar_gathers_on_amd()
+    lx, ly, dvx, dvy, inverse = scratch.lx, scratch.ly, scratch.dvx, scratch.dvy, scratch.inverse
+    springs, hinged = whole_eights(body.springs), body.hinged  # padded
+    _differences(body.springs, body.spring_a, body.spring_b, x, y, lx, ly)
+    if body.damped or body.joint_damped:
+        _differences(body.springs, body.spring_a, body.spring_b, vx, vy, dvx, dvy)
+    _inverse_lengths(springs, body.softening, lx, ly, inverse)
+    if body.joints:
+        joint_torques(body, state, scratch, lx, ly, inverse, scratch.torque, scratch.energy, scratch.dot)
+        at_springs(body, scratch.torque, scratch.torque_at, -1.0)
+        if body.law == CONSERVATIVE:
+            at_springs(body, scratch.energy, scratch.energy_at, 1.0)
+            at_springs(body, scratch.dot, scratch.dot_at, 1.0)
+        elif body.law != TUTORIAL:
+            at_springs(body, scratch.energy, scratch.energy_at, 1.0)
+            dot_by_energy(
+                whole_eights(hinged), body.softening, lx, ly, inverse, scratch.energy_at, scratch.dot_at
+            )
+    tx, ty = scratch.tx, scratch.ty
+    if body.law != TUTORIAL and body.joints:
+        _tensions_with_energy(
+            springs, lx, ly, dvx, dvy, inverse, state.rest_tension, body.stiffness, body.damping,
+            scratch.torque_at, scratch.energy_at, scratch.dot_at, tx, ty,
+        )  # fmt: skip
+    else:
+        _tensions(
+            springs,
+            lx,
+            ly,
+            dvx,
+            dvy,
+            inverse,
+            state.rest_tension,
+            body.stiffness,
+            body.damping,
+            scratch.torque_at,
+            tx,
+            ty,
+        )
+    if body.joint_damped:
+        joint_friction(body, lx, ly, dvx, dvy, inverse, scratch.turning, scratch.friction)
+        at_springs(body, scratch.friction, scratch.friction_at, -1.0)
+        _add_across(whole_eights(hinged), lx, ly, inverse, scratch.friction_at, tx, ty)
+    none = body.stiffness.size  # stands for no spring; the chain's loops leave other values there
+    tx[none], ty[none] = 0.0, 0.0
+    _at_masses(body, tx, ty, scratch.fx, scratch.fy)
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _differences(springs, spring_a, spring_b, x, y, lx, ly):
+    scalar_gathers_on_amd()
+    # With unsigned indices numba omits its test for negative ones.
+    for s in range(springs):
+        a, b = np.uint64(spring_a[s]), np.uint64(spring_b[s])
+        lx[s] = x[b] - x[a]
+        ly[s] = y[b] - y[a]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _inverse_lengths(springs, soft, lx, ly, inverse):
+    eight_at_a_time()
+    for s in range(springs):
+        inverse[s] = inverse_root(lx[s] * lx[s] + ly[s] * ly[s] + soft)
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _tensions_with_energy(
+    springs, lx, ly, dvx, dvy, inverse, rest_tension, stiffness, damping, torque, energy, dot, tx, ty
+):  # fmt: skip
+    """The force on the b end of every spring under a law with an energy, which also pulls along springs."""
+    eight_at_a_time()
+    for s in range(springs):
+        inv2 = inverse[s] * inverse[s]
+        true = inverse_root(lx[s] * lx[s] + ly[s] * ly[s])
+        true *= true
+        rate = lx[s] * dvx[s] + ly[s] * dvy[s]
+        along = (
+            rest_tension[s] * inverse[s]
+            - stiffness[s]
+            - (damping[s] * rate + energy[s]) * inv2
+            + dot[s] * true
+        )
+        across = torque[s] * true
+        tx[s] = along * lx[s] + across * ly[s]
+        ty[s] = along * ly[s] - across * lx[s]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _tensions(springs, lx, ly, dvx, dvy, inverse, rest_tension, stiffness, damping, torque, tx, ty):
+    """The force on the b end of every spring under the tutorial's law, or without joints."""
+    eight_at_a_time()
+    for s in range(springs):
+        inv2 = inverse[s] * inverse[s]
+        rate = lx[s] * dvx[s] + ly[s] * dvy[s]
+        along = rest_tension[s] * inverse[s] - stiffness[s] - damping[s] * rate * inv2
+        across = torque[s] * inv2
+        tx[s] = along * lx[s] + across * ly[s]
+        ty[s] = along * ly[s] - across * lx[s]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _add_across(springs, lx, ly, inverse, torque, tx, ty):
+    eight_at_a_time()
+    for s in range(springs):
+        across = torque[s] * inverse[s] * inverse[s]
+        tx[s] += across * ly[s]
+        ty[s] -= across * lx[s]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def _at_masses(body, tx, ty, fx, fy):
+    """Sum the tensions of the springs at every mass."""
+    scalar_gathers_on_amd()
+    spring_in, spring_out = body.spring_in, body.spring_out
+    for i in range(1, body.masses + 1):
+        a, b = np.uint64(spring_in[i]), np.uint64(spring_out[i])
+        fx[i] = tx[a] - tx[b]
+        fy[i] = ty[a] - ty[b]
+    for layer in range(1, body.layers):
+        below = layer * (body.masses + 1)
+        more_in, more_out = spring_in[below:], spring_out[below:]
+        for i in range(1, body.masses + 1):
+            a, b = np.uint64(more_in[i]), np.uint64(more_out[i])
+            fx[i] += tx[a] - tx[b]
+            fy[i] += ty[a] - ty[b]
+    for i in range(body.more_spring.size):
+        m, s = np.uint64(body.more_spring_mass[i]), np.uint64(body.more_spring[i])
+        fx[m] += body.more_spring_sign[i] * tx[s]
+        fy[m] += body.more_spring_sign[i] * ty[s]
+
+
+@kernel(noalias=True, forceinline=True, fastmath=FAST)
+def accelerations_by(body, state, scratch, vx, vy, a):
+    """Accelerations by the forces in `scratch.fx` and `scratch.fy`, still air and gravity."""
+    eight_at_a_time()
+    slots = vx.size
+    fx, fy, ax, ay = scratch.fx, scratch.fy, a[:slots], a[slots:]
+    w, air, gx, gy = state.inverse_mass, state.air, state.gx, state.gy
+    for i in range(1, body.masses + 1):
+        ax[i] = fx[i] * w[i] - air[i] * (vx[i] * abs(vx[i])) + gx[i]
+    for i in range(1, body.masses + 1):
+        ay[i] = fy[i] * w[i] - air[i] * (vy[i] * abs(vy[i])) + gy[i]
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def spring_force(body, state, q, s):
+    """The force of a spring without its damping, k (|L| - rest length), kg px/s²; positive where it pulls."""
+    x, y = from_to(q, body.spring_a[s], body.spring_b[s])
+    return body.stiffness[s] * length_of(x, y, body.softening) - state.rest_tension[s]
+
+
+@kernel(fastmath=FAST)
+def spring_energies(body, state, q):
+    """The energy of all springs, the sum of k (|L| - rest length)² / 2, kg px²/s²."""
+    energy = 0.0
+    for s in range(body.springs):
+        if body.stiffness[s] > 0.0:
+            force = spring_force(body, state, q, s)
+            energy += 0.5 * force * force / body.stiffness[s]
+    return energy
+
+
+@kernel(fastmath=FAST)
+def spring_power_of_keys(body, state, growth, q):
+    """The power of keys that let all rest lengths grow at the rate `growth`, 1/s; kg px²/s³."""
+    power = 0.0
+    for s in range(body.springs):
+        if body.stiffness[s] > 0.0:
+            power -= spring_force(body, state, q, s) * growth * state.rest_tension[s] / body.stiffness[s]
+    return power
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def spring_block(stiffness, damping, rest_tension, inv, vector, rate, g, definite):
+    """The derivative of a spring's tension by its vector, plus g times that by its rate, kg/s².
+
+    With T = e L and e = R / |L| - k - c (L . L') / |L|², it is e I + L (de/dL)ᵀ, where
+
+        de/dL = (-R / |L|³ + 2 c (L . L') / |L|⁴) L - c L' / |L|²,
+
+    and the derivative by L' is -c L Lᵀ / |L|². `inv` is 1 / |L|. With `definite`, what could make the matrix
+    of an implicit step indefinite is left out: the sideways push of a compressed spring, and the turning of
+    the damping force.
+    """
+    x, y = vector
+    inv2 = inv * inv
+    if definite:
+        taut = max(stiffness - rest_tension * inv, 0.0)
+        along = (stiffness - taut + g * damping) * inv2
+        return -taut - along * x * x, -along * x * y, -along * x * y, -taut - along * y * y
+    speed = x * rate[0] + y * rate[1]
+    e = rest_tension * inv - stiffness - damping * speed * inv2
+    radial = -rest_tension * inv * inv2 + 2.0 * damping * speed * inv2 * inv2 - g * damping * inv2
+    ex = radial * x - damping * inv2 * rate[0]
+    ey = radial * y - damping * inv2 * rate[1]
+    return e + x * ex, x * ey, y * ex, e + y * ey
+
+
+@kernel(fastmath=FAST)
+def add_spring_derivatives(body, state, matrix, q, v, g, definite):
+    """Add the derivatives of all springs' forces to `matrix.blocks`; see `term.Term.add_derivatives`.
+
+    The force T(L) of a spring acts on its b end and -T on a. With L = b - a, a block dT/dL belongs at row and
+    column bb and aa, and minus it at ba and ab.
+    """
+    for s in range(body.springs):
+        a, b = body.spring_a[s], body.spring_b[s]
+        vector, rate = from_to(q, a, b), from_to(v, a, b)
+        inverse = inverse_of(vector[0], vector[1], body.softening)
+        block = spring_block(
+            body.stiffness[s], body.damping[s], state.rest_tension[s], inverse, vector, rate, g, definite
+        )
+        for k, sign in enumerate((1.0, -1.0, -1.0, 1.0)):
+            add_block(matrix.blocks, matrix.spring_target[4 * s + k], sign, block)
+
+
+@kernel(fastmath=FAST)
+def add_spring_damping(body, w, q, z, factor, out):
+    """A damper's force on its b end is -c u (u . L'), with the unit vector u and the rate L' of a spring."""
+    slots = z.size // 2
+    for s in range(body.springs):
+        a, b = body.spring_a[s], body.spring_b[s]
+        (x, y), (zx, zy) = from_to(q, a, b), from_to(z, a, b)
+        inverse = inverse_of(x, y, body.softening)
+        along = -factor * body.damping[s] * (x * zx + y * zy) * (inverse * inverse)
+        out[b] += w[b] * along * x
+        out[slots + b] += w[b] * along * y
+        out[a] -= w[a] * along * x
+        out[slots + a] -= w[a] * along * y

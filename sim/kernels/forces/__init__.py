@@ -1,1 +1,0 @@
-"""Forces of springs and joints, and the motion of held masses."""
