@@ -166,8 +166,8 @@ def _around(names: tuple[str, ...], surrounded: bool) -> tuple[str, ...]:
 
 def all_of(method: str, surrounded: bool) -> tuple[str, ...]:
     """Names of all entry points that a run by a method may come to, with the energy balance."""
-    arms = [arm.name for arm in AUTO_METHODS] if METHODS[method].kernel is None else []
-    needed = [name for one in (method, *arms) for name in needed_by(one, surrounded)]
+    chosen = [one.name for one in AUTO_METHODS] if METHODS[method].kernel is None else []
+    needed = [name for one in (method, *chosen) for name in needed_by(one, surrounded)]
     return tuple(dict.fromkeys((*needed, *for_fallback(surrounded), *FOR_DAMAGE, *FOR_ENERGY)))
 
 

@@ -29,7 +29,7 @@ class Loads(NamedTuple):
     torques: NDArray[np.float64]
 
 
-class Weigher:
+class LoadCalculator:
     """Computes loads from the tables of a body, which it only reads.
 
     Args:
