@@ -7,10 +7,12 @@ one that the tone map turns into the colour wanted.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+from .looks import COLORS, TUTORIAL_COLORS
 
 Rgb = NDArray[np.float64]
 
@@ -24,8 +26,14 @@ LIGHT_GAIN = 2.0
 
 
 def rgb(text: str) -> Rgb:
-    """(3,) sRGB values 0..255 of a colour such as "fbbf24"."""
+    """(3,) sRGB values 0..255 of a colour such as "ff8000"."""
     return np.array([int(text[i : i + 2], 16) for i in (0, 2, 4)], float)
+
+
+def linear(color: ArrayLike) -> Rgb:
+    """Linear light 0..1 of (..., 3) sRGB colours 0..255."""
+    c = np.asarray(color, float) / 255.0
+    return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
 
 
 def sent(color: Rgb) -> NDArray[np.uint8]:
@@ -34,9 +42,7 @@ def sent(color: Rgb) -> NDArray[np.uint8]:
     Inverts, in order, the sRGB curve, the tone map's output matrix, its rational fit
     v (v + a) - b over v (c v + d) + e (Hill's fit of ACES), its input matrix, and the light.
     """
-    c = np.asarray(color, float) / 255.0
-    c = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4) @ _OUT_BACK
-    c = np.clip(c, 0.0, 0.985)  # the fit never reaches 1
+    c = np.clip(linear(color) @ _OUT_BACK, 0.0, 0.985)  # the fit never reaches 1
     p = 1.0 - 0.983729 * c
     q = 0.0245786 - 0.4329510 * c
     r = -0.000090537 - 0.238081 * c
@@ -63,48 +69,32 @@ def blend(a: Rgb, b: Rgb, part: NDArray[np.float64]) -> Rgb:
 
 @dataclass(frozen=True)
 class Palette:
-    """The colours of one scheme, (3,) sRGB 0..255 each."""
+    """The colours of one scheme, (3,) sRGB 0..255 each; see `looks.COLORS`."""
 
     paper: Rgb
     grid: Rgb
-    grid_major: Rgb
+    line: Rgb
     ink: Rgb
     text: Rgb
+    brand: Rgb
     mass: Rgb
     held: Rgb
-    driven: Rgb
     rest: Rgb
     pulled: Rgb
     pushed: Rgb
     torque_plus: Rgb
     torque_minus: Rgb
+    liquid: Rgb
+    force: Rgb
 
     def css(self, name: str) -> str:
         """One of the colours as CSS has it."""
         return "#" + "".join(f"{int(part):02x}" for part in getattr(self, name))
 
 
-_WHITE = Palette(
-    paper=rgb("ffffff"), grid=rgb("eef1f5"), grid_major=rgb("dde3ea"), ink=rgb("1e293b"), text=rgb("334155"),
-    mass=rgb("fbbf24"), held=rgb("475569"), driven=rgb("4263eb"), rest=rgb("8592a6"), pulled=rgb("e8352b"),
-    pushed=rgb("1971c2"), torque_plus=rgb("f08c00"), torque_minus=rgb("8e44ad"),
-)  # fmt: skip
-_DARK = Palette(
-    paper=rgb("141414"), grid=rgb("1c2028"), grid_major=rgb("272d38"), ink=rgb("05070b"), text=rgb("cbd5e1"),
-    mass=rgb("ffc947"), held=rgb("94a3b8"), driven=rgb("748ffc"), rest=rgb("8b98ab"), pulled=rgb("ff6b5e"),
-    pushed=rgb("4dabf7"), torque_plus=rgb("ffa94d"), torque_minus=rgb("cc8ee8"),
-)  # fmt: skip
-
-
 def palette(colors: str, dark: bool) -> Palette:
     """The palette of a scene's colour scheme, on white or on dark."""
-    base = _DARK if dark else _WHITE
-    if colors == "tutorial":
-        # The tutorial's green springs and red masses; a pulled spring must differ from both.
-        return replace(
-            base,
-            mass=rgb("ff2020"),
-            rest=rgb("5cd63c") if dark else rgb("40a020"),
-            pulled=rgb("ffd43b") if dark else rgb("e67700"),
-        )
-    return base
+    pairs = COLORS | (TUTORIAL_COLORS if colors == "tutorial" else {})
+    return Palette(
+        **{field.name: rgb(pairs[field.name.replace("_", "-")][dark]) for field in fields(Palette)}
+    )

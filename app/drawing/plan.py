@@ -18,6 +18,7 @@ from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE,
 from sim.scene.types import Damage
 
 from .colors import blend
+from .looks import YIELDED
 from .sketch import Floats, Sketch
 
 CLOCK_PERIOD = 1024.0
@@ -25,10 +26,6 @@ CLOCK_PERIOD = 1024.0
 
 FRAME_HEAD, FRAME_TIME = 6, 2
 """Numbers of a frame before the positions, and the index of the simulated time among them."""
-
-YIELDED = 0.002
-"""Part of its rest length by which that of a spring has moved for good once it has yielded, as the proof
-strength of metals is defined. The page's script has it, too (static/draw.js)."""
 
 _STRAIN_SHADES = 32
 """Shades between a spring's colour at rest and its full colour, on either side."""

@@ -18,7 +18,7 @@ from sim.body.surroundings import new_surroundings
 from sim.scene.columns import column, ends, has_any
 from sim.scene.types import is_loaded, is_surrounded
 
-from .colors import Palette, Rgb, sent
+from .colors import Palette, Rgb, palette, plain, sent
 from .shapes import COILS
 
 Floats = NDArray[np.float64]
@@ -131,6 +131,11 @@ class Sketch:
         self.thickness = self._spring_thickness()
         self.spring_shape = self._spring_shape()
 
+    @staticmethod
+    def plain(scene: Scene, dark: bool = False) -> Sketch:
+        """The drawing for a file, whose colours nothing changes on their way."""
+        return Sketch(scene, palette(scene.view.colors, dark), plain)
+
     def _spring_thickness(self) -> Floats:
         """(S,) amplitude of each coil, or width of each bar, in the world."""
         if not len(self.springs):
@@ -160,7 +165,7 @@ class Sketch:
     def ink_colors(self) -> NDArray[np.uint8]:
         """(4, 3) colours of the supports, the ring, the ghost and the mark of springs that have yielded."""
         colors = self.palette
-        return self.encode(np.vstack((colors.held, colors.driven, colors.driven, colors.ink)))
+        return self.encode(np.vstack((colors.held, colors.brand, colors.brand, colors.ink)))
 
     @property
     def pinned(self) -> NDArray[np.int64]:

@@ -1,4 +1,5 @@
-"""What surrounds a body in a picture, as lines and polygons in pixels; as static/around.js has it in a page.
+"""What surrounds a body in a picture, as lines and polygons in pixels; as `app/drawing/static/around.js`
+has it in a page.
 
 Points are (k, 2) arrays, y downwards. Distances that are pixels in the page go by `Window.unit`.
 """
@@ -16,22 +17,9 @@ from sim.around_settings import STILL_AIR
 from sim.body.damage import leaking
 from sim.kernels.core.surroundings import FILLING_GAS, WALL_NORMAL_Y, WAVE_RATE
 
+from ..drawing.looks import DENSE, HATCH, HEAD, PARTS, POINT, SIDE, STREAK, STREAKS, STROKE
 from ..drawing.sketch import Floats, Sketch
 from .window import Window
-
-DENSE = 5.0
-"""Pixels between two lines of the grid below which it has only every fifth."""
-
-HATCH, STROKE = 13.0, 8.0
-"""Between two strokes of the hatching of a wall, about, and their reach along and into the wall."""
-
-STREAKS, STREAK, PARTS, POINT = 150.0, 44.0, 8, 4.0
-"""Between two streaks of the wind, about; the length of one in the mean wind, its straight parts, and its
-point."""
-
-
-HEAD, SIDE = 10.0, 4.2
-"""The head of an arrow, along and to either side."""
 
 
 class Wall(NamedTuple):

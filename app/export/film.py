@@ -12,7 +12,6 @@ from scipy.spatial import KDTree
 
 import sim
 
-from ..drawing.colors import palette, plain
 from ..drawing.sketch import Sketch
 from .clip import Clip
 from .painter import Painter
@@ -51,7 +50,7 @@ def size_of(scene: sim.Scene, clip: Clip | None = None, longer: int = WIDTH) -> 
         clip: its motion, or None.
         longer: the longer side.
     """
-    sketch = Sketch(scene, palette(scene.view.colors, dark=False), plain)
+    sketch = Sketch.plain(scene)
     left, right, low, high = bounds(sketch, scene.view.frame, clip.places() if clip is not None else None)
     ratio = min(max((right - left) / (high - low), 0.5), 2.0)
     shorter = 2 * round(longer / max(ratio, 1.0 / ratio) / 2.0)

@@ -1,4 +1,4 @@
-"""Where the parts of a body lie in a picture: what static/draw.js does in the page, for all parts at once.
+"""Where the parts of a body lie in a picture: as `app/drawing/static/draw.js` has it in the page.
 
 A test holds the two against each other.
 """
@@ -10,23 +10,22 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drawing.plan import YIELDED, Picture, broken_of, strain_colors, turn_colors
+from ..drawing.looks import (
+    CREASE,
+    FILL,
+    FULL_DEVIATION,
+    GHOST_WIDTH,
+    PIN,
+    RING,
+    SHINE,
+    THICKEST,
+    THINNEST,
+    WEDGE,
+    WIDEST,
+    YIELDED,
+)
+from ..drawing.plan import Picture, broken_of, strain_colors, turn_colors
 from ..drawing.sketch import Floats, Sketch
-
-FULL_DEVIATION = 30.0
-"""Degrees off the rest angle at which a wedge has its full colour."""
-
-CREASE = 0.34
-"""Width of the line along a spring that has yielded, in that of the spring."""
-
-GHOST_WIDTH = 0.025
-"""Width of a ghost's springs, in the world."""
-
-FILL, SHINE, RING, PIN, WEDGE = 0.8, 0.22, 1.75, 2.0, 2.6
-"""Radii in those of the mass."""
-
-WIDEST = 1.2
-"""Radians beyond which half a wedge's triangle would become a needle."""
 
 
 class Instances(NamedTuple):
@@ -66,7 +65,7 @@ def springs(sketch: Sketch, picture: Picture) -> Instances:
     widths = sketch.thickness
     if not sketch.bars:
         # A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
-        widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), 0.5, 1.2)
+        widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), THINNEST, THICKEST)
     whole = _whole(len(rest), broken_of(picture.damage))
     colors = _colored(strain_colors(sketch), strain)
     return Instances(start, angles, lengths, widths, colors).some(whole)

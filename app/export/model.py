@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 import sim
 from sim.scene.types import shown_name
 
-from ..drawing.colors import palette, plain
+from ..drawing.colors import linear, plain
 from ..drawing.plan import Picture
 from ..drawing.shapes import COILS, meshes
 from ..drawing.sketch import Floats, Sketch
@@ -55,7 +55,7 @@ def glb(scene: sim.Scene, picture: Picture) -> bytes:
         raise sim.InputError(f"a model has {MOST_PARTS} masses and springs at most")
     if not np.isfinite(picture.positions).all():
         raise sim.InputError("a position is not a finite number")
-    sketch = Sketch(scene, palette(scene.view.colors, dark=False), plain)
+    sketch = Sketch.plain(scene)
     group = Group()
     for name, mesh in _parts(sketch, scene, picture).items():
         # From the page's world to metres.
@@ -129,9 +129,7 @@ def _colored(vertices: Floats, faces: NDArray[np.int64], colors: NDArray[np.uint
     """A mesh with a colour at each vertex: glTF has them in linear light."""
     from trimesh import Trimesh
 
-    c = colors / 255.0
-    linear = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
-    light = np.column_stack((plain(255.0 * linear), np.full(len(colors), 255, np.uint8)))
+    light = np.column_stack((plain(255.0 * linear(colors)), np.full(len(colors), 255, np.uint8)))
     return Trimesh(vertices, faces, vertex_colors=light, process=False)
 
 
@@ -222,7 +220,7 @@ def _walls(sketch: Sketch, scene: sim.Scene) -> Trimesh | None:
         corners = ((wall.corners - origin) / (window.step, -window.step))[::-1]
         fan = np.column_stack((np.zeros(n - 2, int), np.arange(1, n - 1), np.arange(2, n)))
         vertices, faces = _thick(corners, fan, (corners,))
-        color = plain(np.tile(sketch.palette.grid_major, (len(vertices), 1)))
+        color = plain(np.tile(sketch.palette.line, (len(vertices), 1)))
         found.append(_colored(vertices * (1.0, 1.0, depth), faces, color))
     if not found:
         return None

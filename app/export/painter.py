@@ -15,7 +15,8 @@ from PIL import Image
 
 from sim import Scene
 
-from ..drawing.colors import palette, plain, rgb
+from ..drawing.colors import palette
+from ..drawing.looks import ARROW, LAYERS
 from ..drawing.plan import Picture, broken_of
 from ..drawing.sketch import Floats, Sketch
 from . import around, instances
@@ -29,12 +30,11 @@ if TYPE_CHECKING:
 SMALLEST, LARGEST = 16, 4096
 """Pixels of a side of a picture."""
 
-LIQUID = rgb("1c8fe0")
-FORCE = rgb("c2185b"), rgb("ff7eb6")
-"""Of arrows of forces, on white and on dark paper."""
-
 TOGETHER = 400
 """Parts that are drawn in one call, which holds the interpreter: some milliseconds."""
+
+_CRISP = ("grid", "major")
+"""Layers whose lines are moved onto whole pixels."""
 
 _GROUND = 100_000_000
 """Numbers beyond which the renderer's integers would overflow."""
@@ -65,10 +65,9 @@ class Painter:
         if not all(SMALLEST <= side <= LARGEST for side in size):
             raise ValueError(f"a picture has {SMALLEST} to {LARGEST} pixels on each side, not {size}")
         self.scene = scene
-        self.sketch = Sketch(scene, palette(scene.view.colors, dark), plain)
+        self.sketch = Sketch.plain(scene, dark)
         self.window = window or Window.fit(self.sketch, scene.view.frame, size)
         self._own = palette("softrod", dark)
-        self._force = FORCE[dark]
         self._rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])
         self._paper = self._blank(size, grid)
 
@@ -83,13 +82,10 @@ class Painter:
         sketch, pen = self.sketch, self._paper.copy()
         broken = broken_of(picture.damage)
         lines, wide = around.skin(sketch, picture.positions, broken, self.window)
-        pen.lines(list(lines), self._own.text, wide / self.window.unit, 0.13, round_ends=True)
+        self._lay(pen, "skin", list(lines), wide / self.window.unit)
         for gas, polygon in around.fillings(sketch, picture.positions, broken, self.window):
-            color = self._own.driven if gas else LIQUID
-            pen.fill([polygon], color, 0.12 if gas else 0.35)
-        pen.lines(
-            around.streaks(sketch, picture.time, self.window), self._own.text, 1.4, 0.35, round_ends=True
-        )
+            self._lay(pen, "gas" if gas else "liquid", [polygon])
+        self._lay(pen, "wind", around.streaks(sketch, picture.time, self.window))
         pen.stamp("pin", instances.pins(sketch, picture))
         if len(sketch.springs):
             pen.stamp(sketch.spring_shape, instances.springs(sketch, picture))
@@ -104,25 +100,34 @@ class Painter:
             pen.stamp("bar", instances.ghost(sketch, picture))
         if len(sketch.loads):
             shafts, heads = around.load_arrows(sketch, picture.positions, self.window)
-            pen.lines(list(shafts), self._force, 2.4)
-            pen.fill(list(heads), self._force)
+            pen.lines(list(shafts), self._own.force, ARROW)
+            pen.fill(list(heads), self._own.force)
         return pen.image()
+
+    def _lay(self, pen: _Pen, name: str, lines: list[Floats], width: float = 0.0) -> None:
+        """Draw one of `looks.LAYERS`; `width` is for one that has none of its own."""
+        layer = LAYERS[name]
+        color, wide = getattr(self._own, layer.color), width if layer.width is None else layer.width
+        if layer.width == 0.0:
+            pen.fill(lines, color, layer.opacity)
+        else:
+            pen.lines(lines, color, wide, layer.opacity, crisp=name in _CRISP, round_ends=layer.round)
 
     def _blank(self, size: tuple[int, int], grid: bool) -> _Pen:
         """Paper, grid and walls, which stay."""
-        sketch, window, own = self.sketch, self.window, self._own
+        sketch, window = self.sketch, self.window
         pen = _Pen(window)
         width, height = size
-        pen.fill([np.array(((0, 0), (width, 0), (width, height), (0, height)), float)], own.paper)
+        pen.fill([np.array(((0, 0), (width, 0), (width, height), (0, height)), float)], self._own.paper)
         if grid:
             thin, thick = around.grid(sketch, self.scene.view.frame, window)
-            for lines, color in ((thin, own.grid), (thick, own.grid_major)):
-                pen.lines(list(lines), color, 1.0, crisp=True)
+            self._lay(pen, "grid", list(thin))
+            self._lay(pen, "major", list(thick))
         walls = around.walls(sketch, window)
-        pen.fill([wall.corners for wall in walls if len(wall.corners)], own.text, 0.1)
+        self._lay(pen, "wall", [wall.corners for wall in walls if len(wall.corners)])
         strokes = [stroke for wall in walls for stroke in around.hatching(wall, sketch, window)]
-        pen.lines(strokes, own.text, 1.2, 0.55)
-        pen.lines([wall.surface for wall in walls if len(wall.surface)], own.text, 2.0)
+        self._lay(pen, "hatch", strokes)
+        self._lay(pen, "surface", [wall.surface for wall in walls if len(wall.surface)])
         return pen
 
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from ..drawing.colors import palette
 from ..session.plots import Drawn, Plot
 
 SIZE = 7.0, 4.2
@@ -45,7 +46,7 @@ def plot_png(plot: Plot, drawn: Drawn, colors: Sequence[str], title: str) -> byt
     over = f"{last.name}, {last.unit}" if last.unit else last.name
     left.set_xlabel(over if plot.wish.over else "time, s", parse_math=False)
     left.set_title(title, parse_math=False)
-    left.grid(color="#dde3ea", linewidth=0.8)
+    left.grid(color=palette("softrod", dark=False).css("line"), linewidth=0.8)
     left.set_axisbelow(True)
     if count > 1:
         left.legend(lines, [line.get_label() for line in lines], frameon=False)

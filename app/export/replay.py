@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 import sim
 from sim.scene.types import shown_name
 
-from ..drawing.colors import palette, plain
+from ..drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
 from ..drawing.plan import encode_damage, encode_plan
 from ..drawing.sketch import Sketch
 from .bundle import bundle
@@ -39,12 +39,8 @@ STEPS = 65535
 
 _FOLDER = Path(__file__).parent / "static"
 _MESHES = ("disc", "ring", "pin", "bar", "slice")
-_ICONS = {
-    "play": "M7 4v16l13-8z",
-    "pause": "M6 4h4v16H6zM14 4h4v16h-4z",
-    "again": "M12 5V1L7 6l5 5V7a5 5 0 1 1-5 5H5a7 7 0 1 0 7-7z",
-}
-_SPEEDS = {"0.125": "⅛×", "0.25": "¼×", "0.5": "½×", "1": "1×", "2": "2×"}
+_ICONS = {"play": ICONS["play"], "pause": ICONS["pause"], "again": ICONS["reset"]}
+_FASTEST = 2.0
 
 
 def replay_html(clip: Clip) -> bytes:
@@ -64,8 +60,9 @@ def replay_html(clip: Clip) -> bytes:
     )
     icons = "".join(f'<path class="{name}" d="{path}"/>' for name, path in _ICONS.items())
     speeds = "".join(
-        f'<option value="{value}"{" selected" if value == "1" else ""}>{text}</option>'
-        for value, text in _SPEEDS.items()
+        f'<option value="{speed:g}"{" selected" * (speed == 1)}>{FRACTIONS.get(speed, int(speed))}×</option>'
+        for speed in SPEEDS
+        if speed <= _FASTEST
     )
     text = f"""<!doctype html>
 <html lang="en">
@@ -106,7 +103,8 @@ def _looks() -> tuple[str, str]:
     """The styles and the script."""
     script = bundle(_FOLDER / "replay.js")
     assert "</script" not in script.lower()
-    return (_FOLDER / "replay.css").read_text(encoding="utf-8"), script
+    colors = style_rules("@media (prefers-color-scheme: dark){*}")
+    return colors + (_FOLDER / "replay.css").read_text(encoding="utf-8"), script
 
 
 def _digest(text: str) -> str:
@@ -147,7 +145,7 @@ def _described(clip: Clip) -> tuple[dict[str, object], str]:
     shots = list(clip.at(interval))
     rows = np.array([_row(shot, second) for shot in shots])
     least, quantum, differences = _quantised(rows)
-    sketch = Sketch(scene, palette(scene.view.colors, dark=False), plain)
+    sketch = Sketch.plain(scene)
     meshes = (*_MESHES, sketch.spring_shape)
     xmin, ymin, xmax, ymax = scene.view.frame
     left, right, low, high = bounds(sketch, scene.view.frame, clip.places())
@@ -213,10 +211,7 @@ def _plans(shots: list[Shot], store: _Store) -> list[dict[str, object]]:
             continue
         scene = shot.scene
         rest = np.array([joint.rest_angle for joint in scene.angular_springs])
-        light, dark = (
-            store.add(encode_plan(0, Sketch(scene, palette(scene.view.colors, night), plain), rest))
-            for night in (False, True)
-        )
+        light, dark = (store.add(encode_plan(0, Sketch.plain(scene, night), rest)) for night in (False, True))
         found.append({"from": number, "light": light, "dark": dark})
     return found
 

@@ -6,13 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..drawing.looks import MARGIN, NEAR, STRIP
 from ..drawing.sketch import WORLD_SIZE, Floats, Sketch
-
-MARGIN = 1.04
-"""Room around the scene's frame, as in the page (static/camera.js)."""
-
-NEAR, STRIP = 0.2, 0.05
-"""How near to the frame a wall is shown with it, and how deep, as parts of its size."""
 
 ROOM = 0.5
 """How far beyond the frame a body is followed on each side, in sizes of the frame."""
@@ -82,7 +77,7 @@ def bounds(
 
 
 def _show_walls(low: Floats, high: Floats, sketch: Sketch) -> None:
-    """Makes room for the surfaces of walls that would be just beyond the edge, as static/camera.js does."""
+    """Makes room for the surfaces of walls that would be just beyond the edge, as camera.js does."""
     if sketch.around is None:
         return
     size = float((high - low).max())

@@ -17,12 +17,12 @@ from ..session.session import Notice, Session
 from ..wire import from_page
 from ..wire.carrier import Mail
 from ..wire.to_page import Resumed
-from . import keeping
 from .controls import Controls
-from .edits import Edits
-from .gallery import Gallery
-from .sharing import Sharing
-from .shelf import Shelf
+from .edit.edits import Edits
+from .files import keeping
+from .files.sharing import Sharing
+from .scenes.gallery import Gallery
+from .scenes.shelf import Shelf
 
 _log = logging.getLogger(__name__)
 

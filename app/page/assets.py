@@ -9,25 +9,26 @@ from pathlib import Path
 
 import viser
 
+from ..drawing.looks import style_rules
 from ..gate.gate import PAGE_PATHS, GateError, StaticFile
 
 _APP = Path(__file__).parents[1]
-_FOLDER = _APP / "page" / "static"
-_SCRIPTS = (_APP / "drawing" / "static", _FOLDER)
+_FOLDER = _APP / "page"
+_SCRIPTS = (_APP / "drawing" / "static", _APP / "wire", _FOLDER)
 """Scripts have the same places relative to each other as on the disk."""
 _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/webp"}
 _FOREVER = "public, max-age=31536000, immutable"
 _STYLES = (
     "page.css",
-    "overlay.css",
-    "dock.css",
-    "tools.css",
-    "edit.css",
-    "dialogs.css",
-    "gallery.css",
-    "lesson.css",
-    "menu.css",
-    "looks.css",
+    "body/overlay.css",
+    "time/dock.css",
+    "measure/tools.css",
+    "edit/edit.css",
+    "looks/dialogs.css",
+    "scenes/gallery.css",
+    "scenes/lesson.css",
+    "looks/menu.css",
+    "looks/looks.css",
 )
 """Later ones win."""
 _ROOT = '<div id="root"></div>'
@@ -77,18 +78,23 @@ def _index(folder: str, scripts: list[str]) -> str:
     script = text[begin : text.index("</script>", begin)].replace(
         _ITSELF, 'document.querySelector("script[data-p]")'
     )
-    styles = "\n".join((_FOLDER / name).read_text(encoding="utf-8") for name in _STYLES)
+    styles = "\n".join(
+        (
+            style_rules('html[data-mantine-color-scheme="dark"]*'),
+            *((_FOLDER / name).read_text(encoding="utf-8") for name in _STYLES),
+        )
+    )
     return "\n".join(
         (
             '<!doctype html><html lang="en"><head><meta charset="utf-8" />',
             '<meta name="viewport" content="width=device-width, initial-scale=1" />',
             "<title>softrod</title>",
-            f'<link rel="icon" href="{folder}page/static/icon.svg" />',
+            f'<link rel="icon" href="{folder}page/icon.svg" />',
             *(f'<link rel="modulepreload" href="{name}" />' for name in scripts),
             f"<style>{styles}</style></head><body>",
-            (_FOLDER / "loading.html").read_text(encoding="utf-8"),
+            (_FOLDER / "viser" / "loading.html").read_text(encoding="utf-8"),
             _ROOT,
-            f'<script type="module" src="{folder}page/static/main.js"></script>',
+            f'<script type="module" src="{folder}page/main.js"></script>',
             f'<script type="text/plain"{script.removeprefix("<script")}</script></body></html>',
         )
     )

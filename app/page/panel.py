@@ -21,18 +21,17 @@ from ..session import commands
 from ..session.session import Notice, Session
 from ..wire.carrier import Mail
 from ..wire.commands import COMMANDS
-from ..wire.to_page import Hud, Styles
-from . import readouts
-from .choice_box import ChoiceBox
-from .comma_switch import CommaSwitch
+from ..wire.to_page import Hud, Role, Roles
 from .controls import Controls
-from .lesson_panel import LessonPanel
+from .edit.selection_panel import SelectionPanel
+from .looks import readouts
+from .measure.plot_list import PlotList
 from .play_panel import PlayPanel
-from .plot_list import PlotList
-from .selection_panel import SelectionPanel
-from .slider_box import SliderBox, mixed_words
-from .solver_panel import SolverPanel
-from .style import style_text
+from .scenes.lesson_panel import LessonPanel
+from .solver.solver_panel import SolverPanel
+from .viser.choice_box import ChoiceBox
+from .viser.comma_switch import CommaSwitch
+from .viser.slider_box import SliderBox, mixed_words
 
 PANEL_WIDTH = 348
 FOREMOST = (
@@ -63,7 +62,7 @@ def _has_dial(setting: Setting, scene: Scene) -> bool:
 
 def set_theme(gui: viser.GuiApi, dark: bool) -> None:
     """viser's own colours, without its logo and without the button that would share the page."""
-    red, green, blue = (int(part) for part in palette("softrod", dark).driven)
+    red, green, blue = (int(part) for part in palette("softrod", dark).brand)
     gui.configure_theme(
         dark_mode=dark, show_logo=False, show_share_button=False, brand_color=(red, green, blue)
     )
@@ -150,7 +149,6 @@ class Panel:
         self._choices: list[ChoiceBox] = []
         self.outlined: list[Any] = []
         self._shown_revision = -1
-        self._dark = False
         gui = client.gui
         gui.set_panel_label("softrod")
         gui.main_panel.dock_right()
@@ -332,7 +330,7 @@ class Panel:
         """Show what is selected, if it may be edited."""
         if self._selection is not None and self._selection.tick():
             self.outlined += self._selection.outlined
-            self.set_style(self._dark)
+            self.tell_roles()
 
     def show_help(self) -> None:
         """Open the help."""
@@ -375,16 +373,13 @@ class Panel:
         if self._solver is not None:
             self._solver.refresh_readouts()
 
-    def set_style(self, dark: bool) -> None:
-        """Colours of the page, and the boxes that are hidden in it."""
-        self._dark = dark
-        sliders = [(_id(slider_box.slider), _id(slider_box.box)) for slider_box in self._sliders]
-        outlined = [_id(button) for button in self.outlined]
-        colors = palette("softrod", dark)
+    def tell_roles(self) -> None:
+        """Say which controls look otherwise than viser draws them."""
         anew = self._play.anew if self._play is not None else None
-        css = style_text(colors, dark, sliders, outlined, beside=_id(anew) if anew else "")
-        if "play" not in self._controls:
-            # The page's script makes the bar of time for every page. Where it is empty, other buttons still
-            # stand on it.
-            css += ".softrod-dock{padding:0}.softrod-dock>*{display:none!important}"
-        self._mail.tell(Styles(css=css))
+        roles: dict[str, Role] = {
+            **{_id(slider_box.slider): "slider" for slider_box in self._sliders},
+            **{_id(slider_box.box): "number" for slider_box in self._sliders},
+            **{_id(button): "outlined" for button in self.outlined},
+            **({_id(anew): "beside"} if anew else {}),
+        }
+        self._mail.tell(Roles(roles=roles, time_bar="play" in self._controls))

@@ -11,8 +11,8 @@ from sim.scene.types import Scene, shown_name
 
 from ..session import commands
 from ..session.session import Session
-from . import readouts
 from .controls import Controls
+from .looks import readouts
 
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""

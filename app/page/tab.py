@@ -36,18 +36,20 @@ from ..wire import from_page
 from ..wire.carrier import Mail, listen
 from ..wire.commands import COMMANDS
 from ..wire.to_page import Keepsake, PageState, Resumed, Run, ShowMeasures
-from . import controls, keeping, pasts, readouts
+from . import controls
 from .answers import Answers
-from .comma_switch import CommaSwitch
+from .body.view import Canvas, Touch, picture_of
 from .controls import Controls
-from .export_panel import ExportPanel
-from .files_panel import FilesPanel
-from .measure_panel import MeasurePanel
+from .files import keeping, pasts
+from .files.export_panel import ExportPanel
+from .files.files_panel import FilesPanel
+from .looks import readouts
+from .measure.measure_panel import MeasurePanel
+from .measure.tools_panel import ToolsPanel
 from .opening import asked_scene
 from .panel import Panel, set_theme
-from .shelf import Shelf
-from .tools_panel import ToolsPanel
-from .view import Canvas, Touch, picture_of
+from .scenes.shelf import Shelf
+from .viser.comma_switch import CommaSwitch
 
 READOUTS_EVERY = 0.1
 """Seconds between two updates of texts and sliders; faster would only flicker."""
@@ -407,7 +409,7 @@ class Tab:
         if self._files is not None:
             self._files.build()
         self._show_lessons_things(session)
-        self._panel.set_style(dark)
+        self._panel.tell_roles()
         if self._measure is not None:
             self._measure.build(dark)
         self._moved_at = session.now()

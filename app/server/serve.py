@@ -24,9 +24,9 @@ from ..drawing.colors import LIGHT_GAIN
 from ..gate.address import address_for_others, public_address
 from ..gate.gate import GatedServer, exposure, open_server, page_addresses
 from ..linking import print_qr_code
-from ..page import owner
 from ..page.assets import page_files
 from ..page.panel import set_theme
+from ..page.scenes import owner
 from ..page.tab import Tab
 from ..session.session import Notice
 from .ticker import Ticker

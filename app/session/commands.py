@@ -19,11 +19,12 @@ from sim.motion.simulation import KEYS
 from sim.scene.types import shown_name
 from sim.settings import CHOICES, settings_of
 
+from ..drawing.looks import SPEEDS
 from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME
 from .log import Log
 from .pacing import is_large
-from .session import SPEEDS, Changed, Command, Session
+from .session import Changed, Command, Session
 from .shadow import Foresight
 from .versions import Versions
 

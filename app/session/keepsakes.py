@@ -15,6 +15,7 @@ from sim.scene.files import MAX_FILE_BYTES, decode_scene
 from sim.scene.numbers import MAX_SPRINGS
 from sim.settings import CHOICES
 
+from ..drawing.looks import SPEEDS
 from . import log
 from .ghost import FINER, REFERENCE
 
@@ -46,7 +47,7 @@ class Wishes(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     """
 
     playing: bool = True
-    speed: Annotated[float, Meta(ge=0.125, le=4.0)] = 1.0
+    speed: Annotated[float, Meta(ge=SPEEDS[0], le=SPEEDS[-1])] = 1.0
     follow: bool = False
     joint: Annotated[int, Meta(ge=0, lt=MAX_SPRINGS)] = 0
     ghost: Second | None = None

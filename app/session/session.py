@@ -38,12 +38,11 @@ from .shadow import Foresight
 from .stability import StabilityWatch
 from .versions import Versions
 
-__all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "SPEEDS", "Notice", "Session"]
+__all__ = ["FRAME", "KEYS_FORGOTTEN_AFTER", "Notice", "Session"]
 
 KEYS_FORGOTTEN_AFTER = 0.5
 """Seconds of silence after which held keys count as released: the connection may be gone."""
 
-SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0)
 MAX_QUEUE = 4000
 """Commands that wait at most; beyond that the page is not a person, and the oldest are dropped."""
 

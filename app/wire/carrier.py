@@ -1,7 +1,7 @@
 """How messages travel: each in one message of viser's own kind, which viser's page never sees.
 
 viser 1.1.1 leads every subclass of its `Message` to whoever registered for it, and a page's script takes this
-one out of the queue (`static/canvas.js`). Nothing public does: `_messages`, `_websock_connection`.
+one out of the queue (`app/page/body/canvas.js`). Nothing public does: `_messages`, `_websock_connection`.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The one table of commands: what keys, buttons, menus, the palette and the help offer.
 
-A row is all that a command needs: the page's copy of the table (`static/commands.js`), the list of keys in
+A row is all that a command needs: the page's copy of the table (`app/wire/commands.js`), the list of keys in
 docs/page.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. A
-command of the page's own needs its function in `static/perform.js`, too; the type check says so.
+command of the page's own needs its function in `app/wire/perform.js`, too; the type check says so.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
+from ..drawing.looks import ICONS
 from ..session import commands
 from ..session.session import Session
 
@@ -29,7 +30,7 @@ class Page(Protocol):
 
 Does = commands.Command | Callable[[Session, Page], None] | Literal["page", "elsewhere"]
 """What a command does: a command of the session, a function for the ticker, something that the page's script
-does (`static/perform.js`), or what the script does at the place that listens to its keys."""
+does (`app/wire/perform.js`), or what the script does at the place that listens to its keys."""
 
 
 @dataclass(frozen=True)
@@ -94,7 +95,7 @@ _HAND = (
 
 COMMANDS: dict[str, Row] = {
     # ------------------------------------------------------------------------- time
-    "play": Row("Play or pause", commands.Play(), ("Space",), "play or pause", icon="M7 4v16l13-8z"),
+    "play": Row("Play or pause", commands.Play(), ("Space",), "play or pause", icon=ICONS["play"]),
     "step": Row(
         "1 step", commands.DoSteps(1), ("N",), "one step; with Shift ten", word="Step",
         icon="M6 5v14l9-7zM16 5h2v14h-2z",
@@ -118,11 +119,11 @@ COMMANDS: dict[str, Row] = {
     ),
     "reset": Row(
         "Reset", commands.Reset(), ("R",), "reset", word="Reset",
-        icon="M12 5V1L7 6l5 5V7a5 5 0 1 1-5 5H5a7 7 0 1 0 7-7z",
+        icon=ICONS["reset"],
     ),
     "pause": Row(
         "Pause", commands.Play(False), ("Esc",), "pause; close this help, or a question", word="Pause",
-        icon="M6 4h4v16H6zM14 4h4v16h-4z",
+        icon=ICONS["pause"],
     ),
     "run": Row("Play", commands.Play(True), palette=False),
     "forget": Row("Take the line away", commands.ForgetFuture(), palette=False),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
@@ -95,10 +95,16 @@ class Hud(State, frozen=True, kw_only=True):
     html: str
 
 
-class Styles(State, frozen=True, kw_only=True):
-    """Colours of the page, and of its controls, CSS."""
+Role = Literal["slider", "number", "outlined", "beside"]
+"""A slider beside the number box that stands in place of its own; that box; a button that is drawn as an
+outline; and one that stands beside the control before it, as its icon."""
 
-    css: str
+
+class Roles(State, frozen=True, kw_only=True):
+    """Controls that look otherwise than viser draws them, by their ids; whether there is a bar of time."""
+
+    roles: dict[str, Role]
+    time_bar: bool
 
 
 class LessonStep(Struct, frozen=True):

@@ -17,7 +17,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
 
-from app.page.view import FRAME
+from app.page.body.view import FRAME
 
 CAMERA: dict[str, Any] = {
     "type": "ViewerCameraMessage",

@@ -11,18 +11,19 @@ from concurrent.futures import Future
 from contextlib import contextmanager
 from typing import Any
 
-import numpy as np
+from msgspec.structs import replace
 from rich.console import Console
 from rich.table import Table
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
+import sim
 from app.page.tab import Tab
 from app.server.serve import serving
 from app.server.ticker import BUDGET
 from app.session import commands
 from app.session.hand import FRAME
-from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Moment, Scene
+from sim import Moment, Scene
 from sim.edit.build import add_springs, extend, positions_of, remove
 from sim.edit.edit import Edit, Selection
 from sim.edit.values import number, set_number
@@ -33,31 +34,15 @@ WIDE, HIGH = 50, 51
 """Masses along the sides of the cloth: it has 9899 springs, and 4898 joints."""
 
 
-def cloth(wide: int = WIDE, high: int = HIGH) -> Scene:
+def cloth() -> Scene:
     """A cloth with diagonals both ways, and joints along its threads, held at two corners."""
-    at = np.arange(wide * high).reshape(high, wide)
-    places = [(10.0 * (i % wide), 10.0 * (i // wide)) for i in range(wide * high)]
-    threads = [net[:, :-1].ravel() for net in (at, at.T)], [net[:, 1:].ravel() for net in (at, at.T)]
-    diagonals = [at[:-1, :-1].ravel(), at[:-1, 1:].ravel()], [at[1:, 1:].ravel(), at[1:, :-1].ravel()]
-    starts, ends = (np.concatenate([*of, *also]) for of, also in zip(threads, diagonals, strict=True))
-    edges: list[tuple[int, int]] = list(zip(starts.tolist(), ends.tolist(), strict=True))
-    spring = {edge: s for s, edge in enumerate(edges)}
-    rows = [np.stack((net[:, :-2], net[:, 1:-1], net[:, 2:]), -1).reshape(-1, 3) for net in (at, at.T)]
-    in_line = np.concatenate(rows).tolist()
-    return Scene(
-        name="cloth",
-        masses=tuple(Mass(position=place, mass=0.1, radius=2.0) for place in places),
-        linear_springs=tuple(
-            LinearSpring(a=a, b=b, stiffness=1e4, damping=1.0, rest_length=math.dist(places[a], places[b]))
-            for a, b in edges
-        ),
-        angular_springs=tuple(
-            AngularSpring(a=spring[a, b], b=spring[b, c], stiffness=100.0) for a, b, c in in_line
-        ),
-        anchors=(Anchor(mass=0), Anchor(mass=wide - 1)),
-        gravity=(0.0, 500.0),
-        integrator=Integrator(method="symplectic_euler", dt=1e-3),
-    )
+    body = sim.Cloth(
+        columns=WIDE, rows=HIGH, width=10.0 * (WIDE - 1), height=10.0 * (HIGH - 1), start=(0.0, 0.0),
+        stiffness=1e4, shear_stiffness=1e4, damping=1.0, angular_stiffness=100.0, mass=0.1, radius=2.0,
+    )  # fmt: skip
+    euler = sim.Integrator(method="symplectic_euler", dt=1e-3)
+    scene = sim.validate(Scene(name="cloth", bodies=(body,), gravity=(0.0, 500.0), integrator=euler))
+    return replace(scene, bodies=())  # its parts are edited one by one
 
 
 def _setting(kind: str, field: str, value: float) -> Callable[[Moment, int], Edit]:

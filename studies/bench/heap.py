@@ -10,7 +10,8 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from sim import AngularSpring, Integrator, LinearSpring, Mass, Scene, Simulation
+import sim
+from sim import Integrator, Scene, Simulation
 from sim.scene.surroundings import Contact, Wall
 
 RINGS = (10, 84, 250)
@@ -31,35 +32,25 @@ _ABREAST, _HIGH = 10, 8  # least number of rings in a row, and of rows in which 
 def heap(rings: int) -> Scene:
     """A scene of so many rings of 12 masses above a box that is open at the top."""
     rng = np.random.default_rng(1)
-    masses: list[Mass] = []
-    springs: list[LinearSpring] = []
-    joints: list[AngularSpring] = []
     abreast = max(_ABREAST, rings // _HIGH)
-    edge = 2.0 * _RADIUS * math.sin(math.pi / _MASSES)
+    bodies = []
     for i in range(rings):
-        x, y = np.array((20.0 + 30.0 * (i % abreast), -20.0 - 32.0 * (i // abreast))) + rng.uniform(
-            -2.0, 2.0, 2
+        middle = np.array((20.0 + 30.0 * (i % abreast), -20.0 - 32.0 * (i // abreast)))
+        x, y = (middle + rng.uniform(-2.0, 2.0, 2)).tolist()
+        ring = sim.Polygon(
+            sides=_MASSES, circumradius=_RADIUS, center=(x, y), mass=0.1,
+            stiffness=3000.0, damping=1.0, angular_stiffness=2000.0,
+        )  # fmt: skip
+        bodies.append(ring)
+    box = ((0.0, 0.0), (0.0, -1.0)), ((0.0, 0.0), (1.0, 0.0)), ((30.0 * abreast + 10.0, 0.0), (-1.0, 0.0))
+    return sim.validate(
+        Scene(
+            name="heap",
+            bodies=tuple(bodies),
+            gravity=(0.0, 1000.0),
+            walls=tuple(Wall(point=point, normal=normal) for point, normal in box),
+            contact=Contact(distance=4.0, stiffness=300.0, friction=0.4, bounciness=0.3),
         )
-        first = len(masses)
-        for k in range(_MASSES):
-            turn = math.tau * k / _MASSES
-            at = (float(x) + _RADIUS * math.cos(turn), float(y) + _RADIUS * math.sin(turn))
-            masses.append(Mass(position=at, mass=0.1))
-            one, other = first + k, first + (k + 1) % _MASSES
-            springs.append(LinearSpring(a=one, b=other, stiffness=3000.0, damping=1.0, rest_length=edge))
-            joints.append(AngularSpring(a=one, b=other, stiffness=2000.0, rest_angle=360.0 / _MASSES))
-    return Scene(
-        name="heap",
-        masses=tuple(masses),
-        linear_springs=tuple(springs),
-        angular_springs=tuple(joints),
-        gravity=(0.0, 1000.0),
-        walls=(
-            Wall(point=(0.0, 0.0), normal=(0.0, -1.0)),
-            Wall(point=(0.0, 0.0), normal=(1.0, 0.0)),
-            Wall(point=(30.0 * abreast + 10.0, 0.0), normal=(-1.0, 0.0)),
-        ),
-        contact=Contact(distance=4.0, stiffness=300.0, friction=0.4, bounciness=0.3),
     )
 
 

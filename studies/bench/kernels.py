@@ -25,24 +25,10 @@ import sim
 
 from . import fastest
 
-MASS = np.dtype(
-    [("x", "f8"), ("y", "f8"), ("vx", "f8"), ("vy", "f8"), ("ax", "f8"), ("ay", "f8"), ("m", "f8")],
-    align=True,
-)
-SPRING = np.dtype(
-    [
-        ("a", "i8"),
-        ("b", "i8"),
-        ("k", "f8"),
-        ("c", "f8"),
-        ("rest", "f8"),
-        ("len", "f8"),
-        ("ux", "f8"),
-        ("uy", "f8"),
-    ],
-    align=True,
-)
-JOINT = np.dtype([("a", "i8"), ("b", "i8"), ("k", "f8"), ("cos", "f8"), ("sin", "f8")], align=True)
+_INDICES = [("a", "i8"), ("b", "i8")]
+MASS = np.dtype([(name, "f8") for name in ("x", "y", "vx", "vy", "ax", "ay", "m")], align=True)
+SPRING = np.dtype([*_INDICES, *((name, "f8") for name in ("k", "c", "rest", "len", "ux", "uy"))], align=True)
+JOINT = np.dtype([*_INDICES, *((name, "f8") for name in ("k", "cos", "sin"))], align=True)
 
 STEP = 1e-6
 """A tiny step: the arithmetic is the same, and the body stays put however often it is measured."""

@@ -6,6 +6,7 @@ import math
 import time
 
 import numpy as np
+from msgspec.structs import replace
 from rich.console import Console
 from rich.table import Table
 
@@ -22,46 +23,33 @@ GIRDER = 50
 """Rungs of a girder."""
 
 
-def _framework(
-    name: str,
-    places: list[tuple[float, float]],
-    edges: list[tuple[int, int]],
-    straight: list[tuple[int, ...]],
-) -> Scene:
-    """Springs between masses, and joints where three of these stand in line."""
-    spring = {ends: s for s, ends in enumerate(edges)}
-    return Scene(
-        name=name,
-        masses=tuple(Mass(position=place) for place in places),
-        linear_springs=tuple(
-            LinearSpring(a=a, b=b, stiffness=1e4, rest_length=math.dist(places[a], places[b]))
-            for a, b in edges
-        ),
-        angular_springs=tuple(
-            AngularSpring(a=spring[a, b], b=spring[b, c], stiffness=1e4) for a, b, c in straight
-        ),
-        anchors=(Anchor(mass=0),),
-    )
-
-
 def cloth(side: int) -> Scene:
     """A square patch of springs that bends like a net of rods."""
-    at = np.arange(side * side).reshape(side, side)
-    places = [(20.0 * (i % side), 20.0 * (i // side)) for i in range(side * side)]
-    edges, straight = [], []
-    for net in (at, at.T):
-        edges += np.stack((net[:, :-1], net[:, 1:]), -1).reshape(-1, 2).tolist()
-        straight += np.stack((net[:, :-2], net[:, 1:-1], net[:, 2:]), -1).reshape(-1, 3).tolist()
-    return _framework(f"cloth-{side}x{side}", places, [(a, b) for a, b in edges], straight)
+    width = 20.0 * (side - 1)
+    body = sim.Cloth(
+        columns=side, rows=side, width=width, height=width, start=(0.0, 0.0), diagonals=False, held="corner"
+    )
+    scene = sim.validate(Scene(name=f"cloth-{side}x{side}", bodies=(body,)))
+    # The others hold the corners of its cells.
+    in_line = tuple(joint for joint in scene.angular_springs if not joint.rest_angle)
+    return replace(scene, bodies=(), angular_springs=in_line)
 
 
 def girder(rungs: int) -> Scene:
-    """Two rails, with rungs and diagonals between them."""
+    """Two rails, with rungs and diagonals between them, and joints where three masses stand in line."""
     places = [(20.0 * (i // 2), 20.0 * (i % 2)) for i in range(2 * rungs)]
     rails = [(i, i + 2) for i in range(2 * rungs - 2)]
     between = [(2 * i, 2 * i + 1) for i in range(rungs)] + [(2 * i, 2 * i + 3) for i in range(rungs - 1)]
-    straight = [(i, i + 2, i + 4) for i in range(2 * rungs - 4)]
-    return _framework(f"girder-{rungs}", places, rails + between, straight)
+    return Scene(
+        name=f"girder-{rungs}",
+        masses=tuple(Mass(position=place) for place in places),
+        linear_springs=tuple(
+            LinearSpring(a=a, b=b, stiffness=1e4, rest_length=math.dist(places[a], places[b]))
+            for a, b in rails + between
+        ),
+        angular_springs=tuple(AngularSpring(a=s, b=s + 2, stiffness=1e4) for s in range(len(rails) - 2)),
+        anchors=(Anchor(mass=0),),
+    )
 
 
 def in_a_band(scene: Scene) -> int:

@@ -9,24 +9,38 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
 
 from rich.console import Console
 from rich.table import Table
 
 import sim
 from app.drawing.plan import FRAME_HEAD, FRAME_TIME
-from app.page.view import FRAME
+from app.page.body.view import FRAME
 
 from .client import Page
 
 NODE = "/body/masses"
 
 
+class Served(NamedTuple):
+    """A server in a process of its own.
+
+    Attributes:
+        port: that it listens at.
+        listening: seconds until it did.
+        used: asks for the processor time that it has used so far, s.
+    """
+
+    port: int
+    listening: float
+    used: Callable[[], float]
+
+
 @contextlib.contextmanager
-def served(kind: str, shown: str | int, cache: str) -> Iterator[tuple[subprocess.Popen[str], int, float]]:
-    """A server in a process of its own, its port, and the seconds until it listened."""
+def served(kind: str, shown: str | int, cache: str) -> Iterator[Served]:
+    """Softrod's page, or one of bare viser; see `bare`."""
     words = [sys.executable, "-m", "studies.bench.bare", str(shown), *([kind] if kind == "softrod" else [])]
     began = time.perf_counter()
     process = subprocess.Popen(
@@ -36,12 +50,19 @@ def served(kind: str, shown: str | int, cache: str) -> Iterator[tuple[subprocess
         text=True,
         env={**os.environ, "XDG_CACHE_HOME": cache},
     )
+    asked, told = process.stdin, process.stdout
+    assert asked is not None and told is not None
+
+    def used() -> float:
+        asked.write("\n")
+        asked.flush()
+        return float(told.readline())
+
     try:
-        assert process.stdin is not None and process.stdout is not None
-        port = int(process.stdout.readline())
-        yield process, port, time.perf_counter() - began
+        port = int(told.readline())
+        yield Served(port, time.perf_counter() - began, used)
     finally:
-        process.stdin.close()  # type: ignore[union-attr]
+        asked.close()
         process.wait(timeout=30.0)
 
 
@@ -69,7 +90,7 @@ def is_frame(message: dict[str, Any]) -> bool:
 def _start(kind: str, shown: str | int, cache: str) -> dict[str, float]:
     """Seconds until the port listens, the body is sent, and it moves."""
     began = time.perf_counter()
-    with served(kind, shown, cache) as (_, port, listening), Page(port) as page:
+    with served(kind, shown, cache) as server, Page(server.port) as page:
         page.wait_for(_is_node)
         drawn = time.perf_counter() - began
         if kind == "softrod":
@@ -78,7 +99,7 @@ def _start(kind: str, shown: str | int, cache: str) -> dict[str, float]:
             # The first picture is filled in at once; a body in motion sends more.
             page.wait_for(_moves)
             page.wait_for(_moves)
-        return {"port": listening, "drawn": drawn, "moving": time.perf_counter() - began}
+        return {"port": server.listening, "drawn": drawn, "moving": time.perf_counter() - began}
 
 
 def warm(cache: str) -> None:
@@ -133,27 +154,20 @@ def bench_start(console: Console, repeats: int) -> None:
 
 def _processor_share(kind: str, masses: int, seconds: float, cache: str) -> tuple[float, float, float]:
     """(processor time per second, kB per second, frames per second) of a server with one page."""
-    with served(kind, masses, cache) as (process, port, _), Page(port) as page:
-        assert process.stdin is not None and process.stdout is not None
-
-        def used() -> float:
-            process.stdin.write("\n")  # type: ignore[union-attr]
-            process.stdin.flush()  # type: ignore[union-attr]
-            return float(process.stdout.readline())  # type: ignore[union-attr]
-
+    with served(kind, masses, cache) as server, Page(server.port) as page:
         page.wait_for(_moves)
         page.read_for(3.0)  # compiling and first pictures are not what is measured
-        before, bytes_before, began = used(), page.bytes, time.perf_counter()
+        before, bytes_before, began = server.used(), page.bytes, time.perf_counter()
         frames = 0
         while (left := began + seconds - time.perf_counter()) > 0:
             frames += any(_moves(message) for message in page.receive(left))
         span = time.perf_counter() - began
-        return (used() - before) / span, (page.bytes - bytes_before) / span / 1e3, frames / span
+        return (server.used() - before) / span, (page.bytes - bytes_before) / span / 1e3, frames / span
 
 
 def _latencies(masses: int, count: int, cache: str) -> list[float]:
     """Seconds from a pointer report to the frame in which the driven mass has moved, as a page sees it."""
-    with served("softrod", masses, cache) as (_, port, _), Page(port) as page:
+    with served("softrod", masses, cache) as server, Page(server.port) as page:
         channel = page.wait_for(
             lambda m: m.get("type") == "GuiTextMessage" and m["props"]["label"] == "softrod"
         )

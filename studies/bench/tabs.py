@@ -10,16 +10,18 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
 from rich.console import Console
 from rich.table import Table
 from websockets.asyncio.client import connect
 
+import sim
 from app.drawing.plan import FRAME_TIME
-from sim import Anchor, Integrator, LinearSpring, Mass, Scene
+from sim import Scene
 from sim.scene.files import encode_scene
 
 from .client import CAMERA, Decoder, options_of
-from .serving import is_frame, served, warm
+from .serving import Served, is_frame, served, warm
 
 MASSES = 200
 SETTLE, SPAN = 4.0, 6.0
@@ -114,20 +116,20 @@ async def _visit(
         await steering
 
 
-async def _visit_all(port: int, pages: int, used: Any) -> tuple[list[Visitor], float, float, float]:
+async def _visit_all(server: Served, pages: int) -> tuple[list[Visitor], float, float, float]:
     """The visitors, the span that was measured, and the server's share of a core."""
     visitors = [Visitor() for _ in range(pages)]
     stop = asyncio.Event()
     tasks = []
     for number, visitor in enumerate(visitors):
-        tasks.append(asyncio.create_task(_visit(port, visitor, number, stop)))
+        tasks.append(asyncio.create_task(_visit(server.port, visitor, number, stop)))
         await asyncio.sleep(0.1)
     await asyncio.sleep(SETTLE)
     for visitor in visitors:
         visitor.bytes = 0
-    begin, before = time.monotonic(), used()
+    begin, before = time.monotonic(), server.used()
     await asyncio.sleep(SPAN)
-    end, after = time.monotonic(), used()
+    end, after = time.monotonic(), server.used()
     stop.set()
     await asyncio.gather(*tasks)
     return visitors, begin, end, (after - before) / (end - begin)
@@ -144,14 +146,8 @@ def bench_tabs(console: Console, repeats: int) -> None:
         for pages in (1, 10, 20, 30, 50):
             best: tuple[float, ...] | None = None
             for _ in range(repeats):
-                with served("softrod", MASSES, cache) as (process, port, _):
-
-                    def used(process: Any = process) -> float:
-                        process.stdin.write("\n")
-                        process.stdin.flush()
-                        return float(process.stdout.readline())
-
-                    visitors, begin, end, share = asyncio.run(_visit_all(port, pages, used))
+                with served("softrod", MASSES, cache) as server:
+                    visitors, begin, end, share = asyncio.run(_visit_all(server, pages))
                 seen = [visitor.within(begin, end) for visitor in visitors]
                 rates, gaps, clocks = zip(*seen, strict=True)
                 size = sum(visitor.bytes for visitor in visitors) / pages / (end - begin) / 1e3
@@ -175,8 +171,8 @@ def bench_neighbour(console: Console) -> None:
         for side in CLOTHS:
             scene = Path(cache) / "cloth.json"
             scene.write_bytes(encode_scene(cloth(side)))
-            with served("softrod", str(scene), cache) as (_, port, _):
-                rate, gap, answer = asyncio.run(_beside(port))
+            with served("softrod", str(scene), cache) as server:
+                rate, gap, answer = asyncio.run(_beside(server.port))
             table.add_row(f"{side * side} masses", f"{rate:.1f}", f"{1e3 * gap:.0f}", f"{1e3 * answer:.0f}")
     console.print(table)
 
@@ -202,18 +198,11 @@ async def _beside(port: int) -> tuple[float, float, float]:
 
 def cloth(side: int) -> Scene:
     """A square cloth of so many masses a side, held at two corners, by an implicit method."""
-    spacing = 500.0 / side
-    at = [(50.0 + spacing * i, 50.0 + spacing * j) for j in range(side) for i in range(side)]
-    ends = [(n, n + 1) for n in range(side * side) if (n + 1) % side]
-    ends += [(n, n + side) for n in range(side * (side - 1))]
-    return Scene(
-        name="cloth",
-        masses=tuple(Mass(position=position, radius=2.0) for position in at),
-        linear_springs=tuple(
-            LinearSpring(a=a, b=b, stiffness=1e4, damping=4.0, rest_length=spacing) for a, b in ends
-        ),
-        angular_springs=(),
-        anchors=(Anchor(mass=0), Anchor(mass=side - 1)),
-        gravity=(0.0, 981.0),
-        integrator=Integrator(method="generalized_alpha", dt=1.0 / 60.0),
-    )
+    width = 500.0 * (1.0 - 1.0 / side)
+    body = sim.Cloth(
+        columns=side, rows=side, width=width, height=width, start=(50.0, 50.0), diagonals=False,
+        stiffness=1e4, damping=4.0, mass=1.0, radius=2.0,
+    )  # fmt: skip
+    implicit = sim.Integrator(method="generalized_alpha", dt=1.0 / 60.0)
+    scene = sim.validate(Scene(name="cloth", bodies=(body,), gravity=(0.0, 981.0), integrator=implicit))
+    return replace(scene, bodies=(), angular_springs=())

@@ -12,10 +12,8 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from sim import Integrator, Scene, Simulation, physics
+from sim import Integrator, Scene, Simulation
 from sim.analysis.ensemble import Member, Track, marks, run_ensemble
-from sim.body.system import joint_stiffness
-from sim.kernels.forces.laws import LAWS
 from sim.motion.stability import largest_step
 
 from .axes import Axis, extent, in_cell
@@ -102,6 +100,7 @@ class ExactMotion:
         dt = duration / _SAMPLES
         integrator = Integrator(method="auto", dt=dt, tolerance=min(1e-3 * NEAR * self.extent, 1.0))
         simulation = Simulation(replace(scene, integrator=integrator))
+        start = simulation.energy()
         shape = _SAMPLES + 1, len(scene.masses), 2
         self._dt = dt
         self._positions, self._velocities = np.full((2, *shape), np.nan)
@@ -110,20 +109,20 @@ class ExactMotion:
                 break
             self._positions[k], self._velocities[k] = simulation.positions, simulation.velocities
         self.known = bool(np.isfinite(self._positions).all())
-        self._energies = Energies(scene)
-        elastic = self._energies.elastic(self._positions[:1])
-        energy = self._energies.motion(self._positions, self._velocities)
+        self._mass = np.array([m.mass for m in scene.masses])
+        forces = [mass.force or (0.0, 0.0) for mass in scene.masses]
+        self._forces = np.outer(self._mass, scene.gravity) + forces
+        energy = self._energy(self._positions, self._velocities)
         weight = sum(m.mass for m in scene.masses) * math.hypot(*scene.gravity)
         weight += sum(math.hypot(*m.force) for m in scene.masses if m.force)
-        kinetic = self._energies.kinetic(self._velocities[:1])
-        self.budget = float(kinetic[0] + elastic[0]) + weight * self.extent
+        self.budget = start.kinetic + start.linear + start.angular + weight * self.extent
         self.ceiling = float(np.nanmax(energy)) + self.budget
 
     def judge(self, track: Track, times: Floats) -> tuple[int, float]:
         """How a body ended, and its largest distance from the reference, in extents."""
         if not np.isfinite(track.positions).all():
             return UNSTABLE, math.nan
-        energy = self._energies.motion(track.positions, track.velocities)
+        energy = self._energy(track.positions, track.velocities)
         apart = track.positions - self._at(times)
         error = float(np.hypot(apart[..., 0], apart[..., 1]).max()) / self.extent
         if not np.max(energy) <= self.ceiling:
@@ -132,6 +131,11 @@ class ExactMotion:
             return NO_REFERENCE, math.nan
         return (ACCURATE if error <= NEAR else DAMPED_WRONGLY), error
 
+    def _energy(self, positions: Floats, velocities: Floats) -> Floats:
+        """(samples,) kinetic energy and height, with the energy of constant forces."""
+        kinetic = 0.5 * (self._mass[:, None] * velocities**2).sum((1, 2))
+        return kinetic - (positions * self._forces).sum((1, 2))
+
     def _at(self, times: Floats) -> Floats:
         """(samples, n, 2) positions at some times; beyond the end, as they go on from there."""
         k = np.clip((times / self._dt).astype(np.int64), 0, _SAMPLES - 1)
@@ -139,42 +143,6 @@ class ExactMotion:
         p, q = self._positions[k], self._positions[k + 1]
         v, w = self._dt * self._velocities[k], self._dt * self._velocities[k + 1]
         return p + u * (v + u * (3.0 * (q - p) - 2.0 * v - w + u * (2.0 * (p - q) + v + w)))
-
-
-class Energies:
-    """Energies of a scene's body; under the tutorial's law, which has none, those of the conservative one."""
-
-    def __init__(self, scene: Scene) -> None:
-        self._scene = scene
-        springs = scene.linear_springs
-        self._mass = np.array([m.mass for m in scene.masses])
-        self._forces = np.outer(self._mass, scene.gravity)
-        self._forces += [mass.force or (0.0, 0.0) for mass in scene.masses]
-        self._ends = np.array([(s.a, s.b) for s in springs], np.int64).reshape(-1, 2)
-        self._stiffness = np.array([s.stiffness for s in springs])
-        self._rest = scene.rest_length_scale * np.array([s.rest_length for s in springs])
-        self._joints = np.array([(j.a, j.b) for j in scene.angular_springs], np.int64).reshape(-1, 2)
-        self._couple = np.array(joint_stiffness(scene))
-        self._angle = np.radians([j.rest_angle for j in scene.angular_springs])
-
-    def kinetic(self, velocities: Floats) -> Floats:
-        """(samples,) of (samples, n, 2) velocities."""
-        return 0.5 * (self._mass[:, None] * velocities**2).sum((1, 2))
-
-    def motion(self, positions: Floats, velocities: Floats) -> Floats:
-        """(samples,) kinetic energy and height, with the energy of constant forces."""
-        height = -(positions * self._forces).sum((1, 2))
-        return self.kinetic(velocities) + height
-
-    def elastic(self, positions: Floats) -> Floats:
-        """(samples,) energy of all springs."""
-        along = positions[:, self._ends[:, 1]] - positions[:, self._ends[:, 0]]
-        lengths = np.hypot(along[..., 0], along[..., 1])
-        elastic = 0.5 * (self._stiffness * (lengths - self._rest) ** 2).sum(1)
-        a, b = along[:, self._joints[:, 0]], along[:, self._joints[:, 1]]
-        s = (a[..., 0] - 1j * a[..., 1]) * (b[..., 0] + 1j * b[..., 1]) * np.exp(-1j * self._angle)
-        bent = physics.LAWS[LAWS[self._scene.force_law].code](s)[1]
-        return elastic + (self._couple * bent).sum(1)
 
 
 def compute(

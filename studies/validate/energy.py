@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from functools import partial
 
 import sim
 from sim.methods.registry import METHODS, MethodInfo
-from sim.scene.types import Circle, Method, Scene
+from sim.scene.types import Circle, Method
 
-from .results import Case, Result, converging
+from .results import Case, Result, integrator_of, over_sizes
 
 STEPS = (1.0 / 1600.0, 1.0 / 3200.0, 1.0 / 6400.0, 1.0 / 12800.0)
 """s, of the methods with fixed steps."""
@@ -22,34 +23,43 @@ BOOKS_ORDER = 6
 
 
 def swinging_rope(
-    method: Method, dt: float, tolerance: float, damping: float = 0.0, circle: Circle | None = None
-) -> Scene:
-    """A short bendy rope, let go horizontally, whose first mass may be led round a circle."""
-    return sim.rope(
-        6,
-        150.0,
-        direction=(1.0, 0.0),
-        stiffness=10_000.0,
-        damping=damping,
-        angular_stiffness=2_000.0,
-        angular_damping=0.1 * damping,
-        rest_angle=20.0,
-        circle=circle,
-        driven=None,
-        air_friction=0.0,
-        integrator=sim.Integrator(method=method, dt=dt, tolerance=tolerance),
+    method: Method, size: float, damping: float = 0.0, circle: Circle | None = None
+) -> sim.Simulation:
+    """A short bendy rope, let go horizontally, whose first mass may be led round a circle.
+
+    Args:
+        method: its name.
+        size: the step, s, or the tolerance, px.
+        damping: of its springs, kg/s.
+        circle: of its first mass.
+    """
+    return sim.Simulation(
+        sim.rope(
+            6,
+            150.0,
+            direction=(1.0, 0.0),
+            stiffness=10_000.0,
+            damping=damping,
+            angular_stiffness=2_000.0,
+            angular_damping=0.1 * damping,
+            rest_angle=20.0,
+            circle=circle,
+            driven=None,
+            air_friction=0.0,
+            integrator=integrator_of(method, size, DURATION / SAMPLES),
+        )
     )
 
 
-def drift(method: Method, dt: float, tolerance: float = 0.1) -> float:
+def drift(method: Method, size: float) -> float:
     """The largest change of the energy of a rope without damping, in parts of its largest kinetic energy."""
-    return _worst(sim.Simulation(swinging_rope(method, dt, tolerance)), books=False)
+    return _worst(swinging_rope(method, size), books=False)
 
 
-def residual(method: Method, dt: float, tolerance: float = 0.1) -> float:
+def residual(method: Method, size: float) -> float:
     """The largest residual of the energy books of a damped rope on a moving anchor, in the same parts."""
     circle = Circle(radius=30.0, frequency=2.0, ramp=0.1)
-    return _worst(sim.Simulation(swinging_rope(method, dt, tolerance, 20.0, circle)), books=True)
+    return _worst(swinging_rope(method, size, 20.0, circle), books=True)
 
 
 def _worst(simulation: sim.Simulation, books: bool) -> float:
@@ -63,28 +73,23 @@ def _worst(simulation: sim.Simulation, books: bool) -> float:
     return worst / largest
 
 
+def _sizes(method: MethodInfo, fast: bool) -> tuple[float, ...]:
+    if method.adaptive:
+        return TOLERANCES[:2] if fast else TOLERANCES
+    return STEPS[1:3] if fast else STEPS
+
+
 def _drifts(fast: bool) -> Iterator[Result]:
     for method in METHODS.values():
-        yield _slope(method, drift, 1.0 if method.adaptive else method.order, fast)
+        order = 1.0 if method.adaptive else method.order
+        yield over_sizes(method, _sizes(method, fast), partial(drift, method.name), order)
 
 
 def _residuals(fast: bool) -> Iterator[Result]:
     for method in METHODS.values():
         order = METHODS["adams"].order if method.kernel is None else method.order
-        yield _slope(method, residual, min(order, BOOKS_ORDER) / (order if method.adaptive else 1.0), fast)
-
-
-def _slope(method: MethodInfo, measure: Callable[..., float], expected: float, fast: bool) -> Result:
-    """How a method's errors go with the step or with the tolerance."""
-    if method.adaptive:
-        sizes = TOLERANCES[:2] if fast else TOLERANCES
-        errors = [measure(method.name, DURATION / SAMPLES, tolerance) for tolerance in sizes]
-        what = f"tolerance {sizes[0]:g} to {sizes[-1]:g} px"
-    else:
-        sizes = STEPS[1:3] if fast else STEPS
-        errors = [measure(method.name, dt) for dt in sizes]
-        what = f"dt = 1/{1.0 / sizes[0]:g} to 1/{1.0 / sizes[-1]:g} s"
-    return converging(f"{method.name}, {what}", sizes, errors, expected, exactly=False)
+        expected = min(order, BOOKS_ORDER) / (order if method.adaptive else 1.0)
+        yield over_sizes(method, _sizes(method, fast), partial(residual, method.name), expected)
 
 
 CASES = (

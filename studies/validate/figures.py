@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from sim.scene.types import Method
+
 from ..reporting.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, new_figure, tidy
 from ..reporting.output import Drawing
 from . import exact, motion, statics
@@ -81,12 +83,13 @@ def convergence() -> Figure:
     left.set_ylabel("relative error (size)")
     left.set_ylim(2.5e-6, 6e-3)
     _plain(left.xaxis, (10.0, 20.0, 50.0, 100.0))
-    for label, method, color, marker in (
+    methods: tuple[tuple[str, Method, str, str], ...] = (
         ("symplectic Euler, stable spring", "symplectic_euler", ORANGE, "o"),
         ("generalized-alpha", "generalized_alpha", GREEN, "^"),
         ("velocity Verlet", "velocity_verlet", BLUE, "s"),
         ("Runge-Kutta 4", "rk4", PURPLE, "D"),
-    ):
+    )
+    for label, method, color, marker in methods:
         errors = [motion.oscillator_error(method, dt) for dt in motion.STEPS]
         slope = fitted_slope(motion.STEPS, errors)
         label = f"{label}: slope {slope:.2f}"

@@ -9,9 +9,10 @@ import numpy as np
 
 import sim
 from sim.methods.registry import METHODS
+from sim.scene.types import Method
 
 from . import bodies, exact
-from .results import Case, Result, converging
+from .results import Case, Result, converging, integrator_of
 
 STIFFNESS, DAMPING, REST, START = 160.0, 2.5, 100.0, 10.0
 """Of the oscillator: kg/s², kg/s, px, px; its mass is 1 kg. It swings twice a second, damped by a tenth."""
@@ -23,20 +24,20 @@ SAMPLES = 10
 """Times at which the oscillator is looked at, within a second."""
 
 
-def oscillator_error(method: str, dt: float, tolerance: float = 0.1) -> float:
-    """The largest error in a second of the oscillator's position, px."""
+def oscillator_error(method: Method, size: float) -> float:
+    """The largest error in a second of the oscillator's position, px; of a step, s, or a tolerance, px."""
     scene = bodies.chain(
         [(0.0, 0.0), (REST + START, 0.0)],
         stiffness=STIFFNESS,
         damping=DAMPING,
         rest_length=REST,
         held=(0,),
-        integrator=sim.Integrator(method=method, dt=dt, tolerance=tolerance),  # type: ignore[arg-type]
+        integrator=integrator_of(method, size, 1.0 / SAMPLES),
     )
     simulation = sim.Simulation(scene)
     worst = 0.0
     for _ in range(SAMPLES):
-        simulation.step(round(1.0 / (SAMPLES * dt)))
+        simulation.step(round(1.0 / (SAMPLES * simulation.dt)))
         time = np.array([simulation.time])
         right = REST + float(exact.damped_oscillation(time, START, 1.0, STIFFNESS, DAMPING)[0])
         worst = max(worst, abs(float(simulation.positions[1, 0]) - right))
@@ -47,7 +48,7 @@ def _oscillator(fast: bool) -> Iterator[Result]:
     for method in METHODS.values():
         if method.adaptive:
             for tolerance in TOLERANCES:
-                error = oscillator_error(method.name, 0.1, tolerance)
+                error = oscillator_error(method.name, tolerance)
                 yield Result(
                     f"{method.name}, tolerance {tolerance:g} px", error=error, unit="px",
                     target=f"≤ {tolerance:g} px", met=error <= tolerance,

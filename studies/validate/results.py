@@ -8,6 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sim import Integrator
+from sim.methods.registry import METHODS, MethodInfo
+from sim.scene.types import Method
+
 
 @dataclass(frozen=True)
 class Result:
@@ -79,6 +83,32 @@ def converging(
     low, high = order - 0.2, order + 0.2 if exactly else math.inf
     target = f"slope {order:g} ± 0.2" if exactly else f"slope ≥ {low:g}"
     return Result(quantity, error=errors[-1], unit=unit, slope=slope, target=target, met=low <= slope <= high)
+
+
+def over_sizes(
+    method: MethodInfo, sizes: Sequence[float], error: Callable[[float], float], order: float, what: str = ""
+) -> Result:
+    """A result with the slope of a method's errors over its step (s) or, if it has one, its tolerance (px).
+
+    Args:
+        method: whose sizes these are.
+        sizes: from the largest on.
+        error: of a size.
+        order: the least slope, but for 0.2.
+        what: is said before the method's name.
+    """
+    if method.adaptive:
+        said = f"tolerance {sizes[0]:g} to {sizes[-1]:g} px"
+    else:
+        said = f"dt = 1/{1.0 / sizes[0]:g} to 1/{1.0 / sizes[-1]:g} s"
+    return converging(f"{what}{method.name}, {said}", sizes, [*map(error, sizes)], order, exactly=False)
+
+
+def integrator_of(method: Method, size: float, between: float) -> Integrator:
+    """A method with a step (s) or, if it has one, a tolerance (px), that is looked at every `between` s."""
+    if METHODS[method].adaptive:
+        return Integrator(method=method, dt=between, tolerance=size)
+    return Integrator(method=method, dt=size)
 
 
 def fitted_slope(sizes: Sequence[float], errors: Sequence[float]) -> float:

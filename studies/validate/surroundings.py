@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import cache
+from functools import cache, partial
+from typing import Any
 
 import numpy as np
 from msgspec.structs import replace
@@ -16,7 +17,7 @@ from sim.methods.registry import METHODS
 from sim.scene.surroundings import Gas, Liquid, Wall, Wind
 from sim.scene.types import Method, Scene
 
-from .results import Case, Result, compared, converging
+from .results import Case, Result, compared, integrator_of, over_sizes
 
 MASSES, RADIUS = 24, 80.0
 """Of the balloon, a regular polygon; px."""
@@ -102,9 +103,7 @@ def _walls(fast: bool) -> Iterator[Result]:
     for bounciness in (0.5,) if fast else (0.2, 0.5, 0.9):
         wall = replace(FLOOR, bounciness=bounciness, friction=0.0)
         mass = sim.Mass(position=(0.0, 480.0), velocity=(0.0, 1000.0))
-        flying = Scene(name="flying", masses=(mass,), walls=(wall,), integrator=_accurate())
-        simulation = sim.Simulation(flying)
-        simulation.advance(0.2)
+        simulation = _moved(0.2, masses=(mass,), walls=(wall,))
         yield compared(
             f"speed after the bounce, bounciness {bounciness:g}",
             1000.0 * bounciness,
@@ -122,11 +121,7 @@ def _walls(fast: bool) -> Iterator[Result]:
             slip_speed=0.1,
         )
         mass = sim.Mass(position=(-depth * math.sin(turn), depth * math.cos(turn)))
-        scene = Scene(
-            name="slope", masses=(mass,), walls=(slope,), gravity=(0.0, 1000.0), integrator=_accurate()
-        )
-        simulation = sim.Simulation(scene)
-        simulation.advance(1.0)
+        simulation = _moved(1.0, masses=(mass,), walls=(slope,), gravity=(0.0, 1000.0))
         exact = 500.0 * (math.sin(turn) - friction * math.cos(turn))
         yield compared(
             f"way down a slope of 30° in 1 s, friction {friction:g}",
@@ -139,23 +134,20 @@ def _walls(fast: bool) -> Iterator[Result]:
 def _winds(fast: bool) -> Iterator[Result]:
     """Against the wind w, a mass m at rest gains v = w - 1 / (1/w + c t / m)."""
     for speed in (200.0,) if fast else (50.0, 200.0, 1000.0):
-        scene = Scene(
-            name="drifting",
-            masses=(sim.Mass(position=(0.0, 0.0), mass=2.0),),
-            air_friction=0.02,
-            wind=Wind(velocity=(speed, 0.0)),
-            integrator=_accurate(),
-        )
-        simulation = sim.Simulation(scene)
-        simulation.advance(1.0)
+        mass, wind = sim.Mass(position=(0.0, 0.0), mass=2.0), Wind(velocity=(speed, 0.0))
+        simulation = _moved(1.0, masses=(mass,), air_friction=0.02, wind=wind)
         exact = speed - 1.0 / (1.0 / speed + 0.01)
         yield compared(
             f"speed after 1 s, wind {speed:g} px/s", exact, float(simulation.velocities[0, 0]), 1e-6
         )
 
 
-def _accurate() -> sim.Integrator:
-    return sim.Integrator(method="rodas5p", tolerance=1e-9)
+def _moved(seconds: float, **fields: Any) -> sim.Simulation:
+    """A scene of some fields after so many seconds, without an error to speak of."""
+    integrator = sim.Integrator(method="rodas5p", tolerance=1e-9)
+    simulation = sim.Simulation(Scene(name="study", integrator=integrator, **fields))
+    simulation.advance(seconds)
+    return simulation
 
 
 # ------------------------------------------------------------------------- energy books
@@ -170,10 +162,7 @@ def residual(method: Method, what: str, size: float) -> float:
         what: a key of `FRAGILE`.
         size: the step, s, or the tolerance, px.
     """
-    fixed = not METHODS[method].adaptive
-    integrator = sim.Integrator(
-        method=method, dt=size if fixed else DURATION / SAMPLES, tolerance=0.1 if fixed else size
-    )
+    integrator = integrator_of(method, size, DURATION / SAMPLES)
     scene = balloon(GAS, **FRAGILE[what])
     thrown = tuple(replace(mass, velocity=(300.0, 0.0)) for mass in scene.masses)
     simulation = sim.Simulation(
@@ -199,13 +188,7 @@ def _books(fast: bool) -> Iterator[Result]:
             expected = EXPECTED.get(method.name, 2.0 / 3.0 if method.name.startswith("rodas") else 0.9)
             if method.name == "generalized_alpha" and what.endswith("yield"):
                 expected = 1.0  # it begins anew, as a method of first order, whenever anything yields
-            name = (
-                f"tolerance {sizes[0]:g} to {sizes[-1]:g} px"
-                if method.adaptive
-                else (f"dt = 1/{1.0 / sizes[0]:g} to 1/{1.0 / sizes[-1]:g} s")
-            )
-            errors = [residual(method.name, what, size) for size in sizes]
-            yield converging(f"{what}: {method.name}, {name}", sizes, errors, expected, exactly=False)
+            yield over_sizes(method, sizes, partial(residual, method.name, what), expected, f"{what}: ")
 
 
 CASES = (

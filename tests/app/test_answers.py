@@ -10,7 +10,7 @@ import pytest
 import sim
 from app.page import answers, controls
 from app.page.answers import MOST_WAITING, InOrder
-from app.page.shelf import Shelf
+from app.page.scenes.shelf import Shelf
 from app.session.notices import Notice
 from app.wire.from_page import Ask, ListScenes, Part, Unread, Unsent
 from app.wire.to_page import Resumed

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 import sim
 from app.drawing.plan import encode_damage, encode_frame
-from app.page.edits import edited
-from app.page.view import picture_of
+from app.page.body.view import picture_of
+from app.page.edit.edits import edited
 from app.session import commands
 from app.wire import from_page as asks
 from sim.edit.edit import Selection

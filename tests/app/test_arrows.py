@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import sim
-from app.page.arrows import KINDS, MOST, Arrows, encode, smallest
-from app.page.tools_panel import LAST, MOST_TRACES, ToolsPanel
+from app.page.measure.arrows import KINDS, MOST, Arrows, encode, smallest
+from app.page.measure.tools_panel import LAST, MOST_TRACES, ToolsPanel
 from app.session import commands
 from app.wire.to_page import Tools
 from tests.app.letters import Letters

@@ -50,6 +50,13 @@ def test_the_reference_pages_are_linked_from_the_readme() -> None:
         assert f"](docs/{page.name})" in readme, page.name
 
 
+def test_what_the_map_names_is_there() -> None:
+    paths = re.findall(r"`((?:app|sim|studies|schema)(?:/[\w.-]+)*)`", (DOCS / "map.md").read_text())
+    assert len(paths) > 60
+    for path in paths:
+        assert (ROOT / path).exists(), path
+
+
 def test_the_examples_of_editing_run() -> None:
     (example,) = blocks(DOCS / "editing.md", "python")
     names: dict[str, Any] = {}

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -10,6 +12,7 @@ import pytest
 import trimesh
 
 import sim
+from app.drawing import looks
 from app.drawing.colors import LIGHT_GAIN, rgb, sent
 from app.drawing.plan import Picture
 from app.drawing.shapes import COILS, meshes
@@ -199,3 +202,31 @@ def test_the_tone_map_is_inverted() -> None:
         linear = np.clip(fitted @ out.T, 0.0, 1.0)
         shown = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055) * 255.0
         assert shown == pytest.approx(rgb(color), abs=9.0)
+
+
+# ------------------------------------------------------------------------- looks
+def test_the_scripts_have_the_looks_of_python() -> None:
+    folder = Path(looks.__file__).with_name("static")
+    written = (folder / "looks.js").read_text(encoding="utf-8")
+    assert written == looks.script(), "run: python -m app.drawing.looks"
+
+
+def test_looks_stand_in_one_file_only() -> None:
+    """No style, script or module has a colour of the body or its paper of its own."""
+    root = Path(looks.__file__).parents[1]
+    own = {"ffffff", "141414", "c2410c"}  # also of other things: white, nearly black, a trail
+    colors = {color for pair in looks.COLORS.values() for color in pair} - own
+    for kind in ("py", "js", "css"):
+        for path in root.rglob(f"*.{kind}"):
+            found = set(re.findall(r"\b[0-9a-f]{6}\b", path.read_text(encoding="utf-8")))
+            assert path.name == "looks.py" or not found & colors, path
+
+
+def test_every_color_that_a_style_asks_for_is_there() -> None:
+    root = Path(looks.__file__).parents[1]
+    rules = looks.style_rules("@media print{*}")
+    texts = [path.read_text(encoding="utf-8") for path in root.rglob("*.css")]
+    made = set(re.findall(r"(--softrod-[\w-]+) *:", "".join([rules, *texts])))
+    scripts = "".join(path.read_text(encoding="utf-8") for path in root.rglob("*.js"))
+    for name in set(re.findall(r"var\((--softrod-[\w-]+)\)", "".join([rules, *texts]))):
+        assert name in made or name in scripts, name

@@ -12,7 +12,7 @@ import pytest
 
 import sim
 from app.drawing.sketch import Mapping
-from app.page.edits import Edits
+from app.page.edit.edits import Edits
 from app.session import commands
 from app.session.notices import Notice
 from app.wire.from_page import (

@@ -101,7 +101,7 @@ def test_a_picture_has_the_colours_of_its_parts(dark: bool) -> None:
     inside = np.median([pixel(image, painter.window, sketch, place) for place in around_middle], axis=0)
     assert inside == pytest.approx(paper + 0.35 * (rgb("1c8fe0") - paper), abs=3)
     corner = np.asarray(image)[3, 3]
-    assert min(np.abs(corner - color).max() for color in (paper, colors.grid, colors.grid_major)) <= 2
+    assert min(np.abs(corner - color).max() for color in (paper, colors.grid, colors.line)) <= 2
     # The floor.
     floor = np.asarray(image)[-4, 5:60].reshape(-1, 3).astype(float)
     wanted = paper + 0.1 * (palette("softrod", dark).text - paper)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import sim
-from app.page import readouts
+from app.page.looks import readouts
 from app.session import commands
 from app.session.shadow import Foresight
 from tests.app.pages import SessionPage

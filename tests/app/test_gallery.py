@@ -13,10 +13,10 @@ import pytest
 from PIL import Image
 
 import sim
-from app.page import gallery, owner, shelf, thumbnails
 from app.page.assets import page_files
-from app.page.gallery import Gallery
-from app.page.shelf import Shelf
+from app.page.scenes import gallery, owner, shelf, thumbnails
+from app.page.scenes.gallery import Gallery
+from app.page.scenes.shelf import Shelf
 from app.session.notices import Notice
 from app.wire.from_page import ChangeScene, ListScenes, OpenScene, Who
 from app.wire.to_page import SceneChanged, ScenePictures, Scenes

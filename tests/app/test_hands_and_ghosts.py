@@ -7,7 +7,7 @@ import pytest
 
 import sim
 from app.drawing.colors import palette
-from app.page import readouts
+from app.page.looks import readouts
 from app.session import commands
 from app.session import ghost as ghost_module
 from app.session.ghost import FINER

@@ -12,8 +12,8 @@ import viser
 
 import sim
 from app.cli import Check
-from app.page.comma_switch import CommaSwitch
-from app.page.lesson_panel import LessonPanel
+from app.page.scenes.lesson_panel import LessonPanel
+from app.page.viser.comma_switch import CommaSwitch
 from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice

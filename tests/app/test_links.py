@@ -16,9 +16,9 @@ from app.gate import address
 from app.gate.address import address_for_others, public_address
 from app.page import controls
 from app.page.controls import Controls
-from app.page.keeping import Parts
+from app.page.files.keeping import Parts
+from app.page.files.sharing import Sharing
 from app.page.opening import asked_scene
-from app.page.sharing import Sharing
 from app.session import commands
 from app.session.notices import Notice
 from app.wire.from_page import Ask, Part, Share, read

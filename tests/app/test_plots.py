@@ -18,10 +18,10 @@ from PIL import Image
 import sim
 from app.drawing.colors import palette
 from app.export.plot_picture import plot_png
-from app.page import plots
-from app.page.comma_switch import CommaSwitch
-from app.page.measure_panel import MeasurePanel
-from app.page.phase import phase_svg
+from app.page.measure import plots
+from app.page.measure.measure_panel import MeasurePanel
+from app.page.measure.phase import phase_svg
+from app.page.viser.comma_switch import CommaSwitch
 from app.session import commands
 from app.session.history import SPAN
 from app.session.notices import Notice

@@ -9,7 +9,7 @@ import pytest
 
 import sim
 from app.drawing.colors import palette
-from app.page import readouts
+from app.page.looks import readouts
 from app.session.session import Session
 from sim.methods.registry import METHODS
 

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 import sim
-from app.page import selection_panel
-from app.page.selection_panel import SelectionPanel, described, numbers_of
+from app.page.edit import selection_panel
+from app.page.edit.selection_panel import SelectionPanel, described, numbers_of
 from app.session import commands
 from app.session.notices import Notice
 from sim.edit.edit import Selection

@@ -19,10 +19,11 @@ from rich.console import Console
 
 import sim
 from app.gate.gate import open_server
-from app.page import keeping, owner
 from app.page import tab as tab_module
+from app.page.body.view import FRAME
+from app.page.files import keeping
+from app.page.scenes import owner
 from app.page.tab import Tab
-from app.page.view import FRAME
 from app.server import serve as serve_module
 from app.server.serve import _tell_addresses, serving
 from app.server.ticker import Ticker

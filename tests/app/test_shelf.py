@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import sim
-from app.page import shelf
+from app.page.scenes import shelf
 from sim.scene import files
 from sim.scene.own_scenes import trash_user_scene
 

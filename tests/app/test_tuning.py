@@ -9,8 +9,9 @@ import pytest
 from msgspec.structs import replace
 
 import sim
-from app.page import readouts, tuning_panel
-from app.page.tuning_panel import MOST_MASSES, Tuner
+from app.page.looks import readouts
+from app.page.solver import tuning_panel
+from app.page.solver.tuning_panel import MOST_MASSES, Tuner
 from app.session import commands
 from sim.compiling.compiler import fetch, for_fallback
 from sim.edit.edit import Selection

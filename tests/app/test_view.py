@@ -9,7 +9,7 @@ import pytest
 
 import sim
 from app.drawing.plan import Picture
-from app.page.view import STILL, Canvas
+from app.page.body.view import STILL, Canvas
 
 
 @pytest.fixture

@@ -13,9 +13,10 @@ import pytest
 
 import sim
 from app.drawing.colors import sent
-from app.drawing.plan import YIELDED, Picture, encode_plan, yielded_of
-from app.page import readouts
-from app.page.view import DAMAGE, Canvas
+from app.drawing.looks import YIELDED
+from app.drawing.plan import Picture, encode_plan, yielded_of
+from app.page.body.view import DAMAGE, Canvas
+from app.page.looks import readouts
 from app.session import commands
 from app.session.history import History
 from app.session.notices import runaway

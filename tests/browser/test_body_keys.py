@@ -152,7 +152,7 @@ def test_space_presses_what_the_tab_key_has_reached(open_page: OpenPage) -> None
     desk.pause(0.3)  # until the server has shown what it made of it
     desk.page.keyboard.press("Space")
     desk.until(lambda: not desk.session.follow, "and back")
-    reach("[data-softrod-key=R]")
+    reach("[data-softrod-key=right]")
     desk.page.keyboard.down("Space")
     desk.until(lambda: "right" in desk.simulation.keys, "the pad holds")
     desk.page.keyboard.up("Space")

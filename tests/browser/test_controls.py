@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.page import slider_box
+from app.page.viser import slider_box
 from app.session import commands
 from sim.edit.values import number, set_number
 from sim.settings import setting_of

@@ -9,7 +9,7 @@ import pytest
 
 import sim
 from app.gate.gate import Gate
-from app.page import owner
+from app.page.scenes import owner
 from sim.scene import files, own_scenes
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk

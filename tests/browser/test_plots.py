@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.page.measure_panel import MeasurePanel
+from app.page.measure.measure_panel import MeasurePanel
 from app.session import commands
 from app.session.plots import Wish
 from tests.browser.conftest import OpenPage

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import sim
-from app.page.solver_panel import REFERENCE_LABEL
+from app.page.solver.solver_panel import REFERENCE_LABEL
 from app.session import commands
 from app.session.ghost import REFERENCE
 from tests.browser.between_frames import BetweenFrames

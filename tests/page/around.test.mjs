@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { airAt, gridLines, hatching, loops, streaks, uncovered, wallInView } from "../../app/drawing/static/around.js";
-import { showWalls } from "../../app/page/static/camera.js";
+import { showWalls } from "../../app/page/body/camera.js";
 
 const view = { left: 0, right: 800, top: 0, bottom: 600 };
 const on = { x: 400, y: 300, step: 100 };

@@ -1,7 +1,7 @@
 // When an attempt to connect is made, and when a connection counts as dead.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Attempts, askedScene, Pulse, serverPath } from "../../app/page/static/connection.js";
+import { Attempts, askedScene, Pulse, serverPath } from "../../app/page/viser/connection.js";
 
 test("an attempt to connect has its time, and another begins when it has failed", () => {
   const attempts = new Attempts();

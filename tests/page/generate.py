@@ -18,7 +18,7 @@ from app.wire.commands import COMMANDS, key_lines
 
 COMMAND = "uv run python -m tests.page.generate"
 ROOT = Path(__file__).parents[2]
-STATIC = ROOT / "app" / "page" / "static"
+WIRE = ROOT / "app" / "wire"
 LETTERS = {"Space": " ", "Esc": "Escape"}
 """Keys that a browser calls otherwise than the help."""
 
@@ -83,7 +83,7 @@ def parts_of(kinds: tuple[type, ...]) -> list[type]:
 
 
 def types() -> str:
-    """static/wire.d.ts."""
+    """wire.d.ts."""
     says, tells = from_page.MESSAGES, to_page.MESSAGES
     page = [name for name, row in COMMANDS.items() if row.does == "page"]
     told = "; ".join(f"{kind.__struct_config__.tag}: {kind.__name__}" for kind in tells)
@@ -103,7 +103,7 @@ def types() -> str:
 
 
 def table() -> str:
-    """static/commands.js."""
+    """commands.js."""
     rows = []
     for name, row in COMMANDS.items():
         fields = {
@@ -182,8 +182,8 @@ def files() -> dict[Path, str]:
     """All that is made, and what is in it."""
     page, wire = ROOT / "docs" / "page.md", ROOT / "docs" / "wire.md"
     return {
-        STATIC / "wire.d.ts": types(),
-        STATIC / "commands.js": table(),
+        WIRE / "wire.d.ts": types(),
+        WIRE / "commands.js": table(),
         page: between(page, "keys", keys_list()),
         wire: between(wire, "messages", messages_list()),
     }

@@ -1,7 +1,7 @@
 // What is shown between two frames of the server.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Glide } from "../../app/page/static/glide.js";
+import { Glide } from "../../app/page/body/glide.js";
 import { CLOCK_PERIOD } from "../../app/drawing/static/plan.js";
 
 const SCREEN = 1 / 144;

@@ -1,7 +1,7 @@
 // What ruler, protractor and stopwatch read, where they are, and what is kept of them.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import * as shapes from "../../app/page/static/instrument_shapes.js";
+import * as shapes from "../../app/page/measure/instrument_shapes.js";
 
 const on = { x: 400, y: 300, step: 100 };
 const masses = new Float64Array([100, 100, 500, 400]);

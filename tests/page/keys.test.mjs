@@ -1,8 +1,8 @@
 // Keys by what is printed on them, on keyboards of several countries.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { COMMANDS } from "../../app/page/static/commands.js";
-import { commandOf, printed, withKey } from "../../app/page/static/key_table.js";
+import { COMMANDS } from "../../app/wire/commands.js";
+import { commandOf, printed, withKey } from "../../app/page/hands/key_table.js";
 
 /** What a key at a place of the keyboard does, by what is printed on it. */
 const does = (key, code) => commandOf({ key, code });

@@ -1,9 +1,9 @@
 // What is under the pointer, what is marked, and when the page tries to connect.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { edgeArrow } from "../../app/page/static/edge.js";
-import { degrees, jointAngles, lengthText, roundDown, roundUp } from "../../app/page/static/overlay.js";
-import { nearest, onScreen, worldAt } from "../../app/page/static/screen.js";
+import { edgeArrow } from "../../app/page/body/edge.js";
+import { degrees, jointAngles, lengthText, roundDown, roundUp } from "../../app/page/body/overlay.js";
+import { nearest, onScreen, worldAt } from "../../app/page/body/screen.js";
 
 const plan = (flip) => ({
   scale: 0.01, x: 300, y: 200, flip,

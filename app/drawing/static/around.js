@@ -11,16 +11,8 @@
  * @typedef {{x: number, y: number}} Point pixels of the window
  */
 
-/** Pixels between two lines of the grid below which it has only every fifth. */
-const DENSE = 5;
-/** Pixels between two strokes of the hatching of a wall, about, and their reach along and into the wall. */
-const [HATCH, STROKE] = [13, 8];
-/** Pixels between two streaks of the wind, about, and the length of one where the wind is as on average. */
-const [STREAKS, STREAK] = [150, 44];
-/** Straight parts of a streak. */
-const PARTS = 8;
-/** Pixels of the point of a streak. */
-const POINT = 4;
+import { DENSE, HATCH, PARTS, POINT, STREAK, STREAKS, STROKE } from "./looks.js";
+
 /** Numbers of a wave of gusts. */
 const WAVE = 5;
 

@@ -1,8 +1,10 @@
 // @ts-check
 /** Outlines of straight arrows on the screen. Arithmetic only, without a page. */
 
-/** Pixels below which an arrow is not drawn; of a head at most, along and to either side. */
-const [SHORTEST, HEAD, SIDE] = [3, 10, 4.2];
+import { HEAD, SIDE } from "./looks.js";
+
+/** Pixels below which an arrow is not drawn. */
+const SHORTEST = 3;
 
 /** @param {number} value */
 const text = (value) => value.toFixed(1);

@@ -12,25 +12,15 @@
  * @property {Float32Array} batched_scales three each
  * @property {Uint8Array} [batched_colors] three each
  */
+import {
+  CREASE, FILL, FULL_DEVIATION, GHOST_WIDTH, PIN, RING, SHINE, THICKEST, THINNEST, WEDGE, WIDEST, YIELDED,
+} from "./looks.js";
 import { UNHARMED } from "./plan.js";
 
 // Depths: what is nearer is drawn over the rest.
 const Z = { pin: -0.15, spring: -0.12, yielded: -0.1, wedge: -0.06, ring: 0.0, rim: 0.02, mass: 0.03, shine: 0.04, ghost: 0.06 };
-/** Degrees off the rest angle at which a wedge has its full colour. */
-const FULL_DEVIATION = 30;
-/** Part of its rest length by which that of a spring has moved for good once it has yielded; plan.py has it, too. */
-const YIELDED = 0.002;
-/** Width of the line along a spring that has yielded, in that of the spring. */
-const CREASE = 0.34;
-/** Width of a ghost's springs, in the world. */
-const GHOST_WIDTH = 0.025;
-/** Radii in those of the mass. */
-const [FILL, SHINE, RING, PIN, WEDGE] = [0.8, 0.22, 1.75, 2.0, 2.6];
 /** Size of what is not to be seen: an instance that is left out would be another one's. */
 const VANISHED = 1e-6;
-/** Radians beyond which half a wedge's triangle would become a needle. */
-const WIDEST = 1.2;
-
 /** An angle in (-180, 180]. @param {number} degrees */
 export const wrapped = (degrees) => degrees - 360 * Math.ceil((degrees - 180) / 360);
 
@@ -151,7 +141,7 @@ export function springs(plan, frame, world, damage = UNHARMED) {
     const rest = Math.max(restLength * plan.scale, 1e-9);
     strain[i] = (length / rest - 1) / plan.fullStrain[plan.fullStrain.length > 1 ? i : 0];
     // A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
-    const part = plan.bars ? 1 : Math.min(1.2, Math.max(0.5, Math.sqrt(rest / length)));
+    const part = plan.bars ? 1 : Math.min(THICKEST, Math.max(THINNEST, Math.sqrt(rest / length)));
     const [long, wide] = damage.broken.has(i) ? [VANISHED, VANISHED] : [length, part * plan.thickness[i]];
     put(result, i, world[a], world[a + 1], Z.spring, Math.atan2(dy, dx), long, wide);
   }

@@ -30,6 +30,7 @@
 import { moving, standing, streaks } from "../../drawing/static/around.js";
 import { loadArrows } from "../../drawing/static/arrow_shapes.js";
 import * as draw from "../../drawing/static/draw.js";
+import { ARROW, LAYERS } from "../../drawing/static/looks.js";
 import { readDamage, readPlan, UNHARMED } from "../../drawing/static/plan.js";
 
 /** What is smaller than that, in the world, is not to be seen. */
@@ -38,17 +39,6 @@ const UNSEEN = 2e-6;
 const HEAD = 3;
 /** Seconds that an arrow key goes. */
 const [NUDGE, LEAP] = [0.1, 1];
-/** Widths (0 where contact has it) and opacities of the lines and areas behind the body, as in the page's styles. */
-const STROKES = /** @type {const} */ ([
-  ["grid", "grid", 1, 1], ["major", "line", 1, 1], ["hatch", "text", 1.2, 0.55], ["surface", "text", 2, 1],
-  ["skin", "text", 0, 0.13], ["wind", "text", 1.4, 0.35],
-]);
-/** Lines that end in half circles. */
-const ROUND = new Set(["skin", "wind"]);
-const AREAS = /** @type {const} */ ([["wall", "text", 0.1], ["gas", "brand", 0.12], ["liquid", "liquid", 0.35]]);
-/** From the back to the front. */
-const ORDER = ["grid", "major", "wall", "hatch", "surface", "skin", "gas", "liquid", "wind"];
-
 /** @template {Element} T @param {string} id @param {new () => T} kind @returns {T} */
 function element(id, kind) {
   const found = document.getElementById(id);
@@ -161,20 +151,15 @@ function painter(about, motion, canvas) {
     const paths = { ...standing({ plan, on, box }, about.size), ...moving({ plan, places }, damage.broken), wind };
     const styles = getComputedStyle(document.documentElement);
     /** @param {string} name */
-    const color = (name) => styles.getPropertyValue(`--${name}`);
+    const color = (name) => styles.getPropertyValue(`--softrod-${name}`);
     to.setTransform(fine, 0, 0, fine, 0, 0);
     to.clearRect(0, 0, width, height);
-    for (const kind of ORDER) {
-      const path = new Path2D(paths[kind]);
-      for (const [name, ink, wide, opacity] of STROKES.filter(([name]) => name === kind)) {
-        Object.assign(to, { strokeStyle: color(ink), lineWidth: wide || plan.contact * plan.scale * step, globalAlpha: opacity });
-        to.lineCap = ROUND.has(name) ? "round" : "butt";
-        to.stroke(path);
-      }
-      for (const [, ink, opacity] of AREAS.filter(([name]) => name === kind)) {
-        Object.assign(to, { fillStyle: color(ink), globalAlpha: opacity });
-        to.fill(path);
-      }
+    for (const [name, { color: ink, opacity, width: wide, round }] of Object.entries(LAYERS)) {
+      const path = new Path2D(paths[name]);
+      Object.assign(to, { strokeStyle: color(ink), fillStyle: color(ink), globalAlpha: opacity });
+      Object.assign(to, { lineWidth: wide ?? plan.contact * plan.scale * step, lineCap: round ? "round" : "butt" });
+      if (wide === 0) to.fill(path);
+      else to.stroke(path);
     }
     to.globalAlpha = 1;
     /** @param {string} mesh @param {Instances} parts */
@@ -188,7 +173,7 @@ function painter(about, motion, canvas) {
     if (frame.ghost) put("bar", draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage));
     if (plan.loads.length) {
       const arrows = new Path2D(loadArrows(plan, places, step));
-      Object.assign(to, { strokeStyle: color("force"), fillStyle: color("force"), lineWidth: 2.4, lineJoin: "round" });
+      Object.assign(to, { strokeStyle: color("force"), fillStyle: color("force"), lineWidth: ARROW, lineJoin: "round" });
       to.stroke(arrows);
       to.fill(arrows);
     }

@@ -1,0 +1,184 @@
+// @ts-check
+/**
+ * Draws the body: takes the plan, the frames and the damage out of viser's queue, and puts in what they mean for its
+ * nodes.
+ *
+ * @typedef {import("../viser/viser.js").Message} Message
+ * @typedef {import("../viser/viser.js").Viser} Viser
+ * @typedef {import("../../drawing/static/plan.js").Plan} Plan
+ * @typedef {import("../../drawing/static/plan.js").Frame} Frame
+ * @typedef {import("../../drawing/static/draw.js").Instances} Instances
+ */
+import * as draw from "../../drawing/static/draw.js";
+import { readDamage, readFrame, readPlan, UNHARMED } from "../../drawing/static/plan.js";
+import { hear } from "../../wire/channel.js";
+import { Glide } from "./glide.js";
+
+const PLAN = "/softrod/plan";
+const FRAME = "/softrod/frame";
+const DAMAGE = "/softrod/damage";
+const BODY = "/body/";
+
+const state = {
+  /** @type {Plan | null} */
+  plan: null,
+  /** What has yielded and broken. */
+  damage: UNHARMED,
+  /** The picture that is shown. @type {Frame | null} */
+  frame: null,
+  /** What it is a picture of: a new body's plan comes before its first picture. @type {Plan | null} */
+  pictured: null,
+  /** When it was shown, ms of the screen's clock. */
+  since: 0,
+  /** Pictures drawn so far. */
+  drawn: 0,
+};
+const glide = new Glide();
+/** viser's page, once it is there. @type {Viser | null} */
+let page = null;
+/** Who owns each node of the body; updates must name the owner. @type {Map<string, string | undefined>} */
+const owners = new Map();
+/** Colours that a node has. @type {Map<string, Uint8Array>} */
+const colors = new Map();
+/** @type {((frame: Frame, plan: Plan) => void)[]} */
+const listeners = [];
+let asked = false;
+/** Whether the picture that is shown stays. */
+let held = false;
+
+/** Who takes the arrays of other nodes that only carry some. @type {Map<string, (data: Float32Array | null) => void>} */
+const carriers = new Map();
+
+/**
+ * Has the arrays of a node that only carries some taken; null when the node goes.
+ *
+ * @param {string} name of the node
+ * @param {(data: Float32Array | null) => void} take
+ */
+export const carry = (name, take) => carriers.set(name, take);
+
+/** What is shown now. */
+export const shown = () => state;
+
+/** @type {((frame: Frame) => void)[]} */
+const takers = [];
+
+/** Calls back with every frame as it comes, which may be more than are shown. @param {(frame: Frame) => void} taker */
+export const onFrame = (taker) => takers.push(taker);
+
+/** Calls back with every picture. @param {(frame: Frame, plan: Plan) => void} listener */
+export const onPicture = (listener) => listeners.push(listener);
+
+const seconds = () => performance.now() / 1e3;
+
+/** Hands a message on to viser. @param {Message} message */
+const pass = (message) => page && Array.prototype.push.call(page.messageQueue, message);
+
+/** Asks for a picture. A hidden page has no animation frames; it is drawn when it is looked at again. */
+function ask() {
+  if (!asked) requestAnimationFrame(paint);
+  asked = true;
+}
+
+/** Has the picture that is shown stay, while frames come in, or lets it go on. @param {boolean} on */
+export function hold(on) {
+  held = on;
+  ask();
+}
+
+function paint() {
+  asked = false;
+  if (held) return;
+  const { plan } = state;
+  const frame = glide.at(seconds());
+  if (frame && plan && frame.generation === plan.generation) {
+    state.frame = frame;
+    state.pictured = plan;
+    state.since = performance.now();
+    show(plan, frame, state.damage.generation === plan.generation ? state.damage : UNHARMED);
+    state.drawn += 1;
+    page?.requestRender();
+    for (const listener of listeners) listener(frame, plan);
+  }
+  if (glide.busy) ask();
+}
+
+/** @param {Plan} plan @param {Frame} frame @param {import("../../drawing/static/plan.js").Damage} damage */
+function show(plan, frame, damage) {
+  const world = draw.toWorld(plan, frame.positions);
+  put("springs", draw.springs(plan, frame, world, damage));
+  if (owners.has(`${BODY}yielded`)) put("yielded", draw.yielded(plan, world, damage));
+  put("wedges", draw.wedges(plan, frame, world, damage));
+  if (plan.pinned.length) put("pins", draw.pins(plan, world));
+  if (plan.driven >= 0) put("ring", draw.ring(plan, world));
+  put("masses", draw.masses(plan, world));
+  if (frame.ghost) put("ghost", draw.ghost(plan, draw.toWorld(plan, frame.ghost), damage));
+}
+
+/** Fills a node with its instances; colours only when they changed. @param {string} name @param {Instances} instances */
+function put(name, instances) {
+  const node = BODY + name;
+  if (!owners.has(node)) return;
+  const { batched_colors: wanted, ...updates } = instances;
+  const before = colors.get(node);
+  if (wanted && !(before && before.length === wanted.length && wanted.every((value, i) => value === before[i]))) {
+    colors.set(node, wanted);
+    Object.assign(updates, { batched_colors: wanted });
+  }
+  pass({ type: "SceneNodeUpdateMessage", name: node, owner: owners.get(node), updates });
+}
+
+/** Takes a plan, a frame or damage, if a message has one. @param {string} name @param {Float32Array | undefined} data */
+function take(name, data) {
+  if (!data) return;
+  if (name === PLAN) {
+    state.plan = readPlan(data);
+    colors.clear();
+  } else if (name === DAMAGE) {
+    state.damage = readDamage(data);
+    glide.last = null; // the picture that is shown is no longer right
+  } else {
+    const frame = readFrame(data);
+    glide.take(frame, seconds());
+    for (const taker of takers) taker(frame);
+  }
+  ask();
+}
+
+/** Notes which nodes of the body there are. @param {Message} message */
+function note({ type, name = "", owner, props }) {
+  if (type === "RemoveSceneNodeMessage") owners.delete(name);
+  if (!props || !name.startsWith(BODY)) return;
+  owners.set(name, owner);
+  colors.delete(name);
+  glide.last = null; // a new node has to be filled in
+  ask();
+}
+
+/**
+ * Stands in the way of viser's messages.
+ *
+ * @param {Viser} viser
+ */
+export function drawBody(viser) {
+  page = viser;
+  /** @param {Message} message */
+  const sort = (message) => {
+    const { type, name = "", props, updates } = message;
+    const carried = carriers.get(name);
+    if (name === PLAN || name === FRAME || name === DAMAGE) {
+      take(name, props?.points ?? updates?.points);
+    } else if (carried) {
+      const data = props?.points ?? updates?.points ?? null;
+      if (data || type === "RemoveSceneNodeMessage") carried(data);
+    } else if (!hear(message)) {
+      note(message);
+      pass(message);
+    }
+  };
+  const queue = viser.messageQueue;
+  queue.push = (...messages) => {
+    messages.forEach(sort);
+    return queue.length;
+  };
+}

@@ -1,0 +1,292 @@
+"""One page's picture: the viser nodes of its scene, which belong to that page alone.
+
+The nodes are empty: the page's script fills them in from the plan of the body and the positions of its
+masses. A frame in which nothing moved by a tenth of a pixel is not sent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import viser
+from numpy.typing import NDArray
+
+from sim import Scene
+
+from ...drawing.colors import palette
+from ...drawing.plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
+from ...drawing.shapes import meshes
+from ...drawing.sketch import Z_GIZMO, Floats, Sketch
+from ...session.session import Session
+
+STILL = 0.1
+"""Movement (in pixels of a 600 pixel high frame) below which a picture counts as unchanged."""
+
+MAX_GIZMOS = 12
+"""Gizmos are one node each; held masses beyond so many are dragged by themselves."""
+
+PLAN, FRAME = "/softrod/plan", "/softrod/frame"
+DAMAGE = "/softrod/damage"
+"""Nodes that only carry arrays to the page's script (canvas.js)."""
+
+# Ambient light only and no shadows: every mesh shows its own colour, and software rendering is twice as fast.
+_FLAT: dict[str, Any] = {"material": "toon3", "lod": "off", "cast_shadow": False, "receive_shadow": False}
+
+
+@dataclass(frozen=True)
+class Touch:
+    """What the user's hand did to a gizmo; positions in px."""
+
+    phase: str  # start, update, end
+    mass: int
+    x: float
+    y: float
+
+
+class Canvas:
+    """The nodes of one page.
+
+    Args:
+        client: the page.
+        on_touch: hears of gizmos that are dragged, on viser's event loop; it must not block.
+    """
+
+    def __init__(self, client: viser.ClientHandle, on_touch: Callable[[Touch], None]) -> None:
+        self._client = client
+        self._on_touch = on_touch
+        self._nodes: dict[str, Any] = {}
+        self._gizmos: list[tuple[int, viser.TransformControlsHandle]] = []
+        self._built: tuple[Any, ...] = ()
+        self._plan: NDArray[np.float32] | None = None
+        self._plan_number = 0
+        self._drawn: Picture | None = None
+        self._damaged: Picture | None = None  # the picture whose damage was sent last
+        self._gizmo_in_hand: int | None = None
+        self.sketch: Sketch | None = None
+
+    @property
+    def plan_number(self) -> int:
+        """Of the plan that the page has."""
+        return self._plan_number
+
+    def build(self, scene: Scene, dark: bool, rest_angles: Floats | None = None) -> None:
+        """Put up what a scene needs, as far as it is not there yet; `draw` then says where the masses are.
+
+        Args:
+            scene: the scene.
+            dark: whether the page is dark.
+            rest_angles: (J,) degrees without the arrow keys' shift; None for the scene's own.
+        """
+        self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
+        shape = (scene.view, *self._kinds(sketch), *sketch.held.tolist())
+        if rest_angles is None:
+            rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])
+        with self._client.atomic():
+            if shape != self._built:
+                self._clear()
+                self._built = shape
+                self._add_nodes(sketch)
+            plan = encode_plan(0, sketch, rest_angles)
+            if self._plan is None or not np.array_equal(plan, self._plan):
+                self._plan = plan
+                self._plan_number += 1
+                self._nodes[PLAN].points = encode_plan(self._plan_number, sketch, rest_angles)
+                self._drawn = self._damaged = None
+
+    @staticmethod
+    def _kinds(sketch: Sketch) -> tuple[Any, ...]:
+        """Which kinds of things there are to draw."""
+        return (
+            sketch.spring_shape if len(sketch.springs) else "",
+            sketch.yields,
+            len(sketch.joint_a) > 0,
+            len(sketch.pinned) > 0,
+            sketch.driven,
+        )
+
+    def _add_nodes(self, sketch: Sketch) -> None:
+        # The page's script takes these for itself; viser never sees them.
+        for name in (PLAN, FRAME):
+            self._add_carrier(name)
+        self._plan = None
+        springs, yields, joints, pins, driven = self._kinds(sketch)
+        for name, mesh in (
+            ("springs", springs),
+            ("yielded", "bar" if yields else ""),
+            ("wedges", "slice" if joints else ""),
+            ("pins", "pin" if pins else ""),
+            ("ring", "ring" if driven is not None else ""),
+            ("masses", "disc"),
+        ):
+            if mesh:
+                self._add_empty(f"/body/{name}", mesh)
+
+    def show_gizmos(self, on: bool) -> None:
+        """Put up a gizmo at each held mass, or take them away."""
+        if on != bool(self._gizmos) and self.sketch is not None:
+            with self._client.atomic():
+                self._remove_gizmos()
+                if on:
+                    self._add_gizmos(self.sketch)
+            self._drawn = None  # so that the next picture puts them in place
+
+    def draw(self, picture: Picture, now: float, force: bool = False) -> bool:
+        """Send a picture, if it differs from the one before, and return whether it does.
+
+        Args:
+            picture: of the scene that was built last.
+            now: wall time, s.
+            force: send even the smallest movement, so that a paused picture is exact.
+        """
+        sketch = self.sketch
+        if sketch is None or (self._is_drawn(picture) if force else self._is_still(picture)):
+            return False
+        self._drawn = picture
+        with self._client.atomic():
+            self._show_ghost(picture.ghost is not None)
+            if not self._same_damage(picture, exactly=force):
+                self._show_damage(picture)
+            self._nodes[FRAME].points = encode_frame(self._plan_number, now, picture)
+            for mass, gizmo in self._gizmos:
+                # While a gizmo is dragged it belongs to the pointer.
+                if mass != self._gizmo_in_hand:
+                    position = sketch.mapping.to_world(picture.positions[[mass]], Z_GIZMO)[0]
+                    if not np.array_equal(position, gizmo.position):
+                        gizmo.position = position
+        return True
+
+    # --------------------------------------------------------------------- inside
+    def _add_carrier(self, name: str) -> None:
+        """A node that only carries an array."""
+        self._nodes[name] = self._client.scene.add_point_cloud(
+            name, np.zeros((1, 3)), (0, 0, 0), precision="float32", visible=False
+        )
+
+    def _show_damage(self, picture: Picture) -> None:
+        """Tell the page what has yielded and broken."""
+        self._damaged = picture
+        if DAMAGE not in self._nodes:
+            self._add_carrier(DAMAGE)
+        self._nodes[DAMAGE].points = encode_damage(self._plan_number, picture)
+
+    def _same_damage(self, picture: Picture, exactly: bool) -> bool:
+        """Whether the page knows what has yielded and broken, to what can be seen or exactly."""
+        known = self._damaged.damage if self._damaged is not None else None
+        ghost = self._damaged.ghost_broken if self._damaged is not None else ()
+        if ghost != picture.ghost_broken or broken_of(known) != broken_of(picture.damage):
+            return False
+        if exactly or known is None or picture.damage is None or self.sketch is None:
+            return known == picture.damage
+        pixel = 1.0 / (100.0 * self.sketch.mapping.scale)
+        return _near(known.set_lengths, picture.damage.set_lengths, STILL * pixel) and _near(
+            known.set_angles, picture.damage.set_angles, 0.5
+        )
+
+    def _show_ghost(self, wanted: bool) -> None:
+        """A second body is there only while it is compared with."""
+        if wanted and "/body/ghost" not in self._nodes:
+            self._add_empty("/body/ghost", "bar")
+        elif not wanted and "/body/ghost" in self._nodes:
+            self._nodes.pop("/body/ghost").remove()
+
+    def _is_drawn(self, picture: Picture) -> bool:
+        """Whether exactly this was drawn last."""
+        drawn = self._drawn
+        if drawn is None or (drawn.ghost is None) != (picture.ghost is None):
+            return False
+        if not self._same_damage(picture, exactly=True):
+            return False
+        ghosts = picture.ghost is None or np.array_equal(drawn.ghost, picture.ghost)  # type: ignore[arg-type]
+        numbers, before = ((p.time, p.rest_length_scale, p.rest_angle_shift) for p in (picture, drawn))
+        return ghosts and numbers == before and np.array_equal(drawn.positions, picture.positions)
+
+    def _is_still(self, picture: Picture) -> bool:
+        drawn, sketch = self._drawn, self.sketch
+        if drawn is None or sketch is None or drawn.positions.shape != picture.positions.shape:
+            return False
+        if (drawn.ghost is None) != (picture.ghost is None):
+            return False
+        if not self._same_damage(picture, exactly=False):
+            return False
+        pixel = 1.0 / (100.0 * sketch.mapping.scale)  # the frame is 6 units, or 600 pixels, long
+        moved = np.abs(picture.positions - drawn.positions).max(initial=0.0)
+        if drawn.ghost is not None and picture.ghost is not None:
+            moved = max(moved, np.abs(picture.ghost - drawn.ghost).max(initial=0.0))
+        turned = abs(picture.rest_angle_shift - drawn.rest_angle_shift)
+        grown = abs(picture.rest_length_scale / drawn.rest_length_scale - 1.0)
+        return bool(moved < STILL * pixel and turned < 0.5 and grown < 1e-3)
+
+    def _clear(self) -> None:
+        for node in self._nodes.values():
+            node.remove()
+        self._nodes.clear()
+        self._remove_gizmos()
+        self._drawn = self._damaged = None
+
+    def _remove_gizmos(self) -> None:
+        for _, gizmo in self._gizmos:
+            gizmo.remove()
+        self._gizmos.clear()
+        self._gizmo_in_hand = None
+
+    def _add_empty(self, name: str, mesh: str) -> None:
+        """A node that the page's script fills in."""
+        shape = meshes()[mesh]
+        self._nodes[name] = self._client.scene.add_batched_meshes_simple(
+            name,
+            shape.vertices,
+            shape.faces,
+            batched_wxyzs=np.array([[1.0, 0.0, 0.0, 0.0]]),
+            batched_positions=np.zeros((1, 3)),
+            batched_scales=np.full((1, 3), 1e-6),
+            batched_colors=np.zeros((1, 3), np.uint8),
+            side="double",
+            **_FLAT,
+        )
+
+    def _add_gizmos(self, sketch: Sketch) -> None:
+        for mass in sketch.held[:MAX_GIZMOS].tolist():
+            gizmo = self._client.scene.add_transform_controls(
+                f"/gizmos/{mass}",
+                scale=64.0,
+                line_width=2.0,
+                fixed=True,  # the same size on the screen at any zoom
+                active_axes=(True, True, False),
+                disable_rotations=True,
+                opacity=0.75,
+            )
+            self._gizmos.append((mass, gizmo))
+            self._listen_to_gizmo(mass, gizmo)
+
+    def _listen_to_gizmo(self, mass: int, gizmo: viser.TransformControlsHandle) -> None:
+        @gizmo.on_update
+        async def _(event: viser.TransformControlsEvent) -> None:
+            if event.client_id is None or self.sketch is None:
+                return  # our own write
+            self._gizmo_in_hand = None if event.phase == "end" else mass
+            x, y = self.sketch.mapping.to_scene(*(float(c) for c in event.target.position[:2]))
+            self._on_touch(Touch(event.phase, mass, x, y))
+
+
+def _near(before: tuple[float, ...], now: tuple[float, ...], most: float) -> bool:
+    """Whether numbers, which are all zero where there are none, differ by no more than that."""
+    if before is now:
+        return True
+    size = max(len(before), len(now))
+    one, two = (np.array(numbers or (0.0,) * size) for numbers in (before, now))
+    return bool(np.abs(one - two).max(initial=0.0) <= most)
+
+
+def picture_of(session: Session) -> Picture:
+    """The body, and the ghost or, without one, what would have come had the user not gone back."""
+    simulation, ghost, future = session.simulation, session.ghost, session.old_future
+    other = damage = None
+    if ghost is not None:
+        if not ghost.waits:
+            other, damage = ghost.simulation.positions, ghost.simulation.damage
+    elif future is not None:
+        other, damage = future.positions_at(simulation.time), future.damage_at(simulation.time)
+    return Picture.of(simulation, other, damage)

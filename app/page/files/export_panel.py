@@ -1,0 +1,211 @@
+"""The part of the Share tab from which a user takes something home: a picture, a film, a replay, a model, and
+the body as data and programs.
+
+Handlers only hand work to the workshop. The picture is made by the page itself, which has all that is drawn.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import viser
+
+import sim
+from sim.errors import InputError
+
+from ...export.clip import Clip, Shot
+from ...export.workshop import Breath, workshop
+from ...session.notices import Notice
+from ...session.session import Session
+from ..viser.comma_switch import CommaSwitch
+
+SECONDS = (1, 20)
+"""Of a film or a replay that a page can have."""
+
+ABOUT = (
+    '<div class="softrod-text"><b>Take it home.</b> A picture of the page, a film of the last seconds for '
+    "slides and messages, a replay that any browser shows without a network, or a model of the body for "
+    "Blender and the like.</div>"
+)
+
+PROGRAMS = (
+    '<div class="softrod-text"><b>For programs.</b> The body as it is now: its numbers as JSON or as CSV '
+    "tables, or a short program that moves it by the tutorial's step.</div>"
+)
+
+Make = Callable[[Callable[[float], None]], tuple[str, bytes]]
+"""Makes a file, telling how far it is, 0..1, and returns its ending and its content."""
+
+
+_JSON, _CSV, _PYTHON, _C = "JSON", "CSV", "Python", "C"
+_PROGRAMS = {
+    _JSON: "Numbers of the body (JSON)",
+    _CSV: "Numbers of the body (tables in CSV)",
+    _PYTHON: "Program in Python",
+    _C: "Program in C",
+}
+"""Buttons, and the commands that do the same."""
+
+
+class ExportPanel:
+    """The controls.
+
+    Args:
+        client: the page.
+        session: its simulation.
+        is_dark: whether the page is dark.
+        perform: does a command of the table.
+        notify: tells the user something.
+        commas: whether tables have decimal commas.
+
+    Attributes:
+        outlined: buttons that are not the first thing to press.
+    """
+
+    def __init__(
+        self,
+        client: viser.ClientHandle,
+        session: Session,
+        is_dark: Callable[[], bool],
+        perform: Callable[[str], None],
+        notify: Callable[[Notice], None],
+        commas: CommaSwitch,
+    ) -> None:
+        self._commas = commas
+        self._client, self._session, self._is_dark = client, session, is_dark
+        self._perform, self._notify = perform, notify
+        self._busy = threading.Lock()
+        gui = client.gui
+        gui.add_divider()
+        gui.add_html(ABOUT)
+        self._seconds = gui.add_slider(
+            "Seconds", *SECONDS, step=1, initial_value=5, hint="simulated seconds of a GIF or a replay"
+        )
+        picture = gui.add_button("Picture", icon=viser.Icon.PHOTO, color="gray", hint="key I")
+        gif = gui.add_button("GIF", icon=viser.Icon.GIF, color="gray")
+        replay_file = gui.add_button("Replay file", icon=viser.Icon.MOVIE, color="gray")
+        model = gui.add_button("3D model", icon=viser.Icon.CUBE, color="gray")
+        gui.add_html(PROGRAMS)
+        programs = gui.add_button_group("Body as", tuple(_PROGRAMS))
+        commas.add(gui)
+        self._progress = gui.add_progress_bar(0.0, visible=False)
+        self.outlined = [picture, gif, replay_file, model]
+
+        @picture.on_click
+        async def _(_: object) -> None:
+            self._perform("picture")
+
+        for button, label, action in (
+            (gif, "Film of the last seconds (GIF)", lambda: self._start(self._gif)),
+            (replay_file, "Replay file of the last seconds (HTML)", lambda: self._start(self._replay)),
+            (model, "3D model (GLB)", lambda: self._start(self._model)),
+        ):
+            command = gui.add_command(label)
+
+            @button.on_click
+            async def _(_: object, action: Callable[[], None] = action) -> None:
+                action()
+
+            @command.on_trigger
+            async def _(_: object, action: Callable[[], None] = action) -> None:
+                action()
+
+        @programs.on_click
+        async def _(_: object) -> None:
+            self._start(partial(self._body, programs.value))
+
+        for kind, label in _PROGRAMS.items():
+            command = gui.add_command(label)
+
+            @command.on_trigger
+            async def _(_: object, kind: str = kind) -> None:
+                self._start(partial(self._body, kind))
+
+    def _start(self, make: Make) -> None:
+        """Have a file made, unless one is being made for this page."""
+        if not self._busy.acquire(blocking=False):
+            self._tell("warning", "One at a time", "Another file of this page is still being made.")
+            return
+        self._progress.value = 0.0
+        self._progress.visible = True
+        workshop.submit(lambda: self._work(make))
+
+    def _work(self, make: Make) -> None:
+        breath, shown = Breath(), 0
+
+        def tell(part: float) -> None:
+            nonlocal shown
+            if round(20.0 * part) != shown:
+                shown = round(20.0 * part)
+                self._progress.value = 100.0 * part
+            breath.take()
+
+        try:
+            name = self._session.scene.name
+            ending, data = make(tell)
+            self._client.send_file_download(f"{name}.{ending}", data, save_immediately=True)
+        except InputError as error:
+            self._tell("error", "That did not work", _sentence(str(error)))
+        except Exception:
+            self._tell("error", "That did not work", "There was an error on the server.")
+            raise
+        finally:
+            self._progress.visible = False
+            self._busy.release()
+
+    def _clip(self) -> Clip:
+        seconds = min(max(float(self._seconds.value), SECONDS[0]), SECONDS[1])
+        moments = self._session.recent(seconds)
+        return Clip((Shot.of(moment, ghost) for moment, ghost in moments), seconds)
+
+    def _gif(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ...export import film  # as the others: what a page can do without does not delay its start
+
+        return "gif", film.gif(self._clip(), dark=self._is_dark(), progress=tell)
+
+    def _replay(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ...export import replay
+
+        clip = self._clip()
+        tell(0.3)
+        return "html", replay.replay_html(clip)
+
+    def _body(self, kind: str, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ...export.body.body import Body
+        from ...export.body.data import body_csv, body_json
+        from ...export.body.program import c_program, python_program
+
+        body = Body.of(self._moment())
+        tell(0.3)
+        if kind == _JSON:
+            return "json", body_json(body)
+        if kind == _CSV:
+            return "zip", body_csv(body, self._commas.on)
+        data, notes = (python_program if kind == _PYTHON else c_program)(body)
+        if notes:
+            self._tell("info", "About the program", _sentence("; ".join(notes)))
+        return "py" if kind == _PYTHON else "c", data
+
+    def _model(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ...export.model import glb
+
+        shot = Shot.of(self._moment())
+        tell(0.3)
+        return "glb", glb(shot.scene, shot.picture)
+
+    def _moment(self) -> sim.Moment:
+        """The one that the page shows."""
+        moments = self._session.recent(0.0)
+        if not moments:
+            raise InputError("there is no body yet")
+        return moments[-1][0]
+
+    def _tell(self, kind: Any, title: str, text: str) -> None:
+        self._notify(Notice(kind, title, text))
+
+
+def _sentence(text: str) -> str:
+    return text[:1].upper() + text[1:] + "."

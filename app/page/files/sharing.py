@@ -1,0 +1,89 @@
+"""Links that hold a scene: made of what a page shows, and opened."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Literal
+
+import segno
+
+from sim.errors import InputError, SceneError
+from sim.scene import files
+from sim.scene.link import PATH, pack_scene
+from sim.scene.types import Scene
+from sim.settings import settings_of
+
+from ...linking import short_address
+from ...session.session import Notice, Session
+from ...wire.carrier import Mail
+from ...wire.from_page import Share
+from ...wire.to_page import Link
+from ..panel import foremost
+
+MOST_IN_QR = 1200
+"""Characters of the longest link that gets a QR code; the squares of a longer one are too small for a camera
+across a room."""
+
+
+class Sharing:
+    """One page's links. What reads and makes scenes takes a while: call it in a thread.
+
+    Args:
+        session: the page's simulation.
+        mail: to the page's script.
+        notify: tells the user something.
+        show: opens a scene.
+        for_others: the address by which others reach the page, from that by which it was reached itself.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        mail: Mail,
+        notify: Callable[[Notice], None],
+        show: Callable[[Scene], None],
+        for_others: Callable[[str], str] = str,
+    ) -> None:
+        self._session = session
+        self._mail = mail
+        self._notify = notify
+        self._show = show
+        self._for_others = for_others
+
+    def share(self, ask: Share) -> None:
+        """Send the page a link to its scene."""
+        try:
+            scene = self._session.snapshot(self._session.scene.name, ask.pose)
+            link = self._link(scene, ask)
+        except (InputError, SceneError) as error:
+            self._mail.tell(Link(problem=str(error)))
+            return
+        self._mail.tell(Link(link=link, qr=qr_code(link) if len(link) <= MOST_IN_QR else ""))
+
+    def _link(self, scene: Scene, ask: Share) -> str:
+        base, controls = self._for_others(ask.page), _controls(scene, ask.controls)
+        if ask.short:
+            return short_address(base, scene) + (f"&{controls}" if controls else "")
+        return f"{base}{PATH[1:]}{controls and '?'}{controls}#{pack_scene(scene)}"
+
+    def open(self, data: str) -> None:
+        """Open the scene in a link; nothing in it is trusted, and if it is no scene, nothing changes."""
+        try:
+            scene = files.decode_link(data)
+        except SceneError as error:
+            self._notify(Notice("error", "That link cannot be opened", str(error)))
+        else:
+            self._show(scene)
+
+
+def _controls(scene: Scene, which: Literal["all", "play", "sliders"]) -> str:
+    """The field of an address that says which controls there are; empty for those that there are anyway."""
+    if which == "all":
+        return ""
+    sliders = [setting.key for setting in foremost(settings_of(scene))] if which == "sliders" else []
+    return f"controls={','.join(['play', *sliders])}"
+
+
+def qr_code(text: str) -> str:
+    """A picture of a QR code, as an address that an image can have."""
+    return segno.make(text, error="l", micro=False).svg_data_uri(border=4, light="#fff")

@@ -1,0 +1,1 @@
+"""How the page looks: styles, texts, menus and dialogs."""

@@ -1,0 +1,19 @@
+// @ts-check
+/** Esc closes a question or the help, by the button that does nothing else: the last one. */
+import { swallow } from "../hands/keys.js";
+
+/** Begins to listen; before the keys are listened to, which leave an open dialog alone. */
+export function mindDialogs() {
+  window.addEventListener(
+    "keydown",
+    (event) => {
+      if (event.key !== "Escape") return;
+      const buttons = document.querySelectorAll('.mantine-Modal-content[role="dialog"] button');
+      const last = buttons[buttons.length - 1];
+      if (!(last instanceof HTMLElement)) return;
+      swallow(event);
+      last.click();
+    },
+    true,
+  );
+}

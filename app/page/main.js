@@ -1,0 +1,118 @@
+// @ts-check
+/** softrod's part of the page; viser's page has the panel, the nodes and the connection. */
+import { addArrows } from "./measure/arrow_marks.js";
+import { mindAbsence } from "./away.js";
+import { tellApart } from "./viser/axis_numbers.js";
+import { addBodyKeys } from "./hands/body_keys.js";
+import { fitted, keepFlat } from "./body/camera.js";
+import { listenToClipboard } from "./edit/clipboard.js";
+import { drawBody, shown } from "./body/canvas.js";
+import { askedScene, watchConnection } from "./viser/connection.js";
+import { addCoordinates } from "./measure/coordinates.js";
+import { mindDialogs } from "./looks/dialogs.js";
+import { listenToEdits } from "./edit/edit.js";
+import { listenToEditKeys } from "./edit/edit_keys.js";
+import { addEditMarks } from "./edit/edit_marks.js";
+import { addEditStrip } from "./edit/edit_strip.js";
+import { addEmpty } from "./body/empty.js";
+import { addGallery } from "./scenes/gallery.js";
+import { showHud } from "./looks/hud.js";
+import { addInstruments } from "./measure/instruments.js";
+import { hasKept, keepOnlyOf, resume } from "./files/keep.js";
+import { listenToKeys } from "./hands/keys.js";
+import { addLesson } from "./scenes/lesson.js";
+import { keepAddress, listenToLinks, openLink, takeLink } from "./files/links.js";
+import { addLoads } from "./body/load_marks.js";
+import { beginViser, canDraw, complain, endLoading } from "./viser/loading.js";
+import { restoreLooks } from "./looks/looks.js";
+import { showMeasures } from "./measure/measure.js";
+import { addMenu } from "./looks/menu.js";
+import { nameControls } from "./viser/names.js";
+import { mindNumbers } from "./viser/numbers.js";
+import { addOverlay } from "./body/overlay.js";
+import { sayWhose } from "./scenes/owner.js";
+import { listenToCommands } from "../wire/perform.js";
+import { readPhases } from "./measure/phase.js";
+import { listenToPointer } from "./hands/pointer.js";
+import { addPaper } from "./body/paper.js";
+import { listenToPresses } from "./hands/presses.js";
+import { addShareDialog } from "./files/share.js";
+import { markControls } from "./viser/roles.js";
+import { addUnderlay } from "./body/underlay.js";
+import { addTexts } from "./scenes/texts.js";
+import { hearTools } from "./measure/tools.js";
+import { addTraces } from "./measure/trace.js";
+import { addTracing } from "./edit/tracing.js";
+import { addTransport } from "./time/transport.js";
+import { isKnown, whenViser } from "./viser/viser.js";
+
+/** Seconds after which viser's page has made its hook, or never will. */
+const PATIENCE = 20;
+
+const FAULT = "This page cannot draw: the viser page that it stands on is not the version that softrod knows.";
+const NO_WEBGL =
+  "softrod draws with WebGL 2, which this browser does not have or has switched off: allow hardware acceleration in its settings, or use another browser.";
+sayWhose();
+takeLink();
+keepAddress();
+keepOnlyOf(askedScene(location.search));
+watchConnection(mindAbsence(), () => !hasKept());
+const plotsAreLoaded = tellApart();
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let late;
+whenViser((viser) => {
+  clearTimeout(late);
+  plotsAreLoaded();
+  if (!isKnown(viser)) {
+    complain(FAULT);
+    return;
+  }
+  endLoading();
+  drawBody(viser);
+  showHud();
+  hearTools();
+  markControls();
+  listenToCommands();
+  keepFlat();
+  mindDialogs();
+  listenToPresses();
+  addOverlay(); // its hint goes with the first press, which others keep for themselves
+  const tracing = addTracing();
+  listenToEditKeys();
+  listenToKeys();
+  addGallery();
+  mindNumbers();
+  listenToEdits();
+  listenToClipboard();
+  listenToPointer();
+  resume(openLink);
+  listenToLinks();
+  restoreLooks();
+  addTransport();
+  addShareDialog();
+  addUnderlay();
+  addTraces();
+  addLoads();
+  addArrows();
+  addCoordinates();
+  addInstruments();
+  addPaper();
+  addLesson();
+  addTexts();
+  addMenu();
+  addEditMarks();
+  addEditStrip(tracing);
+  addEmpty();
+  addBodyKeys();
+  nameControls();
+  showMeasures();
+  readPhases();
+  // For the browser tests.
+  Object.assign(window, { __softrod: { shown, fitted } });
+});
+if (canDraw()) {
+  late = setTimeout(() => complain(FAULT), 1e3 * PATIENCE);
+  beginViser();
+} else {
+  complain(NO_WEBGL);
+}

@@ -1,0 +1,1 @@
+"""What is measured: plots, arrows, traces and instruments."""

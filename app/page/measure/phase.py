@@ -1,0 +1,117 @@
+"""A plot of quantities over another one, as SVG: viser's plots can only be over something that grows."""
+
+from __future__ import annotations
+
+import html
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...session.plots import LEAST_PART
+
+Floats = NDArray[np.float64]
+
+WIDTH, HEIGHT = 310.0, 240.0
+LEFT, RIGHT, TOP, BOTTOM = 58.0, 12.0, 10.0, 40.0
+BESIDE, DIGIT = 24.0, 7.5
+TICKS = 5
+"""Marks of an axis, about."""
+
+
+def ticks(low: float, high: float) -> list[float]:
+    """Round numbers in a range, with equal steps of 1, 2 or 5 times a power of ten."""
+    rough = (high - low) / TICKS
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = next(power * factor for factor in (1.0, 2.0, 5.0, 10.0) if power * factor >= rough)
+    return [step * i for i in range(math.ceil(low / step), math.floor(high / step) + 1)]
+
+
+def phase_svg(
+    x: Floats,
+    ys: Floats,
+    past: int,
+    colors: Sequence[str],
+    labels: tuple[str, str],
+    name: str,
+    turned: bool = False,
+) -> str:
+    """The plot; a disc marks the moment that is shown, and what is ahead of it is pale.
+
+    Args:
+        x: (k,) values along the axis to the right.
+        ys: (quantities, k) values of each quantity that is plotted upwards.
+        past: how many of the k are not ahead of the moment that is shown.
+        colors: of each quantity, as CSS has them.
+        labels: of the axes, to the right and upwards.
+        name: what it is, for screen readers.
+        turned: whether values of `ys` grow downwards.
+    """
+    ranges = [_range(x), _range(ys)]
+    (x_low, x_high), (y_low, y_high) = ranges
+    y_bottom, y_top = (y_high, y_low) if turned else (y_low, y_high)
+    right, bottom = WIDTH - RIGHT, HEIGHT - BOTTOM
+    marks = {value: f"{value:.6g}" for value in ticks(y_low, y_high)}
+    left = max(LEFT, BESIDE + DIGIT * max(map(len, marks.values()), default=0))
+
+    def across(value: float) -> float:
+        return left + (right - left) * (value - x_low) / (x_high - x_low)
+
+    def up(value: float) -> float:
+        return bottom - (bottom - TOP) * (value - y_bottom) / (y_top - y_bottom)
+
+    lines, texts = [], []
+    for value in ticks(x_low, x_high):
+        at = across(value)
+        lines.append(f"M{at:.1f} {TOP}V{bottom}")
+        texts.append(f'<text x="{at:.1f}" y="{bottom + 15}" text-anchor="middle">{value:g}</text>')
+    for value, mark in marks.items():
+        at = up(value)
+        lines.append(f"M{left:g} {at:.1f}H{right}")
+        texts.append(f'<text x="{left - 5:g}" y="{at + 4:.1f}" text-anchor="end">{mark}</text>')
+    middle_x, middle_y = 0.5 * (left + right), 0.5 * (TOP + bottom)
+    to_right, upwards = map(html.escape, labels)
+    texts.append(f'<text x="{middle_x}" y="{HEIGHT - 6}" text-anchor="middle">{to_right}</text>')
+    texts.append(
+        f'<text transform="translate(11 {middle_y}) rotate(-90)" text-anchor="middle">{upwards}</text>'
+    )
+    curves = []
+    for y, color in zip(ys, colors, strict=True):
+        points = [
+            f"{across(a):.1f} {up(b):.1f}" if math.isfinite(a) and math.isfinite(b) else ""
+            for a, b in zip(x.tolist(), y.tolist(), strict=True)
+        ]
+        for part, kind in ((points[max(past - 1, 0) :], "softrod-ahead"), (points[:past], "")):
+            if len(part) > 1 and (path := _path(part)):
+                curves.append(f'<path class="{kind}" d="{path}" style="stroke:{color}"/>')
+        if past and points[past - 1]:
+            cx, cy = points[past - 1].split()
+            curves.append(f'<circle cx="{cx}" cy="{cy}" r="4" style="fill:{color}"/>')
+    # For phase.js, which reads the values under the pointer.
+    edges = f"{left:g} {right:g} {bottom:g} {TOP:g}"
+    ends = " ".join(f"{end:.9g}" for end in (x_low, x_high, y_bottom, y_top))
+    return (
+        f'<svg class="softrod-phase" data-edges="{edges}" data-ends="{ends}" data-right="{to_right}" '
+        f'data-up="{upwards}" viewBox="0 0 {WIDTH:g} {HEIGHT:g}" role="img" '
+        f'aria-label="{html.escape(name)}"><path class="softrod-phase-grid" d="{"".join(lines)}"/>'
+        f"{''.join(texts)}{''.join(curves)}</svg>"
+    )
+
+
+def _path(points: list[str]) -> str:
+    """A line through points, with gaps where there is none."""
+    runs = [run for run in "L".join(points).replace("LL", "M").split("M") if run.strip("L")]
+    return "".join("M" + run.strip("L") for run in runs)
+
+
+def _range(values: Floats) -> tuple[float, float]:
+    """A little more than the range of values; some range where there is none."""
+    finite = values[np.isfinite(values)]
+    if not finite.size:
+        return 0.0, 1.0
+    low, high = float(finite.min()), float(finite.max())
+    # Values that hardly differ are told apart by no marks.
+    size = max(abs(low), abs(high))
+    more = 0.05 * (high - low) if high - low > LEAST_PART * size else 0.05 * size or 1.0
+    return low - more, high + more

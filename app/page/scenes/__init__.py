@@ -1,0 +1,1 @@
+"""Which scene is shown: the gallery, the shelf, lessons, and whose the scenes are."""

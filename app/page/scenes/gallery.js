@@ -1,0 +1,278 @@
+// @ts-check
+/**
+ * The gallery: a dialog with a card for each scene. Arrows go from card to card, letters search, Enter opens. What a
+ * user named is text here, never HTML.
+ *
+ * @typedef {import("../../wire/wire.js").Entry} Entry
+ */
+import { onTold, send } from "../../wire/channel.js";
+import { make, makeButton, makeDialog } from "../looks/dialog.js";
+import { isDark } from "../looks/looks.js";
+
+const IMAGES = new URL("thumbnails/", import.meta.url);
+/** The preset with which one builds a body of one's own. */
+const EMPTY = "empty";
+const NONE_SAVED = "You have saved no scene yet. Save the one that you see in the Share tab, or build one: ";
+const CARD = ".softrod-card:not([hidden]) .softrod-open";
+
+/**
+ * Whether a scene is one that is searched for: each word is in its title, its name or what it shows.
+ *
+ * @param {Entry} entry
+ * @param {string} wanted
+ */
+export function isFound({ name, title, text, group }, wanted) {
+  const all = `${title} ${name} ${text} ${group}`.toLowerCase();
+  return wanted.toLowerCase().split(/\s+/).every((word) => all.includes(word));
+}
+
+/**
+ * To which of some places an arrow leads: to the next in reading order, or to the nearest in the row above or below.
+ *
+ * @param {string} key
+ * @param {number} from
+ * @param {{x: number, y: number}[]} places in reading order
+ */
+export function arrived(key, from, places) {
+  if (key === "ArrowRight") return Math.min(from + 1, places.length - 1);
+  if (key === "ArrowLeft") return Math.max(from - 1, 0);
+  if (key === "Home") return 0;
+  if (key === "End") return places.length - 1;
+  const sign = key === "ArrowDown" ? 1 : -1;
+  const [at, beyond] = [places[from], places.map(({ y }) => sign * (y - places[from].y))];
+  const row = Math.min(...beyond.filter((distance) => distance > 4));
+  let [best, least] = [from, Infinity];
+  places.forEach(({ x }, i) => {
+    if (Math.abs(beyond[i] - row) < 4 && Math.abs(x - at.x) < least) [best, least] = [i, Math.abs(x - at.x)];
+  });
+  return best;
+}
+
+/** Opens the gallery, once it is there. */
+export let openGallery = () => {};
+
+/** Puts up the dialog, which opens when the server says so. */
+export function addGallery() {
+  const { dialog, head, body } = makeDialog("Scenes", "softrod-gallery");
+  const search = make("input", "softrod-search");
+  search.type = "search";
+  search.placeholder = "Find a scene";
+  search.ariaLabel = "Find a scene";
+  head.insertBefore(search, head.lastChild);
+  const none = make("p", "softrod-none", "No scene has all of these words.");
+  const cards = make("div", "");
+  body.append(none, cards);
+  const foot = make("div", "softrod-dialog-foot");
+  foot.hidden = true;
+  const said = make("span", "softrod-said");
+  said.setAttribute("role", "status");
+  dialog.append(foot);
+
+  /** @type {Entry[]} */
+  let entries = [];
+  let present = "";
+  /** Of scenes that are saved, by name. @type {Record<string, string>} */
+  const pictures = {};
+  /** The scene whose card has the focus, or had it last. */
+  let chosen = "";
+
+  const found = () => /** @type {HTMLElement[]} */ ([...cards.querySelectorAll(CARD)]);
+  /** @param {HTMLElement | undefined} card */
+  const focus = (card) => {
+    card?.focus();
+    card?.scrollIntoView({ block: "nearest" });
+  };
+  /** One card alone is reached with the Tab key, arrows go on from there. @param {string} name */
+  const choose = (name) => {
+    chosen = name;
+    for (const button of /** @type {NodeListOf<HTMLButtonElement>} */ (cards.querySelectorAll(".softrod-card button"))) {
+      button.tabIndex = button.closest(".softrod-card")?.getAttribute("data-name") === name ? 0 : -1;
+    }
+  };
+  const filter = () => {
+    for (const group of cards.children) {
+      let count = 0;
+      for (const card of group.querySelectorAll(".softrod-card")) {
+        const entry = entries.find(({ name }) => name === card.getAttribute("data-name"));
+        const hit = entry !== undefined && isFound(entry, search.value);
+        card.toggleAttribute("hidden", !hit);
+        count += Number(hit);
+      }
+      group.toggleAttribute("hidden", count === 0 && !(group.matches(".softrod-none-saved") && !search.value));
+    }
+    const names = found().map((card) => card.parentElement?.parentElement?.dataset.name ?? "");
+    none.hidden = names.length > 0;
+    if (!names.includes(chosen)) choose(names[0] ?? "");
+  };
+  /** @param {Entry} entry */
+  const open = ({ name }) => {
+    send({ do: "openScene", name });
+    dialog.close();
+    // The keys are the body's.
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  };
+  /** What was done, or a question, in the foot. @param {(string | Node)[]} content */
+  const say = (...content) => {
+    said.replaceChildren(...content.filter((part) => typeof part === "string"));
+    foot.replaceChildren(said, ...content.filter((part) => typeof part !== "string"));
+    foot.hidden = content.length === 0;
+  };
+  const list = () => send({ do: "listScenes", dark: isDark() });
+
+  /** @param {Entry} entry */
+  const askForName = ({ name }) => {
+    const field = make("input", "softrod-search");
+    field.value = name;
+    field.maxLength = 60;
+    field.ariaLabel = `New name of ${name}`;
+    const form = make("form", "softrod-dialog-line");
+    const enter = make("button", "softrod-button softrod-first", "Rename");
+    form.append(field, enter, makeButton("Cancel", () => say()));
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      chosen = field.value;
+      send({ do: "changeScene", how: "rename", name, to: field.value });
+    });
+    field.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape") return;
+      // It is the question that is left, not the dialog.
+      event.preventDefault();
+      event.stopPropagation();
+      say();
+      focus(found().find((card) => card.closest("[data-name]")?.getAttribute("data-name") === name));
+    });
+    say(form);
+    field.select();
+  };
+
+  /** @param {Entry} entry */
+  const card = (entry) => {
+    const { name, title, line, own, saved } = entry;
+    const row = make("div", "softrod-card");
+    row.dataset.name = name;
+    row.setAttribute("role", "row");
+    const cell = make("div", "");
+    cell.setAttribute("role", "gridcell");
+    const button = makeButton("", () => open(entry), "softrod-open");
+    if (name === present) button.setAttribute("aria-current", "true");
+    row.toggleAttribute("data-current", name === present);
+    const image = make("img", "");
+    image.alt = "";
+    image.loading = "lazy";
+    const source = saved ? pictures[name] : new URL(`${name}${isDark() ? "-dark" : ""}.webp`, IMAGES).href;
+    if (source) image.src = source;
+    image.addEventListener("error", () => image.removeAttribute("src"));
+    button.append(image, make("b", "", title), make("span", "", line));
+    button.addEventListener("focus", () => choose(name));
+    cell.append(button);
+    row.append(cell);
+    if (saved) {
+      const actions = make("div", "softrod-actions");
+      actions.setAttribute("role", "gridcell");
+      /** @param {string} text @param {() => void} press */
+      const action = (text, press) => {
+        const one = makeButton(text, press);
+        one.ariaLabel = `${text} ${title}`;
+        actions.append(one);
+      };
+      if (own) action("Rename", () => askForName(entry));
+      action("Copy", () => send({ do: "changeScene", how: "duplicate", name }));
+      if (own) action("Delete", () => send({ do: "changeScene", how: "delete", name }));
+      row.append(actions);
+    }
+    return row;
+  };
+
+  /** What to do where nothing is saved yet. */
+  const noneSaved = () => {
+    const section = make("section", "softrod-none-saved");
+    const begin = entries.find(({ name }) => name === EMPTY);
+    section.append(make("h3", "", "Your own"), make("p", "", NONE_SAVED));
+    if (begin) section.lastChild?.appendChild(makeButton(begin.title, () => open(begin)));
+    return section;
+  };
+
+  const build = () => {
+    const had = cards.contains(document.activeElement);
+    const groups = new Map(entries.map(({ group }) => [group, /** @type {Entry[]} */ ([])]));
+    for (const entry of entries) groups.get(entry.group)?.push(entry);
+    cards.replaceChildren(
+      ...(entries.some(({ own }) => own) ? [] : [noneSaved()]),
+      ...[...groups].map(([group, members], i) => {
+        const section = make("section", "");
+        const heading = make("h3", "", group);
+        heading.id = `softrod-group-${i}`;
+        const grid = make("div", "softrod-cards");
+        grid.setAttribute("role", "grid");
+        grid.setAttribute("aria-labelledby", heading.id);
+        grid.append(...members.map(card));
+        section.append(heading, grid);
+        return section;
+      }),
+    );
+    const names = entries.map(({ name }) => name);
+    choose(names.includes(chosen) ? chosen : names.includes(present) ? present : names[0]);
+    filter();
+    if (had) focus(found().find((one) => one.tabIndex === 0));
+  };
+
+  const show = () => {
+    if (dialog.open) return;
+    search.value = "";
+    chosen = "";
+    say();
+    dialog.showModal();
+    // On a touch screen its keyboard would cover half of them.
+    if (matchMedia("(pointer: coarse)").matches) dialog.focus();
+    else search.focus();
+    list();
+  };
+
+  search.addEventListener("input", filter);
+  dialog.addEventListener("keydown", (event) => {
+    const { target, key } = event;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const on = found();
+    if (target === search) {
+      if (key === "Enter") on[0]?.click();
+      else if (key === "ArrowDown") focus(on.find((one) => one.tabIndex === 0) ?? on[0]);
+      else return;
+      event.preventDefault();
+      return;
+    }
+    const from = on.findIndex((one) => one === target);
+    if (from >= 0 && /^(Arrow(Up|Down|Left|Right)|Home|End)$/.test(key)) {
+      event.preventDefault();
+      const places = on.map((one) => one.getBoundingClientRect());
+      const to = arrived(key, from, places);
+      if (key === "ArrowUp" && to === from) search.focus();
+      else focus(on[to]);
+    } else if (from >= 0 && key === "Delete") {
+      const name = on[from].closest(".softrod-card")?.getAttribute("data-name") ?? "";
+      if (entries.find((entry) => entry.name === name)?.own) send({ do: "changeScene", how: "delete", name });
+    } else if (key.length === 1 && key !== " " && !(target instanceof HTMLInputElement)) {
+      search.focus(); // which takes the letter
+    }
+  });
+  openGallery = show;
+  onTold("offerGallery", ({ why }) => {
+    show();
+    if (why) say(why);
+  });
+  onTold("shelfChanged", () => dialog.open && list());
+  onTold("scenes", (letter) => {
+    ({ scenes: entries, present } = letter);
+    if (dialog.open) build();
+  });
+  onTold("scenePictures", (letter) => {
+    Object.assign(pictures, letter.pictures);
+    for (const row of /** @type {NodeListOf<HTMLElement>} */ (cards.querySelectorAll(".softrod-card"))) {
+      const [image, source] = [row.querySelector("img"), pictures[row.dataset.name ?? ""]];
+      if (image && source && image.src !== source) image.src = source;
+    }
+  });
+  onTold("sceneChanged", ({ text, undo }) => {
+    say(text, ...(undo ? [makeButton("Undo", () => send({ do: "changeScene", how: "restore", name: undo }))] : []));
+    list();
+  });
+}

@@ -1,0 +1,116 @@
+"""The gallery: all scenes on cards, to open one; the page's own are renamed, copied and deleted there.
+
+What it does takes a while: call it in a thread.
+"""
+
+from __future__ import annotations
+
+import base64
+import functools
+from collections.abc import Callable
+from pathlib import Path
+
+from sim.edit.texts import renamed
+from sim.errors import SceneError
+from sim.scene import own_scenes
+from sim.scene.files import read_scene
+
+from ...session import commands
+from ...session.session import Notice, Session
+from ...wire.carrier import Mail
+from ...wire.from_page import ChangeScene, ListScenes, OpenScene
+from ...wire.to_page import OfferGallery, SceneChanged, ScenePictures, Scenes, ShelfChanged
+from . import shelf, thumbnails
+from .shelf import Shelf
+
+MOST_PAINTED = 200
+"""Saved scenes that get a picture; the others have their names."""
+
+PAINTED_AT_ONCE = 8
+"""Pictures after which those that are ready are sent."""
+
+
+class Gallery:
+    """One page's gallery.
+
+    Args:
+        session: the page's simulation.
+        mail: to the page's script.
+        notify: tells the user something.
+        scenes: those of the page.
+    """
+
+    def __init__(self, session: Session, mail: Mail, notify: Callable[[Notice], None], scenes: Shelf) -> None:
+        self._shelf = scenes
+        self._session = session
+        self._mail = mail
+        self._notify = notify
+
+    def offer(self, why: str = "") -> None:
+        """Have the page show it, with a sentence that says why, if there is one."""
+        self._mail.tell(OfferGallery(why=why))
+
+    def changed(self) -> None:
+        """Have the page ask anew, if it shows it."""
+        self._mail.tell(ShelfChanged())
+
+    def open(self, ask: OpenScene) -> None:
+        """Open a scene; if it cannot be read, nothing changes."""
+        try:
+            # Only what is listed: a name could be the path of any file.
+            if (info := self._shelf.find(ask.name)) is None:
+                raise SceneError(f"there is no scene called {ask.name!r} any more")
+            scene = read_scene(info.path)
+        except SceneError as error:
+            self._notify(Notice("error", "That scene cannot be opened", str(error)))
+        else:
+            self._session.post(commands.Open(scene))
+
+    def list(self, ask: ListScenes) -> None:
+        """Send the page all scenes, then the pictures of those that are saved as they get ready."""
+        scenes = self._shelf.scenes()
+        self._mail.tell(Scenes(scenes=tuple(shelf.entries(scenes)), present=self._session.scene.name))
+        pictures: dict[str, str] = {}
+        saved = [info for info in scenes if not info.built_in][:MOST_PAINTED]
+        for count, info in enumerate(saved, start=1):
+            if picture := _picture(info.path, ask.dark):
+                pictures[info.name] = picture
+            if count % PAINTED_AT_ONCE == 0 or count == len(saved):
+                self._mail.tell(ScenePictures(pictures=pictures))
+                pictures = {}
+
+    def change(self, ask: ChangeScene) -> None:
+        """Rename, copy, delete or bring back one of the page's own scenes, and say what was done."""
+        trashed = ""
+        try:
+            folder = self._shelf.folder
+            match ask.how:
+                case "rename":
+                    used = own_scenes.rename_user_scene(ask.name, ask.to, folder)
+                    if self._session.scene.name == ask.name:
+                        self._session.post(commands.Change(lambda moment, _: renamed(moment.scene, used)))
+                    said = f"It is called {used!r} now."
+                case "duplicate":
+                    said = f"The copy is called {self._shelf.duplicate(ask.name)!r}."
+                case "delete":
+                    trashed = own_scenes.trash_user_scene(ask.name, folder)
+                    said = f"{ask.name!r} is deleted."
+                case "restore":
+                    said = f"{own_scenes.restore_user_scene(ask.name, folder)!r} is back."
+        except SceneError as error:
+            said = str(error)
+        self._mail.tell(SceneChanged(text=said, undo=trashed))
+
+
+def _picture(path: Path, dark: bool) -> str:
+    """A saved scene's picture, as an address that an image can have; empty if it cannot be read."""
+    try:
+        return _painted(path, path.stat().st_mtime_ns, dark)
+    except (OSError, SceneError, ValueError):
+        return ""
+
+
+@functools.lru_cache(maxsize=2 * MOST_PAINTED)
+def _painted(path: Path, _: int, dark: bool) -> str:
+    data = thumbnails.picture(read_scene(path), dark)
+    return f"data:image/webp;base64,{base64.b64encode(data).decode()}"

@@ -1,0 +1,173 @@
+"""The Solver tab: force law, integrator, its step or tolerance, the energy, and a second body to compare."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import viser
+
+from sim.methods.registry import METHODS
+from sim.settings import CHOICES
+
+from ...session import commands
+from ...session.ghost import FINER, REFERENCE
+from ...session.notices import Notice
+from ...session.session import Session
+from ..looks import readouts
+from ..viser.choice_box import ChoiceBox
+from .tuning_panel import TuningPanel
+
+NO_GHOST = "nothing"
+REFERENCE_LABEL = "a near-exact solution"
+SAME_LAW = "the same"
+FINER_LABELS: dict[int, str] = dict(zip(FINER, ("the same", "a half", "a quarter", "a tenth"), strict=True))
+
+LAST = 1e6
+"""Order of what stands below the sliders, which come and go."""
+
+
+class SolverPanel:
+    """The controls of one page's Solver tab; made inside the tab.
+
+    Args:
+        client: the page.
+        session: its simulation.
+        notify: tells the user something.
+
+    Attributes:
+        outlined: buttons that are not the first thing to press.
+    """
+
+    def __init__(
+        self, client: viser.ClientHandle, session: Session, notify: Callable[[Notice], None]
+    ) -> None:
+        self._session = session
+        gui = client.gui
+        methods, laws = CHOICES["method"].options, CHOICES["force_law"].options
+        self._method = ChoiceBox(client, session, "method", 1)
+        self._about = gui.add_html("", order=2)
+        self._law = ChoiceBox(client, session, "force_law", 3)
+        self._own_values = gui.add_button(
+            "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST - 1
+        )
+        self._books = gui.add_checkbox(
+            "Energy", initial_value=False, hint="follow what changes the energy", order=LAST
+        )
+        self._energy = gui.add_html("", order=LAST + 1)
+        self._foretell = gui.add_checkbox(
+            "Predictability",
+            initial_value=False,
+            hint="how fast small errors grow: whether any tolerance can tell where the body will be",
+            order=LAST + 1.2,
+        )
+        self._growth = gui.add_html("", order=LAST + 1.4)
+        self._tuning = TuningPanel(client, session, notify, LAST + 1.5)
+        self.outlined = [self._own_values, *self._tuning.outlined]
+        self._other = gui.add_dropdown(
+            "Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()), order=LAST + 2
+        )
+        self._other_law = gui.add_dropdown("Ghost's law", (SAME_LAW, *laws.values()), order=LAST + 3)
+        self._finer = gui.add_dropdown(
+            "Ghost's step",
+            tuple(FINER_LABELS.values()),
+            hint="its time step, or its tolerance where it has one, as a part of the body's",
+            order=LAST + 4,
+        )
+        self._ghost = gui.add_html("", order=LAST + 5)
+        self.rates = gui.add_html("", order=LAST + 6)
+        for handle in (self._other, self._other_law, self._finer):
+
+            @handle.on_update
+            async def _(event: viser.GuiEvent[Any]) -> None:
+                if event.client_id is not None:
+                    self._compare()
+
+        @self._own_values.on_click
+        async def _(_: object) -> None:
+            session.post(commands.OwnValues("solver"))
+
+        @self._books.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                session.post(commands.KeepBooks(bool(self._books.value)))
+
+        @self._foretell.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                session.post(commands.Foretell(bool(self._foretell.value)))
+
+    def build(self) -> None:
+        """Show what the session's scene has a use for."""
+        scene = self._session.scene
+        jointed = CHOICES["force_law"].applies(scene)
+        moving = CHOICES["method"].applies(scene)
+        self._law.handle.visible = jointed
+        for handle in (
+            self._method.handle, self._about, self._own_values, self._books, self._foretell, self._other
+        ):  # fmt: skip
+            handle.visible = moving
+        self._tuning.build(moving)
+        self.refresh_controls()
+
+    def refresh_controls(self) -> None:
+        """Show in the controls what commands or other controls changed."""
+        scene, ghost = self._session.scene, self._session.ghost
+        method = METHODS[scene.integrator.method]
+        laws = CHOICES["force_law"].options
+        other = NO_GHOST
+        if ghost is not None:
+            other = REFERENCE_LABEL if ghost.method == REFERENCE else METHODS[ghost.method].label
+        self._method.show(scene)
+        self._law.show(scene)
+        _show(self._other, other)
+        # The ghost's own controls come with it, and its step is of no meaning to a reference.
+        self._other_law.visible = ghost is not None and CHOICES["force_law"].applies(scene)
+        self._finer.visible = ghost is not None and ghost.method != REFERENCE
+        # Where there is none, the next one begins as the body is.
+        _show(self._other_law, laws[ghost.law] if ghost is not None and ghost.law else SAME_LAW)
+        _show(self._finer, FINER_LABELS[ghost.finer if ghost is not None else 1])
+        foretold = self._session.foresight is not None
+        for handle, on in ((self._books, self._session.books), (self._foretell, foretold)):
+            if handle.value != on:
+                handle.value = on
+        about = f'<div class="softrod-text softrod-about">{method.summary}</div>'
+        if self._about.content != about:
+            self._about.content = about
+
+    @property
+    def waits(self) -> bool:
+        """Whether there will be more to show, though nothing moves."""
+        return self._tuning.waits
+
+    def refresh_readouts(self) -> None:
+        """Show the energies, the tuning, the ghost and the rates as they are now."""
+        session = self._session
+        self._tuning.refresh()
+        for element, content in (
+            (self._energy, readouts.energy_table(session)),
+            (self._growth, readouts.predictability_table(session)),
+            (self._ghost, readouts.ghost_table(session)),
+            (self.rates, readouts.rates_table(session)),
+        ):
+            if element.content != content:
+                element.content = content
+
+    def _compare(self) -> None:
+        """The user chose what to compare with."""
+        law = _key_of(CHOICES["force_law"].options, self._other_law.value)
+        finer: int = next((part for part, label in FINER_LABELS.items() if label == self._finer.value), 1)
+        if self._other.value == REFERENCE_LABEL:
+            method = REFERENCE
+        else:
+            method = _key_of(CHOICES["method"].options, self._other.value)
+        self._session.post(commands.Compare(method, law, finer))
+
+
+def _key_of(options: dict[str, str], label: str) -> str:
+    return next((key for key, text in options.items() if text == label), "")
+
+
+def _show(handle: viser.GuiDropdownHandle[str], label: str) -> None:
+    if handle.value != label:
+        handle.value = label

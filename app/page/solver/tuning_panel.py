@@ -1,0 +1,273 @@
+"""What the numbers of a scene mean, and buttons that change them: a part of the Solver tab.
+
+What takes long is done by a thread of its own, one body after the other. It shares the interpreter with the
+pages, so that large bodies are left to scripts.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import viser
+
+import sim
+from sim.analysis.tuning import Tuning
+from sim.compiling.compiler import for_fallback, is_ready
+from sim.edit.tune import as_far_as_stable, damp_springs, is_limited, with_numbers_of
+from sim.errors import InputError, SceneError
+from sim.scene.types import is_surrounded
+
+from ...export.workshop import Workshop
+from ...session import commands
+from ...session.notices import Notice
+from ...session.session import Session
+from ..looks import readouts
+
+MOST_MASSES = 200
+"""Masses of a body of which a page is told; pages would notice the work for larger ones."""
+
+_shop = Workshop()
+
+
+class Tuner:
+    """Finds out what there is to tell of a scene, whenever there is another one.
+
+    Attributes:
+        scene: of which is told; None if nothing is.
+        told: of it; None if nothing is yet.
+        trouble: why nothing can be told; empty if it can.
+        busy: whether something is being found out, or has still to be.
+    """
+
+    def __init__(self) -> None:
+        self.scene: sim.Scene | None = None
+        self.told: Tuning | None = None
+        self.trouble = ""
+        self.busy = True
+        self._seen: sim.Scene | None = None
+        self._at_work = False
+
+    def look(self, scene: sim.Scene) -> None:
+        """Begin to find out, if that is another scene and not one of many, as while a key is held."""
+        settled, self._seen = scene is self._seen, scene
+        if scene is self.scene:
+            self.busy = False
+            return
+        self.busy = True
+        if self._at_work or not settled:
+            return
+        if len(scene.masses) > MOST_MASSES:
+            self._show(
+                scene, None, f"is told here of at most {MOST_MASSES} masses; sim.tuning tells it of more"
+            )
+        elif is_compiled(scene):
+            self._at_work = True
+            _shop.submit(lambda: self._work(scene))
+        else:
+            self.told, self.trouble = None, "comes when it is compiled"
+
+    def _work(self, scene: sim.Scene) -> None:
+        try:
+            self._show(scene, sim.tuning(scene), "")
+        except Exception:
+            self._show(scene, None, "cannot be told because of an error on the server")
+            raise
+        finally:
+            self._at_work = False
+
+    def _show(self, scene: sim.Scene, told: Tuning | None, trouble: str) -> None:
+        self.told, self.trouble = told, trouble
+        self.scene = scene  # last: it is what others look at
+
+
+def is_compiled(scene: sim.Scene) -> bool:
+    """Whether a scene's equilibrium is found without compiling anything."""
+    return is_ready(for_fallback(is_surrounded(scene)))
+
+
+class TuningPanel:
+    """The controls.
+
+    Args:
+        client: the page.
+        session: its simulation.
+        notify: tells the user something.
+        order: of the first of them in the tab; the others come within 1 of it.
+
+    Attributes:
+        outlined: buttons that are not the first thing to press.
+    """
+
+    def __init__(
+        self,
+        client: viser.ClientHandle,
+        session: Session,
+        notify: Callable[[Notice], None],
+        order: float,
+    ) -> None:
+        self._session, self._notify = session, notify
+        self._tuner: Tuner | None = None
+        self._busy = threading.Lock()
+        gui = client.gui
+        self._on = gui.add_checkbox(
+            "Tuning",
+            initial_value=False,
+            hint="what the stiffnesses mean: frequencies, damping, sag, and stable time steps",
+            order=order,
+        )
+        self._table = gui.add_html("", order=order + 0.1)
+        self._stable = gui.add_button(
+            "Make it stable at this time step",
+            icon=viser.Icon.SHIELD_CHECK,
+            color="gray",
+            hint="lowers no more stiffness and damping than it takes",
+            visible=False,
+            order=order + 0.2,
+        )
+        self._damp = gui.add_button(
+            "Critically damp",
+            icon=viser.Icon.WAVE_SINE,
+            color="gray",
+            hint="the selected springs, each by itself; or else the body's slowest elastic vibration",
+            visible=False,
+            order=order + 0.3,
+        )
+        self.outlined = [self._stable, self._damp]
+
+        @self._on.on_update
+        async def _(event: viser.GuiEvent[Any]) -> None:
+            if event.client_id is not None:
+                self._switch(bool(self._on.value))
+
+        for label, action in (
+            ("Tuning: show it, or hide it", self._toggle),
+            ("Make it stable at this time step", self._make_stable),
+            ("Critically damp", self._damp_it),
+        ):
+            command = gui.add_command(label)
+
+            @command.on_trigger
+            async def _(_: object, action: Callable[[], None] = action) -> None:
+                action()
+
+        @self._stable.on_click
+        async def _(_: object) -> None:
+            self._make_stable()
+
+        @self._damp.on_click
+        async def _(_: object) -> None:
+            self._damp_it()
+
+    @property
+    def waits(self) -> bool:
+        """Whether there will be more to show, though nothing moves."""
+        tuner = self._tuner
+        return tuner.busy if tuner is not None else bool(self._table.content)
+
+    def build(self, moving: bool) -> None:
+        """Show it if the body can move."""
+        self._on.visible = moving
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show what is known of the scene as it is now."""
+        tuner, session = self._tuner, self._session
+        scene, content = session.scene, ""
+        if tuner is not None:
+            tuner.look(scene)
+            content = _content(tuner, session)
+        shown = tuner is not None and self._on.visible
+        limited = is_limited(scene.integrator.method)
+        for handle, visible in ((self._stable, shown and limited), (self._damp, shown)):
+            if handle.visible != visible:
+                handle.visible = visible
+        if self._table.content != content:
+            self._table.content = content
+
+    # --------------------------------------------------------------------- what handlers do
+    def _toggle(self) -> None:
+        self._on.value = not self._on.value
+        self._switch(bool(self._on.value))
+
+    def _switch(self, on: bool) -> None:
+        self._tuner = Tuner() if on else None  # the ticker sees that there is something to show
+
+    def _make_stable(self) -> None:
+        # As it is shaped now, since that is what the meter shows.
+        self._start("It cannot be made stable", self._stabler, with_pose=True)
+
+    def _damp_it(self) -> None:
+        if self._session.selection.springs:
+            self._session.post(commands.Change(lambda moment, some: damp_springs(moment.scene, some.springs)))
+        else:
+            self._start("It cannot be damped", self._damped, with_pose=False)
+
+    def _start(self, trouble: str, work: Callable[[sim.Scene], None], with_pose: bool) -> None:
+        """Have something done with the scene in the thread, unless it is busy for this page."""
+        if not self._busy.acquire(blocking=False):
+            return
+
+        def run() -> None:
+            try:
+                scene = self._session.snapshot("tuning", with_pose)
+                if len(scene.masses) > MOST_MASSES:
+                    raise InputError(f"a page does that for at most {MOST_MASSES} masses")
+                if not is_compiled(scene):
+                    raise InputError("the solver is still being compiled; try again in a moment")
+                work(scene)
+            except (InputError, SceneError) as error:
+                self._notify(Notice("error", trouble, _sentence(str(error))))
+            except Exception:
+                self._notify(Notice("error", trouble, "There was an error on the server."))
+                raise
+            finally:
+                self._busy.release()
+
+        _shop.submit(run)
+
+    def _stabler(self, scene: sim.Scene) -> None:
+        made, step = sim.make_stable(scene), f"{1e3 * scene.integrator.dt:.3g} ms"
+        if made is scene:
+            self._notify(Notice("info", "It is stable", f"It is stable at {step}. Nothing was changed."))
+        else:
+            self._change(made, scene, f"Made stable at {step}")
+
+    def _damped(self, scene: sim.Scene) -> None:
+        damped = sim.damp_vibration(scene)
+        made = as_far_as_stable(scene, damped)
+        if made is damped:
+            self._change(made, scene, "Critically damped")
+            return
+        elastic = sim.tuning(made).elastic
+        ratio = (
+            f": a damping ratio of {elastic.damping_ratio:.2g} instead of 1" if elastic is not None else ""
+        )
+        step = f"{1e3 * scene.integrator.dt:.3g} ms"
+        self._change(made, scene, f"Damped as far as {step} bears")
+        text = f"It is damped as far as its time step of {step} bears{ratio}. The integrator Auto bears more."
+        self._notify(Notice("info", "Not critical yet", text))
+
+    def _change(self, made: sim.Scene, scene: sim.Scene, label: str) -> None:
+        edit = partial(with_numbers_of, made, scene, label=label)
+        self._session.post(commands.Change(lambda moment, _: edit(scene=moment.scene)))
+
+
+def _content(tuner: Tuner, session: Session) -> str:
+    scene, told = tuner.scene, tuner.told
+    if tuner.trouble:
+        return readouts.table({"tuning": tuner.trouble})
+    if scene is None or told is None:
+        return readouts.table({"tuning": "is being found out"})
+    springs = session.selection.springs
+    chosen = next(iter(springs)) if len(springs) == 1 else None
+    known = chosen is not None and chosen < len(told.springs.frequency)
+    return readouts.tuning_table(scene, told, chosen if known else None)
+
+
+def _sentence(text: str) -> str:
+    """An error as a sentence of its own, without the name of the function that raised it."""
+    text = text.removeprefix("make_stable: ").removeprefix("damp_vibration: ")
+    return text[:1].upper() + text[1:] + "."

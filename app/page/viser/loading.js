@@ -1,0 +1,54 @@
+// @ts-check
+/**
+ * The page that stands from the first bytes on until the body and the panel do; viser's own is not to be seen before
+ * that. It also says why the page cannot work, with nothing under it.
+ */
+import { onPicture } from "../body/canvas.js";
+import { onTold, told } from "../../wire/channel.js";
+
+/** Pictures of the screen that viser needs to put up the panel of which the page was told. */
+const SETTLING = 4;
+
+const box = () => document.querySelector(".softrod-loading");
+
+/** Says in place of the whole page that it cannot work. @param {string} text */
+export function complain(text) {
+  const said = document.createElement("p");
+  said.className = "softrod-fault";
+  said.setAttribute("role", "alert");
+  said.textContent = text;
+  const over = box();
+  if (over) over.querySelector("h1")?.after(said);
+  else document.body.append(said);
+}
+
+/** Whether the browser can draw; viser needs WebGL 2. */
+export function canDraw() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return context !== null;
+}
+
+/** Begins viser's page, whose script waits in the page for its turn. */
+export function beginViser() {
+  const waiting = document.querySelector("script[data-p]");
+  const script = document.createElement("script");
+  script.type = "module";
+  script.textContent = waiting?.textContent ?? "";
+  document.head.append(script);
+}
+
+/** Takes the page away once there is something to see. */
+export function endLoading() {
+  let pictured = false;
+  let left = SETTLING;
+  const settle = () => (left-- > 0 ? requestAnimationFrame(settle) : box()?.remove());
+  const look = () => {
+    if (left === SETTLING && pictured && told().page) settle();
+  };
+  onPicture(() => {
+    pictured = true;
+    look();
+  });
+  onTold("pageState", look);
+}

@@ -1,0 +1,54 @@
+// @ts-check
+/**
+ * What the page and the server say to each other; docs/wire.md has all of it. It goes through viser's connection, in one kind of
+ * message that viser's page never sees.
+ *
+ * @typedef {import("./wire.js").Told} Told
+ */
+import { viser } from "../page/viser/viser.js";
+
+/** The name of that kind. */
+const CARRIER = "SoftrodMessage";
+/** The state of the page. @type {Partial<import("./wire.js").PageState>} */
+let heard = {};
+/** @type {Map<string, ((told: any) => void)[]>} */
+const readers = new Map();
+
+/** How things are, as the server told it last. */
+export const told = () => heard;
+
+/** Whether the page has a control. @param {string} control */
+export const has = (control) => heard.controls?.includes(control) ?? false;
+
+/**
+ * Calls back with everything of a kind that the server tells.
+ *
+ * @template {keyof Told} K
+ * @param {K} kind
+ * @param {(told: Told[K]) => void} reader
+ */
+export function onTold(kind, reader) {
+  readers.set(kind, [...(readers.get(kind) ?? []), reader]);
+}
+
+/**
+ * Takes what the server tells out of a message.
+ *
+ * @param {import("../page/viser/viser.js").Message} message
+ * @returns {boolean} whether it was for the script
+ */
+export function hear({ type, text }) {
+  if (type !== CARRIER) return false;
+  const message = JSON.parse(text);
+  if (message.tell === "pageState") heard = message;
+  for (const read of readers.get(message.tell) ?? []) read(message);
+  return true;
+}
+
+/** Says nothing more until the server has told how things are: the connection is lost. */
+export const hangUp = () => (heard = { ...heard, page: "" });
+
+/** Says something to the server, if there is a connection. @param {import("./wire.js").FromPage} message */
+export function send(message) {
+  if (heard.page) viser()?.sendMessage({ type: CARRIER, text: JSON.stringify(message) });
+}

@@ -1,0 +1,112 @@
+// Made by `uv run python -m tests.page.generate` from app/wire.
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
+/** Commands that the page's script does. */
+export type PageCommand = "gallery" | "share" | "fit" | "larger" | "picture" | "edit";
+/** Do a command of the table, see `commands`. */
+export type Perform = { do: "perform"; command: CommandName };
+/** The arrow keys that are held; said again and again while any is. */
+export type Keys = { do: "keys"; held: ("down" | "left" | "right" | "up")[] };
+/** Where hands are; said at every animation frame in which one moved. */
+export type At = { do: "at"; hands: [number, number, number][] };
+/** A hand takes hold of a mass. */
+export type Grab = { do: "grab"; hand: number; mass: number; x: number; y: number };
+/** A hand lets go. */
+export type Drop = { do: "drop"; hand: number };
+/** A mass was clicked. */
+export type Pick = { do: "pick"; mass: number };
+/** Show a moment of the past, s. */
+export type GoTo = { do: "goTo"; time: number };
+/** How fast time goes, simulated seconds per second. */
+export type Speed = { do: "speed"; speed: number };
+/** A slider was pressed, or a number box entered: what is changed from here on is another step of undo. */
+export type Visit = { do: "visit" };
+/** Turn a look of the page on or off, see `keeping.Looks`. */
+export type Switch = { do: "switch"; what: "commas" | "dark" | "gizmos" | "meter"; on: boolean };
+/** In which tab somebody sees plots now; they are not sent otherwise. */
+export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
+/** The page goes to a step of the scene's lesson. */
+export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
+/** A part of what is too long for one message: a keepsake ("resume"), a link, or what is pasted. */
+export type Part = { do: "part"; kind: "link" | "paste" | "resume"; number: number; of: number; letters: string };
+/** A link to the scene, with the present pose or without. */
+export type Share = { do: "share"; pose: boolean; page: string; short?: boolean; controls?: "all" | "play" | "sliders" };
+/** A text was typed into a number box that is no number; its user is to be told. */
+export type Unread = { do: "unread"; text: string };
+/** Something was too long to be sent; its user is to be told. */
+export type Unsent = { do: "unsent"; what: "link" | "paste" | "resume" };
+/** Whose the page is: a secret of its browser, and the owner's key if it was opened with that. */
+export type Who = { do: "who"; visitor: string; owner?: string };
+/** All scenes, and pictures of the user's own. */
+export type ListScenes = { do: "listScenes"; dark: boolean };
+/** Open a scene by its name. */
+export type OpenScene = { do: "openScene"; name: string };
+/** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
+export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
+/** The scene is to have another name and another description. */
+export type SetTexts = { do: "setTexts"; name: string; description: string };
+/** Some parts are to be selected; with `toggle`, they change sides and the others stay as they are. */
+export type Select = { do: "select"; masses?: number[]; springs?: number[]; joints?: number[]; toggle?: boolean };
+/** What lies whole in a rectangle is to be selected, or with `add` selected too. */
+export type Marquee = { do: "marquee"; x: [number, number]; y: [number, number]; add?: boolean };
+/** A mass is to be put down. */
+export type Place = { do: "place"; x: number; y: number };
+/** Two masses are to be joined by a spring; where one is not named, it is to be put down. */
+export type Line = { do: "line"; a?: number | null; b?: number | null; start?: [number, number]; end?: [number, number] };
+/** An angular spring is to hold two springs at the angle that they have. */
+export type Hold = { do: "hold"; a: number; b: number };
+/** A joint is to rest at an angle, degrees, or at the one that it has. */
+export type Turn = { do: "turn"; joint: number; angle?: number | null };
+/** The springs that a stroke crosses are to be cut. */
+export type Stroke = { do: "stroke"; points: [number, number][] };
+/** What is selected, or else one mass, is to be moved by (x, y), and may rest as it is then. */
+export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
+/** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
+export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "mirror" | "pin" | "remove" | "rest" | "triangulate"; mass?: number | null; under?: number | null };
+export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Switch | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
+/** What the script shows of a step, see `sim.scene.lesson.Step`. */
+export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
+/** A question with answers to choose from. */
+export type Question = { text: string; choices: string[]; answer: number; because: string };
+/** A scene as the gallery shows it. */
+export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
+/** What the script has to know of the session and of the page. */
+export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
+/** What is measured on the canvas. */
+export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
+/** The head-up display over the canvas, HTML. */
+export type Hud = { tell: "hud"; html: string };
+/** Controls that look otherwise than viser draws them, by their ids; whether there is a bar of time. */
+export type Roles = { tell: "roles"; roles: Record<string, "beside" | "number" | "outlined" | "slider">; time_bar: boolean };
+/** The scene's lesson, which may be anyone's: the script shows it as text only. */
+export type Lesson = { tell: "lesson"; steps: LessonStep[] };
+/** What is selected. */
+export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
+/** What undo takes back, and what redo does again; empty for nothing. */
+export type Versions = { tell: "versions"; undo: string; redo: string; count: number };
+/** What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON. */
+export type Keepsake = { tell: "keepsake"; kept: string };
+/** Do a command that is the page's, see `commands`. */
+export type Run = { tell: "run"; command: CommandName };
+/** The server has what the page gave back. */
+export type Resumed = { tell: "resumed" };
+/** Turn to the Measure tab, where a plot is about to come. */
+export type ShowMeasures = { tell: "showMeasures" };
+/** What was to be copied, as text. */
+export type Copied = { tell: "copied"; text: string };
+/** Whether the scene has its new texts: a sentence that says why not, or nothing. */
+export type TextsTaken = { tell: "textsTaken"; refused: string };
+/** Show the gallery, and why. */
+export type OfferGallery = { tell: "offerGallery"; why: string };
+/** There are other scenes than before. */
+export type ShelfChanged = { tell: "shelfChanged" };
+/** All scenes, and the name of the present one. */
+export type Scenes = { tell: "scenes"; scenes: Entry[]; present: string };
+/** Pictures of scenes by their names, as addresses that an image can have. */
+export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, string> };
+/** What was done with a scene of the page's own. */
+export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
+/** A link to the scene. */
+export type Link = { tell: "link"; link: string; qr: string; problem: string };
+export type ToPage = PageState | Tools | Hud | Roles | Lesson | Selected | Versions | Keepsake | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link;
+/** What the page is told, by its tag. */
+export type Told = { pageState: PageState; tools: Tools; hud: Hud; roles: Roles; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link };
