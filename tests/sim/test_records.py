@@ -53,7 +53,7 @@ def test_only_numbers_of_records_can_be_set() -> None:
     clock = _Clock(parts=np.zeros(1))
     case = _Case(clock=clock, offset=0.5)
     for thing, name in ((case, "offset"), (clock, "parts")):
-        with pytest.raises(AttributeError, match="read-only|no setter"):
+        with pytest.raises(AttributeError, match=r"read-only|no setter"):
             setattr(thing, name, 1.0)
     with pytest.raises(TypeError, match="tme"):
         _Clock(parts=np.zeros(1), tme=1.0)
