@@ -263,6 +263,14 @@ class Tab:
                 self._under_way = beside(self._advance, session, budget)
                 return
             self._advance(session, budget)
+        # All at once: viser 1.1.1 sets an `asyncio.Event` from this thread at every message, which raises if
+        # its event loop is just waking up from the one before.
+        with self.client.atomic():
+            self._send(session)
+        self._keep(session)
+
+    def _send(self, session: Session) -> None:
+        """Send what the page does not know yet."""
         if session.generation != self._generation:
             self._rebuild(session)
         if session.revision != self._planned:
@@ -276,7 +284,6 @@ class Tab:
         if "edit" in self._controls:
             self._answers.edits.tell()
         self._tell(session)
-        self._keep(session)
 
     @staticmethod
     def _advance(session: Session, budget: float) -> None:
@@ -551,6 +558,8 @@ class Tab:
             self._answers.gallery.changed()
 
     def _serve_requests(self, session: Session) -> None:
+        if self._tools is not None:
+            self._tools.tick()
         while self._requests:
             self._requests.popleft()(session)
 

@@ -118,6 +118,11 @@ class ToolsPanel:
         self._arrows.clear()
         return self._kinds
 
+    def tick(self) -> None:
+        """Do what was asked for; before another scene may take the place of the present one."""
+        while self._asked:
+            self.serve(*self._asked.popleft())
+
     def serve(self, what: str, value: Any) -> None:
         """Do what a control asks for: a kind of arrows, a trace of the chosen mass, none, or tell."""
         if what in KINDS:
@@ -130,9 +135,7 @@ class ToolsPanel:
         self._show()
 
     def draw(self, plan: int, now: float, exactly: bool) -> None:
-        """Do what was asked for, and send what the arrows need, see `Arrows.draw`."""
-        while self._asked:
-            self.serve(*self._asked.popleft())
+        """Send what the arrows need, see `Arrows.draw`."""
         session = self._session
         kinds = self._kinds if session.scene.angular_springs else self._kinds - {"torques"}
         self._arrows.draw(session, kinds, plan, now, exactly)
