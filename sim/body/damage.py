@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..forces.fillings import FILLING_OUTSIDE, FILLING_PRESSURE
 from ..forces.term import read_only
 from ..kernels.core.strength import Strength
-from ..kernels.core.tables import Floats, Indices
+from ..kernels.core.tables import Body, Floats, Indices
 from ..scene.types import Scene
-
-if TYPE_CHECKING:
-    from .system import System
-
 
 _NOTHING = np.zeros(0)
 NO_STRENGTH = Strength(
@@ -66,16 +60,16 @@ def leaking(loops: Sequence[Indices], ends: Indices, broken: Indices) -> list[in
     return [k for k, loop in enumerate(around) if not gone.isdisjoint(map(frozenset, loop))]
 
 
-def without_broken(system: System, broken: Floats) -> System:
-    """The tables of a body whose broken springs, and the joints that hold them, do nothing any more.
+def without_broken(body: Body, broken: Floats) -> Body:
+    """The table of a body whose broken springs, and the joints that hold them, do nothing any more.
 
     Nor does a filling whose loop is `leaking`: its pressure is gone.
 
     Args:
-        system: the tables.
+        body: the table.
         broken: (S,) 1 for each broken spring, as in `State.broken`.
     """
-    body, gone = system.body, np.flatnonzero(broken)
+    gone = np.flatnonzero(broken)
     stiffness, damping = body.stiffness.copy(), body.damping.copy()
     stiffness[gone] = damping[gone] = 0.0
     loose = np.isin(body.joint_a, gone) | np.isin(body.joint_b, gone)
@@ -102,7 +96,7 @@ def without_broken(system: System, broken: Floats) -> System:
         rows = fillings.rows.copy()
         rows[np.ix_(leaks, (FILLING_PRESSURE, FILLING_OUTSIDE))] = 0.0
         environment = environment.replaced(fillings=read_only(fillings.replaced(rows=rows)))
-    return dataclasses.replace(system, body=body.replaced(**tables, environment=environment))
+    return body.replaced(**tables, environment=environment)
 
 
 def _limit(value: float | None) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import msgspec
 import numpy as np
@@ -148,7 +148,7 @@ def start_of(scene: Scene, system: System) -> tuple[System, State]:
     state = new_state(system)
     if (damage := damage_of(scene)) is not None:
         put_damage(state, system, damage)
-        system = without_broken(system, state.broken)
+        system = replace(system, body=without_broken(system.body, state.broken))
     state.controls[0] = scene.rest_length_scale
     refresh(system.body, state)
     here = slice(1, system.body.masses + 1)

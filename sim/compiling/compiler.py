@@ -143,8 +143,8 @@ def needed_by(method: str) -> tuple[str, ...]:
 
 def all_of(method: str) -> tuple[str, ...]:
     """Names of all entry points that a run by a method may come to, with the energy balance."""
-    arms = [arm.name for arm in AUTO_METHODS] if METHODS[method].kernel is None else []
-    needed = [name for one in (method, *arms) for name in needed_by(one)]
+    chosen = [one.name for one in AUTO_METHODS] if METHODS[method].kernel is None else []
+    needed = [name for one in (method, *chosen) for name in needed_by(one)]
     return tuple(dict.fromkeys((*needed, *FOR_FALLBACK, *FOR_DAMAGE, *FOR_ENERGY)))
 
 

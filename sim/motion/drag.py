@@ -214,7 +214,7 @@ class Hands:
         if not self.hold(mass):
             self.leave(index)
 
-    def weigh(self, scene: Scene) -> bool:
+    def set_inverse_masses(self, scene: Scene) -> bool:
         """Set inverse masses, air friction, gravity and constant forces in the state, zero for held masses.
 
         Returns:

@@ -14,7 +14,7 @@ from ..scene.numbers import MAX_SPEED
 from ..scene.types import Circle, Scene
 from .drag import NO_MOTION, NO_MOTIONS, HandMotions
 
-_SHY = 1.0 - 1e-15
+_SAFETY = 1.0 - 1e-15
 """Factor that keeps a hand which moves to the edge of the allowed range from passing it by a rounding
 error."""
 
@@ -68,8 +68,8 @@ class Driver:
             vx, vy = motion.vx, motion.vy
             if m in targets:
                 ex, ey = offset(circle, until)
-                vx = _SHY * bounded((targets[m][0] - ex - (x - ox)) / duration)
-                vy = _SHY * bounded((targets[m][1] - ey - (y - oy)) / duration)
+                vx = _SAFETY * bounded((targets[m][0] - ex - (x - ox)) / duration)
+                vy = _SAFETY * bounded((targets[m][1] - ey - (y - oy)) / duration)
             radius, omega, ramp = (
                 (circle.radius, math.tau * circle.frequency, circle.ramp) if circle else (0.0, 0.0, 1.0)
             )

@@ -68,7 +68,7 @@ class PlainSolver:
         """Whether it keeps an energy balance: never."""
         return False
 
-    def touch(self) -> None:
+    def invalidate(self) -> None:
         """Note that the state, or what acts on it, was changed from outside."""
         self._a = None
 

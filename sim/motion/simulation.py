@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Literal
@@ -11,20 +12,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..body.damage import without_broken
-from ..body.system import new_scratch, refresh, same_topology
+from ..body.stable_spring import clamp_stiffness
+from ..body.system import System, build_system, new_scratch, new_state, put_damage, refresh, same_topology
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
+from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
-from ..scene.types import Damage, Scene
+from ..scene.types import Anchor, Damage, Pose, Scene
 from ..scene.validate import validate
+from ..settings import shift_rest_angles
 from .divergence import Divergence, explain
 from .drag import Hands, within_bounds
 from .energy import Books, EnergyBook
 from .loads import LoadCalculator, Loads
 from .moment import Moment
 from .plain import PlainSolver
-from .reading import Reading
 from .recording import Recording
 from .solver import UNLIMITED, Solver, SolverStats
 from .stability import Look, StabilityEstimate, StabilityMeter, finished
@@ -34,7 +37,7 @@ Key = Literal["up", "down", "left", "right"]
 KEYS: frozenset[str] = frozenset(("up", "down", "left", "right"))
 
 
-class Simulation(Reading):
+class Simulation:
     """Steps a scene.
 
     Args:
@@ -63,10 +66,99 @@ class Simulation(Reading):
         }
         self._keys: frozenset[str] = frozenset()
         self.divergence: Divergence | None = None
+        # The time, s, at which the method is to begin anew with the next step; None where it goes on.
+        self._begin_at: float | None = 0.0
         self._install(self._with_overrides(scene))
         self.reset()
 
     # --------------------------------------------------------------------- reading
+    @property
+    def scene(self) -> Scene:
+        """The scene as it is now: what the arrow keys changed is in it, the motion is not."""
+        scale, shift = map(float, self._state.controls)
+        if (scale, shift) != self._folded[0]:
+            scene = msgspec.structs.replace(self._scene, rest_length_scale=scale)
+            self._folded = (scale, shift), shift_rest_angles(scene, shift) if shift else scene
+        return self._folded[1]
+
+    @property
+    def anchors(self) -> tuple[Anchor, ...]:
+        """The scene's anchors."""
+        return self._scene.anchors
+
+    @property
+    def method(self) -> str:
+        """Name of the method of integration."""
+        return self._scene.integrator.method
+
+    @property
+    def dt(self) -> float:
+        """Time step, s."""
+        return self._scene.integrator.dt
+
+    @property
+    def positions(self) -> NDArray[np.float64]:
+        """(n, 2) positions in px; a copy."""
+        return self._read(self._state.x, self._state.y)
+
+    @property
+    def velocities(self) -> NDArray[np.float64]:
+        """(n, 2) velocities in px/s, zero where a mass is held; a copy."""
+        return self._read(self._state.vx, self._state.vy)
+
+    @property
+    def angles(self) -> NDArray[np.float64]:
+        """(J,) the present angle of each angular spring, in degrees in (-180, 180]."""
+        positions = self.positions
+        a, b = (positions[ends[:, 1]] - positions[ends[:, 0]] for ends in self._joint_ends)
+        cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+        return np.degrees(np.arctan2(cross, (a * b).sum(1)))
+
+    @property
+    def rest_angles(self) -> NDArray[np.float64]:
+        """(J,) the present rest angle of each angular spring, in degrees in (-180, 180]."""
+        angles = self._body.joint_rest + self._state.controls[CONTROL_SHIFT]
+        if self._body.strength.present:
+            angles = angles + self._state.set_angle
+        return 180.0 - (180.0 - angles[self._system.joint_order]) % 360.0
+
+    @property
+    def rest_length_scale(self) -> float:
+        """The present factor of all rest lengths."""
+        return float(self._state.controls[CONTROL_SCALE])
+
+    @property
+    def rest_angle_shift(self) -> float:
+        """What the arrow keys have added to all rest angles since the scene was put in place, degrees."""
+        return float(self._state.controls[CONTROL_SHIFT])
+
+    @property
+    def tables(self) -> tuple[System, State]:
+        """The solver's tables, without what has broken, and the state. They are its own: only read them."""
+        return self._system, self._state
+
+    def pose(self) -> Pose:
+        """The present positions and velocities, as a scene can carry them."""
+        return Pose(
+            positions=tuple((x, y) for x, y in self.positions.tolist()),
+            velocities=tuple((x, y) for x, y in self.velocities.tolist()),
+            damage=self.damage,
+        )
+
+    @property
+    def damage(self) -> Damage | None:
+        """What has yielded and broken; None where nothing has."""
+        state, system = self._state, self._system
+        if not (state.set_length.any() or state.set_angle.any() or state.broken.any()):
+            return None
+        index = np.argsort(system.spring_order)  # of each spring of the scene, in the tables
+        return Damage(
+            broken=tuple(np.flatnonzero(state.broken[index]).tolist()),
+            set_lengths=tuple(state.set_length[index].tolist()),
+            hardened=tuple(state.hardened[index].tolist()),
+            set_angles=tuple(state.set_angle[system.joint_order].tolist()),
+        )
+
     @property
     def step_count(self) -> int:
         """Steps done since the start or the last reset."""
@@ -75,7 +167,7 @@ class Simulation(Reading):
     @property
     def time(self) -> float:
         """Simulated time since the start or the last reset, s."""
-        return self._time
+        return self._stepper.time if self._begin_at is None else self._begin_at
 
     @property
     def plain(self) -> bool:
@@ -101,9 +193,9 @@ class Simulation(Reading):
     @property
     def loads(self) -> Loads:
         """The net force on each mass and the torque of each joint at this moment."""
-        if self._weigher is None or self._weigher.system is not self._system:
-            self._weigher = LoadCalculator(self._scene, self._system, self._state)
-        return self._weigher.loads(self._time)
+        if self._load_calculator is None or self._load_calculator.system is not self._system:
+            self._load_calculator = LoadCalculator(self._scene, self._system, self._state)
+        return self._load_calculator.loads(self.time)
 
     def stability(self) -> StabilityEstimate:
         """The method's estimated stability limit at the present state; each call refines it a little."""
@@ -168,7 +260,7 @@ class Simulation(Reading):
         self._hands.leave(index)
         with self._by_hand():
             self._state.x[index], self._state.y[index] = x, y
-        self._moved = True
+        self._invalidate()
 
     def lead(self, mass: int, to: tuple[float, float]) -> None:
         """Lead a held mass somewhere: in a straight line, over all steps of the next call of `step`.
@@ -198,7 +290,7 @@ class Simulation(Reading):
         """
         self._hands.grab(self._existing_mass(mass))
         with self._by_hand():
-            self._weigh()
+            self._set_inverse_masses()
 
     def release(self, mass: int) -> None:
         """Let go of a grabbed mass: it is free, and at rest, or held again, as the scene says.
@@ -207,13 +299,13 @@ class Simulation(Reading):
         """
         self._hands.release(self._existing_mass(mass))
         with self._by_hand():
-            self._weigh()
+            self._set_inverse_masses()
 
     def take_compiled(self) -> bool:
         """Go on with the kernels of the method if they are ready by now; whether it does."""
         if self.plain and is_ready(self._needed):
+            self._invalidate()
             self._stepper = self._new_stepper()  # the state is in the same arrays
-            self._moved = True
         return not self.plain
 
     def step(self, n: int = 1, attempts: int | None = None) -> int:
@@ -228,12 +320,11 @@ class Simulation(Reading):
             return 0
         if self.plain:
             self.take_compiled()
-        if self._moved:
-            self._stepper.begin(self._time)
-            self._moved = False
+        if self._begin_at is not None:
+            self._stepper.begin(self._begin_at)
+            self._begin_at = None
         outcome = self._go(n, attempts)
         self._look_at_tables()
-        self._time = self._stepper.time
         self._steps += outcome.steps
         self._hands.settle()
         if outcome.what != guard.GOOD:
@@ -291,10 +382,9 @@ class Simulation(Reading):
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
         pose = self._scene.pose
         self._adopt(self._system.start[:, self._system.mass_index - 1], pose.damage if pose else None)
-        self._steps = 0
-        self._time = self._owed = 0.0
+        self._steps, self._owed = 0, 0.0
         self._hands.clear()
-        self._restart()
+        self._restart(0.0)
 
     def capture(self) -> Moment:
         """The present moment, to come back to; a mass in a hand is at rest in it, as if let go."""
@@ -302,7 +392,7 @@ class Simulation(Reading):
         rows = self._rows()
         if self._hands.grabbed:
             rows[2:, list(self._hands.grabbed)] = 0.0
-        return Moment(self._scene, scale, shift, rows, self._time, self._steps, self.damage)
+        return Moment(self._scene, scale, shift, rows, self.time, self._steps, self.damage)
 
     def restore(self, moment: Moment) -> None:
         """Back to a moment of this scene, or of another: settings, rest lengths and angles, motion and time.
@@ -315,9 +405,9 @@ class Simulation(Reading):
         if moment.scene is not self._scene or self._lacks_room_for(moment.damage):
             self._install(moment.scene, moment.damage)
         self._adopt(moment.rows, moment.damage)
-        self._time, self._steps, self._owed = moment.time, moment.step_count, 0.0
+        self._steps, self._owed = moment.step_count, 0.0
         self._hands.clear()
-        self._restart((moment.rest_length_scale, moment.rest_angle_shift))
+        self._restart(moment.time, (moment.rest_length_scale, moment.rest_angle_shift))
         if kept:
             self.keep_books(True)
 
@@ -332,10 +422,10 @@ class Simulation(Reading):
         if self._lacks_room_for(damage):
             self._install(self._scene, damage)
         self._adopt(rows, damage)
-        self._time, self._steps, self._owed = other._time, other._steps, other._owed
+        self._steps, self._owed = other._steps, other._owed
         self._hands.take_over(other._hands)
         self._keys = other._keys
-        self._restart()
+        self._restart(other.time)
         if shift is not None:
             free = self._state.inverse_mass[self._system.mass_index] > 0.0
             self._adopt(rows + np.where(free, shift, 0.0), damage)
@@ -352,18 +442,64 @@ class Simulation(Reading):
             self._install(scene)
             self.reset()
             return
-        rows, damage, hands, books = self._rows(), self.damage, self._hands, self._books
+        time, rows, damage = self.time, self._rows(), self.damage
+        hands, books = self._hands, self._books
         if books is not None:
             books.close()
         self._install(scene, damage)
         self._adopt(rows, damage)
         self._hands.take_over(hands)
-        self._restart()
+        self._restart(time)
         # Where the kernels of the new method are still being compiled, there are no books for now.
         if books is not None and self.keep_books(True) and self._books is not None:
             self._books.take_over(books)
 
     # --------------------------------------------------------------------- inside
+    def _build(self, scene: Scene, damaged: bool) -> None:
+        """Make the tables of a valid scene; its state is still to be filled in.
+
+        Args:
+            scene: the scene.
+            damaged: whether the state will have damage.
+        """
+        self._scene = scene
+        system = build_system(scene, damaged)
+        if scene.integrator.method == "stable_spring":
+            body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
+            system = dataclasses.replace(system, body=body)
+        self._whole = self._system = system  # `_system` is without what has broken
+        self._body = system.body
+        self._state: State = new_state(system)
+        joints = system.joint_order
+        springs = np.stack((self._body.spring_a, self._body.spring_b), 1)
+        ends = system.mass_order[springs - 1]  # of the springs of the tables, as the scene counts masses
+        self._joint_ends = ends[self._body.joint_a[joints]], ends[self._body.joint_b[joints]]
+
+    def _lacks_room_for(self, damage: Damage | None) -> bool:
+        """Whether the tables are those of a body that can have no damage."""
+        return damage is not None and not self._body.strength.present
+
+    def _rows(self) -> NDArray[np.float64]:
+        """(4, n) x, y, vx and vy of the scene's masses; a copy."""
+        state, index = self._state, self._system.mass_index
+        rows = np.empty((4, index.size))
+        # The mode is of no meaning for indices that exist; with it, numpy writes without a detour.
+        for row, field in zip(rows, (state.x, state.y, state.vx, state.vy), strict=True):
+            field.take(index, out=row, mode="clip")
+        return rows
+
+    def _adopt(self, rows: NDArray[np.float64], damage: Damage | None) -> None:
+        """Fill in the state from what `_rows` and `damage` give."""
+        state, index = self._state, self._system.mass_index
+        state.q[:] = state.v[:] = 0.0  # the padding, too
+        state.x[index], state.y[index], state.vx[index], state.vy[index] = rows
+        if self._body.strength.present:
+            put_damage(state, self._system, damage)
+
+    def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+        index = self._system.mass_index
+        return np.column_stack((x[index], y[index]))
+
     @contextmanager
     def _by_hand(self) -> Iterator[None]:
         """Enter what a hand changes at once into the books, if there are any."""
@@ -389,7 +525,7 @@ class Simulation(Reading):
         self._stepper = self._new_stepper()
         self._meter: StabilityMeter | None = None
         self._books: Books | None = None
-        self._weigher: LoadCalculator | None = None
+        self._load_calculator: LoadCalculator | None = None
         self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
 
     @property
@@ -406,18 +542,26 @@ class Simulation(Reading):
             solver = PlainSolver(scene, system, state)
         return Stepper(scene, system, state, solver)
 
-    def _restart(self, controls: tuple[float, float] | None = None) -> None:
-        """Begin from the state in the tables; `controls`: what keys did, rest length scale and degrees."""
+    def _restart(self, time: float, controls: tuple[float, float] | None = None) -> None:
+        """Begin from the state in the tables at a time, s.
+
+        `controls`: what keys did, rest length scale and degrees.
+        """
+        self._begin_at = time
         self.divergence = None
         self._stepper.forget()
+        # The scene as keys have made it, and the scale and the shift for which it was made.
         self._folded = (self._scene.rest_length_scale, 0.0), self._scene
         self._state.controls[:] = controls or self._folded[0]
         if self._body.strength.present:
             broken = self._state.broken
-            self._stepper.solver.system = without_broken(self._whole, broken) if broken.any() else self._whole
+            system = self._whole
+            if broken.any():
+                system = dataclasses.replace(system, body=without_broken(system.body, broken))
+            self._stepper.solver.system = system
             self._look_at_tables()
         refresh(self._body, self._state)
-        self._weigh()
+        self._set_inverse_masses()
         if self._books is not None:
             self._books = self._new_books()
 
@@ -427,10 +571,14 @@ class Simulation(Reading):
         if system is not self._system:
             self._system, self._body, self._meter = system, system.body, None
 
-    def _weigh(self) -> None:
+    def _set_inverse_masses(self) -> None:
         """Say what forces do to each mass: nothing where it is held."""
-        self._all_held = self._hands.weigh(self._scene)
-        self._moved = True
+        self._all_held = self._hands.set_inverse_masses(self._scene)
+        self._invalidate()
+
+    def _invalidate(self) -> None:
+        """Note that the state, or what acts on it, was changed: the method begins anew at the next step."""
+        self._begin_at = self.time
 
     def _go(self, n: int, attempts: int | None) -> Outcome:
         limit = UNLIMITED if attempts is None else attempts

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -61,7 +61,7 @@ from ..methods.registry import AUTO_METHODS, METHODS
 from ..methods.tableaux import RK4
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
-from .arms import LONG, LOW_TOLERANCE, costs_of_steps, tolerance_factors
+from .auto_costs import LONG, LOW_TOLERANCE, costs_of_steps, tolerance_factors
 from .stability import quick_limit
 
 _ROWS, _ALPHA_ROWS = 20, 4
@@ -173,8 +173,8 @@ class Solver:
         """Whether it waits for no kernel that is still being compiled."""
         if self._wait:
             return True
-        arms = AUTO_METHODS if self._info.kernel is None else ()
-        own = [name for arm in arms for name in needed_by(arm.name)]
+        chosen = AUTO_METHODS if self._info.kernel is None else ()
+        own = [name for method in chosen for name in needed_by(method.name)]
         return is_ready((*own, *(FOR_FALLBACK if self._info.implicit else ())))
 
     @property
@@ -246,7 +246,7 @@ class Solver:
         body, broken = self.system.body, np.flatnonzero(self.state.broken)
         if not (body.stiffness[broken].any() or body.damping[broken].any()):
             return  # springs have yielded, as often as not in every step; none has broken
-        system = without_broken(self.system, self.state.broken)
+        system = replace(self.system, body=without_broken(self.system.body, self.state.broken))
         if self.balance.active and system.body.environment.fillings.rows.size:
             # A filling that gets out takes its energy with it.
             x = self.state.x + 1j * self.state.y
@@ -269,15 +269,15 @@ class Solver:
             return self.tries - before
         problem, left = self._problem or self._bind(False), attempts
         while True:
-            arm, limit, tolerance, tried = next_turn(problem, until, integrator.tolerance, left)
+            index, limit, tolerance, tried = next_turn(problem, until, integrator.tolerance, left)
             left -= tried
-            if arm < 0:
+            if index < 0:
                 return attempts - left
-            method = AUTO_METHODS[arm]
+            method = AUTO_METHODS[index]
             if method.implicit and not problem.factorise:
                 problem = self._bind(True)
-            if arm not in self._fetched:
-                self._fetched.add(arm)
+            if index not in self._fetched:
+                self._fetched.add(index)
                 self._fetch(needed_by(method.name))
             method.kernel(problem, drive, until, tolerance, limit)
 
@@ -287,7 +287,7 @@ class Solver:
         auto = info.kernel is None
         low = auto and integrator.tolerance >= LOW_TOLERANCE
         rodas = METHODS["rodas4" if low else "rodas5p"]
-        arms = [rodas if arm == ROSENBROCK else method for arm, method in enumerate(AUTO_METHODS)]
+        methods = [rodas if index == ROSENBROCK else one for index, one in enumerate(AUTO_METHODS)]
         own, adams = info.table, METHODS["adams"].table
         rosenbrock = own if isinstance(own, Rosenbrock) else rodas.table
         assert isinstance(rosenbrock, Rosenbrock)
@@ -322,16 +322,16 @@ class Solver:
             implicit=rosenbrock,
             adams=adams,
             costs=costs,
-            tolerance_factor=tolerance_factors(self.scene, arms, low) if auto else np.ones(CHOICES),
+            tolerance_factor=tolerance_factors(self.scene, methods, low) if auto else np.ones(CHOICES),
         )
         return self._problem
 
     def _take_in(self) -> None:
         """Let `auto` also choose from methods that have become ready, or from all if it may wait."""
         ready = {
-            arm
-            for arm in self._missing
-            if self._wait or arm == VERLET or is_ready(needed_by(AUTO_METHODS[arm].name))
+            index
+            for index in self._missing
+            if self._wait or index == VERLET or is_ready(needed_by(AUTO_METHODS[index].name))
         }
         if ready:
             self._missing -= ready
@@ -387,7 +387,7 @@ class Solver:
         """Whether it keeps an energy balance."""
         return bool(self.balance.active)
 
-    def touch(self) -> None:
+    def invalidate(self) -> None:
         """Note that the state, or what acts on it, was changed from outside."""
         self.integrator.run.current = False
 

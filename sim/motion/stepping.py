@@ -116,7 +116,7 @@ class Stepper:
         solver.fastest = MAX_SPEED if self._adaptive or all_held else RUNAWAY_SPEED
         if targets or self._led:
             self._stop(self._led)
-            solver.touch()
+            solver.invalidate()
             self._kept = None
             self._led = targets
         if hands.limited:

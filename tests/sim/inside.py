@@ -46,8 +46,8 @@ def general(simulation: Simulation) -> Simulation:
     body = simulation._body.replaced(chain=False, ring=False)
     simulation._body = body
     simulation._system = dataclasses.replace(simulation._system, body=body)
+    simulation._invalidate()
     simulation._stepper = simulation._new_stepper()
-    simulation._moved = True
     return simulation
 
 
@@ -57,7 +57,7 @@ def put(simulation: Simulation, positions: Points, velocities: Points | None = N
     state.x[index], state.y[index] = positions.T
     if velocities is not None:
         state.vx[index], state.vy[index] = velocities.T
-    simulation._moved = True
+    simulation._invalidate()
 
 
 def spring_forces(simulation: Simulation) -> Points:

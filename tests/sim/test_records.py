@@ -52,8 +52,8 @@ def test_records_are_cleared_and_taken_over_by_number() -> None:
 def test_only_numbers_of_records_can_be_set() -> None:
     clock = _Clock(parts=np.zeros(1))
     case = _Case(clock=clock, offset=0.5)
-    for thing, name in ((case, "offset"), (clock, "parts"), (clock, "tme")):
-        with pytest.raises(AttributeError, match=name):
+    for thing, name in ((case, "offset"), (clock, "parts")):
+        with pytest.raises(AttributeError, match=r"read-only|no setter"):
             setattr(thing, name, 1.0)
     with pytest.raises(TypeError, match="tme"):
         _Clock(parts=np.zeros(1), tme=1.0)

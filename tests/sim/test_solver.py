@@ -12,7 +12,7 @@ import sim
 from sim import Anchor, Integrator, LinearSpring, Mass, Scene, Simulation
 from sim.body.system import build_system
 from sim.methods.registry import METHODS
-from sim.motion.arms import LONG
+from sim.motion.auto_costs import LONG
 from sim.scene.types import Circle, Method
 from tests.sim.bodies import body
 from tests.sim.inside import solver_of

@@ -169,16 +169,11 @@ class Record(_Block):
             n for n, f in cls.fields.items() if isinstance(f.type, (types.Number, types.Boolean))
         )
         cls._starts = [cls.fields[name].start for name in cls.numbers]
-        for name in cls.numbers:
-            setattr(cls, name, _number(cls.fields[name]))
+        for name, field in cls.fields.items():
+            setattr(cls, name, _number(field) if name in cls.numbers else _unchanging(name))
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**dict.fromkeys(self.numbers, 0) | values)
-
-    def __setattr__(self, name: str, value: float) -> None:
-        if name not in self.numbers:
-            raise AttributeError(f"{type(self).__name__} has no number {name}")
-        super().__setattr__(name, value)
 
     def clear(self) -> None:
         """Set all numbers to zero."""
@@ -187,6 +182,11 @@ class Record(_Block):
     def take_over(self, other: Self) -> None:
         """Set all numbers to those of another record."""
         self.__dict__["_block"][self._starts] = other.__dict__["_block"][self._starts]
+
+
+def _unchanging(name: str) -> property:
+    """An array or a table of a record, as an attribute in Python."""
+    return property(lambda record: record.__dict__[name])
 
 
 def _number(field: _Field) -> property:

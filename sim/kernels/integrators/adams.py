@@ -182,7 +182,7 @@ def _highest_degree(problem, h):
     return _STEADY if h > _UNSTEADY * problem.near_limit else problem.adams.degree
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def _scale(trial, h, tolerance):
     """The factor that turns a difference of accelerations into an error in tolerances."""
     span = max(h, min(_SPAN, _SHORT * h)) if trial.failures > 0 else h
@@ -262,7 +262,7 @@ def _best_degree(past, head, known, method, degree, top, scale, error, to_a):
     return best, least
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def _stride(error, degree):
     """The factor by which a step could be longer until its error equals the tolerance."""
     return max(error, 1e-12) ** (-1.0 / (degree + 2.0))

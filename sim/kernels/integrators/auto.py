@@ -27,7 +27,7 @@ _TAKING_OVER = 0.3
 _RESTART = 8.0
 """Number of steps that a method with a history loses when another method has a turn."""
 
-_NEWS = 0.3
+_FILTER_RATE = 0.3
 """Weight of a bad turn of generalized-alpha relative to the turns before it."""
 
 _LONG_STEP = 0.03
@@ -35,7 +35,7 @@ _LONG_STEP = 0.03
 the fifth root of the tolerance. Where the best method already gets as far in the computing time of such a
 step, the other methods are tried later."""
 
-_WITH_CARE = 0.1
+_SAFETY = 0.1
 """Factor of all tolerances while small errors grow quickly: where a joint is bent by more than 90 degrees
 from rest, beyond which its torque decreases, or where a spring is short."""
 _SHORT = 0.25
@@ -47,16 +47,16 @@ them, of the next ones, which show whether it limits most."""
 _BEGINNING_OF_LONG = 4
 """The same for long bodies, whose steps stability soon limits, so that other methods take over."""
 
-_TURN = 64
+_TURN_STEPS = 64
 """Number of steps in a turn of an explicit method."""
-_IMPLICIT_TURN = 12
+_IMPLICIT_TURN_STEPS = 12
 """Number of steps in a turn of an implicit method."""
-_LONG_TURN = 256
+_LONG_TURN_STEPS = 256
 """Number of steps in a turn of Verlet where stability limits them, so that they hardly change."""
 
 _HELD = 0.2
 """Share of Verlet's steps that are limited by stability above which stability counts as the limit."""
-_SOME = 48.0
+_MEASURED = 48.0
 """Computing time, in Verlet steps, after which that share is known."""
 
 
@@ -84,60 +84,60 @@ def next_turn(problem, end, whole_tolerance, left):
         left -= max(tries, 1)
     if not (run.time < end and left > 0 and run.what == GOOD):
         return -1, 0, 0.0, tries
-    arm, limit = _whose_turn(auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited)
-    began, step = run.time, auto.step[arm]
-    tolerance = problem.tolerance_factor[arm] * whole_tolerance
+    method, limit = _whose_turn(auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited)
+    began, step = run.time, auto.step[method]
+    tolerance = problem.tolerance_factor[method] * whole_tolerance
     if _near_singular(problem.body, problem.state, problem.state.q):
-        tolerance *= _WITH_CARE
-    auto.turn, auto.began = arm, began
+        tolerance *= _SAFETY
+    auto.turn, auto.began = method, began
     auto.tried = run.steps + run.rejected
-    if auto.pace[arm] < 0.0 and step <= 0.0 and arm != VERLET:
+    if auto.pace[method] < 0.0 and step <= 0.0 and method != VERLET:
         step = min(4.0 * auto.step[VERLET], 0.5 * (end - began))
-    if arm == ALPHA and arm != auto.last:
+    if method == ALPHA and method != auto.last:
         alpha.steps = 0
         step *= _TAKING_OVER
     run.step = step
-    return arm, min(limit, left), max(tolerance, 1e-13), tries
+    return method, min(limit, left), max(tolerance, 1e-13), tries
 
 
 @kernel(fastmath=FAST)
-def _enter_turn(integrator, costs, arm, tries, end):
+def _enter_turn(integrator, costs, method, tries, end):
     """Update what is known of a method after a turn in which it tried `tries` steps."""
     run, alpha, auto = integrator.run, integrator.alpha, integrator.auto
     went = run.time - auto.began
-    fresh = auto.pace[arm] < 0.0
-    begins = arm == ADAMS and arm != auto.last
-    if arm in (VERLET, ADAMS):  # they do not update the history
+    fresh = auto.pace[method] < 0.0
+    begins = method == ADAMS and method != auto.last
+    if method in (VERLET, ADAMS):  # they do not update the history
         if alpha.last > 0.0 and went < 0.5 * auto.step[ALPHA]:
             alpha.last += went
         else:
             alpha.last = alpha.older = 0.0
-    auto.step[arm] = run.step
-    auto.last = arm
-    if arm == VERLET:
+    auto.step[method] = run.step
+    auto.last = method
+    if method == VERLET:
         auto.limited = integrator.verlet.limited / max(tries, 1)
-    pace = went / (max(tries, 1) * costs[arm])
-    if run.what == STUCK and arm != ROSENBROCK and costs[ROSENBROCK] > 0.0:
+    pace = went / (max(tries, 1) * costs[method])
+    if run.what == STUCK and method != ROSENBROCK and costs[ROSENBROCK] > 0.0:
         run.what = GOOD  # another method may still find a step
-        auto.step[arm] = 0.0
-        auto.pace[arm] = 0.0
+        auto.step[method] = 0.0
+        auto.pace[method] = 0.0
         if auto.pace[ROSENBROCK] == 0.0:
             auto.pace[ROSENBROCK] = -1.0
-    elif arm == ALPHA or fresh or begins:
+    elif method == ALPHA or fresh or begins:
         # Its steps have only begun to grow; and one bad turn is no reason to change the method.
-        pace = max(pace, run.step / costs[arm])
-        before = auto.pace[arm]
-        auto.pace[arm] = max(pace, (1.0 - _NEWS) * before + _NEWS * pace)
-        if arm == ALPHA and auto.pace[arm] < before:
+        pace = max(pace, run.step / costs[method])
+        before = auto.pace[method]
+        auto.pace[method] = max(pace, (1.0 - _FILTER_RATE) * before + _FILTER_RATE * pace)
+        if method == ALPHA and auto.pace[method] < before:
             # What slows it down also slows down the other implicit method.
-            auto.pace[ROSENBROCK] *= auto.pace[arm] / before
+            auto.pace[ROSENBROCK] *= auto.pace[method] / before
     elif run.time < end:
-        auto.pace[arm] = pace
+        auto.pace[method] = pace
     else:
         # The last step of a call is cut short; at best, it would have cost nothing.
         most = pace * tries / (tries - 1) if tries > 1 else math.inf
-        auto.pace[arm] = max(pace, min(auto.pace[arm], most))
-    auto.work += tries * costs[arm]
+        auto.pace[method] = max(pace, min(auto.pace[method], most))
+    auto.work += tries * costs[method]
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -146,9 +146,9 @@ def _whose_turn(auto, costs, long_step, held):
     if auto.pace[VERLET] < 0.0:
         return VERLET, _BEGINNING if costs[ALPHA] == 0.0 else _BEGINNING_OF_LONG
     best = VERLET
-    for arm in range(1, CHOICES):
-        if auto.pace[arm] > auto.pace[best]:
-            best = arm
+    for method in range(1, CHOICES):
+        if auto.pace[method] > auto.pace[best]:
+            best = method
     pace = auto.pace[best]
     # Where stability limits Verlet's steps, or a long body calls for an implicit method, it limits those of
     # Adams methods even more.
@@ -161,11 +161,11 @@ def _whose_turn(auto, costs, long_step, held):
             return best, _BEGINNING
         auto.work = 0.0
         return ADAMS, _few(ADAMS)
-    for arm in range(1, CHOICES):
-        unknown = costs[arm] > 0.0 and auto.pace[arm] < 0.0 and pace * costs[arm] < long_step
-        if unknown and (arm != ADAMS or (worth and auto.work >= _SOME)):
+    for method in range(1, CHOICES):
+        unknown = costs[method] > 0.0 and auto.pace[method] < 0.0 and pace * costs[method] < long_step
+        if unknown and (method != ADAMS or (worth and auto.work >= _MEASURED)):
             auto.work = 0.0
-            return arm, _few(arm)
+            return method, _few(method)
     other = (best + 1 + auto.asked % (CHOICES - 1)) % CHOICES
     if costs[other] > 0.0 and (worth or other != ADAMS):
         tries = _few(other)
@@ -181,8 +181,8 @@ def _whose_turn(auto, costs, long_step, held):
     if best != ALPHA and auto.last == ALPHA:
         return best, _few(best)  # what is known of it is out of date
     if best == VERLET and held > _HELD:
-        return best, _LONG_TURN
-    return best, _TURN if best in (VERLET, ADAMS) else _IMPLICIT_TURN
+        return best, _LONG_TURN_STEPS
+    return best, _TURN_STEPS if best in (VERLET, ADAMS) else _IMPLICIT_TURN_STEPS
 
 
 @kernel(fastmath=FAST)
@@ -205,6 +205,6 @@ def _near_singular(body, state, q):
 
 
 @kernel(forceinline=True)
-def _few(arm):
+def _few(method):
     """Number of steps of a trial; methods with a history need more, as they begin with short steps."""
-    return 8 if arm == VERLET else 12 if arm == ALPHA else 24 if arm == ADAMS else 4
+    return 8 if method == VERLET else 12 if method == ALPHA else 24 if method == ADAMS else 4

@@ -52,7 +52,7 @@ def ensure_acceleration(problem, drive):
         integrator.adams.time = -1.0
 
 
-@kernel(fastmath=FAST)
+@kernel(forceinline=True, fastmath=FAST)
 def all_rotations_ok(body, state, q, to_q, step):
     """Whether no spring has turned by more than 60 degrees in a step.
 
@@ -81,7 +81,7 @@ def _has_turned(x, y, to_x, to_y, softening):
     return size > softening * softening and along * abs(along) < 0.25 * size
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def rotation_ok(body, state, q, to_q, step, moved, shortest):
     """`all_rotations_ok`, but quicker where no mass has moved far.
 
@@ -105,7 +105,7 @@ def shortest_of(body, scratch):
     return 1.0 / max(from_bits(short), 1e-300)
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def fitting_step(t, end, h, equal_steps):
     """The step to try, s: at most h, not beyond the end, and without leaving a tiny rest.
 
@@ -142,7 +142,7 @@ def first_step(integrator, drive, tolerance):
     return h
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def step_after(integrator, h, step, error, order, good, after_failure, left=0.5):
     """The step to try next, s.
 
@@ -167,7 +167,7 @@ def step_after(integrator, h, step, error, order, good, after_failure, left=0.5)
     return step_after_good(h, step, factor, after_failure)
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def step_after_good(h, step, factor, after_failure):
     """The step to try after an accepted one, s; `factor` is the growth that the error alone would allow."""
     if after_failure:
@@ -176,7 +176,7 @@ def step_after_good(h, step, factor, after_failure):
     return max(h, step * factor) if step < 0.999 * h else step * factor
 
 
-@kernel(forceinline=True)
+@kernel(forceinline=True, fastmath=FAST)
 def _root(number, order):
     """A root of a number; square roots and fourth roots take a tenth of the time of a power."""
     if order == 2:

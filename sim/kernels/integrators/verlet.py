@@ -14,7 +14,7 @@ from .steps import HOPELESS, SHORTEST_SPAN, first_step, step_after
 _ERROR_AT_CAP = 0.8
 """Largest error, in tolerances, that a step of the length of the remembered limit may be expected to make."""
 
-_STRICTLY = 0.27
+_SAFETY = 0.27
 """Fraction of the tolerance for steps that are not near the stability limit. Near it, errors reach the
 tolerance only in the hardest moments; elsewhere all steps are as long as the tolerance allows, so that errors
 add up."""
@@ -76,7 +76,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
         return 0.0
     error = from_bits(change) * h * h / (12.0 * max(h, SHORTEST_SPAN) * tolerance)
     if not near:
-        error *= 1.0 / _STRICTLY
+        error *= 1.0 / _SAFETY
     return error if error < HOPELESS else HOPELESS
 
 

@@ -37,15 +37,15 @@ _ITERATIONS = 10.0, 0.05
 prefers explicit methods unless their steps are very short."""
 
 
-def tolerance_factors(scene: Scene, arms: list[MethodInfo], low: bool) -> Floats:
+def tolerance_factors(scene: Scene, methods: list[MethodInfo], low: bool) -> Floats:
     """(CHOICES,) the tolerance of each method as a part of the scene's, see `Problem.tolerance_factor`.
 
     Args:
         scene: the scene.
-        arms: the methods.
+        methods: the methods.
         low: whether the tolerance calls for methods of low order, see `LOW_TOLERANCE`.
     """
-    tolerance_factor = np.array([arm.tolerance_factor for arm in arms])
+    tolerance_factor = np.array([method.tolerance_factor for method in methods])
     tolerance_factor[ADAMS] *= _ADAMS_LOW if low else _ADAMS_HIGH
     size = max(
         *np.ptp([mass.position for mass in scene.masses], axis=0),
