@@ -86,8 +86,11 @@ def test_a_reload_comes_back_to_where_it_was(open_page: OpenPage) -> None:
     desk.until(lambda: desk.simulation.time > 0.5, "it runs")
     desk.tell(commands.Play(False))
     where, time = desk.simulation.positions, desk.simulation.time
-    kept = "() => JSON.parse(sessionStorage.getItem('softrod') ?? 'null')?.session.moment?.time"
-    desk.until(lambda: desk.page.evaluate(kept) == time, "the browser keeps it")
+    kept = """() => {
+        const { looks, session } = JSON.parse(sessionStorage.getItem("softrod") ?? "{}");
+        return [session?.moment?.time, session?.wishes.playing, looks?.dark ?? false];
+    }"""
+    desk.until(lambda: desk.page.evaluate(kept) == [time, False, True], "the browser keeps it")
     desk.open()
     desk.until(lambda: desk.session.scene.name == "ring", "the scene is back")
     desk.until(lambda: desk.simulation.time == time, "and the time")
