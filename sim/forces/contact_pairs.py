@@ -181,7 +181,11 @@ def pair_at(body, w, s, m, q, v):
     t, dx, dy = meeting(line, q[m], q[slots + m])
     _, _, ex, ey, per_square = line
     square = dx * dx + dy * dy
-    touches = square < contact.distance * contact.distance
+    if not square < contact.distance * contact.distance:
+        return False, Pair(
+            m, a, b, t, 0.0, 0.0, 0.0, ex, ey, per_square, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0,
+        )  # fmt: skip
     r = math.sqrt(square)
     per_r = 1.0 / (r + 1e-300)
     nx, ny, lx, ly = dx * per_r, dy * per_r, -r * ey * per_square, r * ex * per_square
@@ -197,13 +201,11 @@ def pair_at(body, w, s, m, q, v):
             + w[a] * ((lx + u * ny) * (lx + u * ny) + (ly - u * nx) * (ly - u * nx))
             + w[b] * ((lx - t * ny) * (lx - t * ny) + (ly + t * nx) * (ly + t * nx))
         )
-    push, friction, elastic = 0.0, 0.0, 0.0
-    if touches:
-        push, friction, elastic = push_and_friction(
-            contact.stiffness, contact.damping, friction_on(contact, ex * ex + ey * ey), contact.slip_speed,
-            h, mobility, mobility_along, contact.distance - r, speed, along,
-        )  # fmt: skip
-    return touches, Pair(
+    push, friction, elastic = push_and_friction(
+        contact.stiffness, contact.damping, friction_on(contact, ex * ex + ey * ey), contact.slip_speed,
+        h, mobility, mobility_along, contact.distance - r, speed, along,
+    )  # fmt: skip
+    return True, Pair(
         m, a, b, t, r, nx, ny, ex, ey, per_square, vx, vy, wx, wy, lx, ly, speed, along,
         push, elastic, friction,
     )  # fmt: skip
