@@ -26,7 +26,6 @@ from numba import types
 
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
-from ..kernels.core.jit import cache_folder, module_of
 from ..kernels.core.shared import (
     ACCELERATIONS,
     ACCUMULATE,
@@ -41,6 +40,7 @@ from ..kernels.core.shared import (
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
 from ..kernels.energy.work import accumulate_work
+from ..kernels.engine.jit import cache_folder, module_of
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback

@@ -18,10 +18,10 @@ import math
 
 import numpy as np
 
-from ..kernels.core.jit import FAST, kernel
 from ..kernels.core.sines import sine
-from ..kernels.core.table import Rows, Table
 from ..kernels.core.tables import Body, State
+from ..kernels.engine.jit import FAST, kernel
+from ..kernels.engine.table import Rows, Table
 from ..scene.surroundings import Wind
 from ..scene.types import Scene
 from .term import Floats, Term, Vectors, read_only

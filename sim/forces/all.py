@@ -6,8 +6,8 @@ balance, stability, what is measured, and `sim.physics` go by the list, too.
 
 from __future__ import annotations
 
-from ..kernels.core.jit import FAST, kernel
-from ..kernels.core.lanes import eight_at_a_time, scalar_gathers_on_amd
+from ..kernels.engine.jit import FAST, kernel
+from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd
 from .air import AIR
 from .chain import chain_accelerations, is_chain_like
 from .contact import CONTACT

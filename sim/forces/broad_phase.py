@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 
-from ..kernels.core.bits import from_bits, size_bits
-from ..kernels.core.jit import FAST, FUSED, kernel
+from ..kernels.engine.bits import from_bits, size_bits
+from ..kernels.engine.jit import FAST, FUSED, kernel
 
 _FARTHEST = 1e8
 """Coordinate, px, beyond which no pairs are looked for: such a state is refused anyway."""

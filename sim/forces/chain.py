@@ -15,10 +15,10 @@ from __future__ import annotations
 
 import math
 
-from ..kernels.core.bits import bits, from_bits
-from ..kernels.core.jit import FAST, kernel
-from ..kernels.core.lanes import eight_at_a_time, whole_eights
 from ..kernels.core.roots import inverse_root_from_least
+from ..kernels.engine.bits import bits, from_bits
+from ..kernels.engine.jit import FAST, kernel
+from ..kernels.engine.lanes import eight_at_a_time, whole_eights
 from .joints import CONSERVATIVE, NO_JOINTS, TUTORIAL, is_sine
 
 

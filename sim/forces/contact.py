@@ -10,8 +10,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.core.jit import FUSED, kernel
 from ..kernels.core.tables import Body, State
+from ..kernels.engine.jit import FUSED, kernel
 from ..near import near_pairs, nearest_points
 from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
 from .contact_pairs import add_at_pair, friction_on, pair_at

@@ -22,9 +22,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.core.jit import FUSED, kernel
-from ..kernels.core.table import Floats, Indices, Table
 from ..kernels.core.tables import padded
+from ..kernels.engine.jit import FUSED, kernel
+from ..kernels.engine.table import Floats, Indices, Table
 from ..near import near_pairs
 from ..scene.types import Scene
 from .broad_phase import meeting, segment

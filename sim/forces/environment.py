@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..kernels.core.table import Floats, Indices, Table
+from ..kernels.engine.table import Floats, Indices, Table
 from ..scene.columns import column
 from ..scene.types import Scene, is_surrounded
 from .air import Air, new_air

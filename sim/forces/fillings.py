@@ -18,9 +18,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.core.jit import FAST, kernel
-from ..kernels.core.table import Indices, Rows, Table
 from ..kernels.core.tables import Body, State
+from ..kernels.engine.jit import FAST, kernel
+from ..kernels.engine.table import Indices, Rows, Table
 from ..scene.surroundings import Gas, Liquid
 from ..scene.types import Scene
 from .term import Floats, Term, Vectors, read_only

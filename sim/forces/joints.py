@@ -17,10 +17,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ..kernels.core.blocks import add_block, minus, outer, plus, scaled
-from ..kernels.core.jit import FAST, kernel
-from ..kernels.core.lanes import eight_at_a_time, scalar_gathers_on_amd
 from ..kernels.core.tables import SHORTEST_SQUARED
 from ..kernels.core.vectors import deflection, from_to, inverse_of, length_of
+from ..kernels.engine.jit import FAST, kernel
+from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd
 
 NO_JOINTS, TUTORIAL, CONSERVATIVE, ANGLE = 0, 1, 2, 3
 """Values of `Body.law`: a body without joints, and the three force laws."""

@@ -22,7 +22,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.core.jit import FUSED, kernel
+from ..kernels.engine.jit import FUSED, kernel
 from .term import Floats, Vectors
 
 REFERENCE_SPEED = 1000.0

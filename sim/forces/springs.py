@@ -31,10 +31,10 @@ from __future__ import annotations
 import numpy as np
 
 from ..kernels.core.blocks import add_block
-from ..kernels.core.jit import FAST, kernel
-from ..kernels.core.lanes import eight_at_a_time, scalar_gathers_on_amd, whole_eights
 from ..kernels.core.roots import inverse_root
 from ..kernels.core.vectors import from_to, inverse_of, length_of
+from ..kernels.engine.jit import FAST, kernel
+from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd, whole_eights
 from .joints import CONSERVATIVE, TUTORIAL, at_springs, dot_by_energy, joint_friction, joint_torques
 
 

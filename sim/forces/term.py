@@ -14,9 +14,9 @@ from typing import Any, Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.core.jit import FAST, kernel
-from ..kernels.core.table import Table
 from ..kernels.core.tables import Body, State
+from ..kernels.engine.jit import FAST, kernel
+from ..kernels.engine.table import Table
 
 Vectors = NDArray[np.complex128]
 """An array of vectors, each a complex number: (x, y) is x + iy."""

@@ -11,9 +11,9 @@ import math
 
 import numpy as np
 
-from ..kernels.core.jit import FAST, kernel
-from ..kernels.core.table import Rows, Table
 from ..kernels.core.tables import Body, State
+from ..kernels.engine.jit import FAST, kernel
+from ..kernels.engine.table import Rows, Table
 from ..scene.surroundings import Wall
 from ..scene.types import Scene
 from .push import damping_factor, push_and_friction, push_slopes, pushes_and_frictions, time_to_deepest

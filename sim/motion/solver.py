@@ -22,7 +22,6 @@ from ..kernels.core.shared import (
     RESISTANCE,
     SETTLE,
     SOLVE,
-    address_of,
 )
 from ..kernels.core.tables import (
     CHOICES,
@@ -52,6 +51,7 @@ from ..kernels.core.tables import (
 )
 from ..kernels.energy.dissipation import DAMPER_ROWS
 from ..kernels.energy.work import accumulate_work
+from ..kernels.engine.addresses import address_of
 from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.damage import overstrained, settle

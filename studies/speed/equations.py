@@ -14,8 +14,8 @@ import sim
 from sim.body.sparsity import new_matrix
 from sim.forces.all import accelerations
 from sim.kernels.core.drive import drive_to
-from sim.kernels.core.table import Floats, Indices, Table
 from sim.kernels.core.tables import Body, Drive, Matrix, Scratch, State
+from sim.kernels.engine.table import Floats, Indices, Table
 from sim.kernels.linear.sparse import assemble
 from sim.motion.driving import Driver
 

@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from sim import Anchor, ArrowKeys, Circle, Integrator, Scene, Simulation
-from sim.kernels.core.table import Table
+from sim.kernels.engine.table import Table
 from sim.methods.registry import METHODS
 from sim.scene.types import Method
 from tests.sim.arrays import Arrays

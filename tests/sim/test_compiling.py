@@ -14,7 +14,7 @@ import pytest
 
 import sim
 from sim.compiling.compiler import ENTRY_POINTS, Compiler, EntryPoint, is_ready, needed_by
-from sim.kernels.core import jit
+from sim.kernels.engine import jit
 from sim.methods.registry import METHODS
 from tests.amount import part_of
 

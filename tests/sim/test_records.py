@@ -6,7 +6,7 @@ import numba
 import numpy as np
 import pytest
 
-from sim.kernels.core.table import Floats, Record, Table
+from sim.kernels.engine.table import Floats, Record, Table
 
 
 class _Clock(Record):

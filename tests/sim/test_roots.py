@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim.kernels.core.jit import FAST
 from sim.kernels.core.roots import inverse_root
+from sim.kernels.engine.jit import FAST
 
 
 @numba.njit(error_model="numpy", fastmath=FAST)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .jit import FAST, kernel
+from ..engine.jit import FAST, kernel
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from .jit import kernel
+from ..engine.jit import kernel
 from .tables import CONTROL_SCALE, CONTROL_SHIFT, SCALE_MAX, SCALE_MIN
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .jit import kernel
+from ..engine.jit import kernel
 
 _ONE = np.float32(1.0)
 """1 in single precision."""

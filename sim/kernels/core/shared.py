@@ -7,13 +7,10 @@ nanoseconds.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 from numba import types
-from numba.extending import intrinsic
 
-from .jit import kernel
+from ..engine.addresses import caller, intrinsic_call
+from ..engine.jit import kernel
 from .tables import Body, Drive, Matrix, Problem, Scratch, State
 
 FLOATS = types.Array(types.float64, 1, "C")
@@ -34,80 +31,49 @@ SETTLE = types.void(Problem.numba_type, FLOATS)
 """This and the seven above: signatures of the kernels that are called through their addresses."""
 
 
-def address_of(kernel: Any, signature: Any) -> int:
-    """The address of a kernel's machine code, which is compiled if need be."""
-    result = kernel.get_compile_result(signature)
-    return result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
-
-
-def _caller(signature: Any) -> Callable[..., Any]:
-    """Generates the call of a kernel with a signature; its first argument is the address."""
-
-    def generate(context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
-        convention = context.call_conv
-        function = convention.get_function_type(signature.return_type, signature.args).as_pointer()
-        pointer = builder.inttoptr(arguments[0], function)
-        # Kernels raise nothing, so the status need not be checked.
-        _, result = convention.call_function(
-            builder, pointer, signature.return_type, signature.args, arguments[1:]
-        )
-        return result
-
-    return generate
-
-
-def _shared(function: Any) -> Any:
-    """numba's `intrinsic`, whose first parameter is not one of the caller's."""
-    return intrinsic(function)
-
-
-def _typed(signature: Any) -> Any:
-    return signature.return_type(types.int64, *signature.args)
-
-
-@_shared
+@intrinsic_call
 def _call_accelerations(_context, address, body, state, scratch, q, v, a):
-    return _typed(ACCELERATIONS), _caller(ACCELERATIONS)
+    return caller(ACCELERATIONS)
 
 
-@_shared
+@intrinsic_call
 def _call_accumulate(_context, address, problem, drive, t, q, v, a, h):
-    return _typed(ACCUMULATE), _caller(ACCUMULATE)
+    return caller(ACCUMULATE)
 
 
-@_shared
+@intrinsic_call
 def _call_factorise(_context, address, body, state, matrix, q, v, a, g, definite):
-    return _typed(FACTORISE), _caller(FACTORISE)
+    return caller(FACTORISE)
 
 
-@_shared
+@intrinsic_call
 def _call_solve(_context, address, body, matrix, b):
-    return _typed(SOLVE), _caller(SOLVE)
+    return caller(SOLVE)
 
 
-@_shared
+@intrinsic_call
 def _call_resistance(_context, address, body, state, q, v, z, factor, out):
-    return _typed(RESISTANCE), _caller(RESISTANCE)
+    return caller(RESISTANCE)
 
 
-@_shared
+@intrinsic_call
 def _call_apart(_context, address, body, q, to_q):
-    return _typed(APART), _caller(APART)
+    return caller(APART)
 
 
-@_shared
+@intrinsic_call
 def _call_overstrained(_context, address, problem, q, tolerance):
-    return _typed(OVERSTRAINED), _caller(OVERSTRAINED)
+    return caller(OVERSTRAINED)
 
 
-@_shared
+@intrinsic_call
 def _call_settle(_context, address, problem, q):
-    return _typed(SETTLE), _caller(SETTLE)
+    return caller(SETTLE)
 
 
 @kernel(inline="always")
 def accelerate(problem, q, v, a):
-    """`forces.forces.accelerations` of the problem's body."""
+    """`forces.all.accelerations` of the problem's body."""
     _call_accelerations(problem.accelerations, problem.body, problem.state, problem.scratch, q, v, a)
 
 
@@ -139,7 +105,7 @@ def add_damping(problem, q, v, z, factor, out):
 
 @kernel(inline="always")
 def no_tunnelling(problem, q, to_q):
-    """`around.contact.stays_apart`, where there is contact."""
+    """`forces.contact.no_tunnelling`, where there is contact."""
     return problem.apart == 0 or _call_apart(problem.apart, problem.body, q, to_q)
 
 

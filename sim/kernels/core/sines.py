@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from .jit import kernel
+from ..engine.jit import kernel
 
 
 @kernel(inline="always")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .table import Floats, Table
+from ..engine.table import Floats, Table
 
 
 class Strength(Table):

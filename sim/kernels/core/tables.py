@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..engine.table import Floats, Indices, Record, Rows, Table
 from .strength import Strength
-from .table import Floats, Indices, Record, Rows, Table
 
 Environment = Any
 """`forces.environment.Environment`, whose parts are on the pages about forces: these need the tables here."""

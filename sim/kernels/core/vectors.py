@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from .jit import FAST, kernel
+from ..engine.jit import FAST, kernel
 
 
 @kernel(forceinline=True, fastmath=FAST)

@@ -9,8 +9,8 @@ positions, is accurate even then.
 
 from __future__ import annotations
 
-from ..core.jit import FAST, kernel
 from ..core.vectors import from_to, length_of
+from ..engine.jit import FAST, kernel
 
 MEAN = 0
 """Row of a damper's mean rate over a step, px/s or 1/s; springs first, then joints, as in the rows below."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...forces.all import ANGULAR, GRAVITY, KINETIC, LINEAR, write_energies
 from ...forces.joints import joint_energies
 from ...forces.springs import spring_energies
-from ..core.jit import FAST, kernel
+from ..engine.jit import FAST, kernel
 
 
 @kernel(fastmath=FAST)

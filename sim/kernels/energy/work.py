@@ -9,8 +9,8 @@ from ...forces.joints import TUTORIAL, joint_power_of_keys, power_of_law
 from ...forces.springs import spring_forces, spring_power_of_keys
 from ...forces.walls import gather_others, mark_quick, work_of_quick
 from ..core.drive import drive_to, hand_speed
-from ..core.jit import FAST, kernel
 from ..core.shared import accelerate
+from ..engine.jit import FAST, kernel
 from .dissipation import gather_dampers, taken_away
 
 _ACCELERATION = 3

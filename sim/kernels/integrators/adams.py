@@ -10,12 +10,12 @@ friction are kept out of the past accelerations where they matter, see `kinks`.
 
 from __future__ import annotations
 
-from ..core.bits import from_bits, size_bits
 from ..core.drive import drive_to
-from ..core.jit import FAST, kernel
-from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate
 from ..core.tables import PAST, SPARE
+from ..engine.bits import from_bits, size_bits
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time
 from .guard import STUCK
 from .kinks import ago, any_turns, kinks_matter, turn_past, with_kinks, without_kinks
 from .loop import advance

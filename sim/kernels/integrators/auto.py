@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import math
 
-from ..core.jit import FAST, kernel
 from ..core.tables import ADAMS, ALPHA, CHOICES, CONTROL_SCALE, ROSENBROCK, VERLET
 from ..core.vectors import from_to
+from ..engine.jit import FAST, kernel
 from .guard import GOOD, STUCK
 
 _SHARE = 0.05

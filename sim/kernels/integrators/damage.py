@@ -19,8 +19,8 @@ from ...forces.contact import energy_on_spring
 from ...forces.joints import deflection_at, is_sine, joint_energy, joint_vectors, terms
 from ...forces.springs import spring_force
 from ..core.drive import wrap
-from ..core.jit import FAST, kernel
 from ..core.vectors import deflection, length_of
+from ..engine.jit import FAST, kernel
 from .guard import CHANGED
 
 _OVER_STRENGTH = 1e-3

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from ..core.drive import lead_to, press
-from ..core.jit import FUSED, kernel
-from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate
 from ..core.tables import SPARE
+from ..engine.jit import FUSED, kernel
+from ..engine.lanes import eight_at_a_time
 from .loop import advance, begin_at_once, go_on
 from .steps import fixed_time
 

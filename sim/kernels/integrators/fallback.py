@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 
 from ..core.drive import act_at, drive_to
-from ..core.jit import FAST, kernel
 from ..core.shared import accelerate, add_damping, factorise, solve
 from ..core.vectors import from_to
 from ..energy.energies import energies
+from ..engine.jit import FAST, kernel
 from .guard import GOOD, state_ok
 from .steps import max_abs
 

@@ -12,9 +12,9 @@ import math
 
 from ...forces.all import impact_time
 from ..core.drive import drive_to
-from ..core.jit import FAST, kernel
 from ..core.shared import accelerate, factorise, no_tunnelling, solve
 from ..core.tables import SPARE
+from ..engine.jit import FAST, kernel
 from .loop import advance
 from .steps import HOPELESS, SHORTEST_STEP, first_step, max_abs, max_abs_difference, step_after
 from .turning import predict, remember, turn_and_stretch

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.bits import from_bits, size_bits
-from ..core.jit import FAST, kernel
+from ..engine.bits import from_bits, size_bits
+from ..engine.jit import FAST, kernel
 
 GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED, STUCK, CHANGED = 0, 1, 2, 3, 4, 5
 """What is wrong with a state. STUCK: no step from it is accepted, however short. CHANGED: nothing is wrong,

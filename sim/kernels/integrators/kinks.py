@@ -14,9 +14,9 @@ import math
 
 import numpy as np
 
-from ..core.jit import FAST, kernel
-from ..core.lanes import eight_at_a_time
 from ..core.tables import PAST, SPARE
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time
 from .steps import max_abs
 
 _MATTER = 0.03

@@ -11,9 +11,9 @@ from __future__ import annotations
 import math
 
 from ..core.drive import lead_to, set_controls
-from ..core.jit import kernel
 from ..core.shared import accelerate, accumulate, no_tunnelling, settle, within_strength
 from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT
+from ..engine.jit import kernel
 from .guard import GOOD, state_ok
 from .steps import (
     WORTH_SHORTENING,

@@ -7,10 +7,10 @@ Velocities are eliminated: with g = 1 / (gamma h), a stage (x, w) of (q, v) solv
 from __future__ import annotations
 
 from ..core.drive import act_at, drive_to
-from ..core.jit import FAST, kernel
-from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate, add_damping, factorise, solve
 from ..core.tables import ALPHA, SPARE
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time
 from .loop import advance
 from .steps import HOPELESS, first_step, largest_sum, step_after
 from .turning import remember

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from ..core.drive import drive_to
-from ..core.jit import FAST, kernel
-from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate
 from ..core.tables import SPARE
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time
 from .loop import advance, begin_at_once, go_on
 
 

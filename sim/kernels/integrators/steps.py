@@ -7,13 +7,13 @@ import math
 import numpy as np
 
 from ...forces.chain import is_chain_like
-from ..core.bits import from_bits, size_bits
 from ..core.drive import drive_to
-from ..core.jit import FAST, kernel
-from ..core.lanes import eight_at_a_time, whole_eights
 from ..core.shared import accelerate
 from ..core.tables import SPARE
 from ..core.vectors import from_to
+from ..engine.bits import from_bits, size_bits
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time, whole_eights
 from .guard import STUCK
 
 SHORTEST_STEP = 1e-12

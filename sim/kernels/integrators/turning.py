@@ -6,8 +6,8 @@ motion. As a complex number, the vector of a spring becomes vector * (1 + z), fo
 
 from __future__ import annotations
 
-from ..core.jit import FAST, kernel
 from ..core.tables import SPARE
+from ..engine.jit import FAST, kernel
 
 _LEAST = 1e-100
 """Lower bound, px², of a squared length that is divided by."""

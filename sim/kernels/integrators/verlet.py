@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from ..core.bits import from_bits, size_bits
 from ..core.drive import drive_to
-from ..core.jit import FAST, kernel
-from ..core.lanes import eight_at_a_time
 from ..core.shared import accelerate
 from ..core.tables import SPARE
+from ..engine.bits import from_bits, size_bits
+from ..engine.jit import FAST, kernel
+from ..engine.lanes import eight_at_a_time
 from .loop import advance
 from .steps import HOPELESS, SHORTEST_SPAN, first_step, step_after
 

@@ -17,7 +17,7 @@ from ...forces.all import add_damping
 from ...forces.fillings import area_by_mass, area_of, pressure_at
 from ...forces.joints import add_joint_damping
 from ...forces.springs import add_spring_damping
-from ..core.jit import FAST, kernel
+from ..engine.jit import FAST, kernel
 from .krylov import solve_with_contact
 from .sparse import assemble, eliminate
 from .vectors import add_multiple, dot

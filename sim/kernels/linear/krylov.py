@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 
 from ...forces.contact import TOUCHING_PAIRS, add_coupling
-from ..core.jit import FAST, kernel
+from ..engine.jit import FAST, kernel
 from .sparse import solve_sparse
 from .vectors import add_multiple, dot
 

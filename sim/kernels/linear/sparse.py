@@ -13,7 +13,7 @@ from ...forces.all import add_derivatives
 from ...forces.joints import add_joint_derivatives
 from ...forces.springs import add_spring_derivatives
 from ..core.blocks import inverted
-from ..core.jit import FAST, kernel
+from ..engine.jit import FAST, kernel
 
 
 @kernel(fastmath=FAST)

@@ -5,7 +5,7 @@ A solution that overflows must not leave a NaN in a slot without a mass, where n
 
 from __future__ import annotations
 
-from ..core.jit import FAST, kernel
+from ..engine.jit import FAST, kernel
 
 
 @kernel(forceinline=True, fastmath=FAST)

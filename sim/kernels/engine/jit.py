@@ -53,7 +53,7 @@ def _modules_behind(name: str) -> set[str]:
     """A kernel module, such as `forces.chain`, and all kernel modules that it imports, directly or not."""
     found: set[str] = set()
     # The layout of the tables is part of every kernel's machine code, even where it is not imported.
-    waiting = [name, *(f"kernels.core.{module}" for module in ("jit", "table", "tables"))]
+    waiting = [name, "kernels.engine.jit", "kernels.engine.table", "kernels.core.tables"]
     while waiting:
         module = waiting.pop()
         if module not in found:
@@ -112,11 +112,6 @@ def cache_folder(module: str) -> Path | None:
         return None
     return folder
 
-
-# Vectorised loops process one vector per iteration. By default LLVM interleaves up to four, for which the
-# loops of a short body are too short. With this option a rope of a dozen masses is 5 to 10 % faster, a long
-# one no slower, and there is a tenth less to compile. LLVM has the option only for the whole process.
-llvmlite.binding.set_option("softrod", "-force-vector-interleave=1")
 
 FUSED = {"contract"}
 """Fast-math flags of the tutorial's step: a multiplication and an addition may be fused into one instruction,
