@@ -18,7 +18,7 @@ from sim.compiling.compiler import cache_trouble
 from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
 from sim.motion.quantities import PARTS
-from sim.scene.files import read_scene
+from sim.store.files import read_scene
 
 from . import headless
 from .command import CsvComma, Settings, fail, scene_of

@@ -17,8 +17,8 @@ import sim
 from sim.csv_text import csv_text
 from sim.errors import InputError
 from sim.motion.energy import ENERGY_FIELDS, EnergyBook
-from sim.scene.files import write_atomically
-from sim.scene.places import as_utf8, repeated_key
+from sim.store.files import write_atomically
+from sim.store.places import as_utf8, repeated_key
 
 from .session.log import Log, Step, decode_log, is_recorded
 from .session.replay import Player

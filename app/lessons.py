@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sim
 from sim.errors import InputError
-from sim.lesson_settings import scene_of_step
 from sim.methods.registry import METHODS
 from sim.settings import CHOICES, setting_of
+from sim.settings.lessons import scene_of_step
 
 from .session.ghost import REFERENCE
 from .session.plots import Plot, wish_of

@@ -12,10 +12,10 @@ import segno
 from tyro.conf import Positional, arg
 
 from sim.errors import InputError
-from sim.scene.files import built_in_files, read_scene
-from sim.scene.link import PATH, pack_scene
-from sim.scene.shared import share_scene
 from sim.scene.types import Scene
+from sim.store.files import built_in_files, read_scene
+from sim.store.link import PATH, pack_scene
+from sim.store.shared import share_scene
 
 from .command import Settings, fail, scene_of
 

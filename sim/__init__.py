@@ -22,7 +22,6 @@ from .motion.quantities import KINDS as QUANTITIES
 from .motion.quantities import Quantity, quantity
 from .motion.recording import Recording
 from .motion.simulation import Divergence, Simulation
-from .scene.files import list_scenes, load_scene, save_scene
 from .scene.makers import (
     air_balloon,
     box,
@@ -59,6 +58,7 @@ from .scene.types import (
 )
 from .scene.validate import validate
 from .settings import set_choice, set_value
+from .store.files import list_scenes, load_scene, save_scene
 
 __all__ = [
     "QUANTITIES",

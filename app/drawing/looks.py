@@ -10,7 +10,7 @@ import json
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from sim.scene.link import PATH
+from sim.store.link import PATH
 
 # ------------------------------------------------------------------------- colours
 COLORS = {

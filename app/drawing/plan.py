@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sim import Scene, Simulation
-from sim.around_settings import STILL_AIR
 from sim.forces.air import WAVE_RATE
 from sim.forces.environment import Environment
 from sim.forces.fillings import FILLING_GAS
 from sim.forces.walls import WALL_NORMAL_Y
 from sim.scene.types import Damage
+from sim.settings.environment import STILL_AIR
 
 from .colors import blend
 from .looks import YIELDED

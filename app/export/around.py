@@ -12,11 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim.around_settings import STILL_AIR
 from sim.body.damage import leaking
 from sim.forces.air import WAVE_RATE
 from sim.forces.fillings import FILLING_GAS
 from sim.forces.walls import WALL_NORMAL_Y
+from sim.settings.environment import STILL_AIR
 
 from ..drawing.looks import DENSE, HATCH, HEAD, PARTS, POINT, SIDE, STREAK, STREAKS, STROKE
 from ..drawing.sketch import Floats, Sketch

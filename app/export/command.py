@@ -15,8 +15,8 @@ from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
 from sim.errors import InputError
-from sim.scene.files import write_atomically
 from sim.settings import apply_assignments
+from sim.store.files import write_atomically
 
 from ..command import CsvComma
 from ..headless import read_log

@@ -6,8 +6,8 @@ import urllib.parse
 
 import sim
 from sim.errors import SceneError
-from sim.scene.files import built_in_files, read_scene
-from sim.scene.shared import shared_scene
+from sim.store.files import built_in_files, read_scene
+from sim.store.shared import shared_scene
 
 from ..gate.address import page_query
 

@@ -11,9 +11,9 @@ from msgspec import Meta
 import sim
 from sim.errors import SceneError
 from sim.methods.registry import METHODS
-from sim.scene.files import MAX_FILE_BYTES, decode_scene
 from sim.scene.numbers import MAX_SPRINGS
 from sim.settings import CHOICES
+from sim.store.files import MAX_FILE_BYTES, decode_scene
 
 from ..drawing.looks import SPEEDS
 from . import log

@@ -23,10 +23,10 @@ import sim
 from sim.errors import InputError, SceneError
 from sim.kernels.core.tables import SCALE_MAX, SCALE_MIN
 from sim.motion.simulation import Key
-from sim.scene.files import MAX_FILE_BYTES, decode_scene, encode_fields, fields_of
 from sim.scene.numbers import Angle, Vector
 from sim.scene.sentences import in_words
 from sim.scene.validate import consistent_pose, validate
+from sim.store.files import MAX_FILE_BYTES, decode_scene, encode_fields, fields_of
 
 FORMAT, VERSION = "softrod-log", 1
 

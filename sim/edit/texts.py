@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import msgspec
 
-from ..scene.files import is_built_in, safe_name
 from ..scene.parts import Mass
 from ..scene.types import Scene, shown_name
 from ..scene.validate import validate
+from ..store.files import is_built_in, safe_name
 from .edit import Edit
 
 UNNAMED = "my scene"
@@ -21,7 +21,7 @@ def set_texts(scene: Scene, name: str, description: str) -> Edit:
 
     Args:
         scene: which.
-        name: the new name, made safe for a file, see `sim.scene.files.safe_name`. The scene is saved under it
+        name: the new name, made safe for a file, see `sim.store.files.safe_name`. The scene is saved under it
             and has no other title. A scene whose shown name it is already keeps both.
         description: the new text. Spaces and empty lines around it are left out.
 

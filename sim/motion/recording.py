@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from ..csv_text import csv_text
 from ..errors import InputError
-from ..scene.files import write_atomically
 from ..scene.types import Scene
+from ..store.files import write_atomically
 from .quantities import Quantity, quantity
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from websockets.asyncio.client import connect
 import sim
 from app.drawing.plan import FRAME_TIME
 from sim import Scene
-from sim.scene.files import encode_scene
+from sim.store.files import encode_scene
 
 from .client import CAMERA, Decoder, options_of
 from .serving import Served, is_frame, served, warm

@@ -24,7 +24,7 @@ from rich.table import Table
 
 from sim.csv_text import csv_text
 from sim.errors import InputError
-from sim.scene.files import write_atomically
+from sim.store.files import write_atomically
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -14,7 +14,7 @@ from pathlib import Path
 import msgspec
 
 from sim.errors import InputError
-from sim.scene.files import encode_scene, write_atomically
+from sim.store.files import encode_scene, write_atomically
 
 from ..reporting.output import comma_separated, make_folder
 from .grid import Grid

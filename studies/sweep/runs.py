@@ -13,8 +13,8 @@ import numpy as np
 
 import sim
 from app.session.log import this_machine
-from sim.scene.files import decode_scene, encode_scene
 from sim.settings import apply_assignments
+from sim.store.files import decode_scene, encode_scene
 
 from .measures import GAVE_UP, Track, Value
 

@@ -14,7 +14,7 @@ from rich.console import Console
 from sim.compiling.compiler import all_of, fetch
 from sim.errors import InputError
 from sim.methods.registry import METHODS
-from sim.scene.files import decode_scene, encode_scene
+from sim.store.files import decode_scene, encode_scene
 
 from ..reporting.output import Watch, write_figures
 from .folder import Folder, make_plan

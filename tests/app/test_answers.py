@@ -14,7 +14,7 @@ from app.page.scenes.shelf import Shelf
 from app.session.notices import Notice
 from app.wire.from_page import Ask, ListScenes, Part, Unread, Unsent
 from app.wire.to_page import Resumed
-from sim.scene import files
+from sim.store import files
 from tests.app.test_gallery import Page
 
 LIMIT = 20.0

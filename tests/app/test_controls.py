@@ -13,8 +13,8 @@ from app.cli import main
 from app.page import controls
 from app.page.controls import ALL, PARTS, Controls, of_query, of_scene
 from sim.errors import InputError, SceneError
-from sim.scene.files import decode_scene, encode_scene
 from sim.settings import setting_keys, settings_of
+from sim.store.files import decode_scene, encode_scene
 from tests.app.hostile import Sandbox, answer
 
 

@@ -10,8 +10,8 @@ from typing import Any, get_args
 import pytest
 
 from app.cli import main
-from sim.scene.files import read_scene
 from sim.scene.recipes.recipe import AnyRecipe
+from sim.store.files import read_scene
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"

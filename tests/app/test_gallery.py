@@ -20,7 +20,7 @@ from app.page.scenes.shelf import Shelf
 from app.session.notices import Notice
 from app.wire.from_page import ChangeScene, ListScenes, OpenScene, Who
 from app.wire.to_page import SceneChanged, ScenePictures, Scenes
-from sim.scene import files
+from sim.store import files
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 

@@ -21,9 +21,9 @@ from app.session.plots import Wish
 from app.wire.from_page import BeginStep, read
 from app.wire.to_page import Lesson as LessonState
 from app.wire.to_page import LessonStep
-from sim.lesson_settings import scene_of_step
-from sim.scene.files import decode_scene, encode_scene
 from sim.scene.lesson import Lesson, Question, Step
+from sim.settings.lessons import scene_of_step
+from sim.store.files import decode_scene, encode_scene
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 

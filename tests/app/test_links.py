@@ -24,9 +24,9 @@ from app.session.notices import Notice
 from app.wire.from_page import Ask, Part, Share, read
 from app.wire.to_page import Link
 from sim.errors import SceneError
-from sim.scene.files import decode_link, save_user_scene
-from sim.scene.link import pack_scene
-from sim.scene.shared import shared_folder, shared_scene
+from sim.store.files import decode_link, save_user_scene
+from sim.store.link import pack_scene
+from sim.store.shared import shared_folder, shared_scene
 from tests.app.hostile import Sandbox, answer
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage

@@ -142,6 +142,6 @@ def test_what_is_installed_is_what_the_constraints_say() -> None:
 
 
 def test_the_schema_is_that_of_the_types() -> None:
-    from sim.scene.schema import SCHEMA_PATH, schema_bytes
+    from sim.store.schema import SCHEMA_PATH, schema_bytes
 
-    assert SCHEMA_PATH.read_bytes() == schema_bytes(), "run: python -m sim.scene.schema"
+    assert SCHEMA_PATH.read_bytes() == schema_bytes(), "run: python -m sim.store.schema"

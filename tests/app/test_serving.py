@@ -33,7 +33,7 @@ from app.session.session import Session
 from app.wire.from_page import FromPage, OpenScene, Part, Perform, Switch
 from app.wire.to_page import Hud
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
-from sim.scene.link import pack_scene
+from sim.store.link import pack_scene
 from studies.bench.client import Page
 
 PATIENCE = 30.0

@@ -9,8 +9,8 @@ import pytest
 
 import sim
 from app.page.scenes import shelf
-from sim.scene import files
-from sim.scene.own_scenes import trash_user_scene
+from sim.store import files
+from sim.store.own_scenes import trash_user_scene
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from PIL import Image
 import sim
 from app.session import commands
 from sim.edit.edit import Selection
-from sim.scene import files
+from sim.store import files
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sim.scene import files
+from sim.store import files
 from tests.browser.conftest import OpenPage
 
 

@@ -11,8 +11,8 @@ import numpy as np
 
 import sim
 from app.session import commands
-from sim.scene import files
-from sim.scene.own_scenes import trash_user_scene
+from sim.store import files
+from sim.store.own_scenes import trash_user_scene
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 from tests.browser.looks import assert_shown

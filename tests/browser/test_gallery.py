@@ -10,7 +10,7 @@ import pytest
 import sim
 from app.gate.gate import Gate
 from app.page.scenes import owner
-from sim.scene import files, own_scenes
+from sim.store import files, own_scenes
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 

@@ -11,7 +11,7 @@ from playwright.sync_api import Browser
 
 import sim
 from app.server.serve import serving
-from sim.scene.link import pack_scene
+from sim.store.link import pack_scene
 from tests.browser.conftest import DESKTOP
 from tests.browser.driver import Desk, Served
 from tests.browser.wires import self_signed, wire

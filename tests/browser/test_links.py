@@ -10,7 +10,7 @@ from playwright.sync_api import Locator
 
 import sim
 from app.session import commands
-from sim.scene.link import pack_scene
+from sim.store.link import pack_scene
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 

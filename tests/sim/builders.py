@@ -11,9 +11,9 @@ import numpy as np
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
-from sim.scene.files import built_in_folder
 from sim.scene.rope import fine_rope
 from sim.scene.types import Circle, ForceLaw, Method
+from sim.store.files import built_in_folder
 
 PRESETS = sorted(path.stem for path in built_in_folder().glob("*.json"))
 

@@ -18,7 +18,8 @@ import pytest
 
 import sim
 from sim import ArrowKeys, Scene, SceneError, Simulation, list_scenes, load_scene, save_scene
-from sim.scene.files import (
+from sim.scene.types import Circle
+from sim.store.files import (
     MAX_FILE_BYTES,
     built_in_folder,
     decode_scene,
@@ -28,8 +29,7 @@ from sim.scene.files import (
     user_folder,
     write_atomically,
 )
-from sim.scene.own_scenes import trash_user_scene
-from sim.scene.types import Circle
+from sim.store.own_scenes import trash_user_scene
 from tests.sim.builders import PRESETS, star, tangle
 
 REPLACE = msgspec.structs.replace

@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from sim import Scene, SceneError, load_scene, save_scene
-from sim.scene.files import decode_scene
+from sim.store.files import decode_scene
 
 
 def decoded(**fields: Any) -> Scene:

@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 
 import sim
 from sim.errors import SceneError
-from sim.scene import link
-from sim.scene.files import MAX_FILE_BYTES, decode_link, encode_scene
-from sim.scene.link import MAX_LINK, link_data, pack_scene, unpack
+from sim.store import link
+from sim.store.files import MAX_FILE_BYTES, decode_link, encode_scene
+from sim.store.link import MAX_LINK, link_data, pack_scene, unpack
 from tests.sim.fuzzing import wild_scene
 
 PRESETS = [info.name for info in sim.list_scenes() if info.built_in]

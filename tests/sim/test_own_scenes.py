@@ -8,9 +8,9 @@ import pytest
 
 import sim
 from sim.errors import SceneError
-from sim.scene import own_scenes
-from sim.scene.files import load_scene, save_user_scene, user_folder
-from sim.scene.own_scenes import (
+from sim.store import own_scenes
+from sim.store.files import load_scene, save_user_scene, user_folder
+from sim.store.own_scenes import (
     duplicate_user_scene,
     rename_user_scene,
     restore_user_scene,

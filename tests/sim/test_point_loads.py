@@ -14,9 +14,9 @@ from sim import Scene, SceneError, Simulation
 from sim.edit.copying import copy, decode, encode, paste
 from sim.edit.shape import mirror
 from sim.methods.registry import METHODS
-from sim.scene.files import decode_link, decode_scene, encode_scene
-from sim.scene.link import pack_scene
 from sim.scene.types import Integrator
+from sim.store.files import decode_link, decode_scene, encode_scene
+from sim.store.link import pack_scene
 
 replace = msgspec.structs.replace
 

@@ -28,9 +28,9 @@ from sim import (
     Simulation,
     validate,
 )
-from sim.scene.files import decode_scene, encode_scene
 from sim.scene.types import Circle, ForceLaw, Method
 from sim.settings import SETTINGS, TEMPLATES, set_value
+from sim.store.files import decode_scene, encode_scene
 from tests.amount import examples
 from tests.sim.builders import PRESETS
 

@@ -18,10 +18,10 @@ from hypothesis import strategies as st
 import sim
 from sim import LinearSpring, Scene, SceneError, Simulation, validate
 from sim.analysis.equilibrium import equilibrium
-from sim.scene.files import decode_scene, encode_scene
 from sim.scene.numbers import MAX_MASSES
 from sim.scene.recipes import recipe as all_recipes
 from sim.scene.recipes.recipe import AnyRecipe
+from sim.store.files import decode_scene, encode_scene
 from tests.amount import examples
 from tests.sim.inside import forces_of
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from sim import Gas, View, validate
-from sim.scene.files import decode_scene, encode_scene
+from sim.store.files import decode_scene, encode_scene
 from tests.sim.test_files import minimal
 from tests.sim.test_files import refused as refused_file
 from tests.sim.test_scene import BODY, changed, refused

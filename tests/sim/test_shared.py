@@ -9,8 +9,8 @@ import pytest
 
 import sim
 from sim.errors import SceneError
-from sim.scene import shared
-from sim.scene.shared import LETTERS, share_scene, shared_folder, shared_scene
+from sim.store import shared
+from sim.store.shared import LETTERS, share_scene, shared_folder, shared_scene
 
 
 @pytest.fixture

@@ -10,9 +10,9 @@ from sim.edit.build import add_mass, pin
 from sim.edit.edit import inverse
 from sim.edit.texts import UNNAMED, as_own, renamed, set_texts
 from sim.errors import SceneError
-from sim.scene.files import is_built_in, safe_name
 from sim.scene.types import shown_name
 from sim.scene.validate import validate
+from sim.store.files import is_built_in, safe_name
 
 
 def test_a_scene_gets_one_name_and_a_text_and_nothing_else_changes() -> None:

@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from sim.errors import InputError
-from sim.scene.files import encode_scene
+from sim.store.files import encode_scene
 from studies.sweep.folder import Folder, make_plan
 from studies.sweep.grid import make_grid, parse_axis
 from studies.sweep.measures import GAVE_UP, MEASURES, parse_measures

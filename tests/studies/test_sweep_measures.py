@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim.scene.files import encode_scene
+from sim.store.files import encode_scene
 from studies.sweep.measures import period
 from studies.sweep.runs import reference_of, run, run_reference
 from tests.studies.sweeping import ROPE, rows_of, swept

@@ -15,8 +15,8 @@ import viser
 import sim
 from sim.edit.texts import UNNAMED, renamed
 from sim.errors import InputError, SceneError
-from sim.scene import files
-from sim.scene.places import as_utf8
+from sim.store import files
+from sim.store.places import as_utf8
 
 from ...session import commands, log
 from ...session.session import Notice, Session

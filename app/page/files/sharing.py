@@ -8,10 +8,10 @@ from typing import Literal
 import segno
 
 from sim.errors import InputError, SceneError
-from sim.scene import files
-from sim.scene.link import PATH, pack_scene
 from sim.scene.types import Scene
 from sim.settings import settings_of
+from sim.store import files
+from sim.store.link import PATH, pack_scene
 
 from ...linking import short_address
 from ...session.session import Notice, Session

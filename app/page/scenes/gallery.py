@@ -12,8 +12,8 @@ from pathlib import Path
 
 from sim.edit.texts import renamed
 from sim.errors import SceneError
-from sim.scene import own_scenes
-from sim.scene.files import read_scene
+from sim.store import own_scenes
+from sim.store.files import read_scene
 
 from ...session import commands
 from ...session.session import Notice, Session

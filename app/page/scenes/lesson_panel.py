@@ -11,8 +11,8 @@ from collections.abc import Callable
 import viser
 
 from sim.errors import SettingError
-from sim.lesson_settings import scene_of_step
 from sim.scene.lesson import Lesson, Step
+from sim.settings.lessons import scene_of_step
 
 from ...session import commands
 from ...session.notices import Notice

@@ -8,7 +8,7 @@ import os
 import secrets
 from pathlib import Path
 
-from sim.scene import files
+from sim.store import files
 
 FRAGMENT = "#owner="
 """Before the key in an address; a browser keeps to itself what stands after a #."""

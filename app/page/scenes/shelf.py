@@ -16,8 +16,8 @@ from pathlib import Path
 
 import sim
 from sim.errors import SceneError
-from sim.scene import files, own_scenes
-from sim.scene.files import SceneInfo
+from sim.store import files, own_scenes
+from sim.store.files import SceneInfo
 
 from ...wire.from_page import Who
 from ...wire.to_page import Entry
@@ -170,7 +170,7 @@ class Shelf:
         """Save a scene as one of the page's own, and return the name used.
 
         Raises:
-            SceneError: see `sim.scene.files.save_user_scene`; or there is no room.
+            SceneError: see `sim.store.files.save_user_scene`; or there is no room.
         """
         self._check_room(exists=files.user_path(name, self.folder).exists())
         return files.save_user_scene(scene, name, self.folder)

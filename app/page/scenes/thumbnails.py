@@ -14,7 +14,7 @@ import msgspec
 import numpy as np
 
 import sim
-from sim.scene.files import built_in_files, read_scene, write_atomically
+from sim.store.files import built_in_files, read_scene, write_atomically
 
 from ...drawing.plan import Picture
 from ...drawing.sketch import Floats

@@ -15,9 +15,9 @@ from typing import Any
 import msgspec
 
 from ..errors import SceneError
-from .numbers import of_python
-from .types import BODY_FIELDS, FORMAT_VERSION, Scene
-from .validate import validate
+from ..scene.numbers import of_python
+from ..scene.types import BODY_FIELDS, FORMAT_VERSION, Scene
+from ..scene.validate import validate
 
 PACKING = 1
 """The number of the way in which this release packs; later ones are refused."""

@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .scene.types import Scene
+from ..scene.types import Scene
 
 STILL_AIR = 1e-6
 """px/s below which there is no wind; a little is left of it, so that its direction is kept."""

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from .errors import SettingError
-from .scene.types import Scene
-from .settings import apply_assignments
+from ..errors import SettingError
+from ..scene.types import Scene
+from . import apply_assignments
 
 
 def scene_of_step(scene: Scene, number: int) -> Scene:

@@ -30,7 +30,7 @@ def trash_folder(folder: Path | None = None) -> Path:
 
 
 def rename_user_scene(name: str, wanted: str, folder: Path | None = None) -> str:
-    """Give a scene another name, and return the one used, see `sim.scene.files.safe_name`.
+    """Give a scene another name, and return the one used, see `sim.store.files.safe_name`.
 
     Raises:
         SceneError: it does not exist, the name is not usable or taken, or a file cannot be written.

@@ -14,7 +14,17 @@ from typing import Any, get_args
 
 import msgspec
 
-from .around_settings import (
+from ..body.system import joint_stiffness
+from ..errors import SceneError, SettingError
+from ..forces.joints import LAWS
+from ..methods.registry import METHODS
+from ..scene.columns import column, has_any
+from ..scene.recipes.assembly import wrapped
+from ..scene.recipes.recipe import AnyRecipe
+from ..scene.surroundings import Contact, Gas, Liquid, Wall, Wind
+from ..scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template, rebuilt
+from ..scene.validate import number_range, validate
+from .environment import (
     are_different,
     differ_of,
     largest_of,
@@ -26,17 +36,7 @@ from .around_settings import (
     with_turbulence,
     with_wind,
 )
-from .body.system import joint_stiffness
-from .errors import SceneError, SettingError
-from .forces.joints import LAWS
-from .methods.registry import METHODS
-from .recipe_settings import Setting, keys_of_recipe, recipe_settings, scaled, turned
-from .scene.columns import column, has_any
-from .scene.recipes.assembly import wrapped
-from .scene.recipes.recipe import AnyRecipe
-from .scene.surroundings import Contact, Gas, Liquid, Wall, Wind
-from .scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template, rebuilt
-from .scene.validate import number_range, validate
+from .recipes import Setting, keys_of_recipe, recipe_settings, scaled, turned
 
 TEMPLATES: tuple[int, ...] = get_args(Template)
 """The tutorial's eight rest angles, degrees."""

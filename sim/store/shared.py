@@ -13,8 +13,8 @@ import threading
 from pathlib import Path
 
 from ..errors import SceneError
+from ..scene.types import Scene
 from .files import encode_scene, read_scene, user_folder, write_atomically
-from .types import Scene
 
 LETTERS = "23456789BCDFGHJKMNPQRSTVWXZ"
 """Letters of codes: none can be mistaken for another, and without vowels they make no words."""

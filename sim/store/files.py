@@ -20,12 +20,12 @@ import msgspec
 import platformdirs
 
 from ..errors import SceneError
+from ..scene.numbers import of_python
+from ..scene.sentences import sentence
+from ..scene.types import BODY_FIELDS, FORMAT_VERSION, Scene
+from ..scene.validate import consistent, validate
 from .link import link_data, unpack
-from .numbers import of_python
 from .places import as_utf8, infinite_number, line_and_column, place_of, repeated_key
-from .sentences import sentence
-from .types import BODY_FIELDS, FORMAT_VERSION, Scene
-from .validate import consistent, validate
 
 MAX_FILE_BYTES = 5_000_000
 """Size of the largest scene file that is read or written, bytes."""
@@ -201,7 +201,7 @@ def _with_present_method(raw: dict[str, Any]) -> dict[str, Any]:
 
 
 def decode_link(data: str) -> Scene:
-    """The scene in the data of a link, see `sim.scene.link`.
+    """The scene in the data of a link, see `sim.store.link`.
 
     Raises:
         SceneError: one sentence that says what is wrong.

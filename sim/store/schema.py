@@ -1,4 +1,4 @@
-"""The JSON Schema of scene files, generated from the types. `python -m sim.scene.schema` writes it."""
+"""The JSON Schema of scene files, generated from the types. `python -m sim.store.schema` writes it."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Any
 
 import msgspec
 
+from ..scene.types import FORMAT_VERSION, Scene
 from .files import write_atomically
-from .types import FORMAT_VERSION, Scene
 
 SCHEMA_PATH = Path(__file__).parents[2] / "schema" / f"scene-{FORMAT_VERSION}.schema.json"
 """The file that the schema is written to."""

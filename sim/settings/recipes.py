@@ -13,9 +13,9 @@ from typing import Any, get_args, get_type_hints
 
 import msgspec
 
-from .scene.recipes.assembly import Jointed, wrapped
-from .scene.recipes.recipe import AnyRecipe
-from .scene.types import Rope, Scene, rebuilt
+from ..scene.recipes.assembly import Jointed, wrapped
+from ..scene.recipes.recipe import AnyRecipe
+from ..scene.types import Rope, Scene, rebuilt
 
 
 @dataclass(frozen=True)

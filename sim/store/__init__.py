@@ -1,0 +1,1 @@
+"""Scenes outside the program: files, folders, links, and what is wrong with them, in sentences."""
