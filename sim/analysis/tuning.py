@@ -189,6 +189,8 @@ class Dampers:
         exact = unsoftened(scene)
         self._system, self._state = start_of(exact, build_system(exact))
         self._physics = Physics(self._system.body, self._state)
+        # Its drag grows with the square of the speed: of small vibrations it takes nothing.
+        del self._physics.terms["air friction"]
         self._mass = np.array([[m.mass] for m in scene.masses])
         self.stiffness = np.array([s.stiffness for s in scene.linear_springs], float)
         self.joint_stiffness = np.array(joint_stiffness(scene), float)

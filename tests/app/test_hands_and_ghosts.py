@@ -40,8 +40,8 @@ def torn(page: SessionPage, far: float, reports: int = 12) -> tuple[float, float
 @pytest.mark.parametrize("far", [500.0, 1e5])
 def test_an_anchor_torn_away_does_not_stop_the_clock(far: float) -> None:
     page = rate_limited()
-    # As much computing in a frame as a rod of thousands of masses has.
-    page.session.pacer.attempts = lambda budget: 64  # type: ignore[method-assign]
+    # Few milliseconds of computing in a frame, whatever the machine.
+    page.session.pacer.attempts = lambda budget: 1000  # type: ignore[method-assign]
     behind, light = page.session.pacer.behind, hud(page)
     torn(page, far)
     assert page.session.pacer.behind - behind <= FRAME

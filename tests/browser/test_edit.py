@@ -114,7 +114,7 @@ def test_by_mouse(open_page: OpenPage) -> None:
     page.keyboard.up("Shift")
     desk.until(
         lambda: (
-            desk.session.scene.angular_springs[joint].rest_angle % 15.0 == pytest.approx(0.0, abs=1e-3)
+            abs(math.remainder(desk.session.scene.angular_springs[joint].rest_angle, 15.0)) < 1e-3
             and abs(desk.session.scene.angular_springs[joint].rest_angle - rest) > 20.0
         ),
         "the joint rests at another angle",

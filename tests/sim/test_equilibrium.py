@@ -56,7 +56,7 @@ def stable(scene: Scene, pose: Pose) -> bool:
 FLOOR = sim.Wall(point=(300.0, 500.0), normal=(0.0, -1.0))
 
 
-@pytest.mark.parametrize(("hardness", "gravity"), [(8.0, 1000.0), (1e9, 30.0), (1e9, 1000.0), (8e3, 1e5)])
+@pytest.mark.parametrize(("hardness", "gravity"), [(8.0, 1000.0), (1e9, 30.0), (1e9, 1000.0), (8e3, 9e4)])
 @pytest.mark.parametrize("maker", [sim.air_balloon, sim.water_balloon, sim.jelly])
 def test_a_soft_body_rests_on_a_floor(maker: Callable[..., Scene], hardness: float, gravity: float) -> None:
     walls = tuple(
