@@ -31,7 +31,7 @@ from ..session import commands
 from ..session.hand import GIZMO
 from ..session.pacing import is_large
 from ..session.plots import Wish
-from ..session.session import Notice, Session
+from ..session.session import Changed, Notice, Session
 from ..wire import from_page
 from ..wire.carrier import Mail, listen
 from ..wire.commands import COMMANDS
@@ -387,7 +387,7 @@ class Tab:
             text = f"{text}; {trouble}"
         if text != session.preparing:
             session.preparing = text
-            session.revision += 1
+            session.note(Changed.SETTINGS)
 
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
@@ -576,7 +576,7 @@ class Tab:
     def _switch(self, session: Session, what: str, on: bool) -> None:
         """Turn one of the looks on or off."""
         self._looks = msgspec.structs.replace(self._looks, **{what: on})
-        session.revision += 1
+        session.note(Changed.SETTINGS)
         if what == "dark":
             set_theme(self.client.gui, dark=on)
             self._generation = -1
@@ -596,7 +596,6 @@ class Tab:
         joint = readouts.joint_of_mass(session.scene, mass)
         if joint is not None:
             session.post(commands.SelectJoint(joint))
-            session.revision += 1
 
     def _begin_step(self, begin: from_page.BeginStep) -> None:
         if self._panel.lesson is not None:

@@ -65,7 +65,6 @@ class Row:
 
 def _follow(session: Session, _: Page) -> None:
     session.post(commands.Follow(not session.follow))
-    session.revision += 1
 
 
 def _energy(session: Session, _: Page) -> None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Literal
 
-from msgspec import Meta, Struct
+from msgspec import Struct
 
 from sim.scene.lesson import Question
 
@@ -246,5 +246,3 @@ class Link(Event, frozen=True, kw_only=True):
 
 MESSAGES = tuple(leaves(ToPage))
 """All that a page can be told."""
-
-Short = Annotated[str, Meta(max_length=0)]
