@@ -70,6 +70,25 @@ TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "solver", "tools
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
 
 
+def told_of_compiling(ready: int, of: int, busy_with: str, awaited: str) -> str:
+    """How far the compiler is, as the page says it; empty if all is ready.
+
+    Args:
+        ready: number of parts that are compiled.
+        of: number of all parts.
+        busy_with: what is being compiled.
+        awaited: the method that the body waits for, moved by NumPy meanwhile; empty if it does not wait.
+    """
+    if awaited:
+        text = f"moves by NumPy until {awaited} is compiled: {ready} of {of} parts ready"
+    elif ready < of:
+        text = f"preparing {busy_with}: {ready} of {of} parts ready"
+    else:
+        return ""
+    trouble = cache_trouble()
+    return f"{text}; {trouble}" if trouble else text
+
+
 class Submit(Protocol):
     """Has something done in another thread, as `ThreadPoolExecutor.submit`."""
 
@@ -377,14 +396,8 @@ class Tab:
             self._compiler.want(needed_by(method))
         ready, of = self._compiler.progress
         self._all_ready = ready == of
-        text = ""
-        if session.simulation.plain:
-            label = METHODS[method].label
-            text = f"moves by NumPy until {label} is compiled: {ready} of {of} parts ready"
-        elif ready < of:
-            text = f"preparing {self._compiler.busy_with}: {ready} of {of} parts ready"
-        if text and (trouble := cache_trouble()):
-            text = f"{text}; {trouble}"
+        label = METHODS[method].label if session.simulation.plain else ""
+        text = told_of_compiling(ready, of, self._compiler.busy_with, label)
         if text != session.preparing:
             session.preparing = text
             session.note(Changed.SETTINGS)
