@@ -32,6 +32,31 @@ class Question(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     because: Sentence
 
 
+class Reading(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Something that is read off a run.
+
+    Attributes:
+        quantity: its name, such as "mass1.y", see `sim.motion.quantities`.
+        of: its present value, or the period of its swings, s.
+    """
+
+    quantity: Line
+    of: Literal["value", "period"] = "value"
+
+
+class Goal(Reading, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What is to be reached: a reading from `low` to `high`, for `seconds` in one go.
+
+    Attributes:
+        low, high: the range, in the unit of the reading; at least one of them, None for no bound.
+        seconds: simulated time for which it stays there, at most ten minutes.
+    """
+
+    low: float | None = None
+    high: float | None = None
+    seconds: Annotated[float, Meta(ge=0.0, le=600.0)] = 0.0
+
+
 class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """One step of a lesson.
 
@@ -49,6 +74,10 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         arrows: which are to be on; None leaves them as they are.
         ghost: a second body to compare with: the name of a method, or "reference" for a near-exact solution;
             None for none.
+        predict: simulated time, s, after which the body is asked to be where a class has predicted it: each
+            pupil drags it there before it moves. None to ask for no such prediction.
+        goal: what is to be reached with the body, or None.
+        collect: what a class hands in a reading of, each pupil one; None for nothing.
     """
 
     title: Line
@@ -60,6 +89,9 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     plots: Annotated[tuple[Line, ...], Meta(max_length=4)] | None = None
     arrows: tuple[Literal["forces", "velocities", "torques"], ...] | None = None
     ghost: Line | None = None
+    predict: Annotated[float, Meta(gt=0.0, le=600.0)] | None = None
+    goal: Goal | None = None
+    collect: Reading | None = None
 
 
 class Lesson(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -72,5 +104,6 @@ def texts_of(step: Step) -> tuple[str, ...]:
     """Everything that can be read in a step."""
     question = step.question
     asked = (question.text, *question.choices, question.because) if question else ()
-    named = (*step.settings, *step.controls, *(step.plots or ()), step.ghost or "")
+    readings = [reading.quantity for reading in (step.goal, step.collect) if reading is not None]
+    named = (*step.settings, *step.controls, *(step.plots or ()), step.ghost or "", *readings)
     return (step.title, step.do, step.watch, *asked, *named)

@@ -144,6 +144,12 @@ def _lesson_problems(scene: Scene) -> Iterator[str]:
         if question is not None and question.answer >= len(question.choices):
             where = f"lesson.steps[{i}].question.answer"
             yield f"{where}: choice {question.answer} does not exist ({_span(len(question.choices))})"
+        if (goal := step.goal) is not None:
+            low, high = -math.inf if goal.low is None else goal.low, math.inf if goal.high is None else goal.high
+            if goal.low is None and goal.high is None:
+                yield f"lesson.steps[{i}].goal: it needs low, high or both"
+            elif low > high:
+                yield f"lesson.steps[{i}].goal: low {low:g} is above high {high:g}"
         if any(_HALF.search(text) for text in texts_of(step)):
             yield f"lesson.steps[{i}]: it has characters that cannot be written to a file"
 

@@ -1,0 +1,62 @@
+"""Names that a class gives out, so that nobody has to type one and none can be rude."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Callable, Collection
+
+COLORS = {
+    "Red": "#d1495b",
+    "Orange": "#d9822b",
+    "Golden": "#b58900",
+    "Green": "#3a8a4d",
+    "Teal": "#128a8a",
+    "Blue": "#2f6fb5",
+    "Violet": "#7a56b3",
+    "Pink": "#c2528b",
+    "Brown": "#8a6248",
+    "Grey": "#68737d",
+}
+"""Colours by the word in a name; each has a contrast of at least 3 with white."""
+
+ANIMALS = (
+    "Badger", "Bear", "Beaver", "Bison", "Camel", "Crane", "Deer", "Dolphin", "Eagle", "Falcon",
+    "Finch", "Fox", "Gecko", "Hare", "Hedgehog", "Heron", "Horse", "Ibex", "Kiwi", "Koala",
+    "Lark", "Lion", "Lynx", "Magpie", "Marten", "Mole", "Moose", "Newt", "Otter", "Owl",
+    "Panda", "Penguin", "Puffin", "Raven", "Robin", "Salmon", "Seal", "Swan", "Tiger", "Turtle",
+    "Walrus", "Wolf", "Wren", "Yak", "Zebra",
+)  # fmt: skip
+
+LETTERS = "ABCDEFGHJKMNPRSTUVWXYZ"
+"""What a class's code is made of: nothing that could be taken for a digit or for another letter."""
+
+_RUDE = frozenset(("ANUS", "ARSE", "BUTT", "CRAP", "CUNT", "DAMN", "FAGS", "FART", "FUCK", "NAZI", "PUSS"))
+_RUDE_STEMS = ("ASS", "CUM", "FAG", "FUK", "KKK", "SEX", "TWA", "WTF")
+
+Choose = Callable[[int], int]
+"""Picks a number below another one."""
+
+
+def new_name(taken: Collection[str], choose: Choose = secrets.randbelow) -> str:
+    """A name such as "Blue Heron" that nobody has; with an animal that nobody has, if there is one.
+
+    Args:
+        taken: names that are in use; fewer than there are names.
+    """
+    used = {name.split()[1] for name in taken}
+    animals = [animal for animal in ANIMALS if animal not in used] or list(ANIMALS)
+    free = [f"{color} {animal}" for animal in animals for color in COLORS if f"{color} {animal}" not in taken]
+    return free[choose(len(free))]
+
+
+def color_of(name: str) -> str:
+    """The colour that goes with a name, as in "#2f6fb5"."""
+    return COLORS[name.split()[0]]
+
+
+def new_code(taken: Collection[str], choose: Choose = secrets.randbelow) -> str:
+    """Four letters that no class has yet, and that are no word one would not want on a wall."""
+    while True:
+        code = "".join(LETTERS[choose(len(LETTERS))] for _ in range(4))
+        if code not in taken and code not in _RUDE and not any(stem in code for stem in _RUDE_STEMS):
+            return code

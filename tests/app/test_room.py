@@ -1,0 +1,286 @@
+"""A class's room: what it takes from whom, and that every answer counts once."""
+
+from __future__ import annotations
+
+import msgspec
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import sim
+from app.classroom import names
+from app.classroom.room import (
+    MOST_SEATS,
+    PHASE_OF,
+    Answer,
+    Ghost,
+    Line,
+    Phase,
+    Refused,
+    Room,
+    Seat,
+    Vote,
+    Work,
+    digest,
+    plain,
+)
+from sim.scene.lesson import Lesson, Question, Step
+
+SECRETS = [f"{i:032x}" for i in range(MOST_SEATS + 2)]
+
+
+def a_room() -> Room:
+    """A class with a lesson of two steps, of which the first asks, and with a scene without a lesson."""
+    question = Question(text="Which way?", choices=("left", "right", "neither"), answer=1, because="It is.")
+    steps = (
+        Step(title="One", question=question, do="Look.", predict=2.0),
+        Step(title="Two", do="Try."),
+    )
+    scene = msgspec.structs.replace(sim.rope(masses=4), lesson=Lesson(steps=steps))
+    return Room(code="ABCD", key=digest("key"), scenes=(scene, sim.rope()))
+
+
+def an_answer(id: int, content: Vote | Ghost | Line | Work, turn: int = 0, **more: int) -> Answer:
+    return Answer(
+        **{"id": f"{id:016x}", "turn": turn, "seat": 0, "twin": 0, "stop": 0, "round": 0, **more},
+        content=content,
+    )
+
+
+def asking() -> tuple[Room, Seat]:
+    """A class that is asked, and a seat in it."""
+    room = a_room()
+    seat = room.enter(SECRETS[0])
+    room.go(0, Phase.ASK)
+    return room, seat
+
+
+def test_a_class_goes_through_all_its_stops() -> None:
+    room = a_room()
+    went = []
+    while (after := room.next()) is not None:
+        room.go(*after)
+        went.append((room.at, room.phase.value, room.round))
+    asked = ["show", "ask", "results", "run", "explain", "ask", "results", "try", "collect"]
+    assert [phase for at, phase, _ in went if at == 0] == asked
+    assert [phase for at, phase, _ in went if at == 1] == ["show", "try", "collect"]
+    assert [phase for at, phase, _ in went if at == 2] == ["show", "try", "collect"]
+    with pytest.raises(Refused):
+        room.go(3, Phase.SHOW)
+    with pytest.raises(Refused):
+        room.go(1, Phase.ASK)
+
+
+def test_a_browser_comes_back_to_its_seat() -> None:
+    room = a_room()
+    first, second = room.enter(SECRETS[0]), room.enter(SECRETS[1])
+    assert (first.number, second.number) == (1, 2)
+    assert first.name != second.name
+    room.is_open = False
+    assert room.enter(SECRETS[1]) is second
+    with pytest.raises(Refused, match="open the door"):
+        room.enter(SECRETS[2])
+    room.is_open = True
+    room.remove(1)
+    with pytest.raises(Refused, match="closed this seat"):
+        room.enter(SECRETS[0])
+    # A number is not given twice: answers of the one who left are not another's.
+    assert room.enter(SECRETS[2]).number == 3
+
+
+def test_a_class_is_full() -> None:
+    room = a_room()
+    given_names = {room.enter(secret).name for secret in SECRETS[:MOST_SEATS]}
+    assert len(given_names) == MOST_SEATS
+    with pytest.raises(Refused, match=f"{MOST_SEATS} seats"):
+        room.enter(SECRETS[MOST_SEATS])
+
+
+def test_a_choice_can_be_changed_until_all_are_shown() -> None:
+    room, seat = asking()
+    assert room.take(seat.number, an_answer(1, Vote(0), turn=1))
+    assert room.take(seat.number, an_answer(2, Vote(2), turn=2))
+    assert room.bars(0, 0) == [0, 0, 1]
+    # The first one comes once more, from a network that says things twice.
+    assert not room.take(seat.number, an_answer(1, Vote(0), turn=1))
+    assert room.bars(0, 0) == [0, 0, 1]
+    room.go(0, Phase.RESULTS)
+    with pytest.raises(Refused, match="have been shown"):
+        room.take(seat.number, an_answer(3, Vote(1), turn=3))
+    assert not room.take(seat.number, an_answer(2, Vote(2), turn=2))
+    assert room.bars(0, 0) == [0, 0, 1]
+    # Whoever was away when it was asked is late, and counts.
+    other = room.enter(SECRETS[1])
+    assert room.take(other.number, an_answer(4, Vote(1)))
+    assert room.answers[f"{4:016x}"].late
+    assert room.bars(0, 0) == [0, 1, 1]
+
+
+def test_a_second_vote_is_another_one() -> None:
+    room, seat = asking()
+    room.take(seat.number, an_answer(1, Vote(0), turn=1))
+    with pytest.raises(Refused, match="not been asked"):
+        room.take(seat.number, an_answer(2, Vote(1), turn=2, round=1))
+    room.go(0, Phase.ASK, 1)
+    room.take(seat.number, an_answer(2, Vote(1), turn=2, round=1))
+    assert (room.bars(0, 0), room.bars(0, 1)) == ([1, 0, 0], [0, 1, 0])
+
+
+def test_the_right_answer_is_told_last() -> None:
+    room = a_room()
+    told = []
+    while (after := room.next()) is not None and after[0] == 0:
+        room.go(*after)
+        told.append(room.has_told)
+    assert told == [False] * 6 + [True] * 3
+
+
+def test_two_at_one_seat_answer_both() -> None:
+    room, seat = asking()
+    with pytest.raises(Refused, match="Only one"):
+        room.take(seat.number, an_answer(1, Vote(0), twin=1))
+    seat.twins = True
+    room.take(seat.number, an_answer(1, Vote(0)))
+    room.take(seat.number, an_answer(2, Vote(1), twin=1))
+    assert room.bars(0, 0) == [1, 1, 0]
+
+
+@pytest.mark.parametrize(
+    "forged",
+    [
+        an_answer(1, Vote(3)),
+        an_answer(1, Vote(0), twin=1),
+        an_answer(1, Vote(0), stop=1),
+        an_answer(1, Vote(0), stop=7),
+        an_answer(1, Vote(0), stop=-1),
+        an_answer(1, Vote(0), round=1),
+        an_answer(1, Line("too early")),
+        an_answer(1, Work()),
+        an_answer(1, Ghost(((0.0, 0.0),))),
+        an_answer(1, Ghost(((float("nan"), 0.0),) * 4)),
+    ],
+)
+def test_what_nobody_asked_for_is_refused(forged: Answer) -> None:
+    room, seat = asking()
+    before = msgspec.json.encode(room)
+    with pytest.raises(Refused):
+        room.take(seat.number, forged)
+    assert msgspec.json.encode(room) == before
+
+
+def test_a_seat_gives_no_answers_of_another() -> None:
+    room, seat = asking()
+    other = room.enter(SECRETS[1])
+    room.take(seat.number, an_answer(1, Vote(0), seat=other.number))
+    assert room.answers[f"{1:016x}"].seat == seat.number
+    with pytest.raises(Refused, match="somebody else"):
+        room.take(other.number, an_answer(1, Vote(1)))
+    room.remove(seat.number)
+    assert room.bars(0, 0) == [0, 0, 0]
+    with pytest.raises(Refused):
+        room.take(seat.number, an_answer(2, Vote(1)))
+
+
+def test_what_is_sealed_does_not_come_on_the_wall() -> None:
+    room, seat = asking()
+    room.take(seat.number, an_answer(1, Ghost(((0.0, 0.0),) * 4)))
+    with pytest.raises(Refused, match="before all are shown"):
+        room.put_on_wall(f"{1:016x}")
+    room.go(0, Phase.RESULTS)
+    room.put_on_wall(f"{1:016x}")
+    assert room.on_wall == f"{1:016x}"
+    room.remove(seat.number)
+    assert room.on_wall == ""
+
+
+def test_a_line_is_text_on_one_line() -> None:
+    assert plain(" a\u202eb\x00c\n\td  e ", 140) == "a b c d e"
+    assert plain("\u200b\u2028", 140) == ""
+    assert plain("x" * 200, 140) == "x" * 140
+    room, seat = asking()
+    room.go(0, Phase.EXPLAIN)
+    room.take(seat.number, an_answer(1, Line("because\n<b>it</b> is")))
+    (line,) = room.given(0, 0, Line)
+    assert line.content == Line("because <b>it</b> is")
+    with pytest.raises(Refused, match="needs a letter"):
+        room.take(seat.number, an_answer(2, Line("\u200b"), turn=1))
+
+
+def test_names_are_given_unless_the_teacher_allows_others() -> None:
+    room = a_room()
+    seat, other = room.enter(SECRETS[0]), room.enter(SECRETS[1])
+    before = seat.name
+    room.rename(seat.number)
+    assert seat.name != before
+    with pytest.raises(Refused, match="names are given"):
+        room.rename(seat.number, "Ann")
+    room.own_names = True
+    room.rename(seat.number, " An\u200bn ")
+    assert seat.name == "An n"
+    with pytest.raises(Refused, match="Somebody has"):
+        room.rename(other.number, "an N")
+
+
+def test_another_device_takes_a_seat_over() -> None:
+    room, seat = asking()
+    room.take(seat.number, an_answer(1, Vote(0)))
+    with pytest.raises(Refused, match="No seat"):
+        room.move(SECRETS[1], "")
+    room.offer_move(seat.number, "42")
+    room.enter(SECRETS[1])
+    assert room.move(SECRETS[1], "42") is seat
+    assert room.enter(SECRETS[1]) is seat
+    assert len(room.seats) == 1
+    with pytest.raises(Refused, match="No seat"):
+        room.move(SECRETS[2], "42")
+    # The old device is a new pupil's now.
+    assert room.enter(SECRETS[0]) is not seat
+
+
+def test_codes_are_no_words_for_a_wall() -> None:
+    numbers = iter([names.LETTERS.index(c) for c in "CRAP" + "ASSB" + "ABCD" + "WXYZ"])
+    assert names.new_code({"ABCD"}, lambda _: next(numbers)) == "WXYZ"
+
+
+_CONTENT = {Vote: Vote(1), Ghost: Ghost(((1.0, 2.0),) * 4), Line: Line("so"), Work: Work()}
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.data())
+def test_whatever_happens_every_answer_counts_once_and_the_last_one_before_it_is_shown(
+    data: st.DataObject,
+) -> None:
+    room = a_room()
+    seats = [room.enter(secret).number for secret in SECRETS[:3]]
+    sent: list[tuple[int, Answer]] = []
+    last: dict[tuple[int, int, type], Answer] = {}
+    for _ in range(data.draw(st.integers(1, 25))):
+        act = data.draw(st.sampled_from(("next", "give", "again", "restart")))
+        if act == "next" and (after := room.next()) is not None:
+            room.go(*after)
+        elif act == "restart":
+            room = msgspec.json.decode(msgspec.json.encode(room), type=Room)
+        elif act == "again" and sent:
+            number, answer = data.draw(st.sampled_from(sent))
+            before = dict(room.answers)
+            try:
+                counts = room.take(number, answer)
+            except Refused:
+                counts = False
+            if answer.id in before:
+                assert not counts
+            if counts:  # it was refused at first, since the class was not there yet
+                last[number, answer.round, type(answer.content)] = answer
+            else:
+                assert room.answers == before
+        elif act == "give":
+            kind = data.draw(st.sampled_from(list(_CONTENT)))
+            number = data.draw(st.sampled_from(seats))
+            answer = an_answer(len(sent) + 1, _CONTENT[kind], turn=len(sent), round=room.round)
+            sent.append((number, answer))
+            if room.phase is PHASE_OF[kind] and room.at == 0:
+                assert room.take(number, answer)
+                last[number, room.round, kind] = answer
+    places = [answer.place for answer in room.answers.values()]
+    assert len(places) == len(set(places))
+    assert {answer.id for answer in last.values()} == set(room.answers)
