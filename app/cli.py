@@ -21,6 +21,7 @@ from sim.motion.quantities import PARTS
 from sim.store.files import read_scene
 
 from . import headless
+from .classroom.command import TeachClass
 from .command import CsvComma, Settings, fail, scene_of
 from .export.command import Export
 from .lessons import check_lesson
@@ -239,6 +240,7 @@ _COMMANDS: dict[str, type[Command]] = {
     "check": Check,
     "link": Link,
     "export": Export,
+    "class": TeachClass,
 }
 
 STUDIES = ("bench", "validate", "stability", "study", "sweep")

@@ -226,7 +226,7 @@ class Room(Struct, kw_only=True):
 
     Attributes:
         code: four letters by which pupils find it.
-        key: digest of the teacher's secret.
+        key: the teacher's secret, which the terminal shows again after a restart.
         scenes: what it goes through, in order.
         at: index of the present one of `stops`.
         phase: what they do there.

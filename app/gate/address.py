@@ -13,9 +13,11 @@ _FIELDS = {
     "controls": re.compile(r"[\w.,%\[\]-]{0,2000}", re.ASCII),
     "scene": re.compile(r"[!-%'-~]{0,300}"),
     "s": re.compile(r"[!-%'-~]{0,40}"),
+    "room": re.compile(r"[A-Za-z]{0,4}", re.ASCII),
+    "as": re.compile(r"(desk|wall|seat)?", re.ASCII),
 }
-"""What the query of a page's address may say: which controls there are (`app.page.controls`), and which scene
-(`app.page.opening`)."""
+"""What the query of a page's address may say: which controls there are (`app.page.controls`), which scene
+(`app.page.opening`), and which class, and as what it takes part in that (`app.page.classroom`)."""
 
 _PAGE = re.compile(r".*/at/([0-9a-f]{32})", re.ASCII)
 

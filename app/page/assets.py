@@ -27,6 +27,7 @@ _STYLES = (
     "looks/dialogs.css",
     "scenes/gallery.css",
     "scenes/lesson.css",
+    "classroom/classroom.css",
     "looks/menu.css",
     "looks/looks.css",
 )

@@ -22,7 +22,8 @@ export const awaySince = () => since;
 /** @param {Event} event */
 function isBrowsers(event) {
   if (event instanceof KeyboardEvent) return event.ctrlKey || event.metaKey || BROWSERS.has(event.key) || /^F\d/.test(event.key);
-  return event.target instanceof Element && event.target.closest(".softrod-close") !== null;
+  // What a pupil answers is kept until there is a connection.
+  return event.target instanceof Element && event.target.closest(".softrod-close, .softrod-seat, .softrod-own-ghost") !== null;
 }
 
 /** @param {Event} event */

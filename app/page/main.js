@@ -3,6 +3,7 @@
 import { addArrows } from "./measure/arrow_marks.js";
 import { mindAbsence } from "./away.js";
 import { tellApart } from "./viser/axis_numbers.js";
+import { addClassroom } from "./classroom/classroom.js";
 import { addBodyKeys } from "./hands/body_keys.js";
 import { fitted, keepFlat } from "./body/camera.js";
 import { listenToClipboard } from "./edit/clipboard.js";
@@ -98,6 +99,7 @@ whenViser((viser) => {
   addInstruments();
   addPaper();
   addLesson();
+  addClassroom();
   addTexts();
   addMenu();
   addEditMarks();

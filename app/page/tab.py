@@ -20,6 +20,7 @@ import numpy as np
 import viser
 
 import sim
+from app.classroom.live import Front
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 from sim.errors import InputError, SceneError
 from sim.methods.registry import METHODS
@@ -39,6 +40,7 @@ from ..wire.to_page import Keepsake, PageState, Resumed, Run, ShowMeasures
 from . import controls
 from .answers import Answers
 from .body.view import Canvas, Touch, picture_of
+from .classroom.role import Role
 from .controls import Controls
 from .files import keeping, pasts
 from .files.export_panel import ExportPanel
@@ -89,6 +91,13 @@ def told_of_compiling(ready: int, of: int, busy_with: str, awaited: str) -> str:
     return f"{text}; {trouble}" if trouble else text
 
 
+def world_size(scene: sim.Scene) -> tuple[float, float]:
+    """Width and height of a scene's frame, in the page's world."""
+    xmin, ymin, xmax, ymax = scene.view.frame
+    size = WORLD_SIZE / max(xmax - xmin, ymax - ymin)
+    return (xmax - xmin) * size, (ymax - ymin) * size
+
+
 class Submit(Protocol):
     """Has something done in another thread, as `ThreadPoolExecutor.submit`."""
 
@@ -114,6 +123,7 @@ class Tab:
         query: of the page's address, which may say which controls there are, and which scene comes first.
         owned: whether it is known to be the page of this computer's owner.
         for_others: the address by which others reach the page, from that by which it was reached itself.
+        role_of: what the page is in a class, if it is in one, from its mail.
     """
 
     def __init__(
@@ -124,6 +134,7 @@ class Tab:
         query: str = "",
         owned: bool = False,
         for_others: Callable[[str], str] = str,
+        role_of: Callable[[Mail], Role | None] = lambda _: None,
     ) -> None:
         self.client = client
         self._compiler = compiler
@@ -156,6 +167,8 @@ class Tab:
         self._first = scene = self._asked_scene(query) or scene
         self._view = Canvas(client, self._touched)
         self._mail = Mail(client)
+        self._role = role_of(self._mail)
+        self._front: Front | None = None
         listen(client, self.hear)
         self._asked_controls = self._checked(controls.of_query, query)
         self._controls = self._scenes_controls = controls.ALL
@@ -171,6 +184,11 @@ class Tab:
         self._view.build(scene, self._looks.dark)
         self._view.draw(Picture.at_start(scene), time.monotonic())
 
+    def leave(self) -> None:
+        """The page is gone."""
+        if self._role is not None:
+            self._role.leave()
+
     @property
     def session(self) -> Session | None:
         """The page's simulation; None until the first picture has been sent."""
@@ -179,8 +197,8 @@ class Tab:
     # --------------------------------------------------------------------- handlers, any thread
     def hear(self, said: from_page.FromPage) -> None:
         """Do what the page says, or have the ticker do it; nothing in it is trusted."""
-        session = self._session
-        if session is None:
+        session, role = self._session, self._role
+        if session is None or (role is not None and not role.allows(said)):
             return
         match said:
             case from_page.At(hands):
@@ -204,6 +222,11 @@ class Tab:
                 self._answers.take(said, self._controls)
             case from_page.Ask():
                 self._answers.ask(said)
+                if role is not None and isinstance(said, from_page.Who):
+                    self._requests.append(lambda now: role.introduce(said, now))
+            case from_page.InSeat() | from_page.Lead():
+                if role is not None:
+                    self._requests.append(lambda now: role.hear(said, now))
             case from_page.Edit():
                 if "edit" in self._controls:
                     self._answers.edits.do(said)
@@ -277,6 +300,10 @@ class Tab:
         else:
             self._look_at_shelf(session.now())
             self._serve_requests(session)
+            if self._role is not None:
+                self._role.frame(session)
+                if self._shows_front(session, self._role.front):
+                    return
             self._prepare(session)
             if session.heavy:
                 self._under_way = beside(self._advance, session, budget)
@@ -287,6 +314,41 @@ class Tab:
         with self.client.atomic():
             self._send(session)
         self._keep(session)
+
+    def _shows_front(self, session: Session, front: Front | None) -> bool:
+        """Show what the teacher's page does, if there is that, instead of the page's own body."""
+        before, self._front = self._front, front
+        if (before is None) != (front is None):
+            self._generation = -1
+        if front is None:
+            return False
+        with self.client.atomic():
+            if self._generation != session.generation:
+                self._rebuild(session)
+                before = None
+            another = before is None or (before.opening, before.revision) != (front.opening, front.revision)
+            if another:
+                self._mapping = Mapping.of(front.scene)
+                self._view.build(front.scene, self._looks.dark, front.rest_angles)
+            self._view.draw(front.picture, session.now(), force=another or not front.playing)
+            self._mail.tell(self._state_of_front(front))
+            self._tell(session)
+        return True
+
+    def _state_of_front(self, front: Front) -> PageState:
+        """How things are on a page that only looks on."""
+        scene = front.scene
+        width, height = world_size(scene)
+        return PageState(
+            page=self._page,
+            scene=-1 - front.opening,  # no number of one that the page itself opens
+            title=shown_name(scene),
+            width=width,
+            height=height,
+            unit=scene.view.unit,
+            playing=front.playing,
+            speed=front.speed,
+        )
 
     def _send(self, session: Session) -> None:
         """Send what the page does not know yet."""
@@ -341,7 +403,9 @@ class Tab:
             return None
 
     def _wanted_controls(self, scene: sim.Scene) -> Controls:
-        """Those that the page's address names, or else the scene."""
+        """Those that its place in a class gives it, or that the page's address names, or else the scene."""
+        if self._role is not None and (given := self._role.controls) is not None:
+            return given
         if self._asked_controls is None and scene.view.controls != self._named_controls:
             self._named_controls = scene.view.controls
             self._scenes_controls = self._checked(controls.of_scene, scene) or controls.ALL
@@ -498,15 +562,15 @@ class Tab:
         """Tell the page's script how things are."""
         if (session := self._session) is None:
             return
-        frame, history, joint = session.scene.view.frame, session.history, session.joint
-        size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
+        history, joint = session.history, session.joint
+        width, height = world_size(session.scene)
         scrubbed, measures = history.scrubbed, self._panel.measure_tab
         state = PageState(
             page=self._page,
             scene=session.openings,
             title=shown_name(session.scene),
-            width=(frame[2] - frame[0]) * size,
-            height=(frame[3] - frame[1]) * size,
+            width=width,
+            height=height,
             unit=session.scene.view.unit,
             joint=joint if session.scene.angular_springs else -1,
             playing=playing,
@@ -543,8 +607,9 @@ class Tab:
         undo = self._secret if len(session.versions) else ""
         if undo:
             pasts.keep(undo, session.versions)
-        kept = keeping.encode(session.keepsake(), self._looks, plots, undo)
-        self._mail.tell(Keepsake(kept=kept.decode()))
+        made = session.keepsake()
+        if self._role is None or not self._role.keep(made):
+            self._mail.tell(Keepsake(kept=keeping.encode(made, self._looks, plots, undo).decode()))
         self._kept = state
         self._kept_scene = scene
         wait = (time.thread_time() - began) / KEEP_SHARE

@@ -19,15 +19,26 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 import sim
 from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 
+from ..classroom.live import Classes
 from ..drawing.colors import LIGHT_GAIN
 from ..gate.address import address_for_others, public_address
 from ..gate.gate import GatedServer, exposure, open_server, page_addresses
 from ..linking import print_qr_code
 from ..page.assets import page_files
+from ..page.classroom.role import Role
+from ..page.classroom.roles import (
+    class_of_query,
+    desk_address,
+    first_scene,
+    role_of_query,
+    seat_address,
+    wall_address,
+)
 from ..page.panel import set_theme
 from ..page.scenes import owner
 from ..page.tab import Tab
 from ..session.session import Notice
+from ..wire.carrier import Mail
 from .ticker import Ticker
 
 
@@ -39,6 +50,7 @@ def serving(
     embed: Sequence[str] = (),
     allow_hosts: Sequence[str] = (),
     public_url: str | None = None,
+    classes: Classes | None = None,
 ) -> Iterator[tuple[GatedServer, Ticker, Compiler]]:
     """The server behind its gate, ticking, for as long as the context lasts; the compiler is not started.
 
@@ -48,6 +60,7 @@ def serving(
         embed: origins of the sites that may show the page in a frame, as in "https://school.example".
         allow_hosts: further names by which a browser may reach the server, as in "laptop.local".
         public_url: the address by which others reach the page, as in "https://school.example/lab/".
+        classes: those that others may come to; without these, every page is one of its own.
 
     Raises:
         GateError: the gate could not be put in place, or an origin or address is none; nothing is served.
@@ -63,7 +76,16 @@ def serving(
     def make_tab(client: viser.ClientHandle) -> Tab:
         gate, client_id = server.gate, client.client_id
         query, owned = gate.query_of(client_id), gate.is_local(client_id)
-        return Tab(client, scene, compiler, query, owned, for_others)
+        if classes is None:
+            return Tab(client, scene, compiler, query, owned, for_others)
+        klass = class_of_query(query, classes)
+        base = for_others(f"{page_addresses(host, server.get_port())[0]}/")
+
+        def role(mail: Mail, classes: Classes = classes) -> Role | None:
+            return role_of_query(query, mail, classes, base, owned)
+
+        first = (klass and first_scene(klass)) or scene
+        return Tab(client, first, compiler, query, owned, for_others, role)
 
     ticker = Ticker(make_tab)
 
@@ -94,6 +116,8 @@ def serving(
     finally:
         compiler.stop()
         ticker.stop()
+        if classes is not None:
+            classes.close()
         with _viser_is_quiet():
             server.stop()
 
@@ -118,13 +142,14 @@ def serve(
     allow_hosts: Sequence[str] = (),
     public_url: str | None = None,
     qr: bool = False,
+    classes: Classes | None = None,
 ) -> None:
     """Serve until Ctrl-C or SIGTERM.
 
     Args:
         open_browser: whether to open the page in a browser.
         qr: whether to print the QR code of the address by which others reach the page.
-        scene, host, port, embed, allow_hosts, public_url: as of `serving`.
+        scene, host, port, embed, allow_hosts, public_url, classes: as of `serving`.
 
     Raises:
         GateError, PortBusy: as `serving`.
@@ -135,8 +160,11 @@ def serve(
     for number in (signal.SIGINT, signal.SIGTERM):
         # Only an append: a second signal can come in the middle of this handler, and must find no lock.
         signal.signal(number, lambda number, _: signals.append(number))
-    with serving(scene, host, port, embed, allow_hosts, public_url) as (server, ticker, compiler):
-        address = _tell_addresses(server, host, public_url, qr, console)
+    with serving(scene, host, port, embed, allow_hosts, public_url, classes) as (server, ticker, compiler):
+        if classes is None:
+            address = _tell_addresses(server, host, public_url, qr, console)
+        else:
+            address = _tell_classes(server, host, public_url, classes, console)
         if open_browser:
             webbrowser.open(address)
         # The first page is drawn first, if it comes soon: both want the interpreter.
@@ -186,6 +214,30 @@ def _tell_addresses(
     if warning:
         console.print(f"[yellow]{warning}[/yellow]", highlight=False)
     return address
+
+
+def _tell_classes(
+    server: GatedServer, host: str, public_url: str | None, classes: Classes, console: Console
+) -> str:
+    """Say how teachers and pupils come to each class; returns the first teacher's address."""
+    port = server.get_port()
+    public = None if public_url is None else public_address(public_url)
+    own = f"{page_addresses(host, port)[0]}/"
+    base = address_for_others(own, host, port, public)
+    for klass in classes:
+        code = klass.room.code
+        console.print(f"Class [bold]{code}[/bold]", highlight=False)
+        for label, address in (
+            ("the teacher, and nobody else", desk_address(own if public is None else base, klass)),
+            ("the wall", wall_address(own if public is None else base, code)),
+            ("pupils", seat_address(base, code)),
+        ):
+            console.print(f"  {label}: [bold]{address}[/bold]", highlight=False, soft_wrap=True)
+        if base != own or public is not None:
+            print_qr_code(seat_address(base, code))
+    if server.gate.loopback and public is None:
+        console.print("[yellow]Only this computer reaches these; --host 0.0.0.0 lets others in.[/yellow]")
+    return desk_address(own, next(iter(classes)))
 
 
 def _show_progress(compiler: Compiler, console: Console) -> None:

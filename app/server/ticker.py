@@ -97,6 +97,7 @@ class Ticker:
                     # A page that went away in the middle of a frame, or a defect: the other tabs go on.
                     _log.exception("the tab %s is closed after an error", client_id)
                     self.tabs.pop(client_id, None)
+                    tab.leave()
                     _say_stopped(tab.client)
             now = time.monotonic()
             self._frame = next_frame(self._frame, now - began)
@@ -113,7 +114,9 @@ class Ticker:
             except Exception:
                 _log.exception("a page could not be set up")
         while self._departures:
-            self.tabs.pop(self._departures.popleft(), None)
+            gone = self.tabs.pop(self._departures.popleft(), None)
+            if gone is not None:
+                gone.leave()
 
 
 def _say_stopped(client: viser.ClientHandle) -> None:

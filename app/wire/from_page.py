@@ -34,6 +34,7 @@ Parts = Annotated[tuple[Index, ...], Meta(max_length=100)]
 Point = tuple[Coordinate, Coordinate]
 SceneName = Annotated[str, Meta(min_length=1, max_length=200)]
 Key = Literal["up", "down", "left", "right"]
+PhaseName = Literal["lobby", "show", "ask", "results", "run", "explain", "try", "collect"]
 
 if TYPE_CHECKING:
     CommandName = str
@@ -174,10 +175,15 @@ class Unsent(Ask, frozen=True):
 
 
 class Who(Ask, frozen=True):
-    """Whose the page is: a secret of its browser, and the owner's key if it was opened with that."""
+    """Whose the page is: a secret of its browser, and the owner's key if it was opened with that.
+
+    Attributes:
+        teacher: the secret of the class that the page is of, if it is the teacher's.
+    """
 
     visitor: Annotated[str, Meta(pattern=r"^[0-9a-f]{32}$")]
     owner: Annotated[str, Meta(max_length=100)] = ""
+    teacher: Annotated[str, Meta(max_length=100)] = ""
 
 
 class ListScenes(Ask, frozen=True):
@@ -201,6 +207,117 @@ class ChangeScene(Ask, frozen=True):
     how: Literal["rename", "duplicate", "delete", "restore"]
     name: SceneName
     to: Annotated[str, Meta(max_length=200)] = ""
+
+
+# ------------------------------------------------------------------------- in a class, a pupil
+class InSeat(FromPage, frozen=True):
+    """What a pupil's page says in a class; see `app.classroom.room`."""
+
+
+class Give(InSeat, frozen=True):
+    """An answer, which is said again until the server has it.
+
+    Attributes:
+        id: made up by the page.
+        turn: counts what the page gave.
+        twin: 1 for the second of two pupils at one page.
+        stop, round: what it is the answer to.
+    """
+
+    id: Annotated[str, Meta(pattern=r"^[0-9a-f]{16}$")]
+    turn: Annotated[int, Meta(ge=0, le=1_000_000)]
+    stop: Annotated[int, Meta(ge=0, le=99)]
+    round: Annotated[int, Meta(ge=0, le=1)]
+    twin: Annotated[int, Meta(ge=0, le=1)]
+
+
+class GiveVote(Give, frozen=True):
+    """One of the choices of a question."""
+
+    choice: Annotated[int, Meta(ge=0, le=4)]
+
+
+class GivePlaces(Give, frozen=True):
+    """Where each mass will be."""
+
+    points: Annotated[tuple[Point, ...], Meta(min_length=1, max_length=2000)]
+
+
+class GiveLine(Give, frozen=True):
+    """An explanation."""
+
+    text: Annotated[str, Meta(min_length=1, max_length=600)]
+
+
+class HandIn(Give, frozen=True):
+    """What the page's body did since the step began is to be handed in; the server has it."""
+
+
+class RaiseHand(InSeat, frozen=True):
+    """A hand goes up or down."""
+
+    up: bool
+
+
+class NewName(InSeat, frozen=True):
+    """Another name is wanted: one of the class's, or the one that was typed."""
+
+    wanted: Annotated[str, Meta(max_length=100)] = ""
+
+
+class SitTogether(InSeat, frozen=True):
+    """Two pupils are at this page, or one."""
+
+    two: bool
+
+
+class LeaveBy(InSeat, frozen=True):
+    """Another device is to take the seat over: two digits are wanted by which it finds it."""
+
+
+class TakeOver(InSeat, frozen=True):
+    """This page is to have the seat that offers itself by two digits."""
+
+    digits: Annotated[str, Meta(pattern=r"^[0-9]{2}$")]
+
+
+# ------------------------------------------------------------------------- in a class, the teacher
+class Lead(FromPage, frozen=True):
+    """What the teacher's page says in a class; nobody else's is heard."""
+
+
+class Stage(Lead, frozen=True):
+    """The class goes to a stop and a phase."""
+
+    stop: Annotated[int, Meta(ge=0, le=99)]
+    phase: PhaseName
+    round: Annotated[int, Meta(ge=0, le=1)] = 0
+
+
+class Arrange(Lead, frozen=True):
+    """Something that needs no place: all bodies are to stand, to go on, or to begin anew; all are to have the
+    teacher's scene as it is now; the door, and whether names can be typed; and the end."""
+
+    what: Literal["pause", "goOn", "reset", "asMine", "open", "close", "ownNames", "givenNames", "end"]
+
+
+class Star(Lead, frozen=True):
+    """An answer is picked out, or no longer."""
+
+    answer: Annotated[str, Meta(pattern=r"^[0-9a-f]{16}$")]
+    on: bool
+
+
+class ToWall(Lead, frozen=True):
+    """An answer is to be shown alone on the wall; none for ""."""
+
+    answer: Annotated[str, Meta(pattern=r"^([0-9a-f]{16})?$")]
+
+
+class SendAway(Lead, frozen=True):
+    """A seat is closed, and all that it gave goes."""
+
+    seat: Annotated[int, Meta(ge=1, le=9999)]
 
 
 # ------------------------------------------------------------------------- edits

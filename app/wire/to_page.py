@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from sim.scene.lesson import Question
 
-from .from_page import CommandName, leaves, tag_of
+from .from_page import CommandName, PhaseName, leaves, tag_of
 
 
 class ToPage(Struct, frozen=True, kw_only=True, tag_field="tell", tag=tag_of):
@@ -148,7 +148,201 @@ class Keepsake(State, frozen=True, kw_only=True):
     kept: str
 
 
+# ------------------------------------------------------------------------- in a class
+class Asking(Struct, frozen=True, kw_only=True):
+    """What a class looks at.
+
+    Attributes:
+        stop, phase, round: where it is.
+        title, do, watch: of the step; empty without one.
+        question, choices: empty if nothing is asked.
+        right: the right choice, once it may be known; else -1.
+        because: why it is right, then.
+        predict: simulated time for which the body's place is asked for, s; 0 if it is not.
+    """
+
+    stop: int
+    phase: PhaseName
+    round: int
+    title: str
+    do: str
+    watch: str
+    question: str
+    choices: tuple[str, ...]
+    right: int
+    because: str
+    predict: float
+
+
+class Given(Struct, frozen=True, kw_only=True):
+    """Something that the pupil at a page has given.
+
+    Attributes:
+        kind: what it is.
+        choice: of a vote; else -1.
+        text: of a line, or what was found.
+    """
+
+    stop: int
+    round: int
+    twin: int
+    kind: Literal["vote", "ghost", "line", "work"]
+    choice: int
+    text: str
+
+
+class Seat(State, frozen=True, kw_only=True):
+    """What a pupil's page has to know of the class.
+
+    Attributes:
+        code: the class's; empty while the page is in none.
+        problem: why it is in none.
+        name, color: the pupil's.
+        turn: that the page's next answer has at least.
+        two: whether two pupils sit here.
+        hand: whether a hand is up.
+        types_name: whether names can be typed.
+        digits: by which another device takes the seat over; empty if it is not to.
+        follows: whether the page shows the teacher's body.
+        paused: whether all bodies stand.
+        away: whether the teacher is not there.
+        elsewhere: whether a later page of the same browser has the seat.
+    """
+
+    code: str = ""
+    problem: str = ""
+    name: str = ""
+    color: str = ""
+    turn: int = 0
+    two: bool = False
+    hand: bool = False
+    types_name: bool = False
+    digits: str = ""
+    follows: bool = False
+    paused: bool = False
+    away: bool = False
+    elsewhere: bool = False
+    asking: Asking | None = None
+    given: tuple[Given, ...] = ()
+
+
+class WallLine(Struct, frozen=True, kw_only=True):
+    """A line that the teacher has picked out."""
+
+    text: str
+    color: str
+
+
+class Wall(State, frozen=True, kw_only=True):
+    """What the class sees in front; no name is in it.
+
+    Attributes:
+        code, address: how one comes in; a QR code of it as an address of a picture.
+        seats: how many are there.
+        answered: how many have answered what is asked.
+        bars: votes for each choice, once they are shown; else empty.
+        lines: what was picked out.
+        alone: whether one prediction is shown alone.
+    """
+
+    code: str
+    address: str
+    qr: str
+    seats: int
+    answered: int
+    asking: Asking
+    bars: tuple[int, ...]
+    lines: tuple[WallLine, ...]
+    alone: bool
+    paused: bool
+
+
+class Predictions(State, frozen=True, kw_only=True):
+    """Where the class has said that the masses will be, in the page's world: one body a prediction, without
+    names."""
+
+    bodies: tuple[tuple[tuple[float, float], ...], ...] = ()
+
+
+class DeskSeat(Struct, frozen=True, kw_only=True):
+    """A seat, as the teacher sees it.
+
+    Attributes:
+        here: whether a page of it is connected.
+        answered: whether it has given what is asked for.
+        doing: what its body does, in a word.
+    """
+
+    number: int
+    name: str
+    color: str
+    here: bool
+    two: bool
+    hand: bool
+    answered: bool
+    doing: str
+
+
+class DeskAnswer(Struct, frozen=True, kw_only=True):
+    """An answer, as the teacher sees it."""
+
+    id: str
+    seat: int
+    kind: Literal["vote", "ghost", "line", "work"]
+    choice: int
+    text: str
+    late: bool
+    starred: bool
+
+
+class DeskStop(Struct, frozen=True, kw_only=True):
+    """A stop of the class's plan."""
+
+    title: str
+    phases: tuple[tuple[PhaseName, int], ...]
+
+
+class Desk(State, frozen=True, kw_only=True):
+    """What the teacher's page has to know of the class.
+
+    Attributes:
+        stops: the plan.
+        next: where the class goes next: stop, phase, round; None at the end.
+        answers: to the present stop and round, or to what was asked last there.
+        bars: votes for each choice, also while they are sealed.
+        on_wall: the answer that is shown alone.
+        saved: whether all that there is is on the disk.
+    """
+
+    code: str
+    address: str
+    qr: str
+    stops: tuple[DeskStop, ...]
+    asking: Asking
+    next: tuple[int, PhaseName, int] | None
+    seats: tuple[DeskSeat, ...]
+    answers: tuple[DeskAnswer, ...]
+    bars: tuple[int, ...]
+    right: int
+    on_wall: str
+    open: bool
+    own_names: bool
+    paused: bool
+    saved: bool
+
+
 # ------------------------------------------------------------------------- events
+class Taken(Event, frozen=True, kw_only=True):
+    """The server has these answers, or has refused one: then it says why."""
+
+    ids: tuple[str, ...]
+    refused: str = ""
+
+
+class ClassEnded(Event, frozen=True, kw_only=True):
+    """The class is over: nothing of it is to be kept."""
+
+
 class Run(Event, frozen=True, kw_only=True):
     """Do a command that is the page's, see `commands`."""
 

@@ -35,13 +35,41 @@ export type Unread = { do: "unread"; text: string };
 /** Something was too long to be sent; its user is to be told. */
 export type Unsent = { do: "unsent"; what: "link" | "paste" | "resume" };
 /** Whose the page is: a secret of its browser, and the owner's key if it was opened with that. */
-export type Who = { do: "who"; visitor: string; owner?: string };
+export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** All scenes, and pictures of the user's own. */
 export type ListScenes = { do: "listScenes"; dark: boolean };
 /** Open a scene by its name. */
 export type OpenScene = { do: "openScene"; name: string };
 /** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
 export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
+/** One of the choices of a question. */
+export type GiveVote = { do: "giveVote"; id: string; turn: number; stop: number; round: number; twin: number; choice: number };
+/** Where each mass will be. */
+export type GivePlaces = { do: "givePlaces"; id: string; turn: number; stop: number; round: number; twin: number; points: [number, number][] };
+/** An explanation. */
+export type GiveLine = { do: "giveLine"; id: string; turn: number; stop: number; round: number; twin: number; text: string };
+/** What the page's body did since the step began is to be handed in; the server has it. */
+export type HandIn = { do: "handIn"; id: string; turn: number; stop: number; round: number; twin: number };
+/** A hand goes up or down. */
+export type RaiseHand = { do: "raiseHand"; up: boolean };
+/** Another name is wanted: one of the class's, or the one that was typed. */
+export type NewName = { do: "newName"; wanted?: string };
+/** Two pupils are at this page, or one. */
+export type SitTogether = { do: "sitTogether"; two: boolean };
+/** Another device is to take the seat over: two digits are wanted by which it finds it. */
+export type LeaveBy = { do: "leaveBy" };
+/** This page is to have the seat that offers itself by two digits. */
+export type TakeOver = { do: "takeOver"; digits: string };
+/** The class goes to a stop and a phase. */
+export type Stage = { do: "stage"; stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round?: number };
+/** Something that needs no place: all bodies are to stand, to go on, or to begin anew; all are to have the teacher's scene as it is now; the door, and whether names can be typed; and the end. */
+export type Arrange = { do: "arrange"; what: "asMine" | "close" | "end" | "givenNames" | "goOn" | "open" | "ownNames" | "pause" | "reset" };
+/** An answer is picked out, or no longer. */
+export type Star = { do: "star"; answer: string; on: boolean };
+/** An answer is to be shown alone on the wall; none for "". */
+export type ToWall = { do: "toWall"; answer: string };
+/** A seat is closed, and all that it gave goes. */
+export type SendAway = { do: "sendAway"; seat: number };
 /** The scene is to have another name and another description. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
 /** Some parts are to be selected; with `toggle`, they change sides and the others stay as they are. */
@@ -62,11 +90,23 @@ export type Stroke = { do: "stroke"; points: [number, number][] };
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "mirror" | "pin" | "remove" | "rest" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Switch | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
+export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Switch | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Stage | Arrange | Star | ToWall | SendAway | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
 export type Question = { text: string; choices: string[]; answer: number; because: string };
+/** What a class looks at. */
+export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number };
+/** Something that the pupil at a page has given. */
+export type Given = { stop: number; round: number; twin: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string };
+/** A line that the teacher has picked out. */
+export type WallLine = { text: string; color: string };
+/** A stop of the class's plan. */
+export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number][] };
+/** A seat, as the teacher sees it. */
+export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string };
+/** An answer, as the teacher sees it. */
+export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean };
 /** A scene as the gallery shows it. */
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What the script has to know of the session and of the page. */
@@ -85,6 +125,18 @@ export type Selected = { tell: "selected"; masses: number[]; springs: number[]; 
 export type Versions = { tell: "versions"; undo: string; redo: string; count: number };
 /** What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
+/** What a pupil's page has to know of the class. */
+export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; paused: boolean; away: boolean; elsewhere: boolean; asking: Asking | null; given: Given[] };
+/** What the class sees in front; no name is in it. */
+export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean };
+/** Where the class has said that the masses will be, in the page's world: one body a prediction, without names. */
+export type Predictions = { tell: "predictions"; bodies: [number, number][][] };
+/** What the teacher's page has to know of the class. */
+export type Desk = { tell: "desk"; code: string; address: string; qr: string; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; on_wall: string; open: boolean; own_names: boolean; paused: boolean; saved: boolean };
+/** The server has these answers, or has refused one: then it says why. */
+export type Taken = { tell: "taken"; ids: string[]; refused: string };
+/** The class is over: nothing of it is to be kept. */
+export type ClassEnded = { tell: "classEnded" };
 /** Do a command that is the page's, see `commands`. */
 export type Run = { tell: "run"; command: CommandName };
 /** The server has what the page gave back. */
@@ -107,6 +159,6 @@ export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, st
 export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
-export type ToPage = PageState | Tools | Hud | Roles | Lesson | Selected | Versions | Keepsake | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link;
+export type ToPage = PageState | Tools | Hud | Roles | Lesson | Selected | Versions | Keepsake | Seat | Wall | Predictions | Desk | Taken | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; hud: Hud; roles: Roles; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link };
+export type Told = { pageState: PageState; tools: Tools; hud: Hud; roles: Roles; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; desk: Desk; taken: Taken; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link };

@@ -145,7 +145,10 @@ def _lesson_problems(scene: Scene) -> Iterator[str]:
             where = f"lesson.steps[{i}].question.answer"
             yield f"{where}: choice {question.answer} does not exist ({_span(len(question.choices))})"
         if (goal := step.goal) is not None:
-            low, high = -math.inf if goal.low is None else goal.low, math.inf if goal.high is None else goal.high
+            low, high = (
+                -math.inf if goal.low is None else goal.low,
+                math.inf if goal.high is None else goal.high,
+            )
             if goal.low is None and goal.high is None:
                 yield f"lesson.steps[{i}].goal: it needs low, high or both"
             elif low > high:

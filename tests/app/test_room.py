@@ -21,7 +21,6 @@ from app.classroom.room import (
     Seat,
     Vote,
     Work,
-    digest,
     plain,
 )
 from sim.scene.lesson import Lesson, Question, Step
@@ -37,7 +36,7 @@ def a_room() -> Room:
         Step(title="Two", do="Try."),
     )
     scene = msgspec.structs.replace(sim.rope(masses=4), lesson=Lesson(steps=steps))
-    return Room(code="ABCD", key=digest("key"), scenes=(scene, sim.rope()))
+    return Room(code="ABCD", key="key", scenes=(scene, sim.rope()))
 
 
 def an_answer(id: int, content: Vote | Ghost | Line | Work, turn: int = 0, **more: int) -> Answer:

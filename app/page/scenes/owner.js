@@ -7,6 +7,9 @@ import { onTold, send, told } from "../../wire/channel.js";
 
 const BEGIN = "#owner=";
 const OWNER = "softrod-owner";
+const TEACHER_BEGIN = "#teacher=";
+/** The secret of the class that the page is of. */
+const TEACHER = `softrod-teacher-${(new URLSearchParams(location.search).get("room") ?? "").toUpperCase()}`;
 const VISITOR = "softrod-visitor";
 
 /** Where the browser forbids storage, they are the page's own. @type {Map<string, string>} */
@@ -33,8 +36,9 @@ function remember(name, text) {
 
 /** Takes the owner's key out of the page's address, whether it is there at the beginning or comes later. */
 function takeKey() {
-  if (!location.hash.startsWith(BEGIN)) return false;
-  remember(OWNER, location.hash.slice(BEGIN.length, BEGIN.length + 100));
+  const begin = [BEGIN, TEACHER_BEGIN].find((begin) => location.hash.startsWith(begin));
+  if (!begin) return false;
+  remember(begin === BEGIN ? OWNER : TEACHER, location.hash.slice(begin.length, begin.length + 100));
   history.replaceState(null, "", location.pathname + location.search);
   return true;
 }
@@ -50,7 +54,7 @@ function visitor() {
 /** Tells every new connection; before links are taken out of the address. */
 export function sayWhose() {
   takeKey();
-  const say = () => send({ do: "who", visitor: visitor(), owner: remembered(OWNER) });
+  const say = () => send({ do: "who", visitor: visitor(), owner: remembered(OWNER), teacher: remembered(TEACHER) });
   /** @type {string | undefined} */
   let page;
   onTold("pageState", () => {

@@ -97,12 +97,12 @@ function newName() {
 }
 
 /**
- * What of the page's address says which scene it shows; empty if nothing does.
+ * What of the page's address says which scene it shows, as one of its own or as a class's; empty if nothing does.
  *
  * @param {string} search the query of the page's address
  */
 export function askedScene(search) {
-  const found = [...new URLSearchParams(search)].find(([field]) => field === "s" || field === "scene");
+  const found = [...new URLSearchParams(search)].find(([field]) => ["s", "scene", "room"].includes(field));
   return found ? `${found[0]}=${encodeURIComponent(found[1])}` : "";
 }
 
@@ -114,9 +114,10 @@ export function askedScene(search) {
  * @param {boolean} isNew whether the page has nothing to go on with, and gets the scene that its address asks for
  */
 export function serverPath(name, search, isNew) {
-  const controls = new URLSearchParams(search).get("controls");
-  const scene = isNew ? askedScene(search) : "";
-  const fields = [scene, controls === null ? "" : `controls=${encodeURIComponent(controls)}`].filter(Boolean);
+  const asked = new URLSearchParams(search);
+  const always = ["controls", "room", "as"].filter((field) => asked.has(field));
+  const scene = isNew && !asked.has("room") ? askedScene(search) : "";
+  const fields = [scene, ...always.map((field) => `${field}=${encodeURIComponent(asked.get(field) ?? "")}`)].filter(Boolean);
   return `/at/${name}${fields.length ? "?" : ""}${fields.join("&")}`;
 }
 

@@ -1,0 +1,211 @@
+"""The classes of a server while they go on: their rooms, who is there, and what is on the disk.
+
+All of it is the ticker's, but for the writing of files.
+"""
+
+from __future__ import annotations
+
+import logging
+import secrets
+import time
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Protocol
+
+import sim
+from sim.settings.lessons import scene_of_step
+
+from ..drawing.plan import Picture
+from ..drawing.sketch import Floats
+from . import kept, names
+from .room import MOST_STOPS, Refused, Room, digest
+
+WRITE_EVERY = 0.1
+"""Seconds between two writings of a class; what was given in between is acknowledged together."""
+
+BODIES_EVERY = 5.0
+"""Seconds between two writings of where the pupils' bodies are."""
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class Front:
+    """What the teacher's page shows, for all who look at it: none of it changes any more.
+
+    Attributes:
+        scene: of the body.
+        opening: another number for every body that took the place of another.
+        revision: another number whenever anything but the motion changed.
+        rest_angles: (J,) degrees, as the page draws them.
+        picture: where the masses are.
+        playing: whether the clock runs.
+        speed: simulated seconds per second.
+    """
+
+    scene: sim.Scene
+    opening: int
+    revision: int
+    rest_angles: Floats
+    picture: Picture
+    playing: bool
+    speed: float
+
+
+class Pupil(Protocol):
+    """A pupil's page, as the teacher's can turn to it."""
+
+    def begin(self) -> None:
+        """Begin anew with the body of the present stop."""
+
+    def show(self, scene: sim.Scene) -> None:
+        """Have this scene instead."""
+
+
+class Class:
+    """A class that goes on.
+
+    Args:
+        room: its state.
+        bodies: where the pupils' bodies are, if it goes on.
+        clock: wall time, s.
+
+    Attributes:
+        room: as above.
+        front: what the teacher's page shows; None until there was one.
+        teachers: how many pages of teachers there are.
+        desk: the teacher's page whose body all look at.
+        pupils: the page that each seat has, by its number; the last one, where there are several.
+        written: version of the room that is on the disk.
+        ended: whether it is over.
+    """
+
+    def __init__(
+        self, room: Room, bodies: kept.Bodies | None = None, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self.room = room
+        self._bodies: kept.Bodies = bodies or {}
+        self._bodies_are_new = False
+        self._bodies_due = 0.0
+        self.front: Front | None = None
+        self.teachers = 0
+        self.desk: object | None = None
+        self.pupils: dict[int, Pupil] = {}
+        self.ended = False
+        self._clock = clock
+        self._scenes: dict[int, sim.Scene] = {}
+        self._writer = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-class-{room.code}")
+        self._writing: tuple[int, Future[None]] | None = None
+        self._due = 0.0
+        self.written = -1
+
+    def scene(self, stop: int) -> sim.Scene:
+        """The scene of a stop, as its step begins.
+
+        Raises:
+            SettingError: the step cannot begin.
+        """
+        if stop not in self._scenes:
+            place = self.room.stops[stop]
+            scene = self.room.scenes[place.scene]
+            self._scenes[stop] = scene if place.step is None else scene_of_step(scene, place.step)
+        return self._scenes[stop]
+
+    def keep(self, seat: int, keepsake: bytes) -> None:
+        """Keep what a pupil's body does at the present stop, for when its page comes back."""
+        self._bodies[seat] = self.room.at, keepsake
+        self._bodies_are_new = True
+
+    def body(self, seat: int) -> bytes | None:
+        """What was kept of a pupil's body at the present stop."""
+        stop, keepsake = self._bodies.get(seat, (-1, b""))
+        return keepsake if stop == self.room.at else None
+
+    def tend(self) -> None:
+        """Have written what is new, if it is time; whatever is acknowledged is on the disk before."""
+        if self._writing is not None:
+            version, future = self._writing
+            if not future.done():
+                return
+            self._writing = None
+            if (error := future.exception()) is None:
+                self.written = version
+            else:
+                _log.error("the class %s cannot be written: %s", self.room.code, error)
+        now = self._clock()
+        if self._bodies_are_new and now >= self._bodies_due and not self.ended:
+            self._bodies_are_new, self._bodies_due = False, now + BODIES_EVERY
+            self._writer.submit(kept.write_bodies, dict(self._bodies), self.room.code)
+        if self.ended or self.written == self.room.version or now < self._due:
+            return
+        self._due = now + WRITE_EVERY
+        data, version = kept.encode(self.room), self.room.version
+        self._writing = version, self._writer.submit(kept.write, data, self.room.code)
+
+    def close(self) -> None:
+        """Write what is new, and wait for it; the server ends."""
+        self._writer.shutdown(wait=True)
+        if not self.ended:
+            kept.write(kept.encode(self.room), self.room.code)
+            kept.write_bodies(self._bodies, self.room.code)
+
+    def end(self) -> None:
+        """End the class: nothing that anybody gave is kept, here or on the disk.
+
+        Raises:
+            OSError: something of it is still on the disk; the class goes on.
+        """
+        self._writer.shutdown(wait=True)
+        kept.forget(self.room.code)
+        self.ended = True
+        self.room.seats.clear()
+        self.room.answers.clear()
+        self._bodies.clear()
+        self.room.version += 1
+
+
+class Classes:
+    """The classes of one server, by their codes."""
+
+    def __init__(self) -> None:
+        self._classes: dict[str, Class] = {}
+
+    def __iter__(self) -> Iterator[Class]:
+        return iter(list(self._classes.values()))
+
+    def begin(self, scenes: Sequence[sim.Scene]) -> Class:
+        """Begin a class with these scenes.
+
+        Raises:
+            Refused: they have too many steps.
+        """
+        code = names.new_code(self._classes)
+        room = Room(code=code, key=secrets.token_urlsafe(16), scenes=tuple(scenes))
+        if len(room.stops) > MOST_STOPS:
+            raise Refused(f"A class has {MOST_STOPS} steps at most; these scenes have {len(room.stops)}.")
+        return self._add(room)
+
+    def go_on(self) -> list[Class]:
+        """Go on with the classes on the disk that have not been ended."""
+        rooms = [room for room in kept.read_all() if room.code not in self._classes]
+        return [self._add(room, kept.read_bodies(room.code)) for room in rooms]
+
+    def find(self, code: str) -> Class | None:
+        """The class with that code, if it goes on."""
+        found = self._classes.get(code)
+        return None if found is None or found.ended else found
+
+    def close(self) -> None:
+        """Have everything written; the server ends."""
+        for one in self._classes.values():
+            one.close()
+
+    def _add(self, room: Room, bodies: kept.Bodies | None = None) -> Class:
+        self._classes[room.code] = made = Class(room, bodies)
+        return made
+
+
+def is_key(room: Room, key: str) -> bool:
+    """Whether somebody has the teacher's secret of a class."""
+    return secrets.compare_digest(digest(key), digest(room.key))

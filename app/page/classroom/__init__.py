@@ -1,0 +1,1 @@
+"""The pages of a class: the teacher's desk, the wall, and the pupils' seats."""

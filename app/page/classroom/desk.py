@@ -1,0 +1,218 @@
+"""The teacher's page in a class."""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+
+from app.classroom.live import Class, Front, is_key
+from app.classroom.room import PHASE_OF, Phase, Refused, Vote
+from sim.errors import SettingError
+
+from ...session import commands
+from ...session.session import Notice, Session
+from ...wire import from_page
+from ...wire.carrier import Mail
+from ...wire.to_page import Desk, DeskAnswer, DeskSeat, DeskStop
+from ..body.view import picture_of
+from ..controls import Controls
+from .role import NOTHING, ClassRole, asking, kind_of, predictions, text_of
+
+STILL = frozenset((Phase.SHOW, Phase.ASK))
+"""Phases that begin with the body as its step has it, at rest in time."""
+
+
+class DeskRole(ClassRole):
+    """One window of a teacher; there may be several, with the same rights.
+
+    The one that did something last, or came first, has the body that all look at.
+
+    Args:
+        klass: the class.
+        mail: to the page's script.
+        address: by which pupils come in.
+        qr: a picture of its QR code, as an address.
+    """
+
+    def __init__(self, klass: Class, mail: Mail, address: str, qr: str) -> None:
+        super().__init__(klass, mail)
+        self._address, self._qr = address, qr
+        self._is_teacher = False
+        self._opened: tuple[int, Phase, int] | None = None
+
+    @property
+    def controls(self) -> Controls | None:
+        return None if self._is_teacher else NOTHING
+
+    @property
+    def front(self) -> Front | None:
+        leads = self._is_teacher and self.klass.desk is self
+        return None if leads else self.klass.front
+
+    def allows(self, said: from_page.FromPage) -> bool:
+        return self._is_teacher or isinstance(said, from_page.Who)
+
+    def introduce(self, who: from_page.Who, session: Session) -> None:
+        if not self._is_teacher and is_key(self.room, who.teacher):
+            self._is_teacher = True
+            self.klass.teachers += 1
+            session.generation += 1  # it has controls from now on
+
+    def hear(self, said: from_page.FromPage, session: Session) -> None:
+        if not self._is_teacher or not isinstance(said, from_page.Lead):
+            return
+        self.klass.desk = self
+        room = self.room
+        try:
+            match said:
+                case from_page.Stage(stop, phase, round):
+                    room.go(stop, Phase(phase), round)
+                case from_page.Star(answer, on):
+                    room.star(answer, on)
+                case from_page.ToWall(answer):
+                    room.put_on_wall(answer)
+                case from_page.SendAway(seat):
+                    room.remove(seat)
+                case from_page.Arrange(what):
+                    self._arrange(what, session)
+        except Refused as error:
+            session.notices.append(Notice("error", "That is not possible", str(error)))
+
+    def frame(self, session: Session) -> None:
+        if self._tell_end() or not self._is_teacher:
+            return
+        self.klass.tend()
+        if self.klass.desk is None:
+            self.klass.desk = self
+        if self.klass.desk is self:
+            self._lead(session)
+        if self._is_new(self.klass.written):
+            self._mail.tell(self._state())
+            self._mail.tell(predictions(self.klass))
+
+    def keep(self, keepsake: bytes) -> bool:
+        return False
+
+    def leave(self) -> None:
+        if self._is_teacher:
+            self.klass.teachers -= 1
+        if self.klass.desk is self:
+            self.klass.desk = None
+
+    # --------------------------------------------------------------------- inside
+    def _arrange(self, what: str, session: Session) -> None:
+        room = self.room
+        match what:
+            case "pause" | "goOn":
+                room.paused = what == "pause"
+            case "open" | "close":
+                room.is_open = what == "open"
+            case "ownNames" | "givenNames":
+                room.own_names = what == "ownNames"
+            case "reset":
+                for pupil in self.klass.pupils.values():
+                    pupil.begin()
+            case "asMine":
+                for pupil in self.klass.pupils.values():
+                    pupil.show(session.scene)
+            case "end":
+                self.klass.end()
+        room.version += 1
+
+    def _lead(self, session: Session) -> None:
+        """Have the body as the class's phase wants it, and show it to all."""
+        room, place = self.room, (self.room.at, self.room.phase, self.room.round)
+        # What is there at first is the class's present body, or what the browser had kept of it.
+        before, self._opened = self._opened or place, place
+        if before != place:
+            another = before[0] != room.at
+            if another or room.phase in STILL or room.phase is Phase.RUN:
+                self._open(session)
+            if room.phase in STILL or another:
+                session.post(commands.Play(False))
+            elif room.phase is Phase.RUN:
+                session.post(commands.Play(True))
+        step = room.step
+        predicted = step.predict if step is not None and room.phase is Phase.RUN else None
+        if predicted is not None and session.playing and session.simulation.time >= predicted:
+            session.post(commands.Play(False))
+        damage, angles = session.simulation.damage, session.simulation.rest_angles
+        angles = angles - session.simulation.rest_angle_shift
+        if damage is not None and damage.set_angles:
+            angles = angles - np.array(damage.set_angles)
+        self.klass.front = Front(
+            session.scene,
+            session.openings,
+            session.revision,
+            angles,
+            picture_of(session),
+            session.playing,
+            session.pacer.speed,
+        )
+
+    def _open(self, session: Session) -> None:
+        try:
+            scene = self.klass.scene(self.room.at)
+        except SettingError as error:
+            session.notices.append(Notice("error", "This step cannot begin", str(error)))
+            return
+        session.post(commands.Open(msgspec.structs.replace(scene, lesson=None)))
+
+    def _state(self) -> Desk:
+        room, klass = self.room, self.klass
+        kinds = [kind for kind, phase in PHASE_OF.items() if phase is room.phase]
+        answers = [a for a in room.answers.values() if (a.stop, a.round) == (room.at, room.round)]
+        done = {a.seat for a in answers if type(a.content) in kinds}
+        step = room.step
+        return Desk(
+            code=room.code,
+            address=self._address,
+            qr=self._qr,
+            stops=tuple(
+                DeskStop(
+                    title=(
+                        at.title
+                        if at is not None
+                        else room.scenes[stop.scene].title or room.scenes[stop.scene].name
+                    ),
+                    phases=tuple((phase.value, round) for phase, round in room.order(i)),
+                )
+                for i, stop in enumerate(room.stops)
+                for at in (room.step_at(i),)
+            ),
+            asking=asking(room, all_of_it=True),
+            next=None if (after := room.next()) is None else (after[0], after[1].value, after[2]),
+            seats=tuple(
+                DeskSeat(
+                    number=seat.number,
+                    name=seat.name,
+                    color=seat.color,
+                    here=seat.number in klass.pupils,
+                    two=seat.twins,
+                    hand=seat.hand,
+                    answered=seat.number in done,
+                    doing="",
+                )
+                for seat in room.seats.values()
+                if not seat.removed
+            ),
+            answers=tuple(
+                DeskAnswer(
+                    id=a.id,
+                    seat=a.seat,
+                    kind=kind_of(a.content),
+                    choice=a.content.choice if isinstance(a.content, Vote) else -1,
+                    text=text_of(a.content),
+                    late=a.late,
+                    starred=a.starred,
+                )
+                for a in answers
+            ),
+            bars=tuple(room.bars(room.at, room.round)),
+            right=step.question.answer if step is not None and step.question is not None else -1,
+            on_wall=room.on_wall,
+            open=room.is_open,
+            own_names=room.own_names,
+            paused=room.paused,
+            saved=klass.written == room.version,
+        )

@@ -1,0 +1,173 @@
+"""What a page is in a class, and what all of these have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Literal
+
+import numpy as np
+
+from app.classroom.live import Class, Front
+from app.classroom.room import Content, Ghost, Line, Phase, Room, Vote, Work
+
+from ...drawing.sketch import Mapping
+from ...session.session import Session
+from ...wire import from_page
+from ...wire.carrier import Mail
+from ...wire.to_page import Asking, ClassEnded, Predictions, Seat
+from ..controls import Controls
+
+Kind = Literal["vote", "ghost", "line", "work"]
+_KINDS: dict[type[Content], Kind] = {Vote: "vote", Ghost: "ghost", Line: "line", Work: "work"}
+
+NOTHING = Controls(())
+
+
+class Role:
+    """What one page is, where it is no page of its own. The ticker alone calls it, but for `allows`."""
+
+    @property
+    def controls(self) -> Controls | None:
+        """The controls that the page has now; None for those that it would have anyway."""
+        return NOTHING
+
+    @property
+    def front(self) -> Front | None:
+        """What the page shows instead of a body of its own, or None."""
+        return None
+
+    def allows(self, said: from_page.FromPage) -> bool:
+        """Whether the page may say that, whoever is behind it; any thread may ask."""
+        return isinstance(said, from_page.Who | from_page.Switch)
+
+    def introduce(self, who: from_page.Who, session: Session) -> None:
+        """The page says whose it is."""
+
+    def hear(self, said: from_page.FromPage, session: Session) -> None:
+        """Do what the page says in the class."""
+
+    def frame(self, session: Session) -> None:
+        """Between two frames: tell the page what has changed."""
+
+    def keep(self, keepsake: bytes) -> bool:
+        """Keep what the page needs to come back to where it is; False if its browser is to keep it."""
+        return True
+
+    def leave(self) -> None:
+        """The page is gone."""
+
+
+class Entrance(Role):
+    """The page of somebody who has not said which class they come to, or came to one that there is not.
+
+    Args:
+        mail: to the page's script.
+        problem: why the page is in no class; empty if none was named.
+    """
+
+    def __init__(self, mail: Mail, problem: str) -> None:
+        self._mail, self._problem = mail, problem
+
+    def frame(self, session: Session) -> None:
+        self._mail.tell(Seat(problem=self._problem))
+
+
+class ClassRole(Role):
+    """What one page is in a class.
+
+    Args:
+        klass: the class.
+        mail: to the page's script.
+
+    Attributes:
+        klass: as above.
+    """
+
+    def __init__(self, klass: Class, mail: Mail) -> None:
+        self.klass = klass
+        self._mail = mail
+        self._told_end = False
+        self._known: tuple[Any, ...] = ()
+
+    @property
+    def room(self) -> Room:
+        """The class's state."""
+        return self.klass.room
+
+    @property
+    def front(self) -> Front | None:
+        return self.klass.front
+
+    def _is_new(self, *things: Any) -> bool:
+        """Whether the class, or one of these things, is another than the last time that this was asked."""
+        known, klass = self._known, self.klass
+        self._known = (self.room.version, klass.teachers, len(klass.pupils), *things)
+        return known != self._known
+
+    def _tell_end(self) -> bool:
+        """Whether the class is over; the page is told once."""
+        if self.klass.ended and not self._told_end:
+            self._told_end = True
+            self._mail.tell(ClassEnded())
+        return self.klass.ended
+
+
+def kind_of(content: Content) -> Kind:
+    """What an answer is, as the pages call it."""
+    return _KINDS[type(content)]
+
+
+def text_of(content: Content) -> str:
+    """What an answer says, in words; empty where it is no text."""
+    match content:
+        case Line(text):
+            return text
+        case Work(found=found) if found is not None:
+            return f"{found:.4g}"
+    return ""
+
+
+def asking(room: Room, all_of_it: bool = False) -> Asking:
+    """What the class looks at.
+
+    Args:
+        all_of_it: whether it may be known what is right, as by the teacher.
+    """
+    step = room.step
+    scene = room.scenes[room.stops[room.at].scene]
+    question = step.question if step is not None else None
+    told = question is not None and (all_of_it or room.has_told)
+    return Asking(
+        stop=room.at,
+        phase=room.phase.value,
+        round=room.round,
+        title=step.title if step is not None else scene.title or scene.name,
+        do=step.do if step is not None else "",
+        watch=step.watch if step is not None else "",
+        question=question.text if question is not None else "",
+        choices=question.choices if question is not None else (),
+        right=question.answer if question is not None and told else -1,
+        because=question.because if question is not None and told else "",
+        predict=(step.predict or 0.0) if step is not None else 0.0,
+    )
+
+
+def predictions(klass: Class) -> Predictions:
+    """The predictions that may be seen now; one alone, if that is on the wall."""
+    room = klass.room
+    if room.phase not in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN):
+        return Predictions()
+    given = room.given(room.at, room.round if room.phase is Phase.RESULTS else 0, Ghost)
+    alone = [answer for answer in given if answer.id == room.on_wall]
+    mapping = Mapping.of(klass.scene(room.at))
+    return Predictions(
+        bodies=tuple(
+            _in_world(mapping, a.content.points) for a in alone or given if isinstance(a.content, Ghost)
+        )
+    )
+
+
+def _in_world(mapping: Mapping, points: Sequence[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
+    """Points of the page's world, for points of a scene; rounded to what can be seen."""
+    world = mapping.to_world(np.array(points))
+    return tuple((round(float(x), 4), round(float(y), 4)) for x, y, _ in world)

@@ -1,0 +1,220 @@
+"""A pupil's page in a class."""
+
+from __future__ import annotations
+
+import secrets
+
+import msgspec
+
+import sim
+from app.classroom.live import Class, Front
+from app.classroom.room import FREE, Answer, Ghost, Line, Refused, Vote
+from app.classroom.room import Seat as SeatOfRoom
+from sim.errors import SettingError
+
+from ...drawing.sketch import Mapping
+from ...session import commands
+from ...session.session import Session
+from ...wire import from_page
+from ...wire.carrier import Mail
+from ...wire.to_page import Given, Seat, Taken
+from ..controls import Controls
+from .role import NOTHING, ClassRole, asking, kind_of, predictions, text_of
+
+_HANDS = (from_page.At, from_page.Grab, from_page.Drop, from_page.Keys, from_page.GoTo, from_page.Speed)
+_OWN = (*_HANDS, from_page.Visit, from_page.Perform, from_page.Pick, from_page.Seen)
+"""What a pupil may say of a body of their own."""
+
+_ALWAYS = (from_page.InSeat, from_page.Who, from_page.Switch, from_page.Unread)
+
+
+class SeatRole(ClassRole):
+    """One pupil's page; of several pages of one browser, the one that came last has the seat.
+
+    Args:
+        klass: the class.
+        mail: to the page's script.
+    """
+
+    def __init__(self, klass: Class, mail: Mail) -> None:
+        super().__init__(klass, mail)
+        self._secret = ""
+        self._number = 0
+        self._problem = ""
+        self._stop = -1
+        self._paused = False
+        self._session: Session | None = None
+        self._unwritten: list[tuple[int, str]] = []
+
+    @property
+    def seat(self) -> SeatOfRoom | None:
+        """Its seat, unless it has none or another page has it now."""
+        seat = self.room.seats.get(self._number)
+        has = seat is not None and not seat.removed and self.klass.pupils.get(self._number) is self
+        return seat if has else None
+
+    @property
+    def front(self) -> Front | None:
+        if self.seat is not None and self.room.phase in FREE:
+            return None
+        return self.klass.front
+
+    @property
+    def controls(self) -> Controls | None:
+        if self.front is not None or self.seat is None:
+            return NOTHING
+        step = self.room.step
+        return Controls(("play", *(step.controls if step is not None else ())))
+
+    def allows(self, said: from_page.FromPage) -> bool:
+        return isinstance(said, _ALWAYS) or (self.front is None and isinstance(said, _OWN))
+
+    def introduce(self, who: from_page.Who, session: Session) -> None:
+        self._session, self._secret = session, who.visitor
+        self._enter()
+
+    def hear(self, said: from_page.FromPage, session: Session) -> None:
+        try:
+            match said:
+                case from_page.TakeOver(digits):
+                    self._sit(self.room.move(self._secret, digits))
+                case from_page.Give():
+                    self._give(said)
+                case from_page.RaiseHand(up):
+                    self._of_room().hand = up
+                    self.room.version += 1
+                case from_page.NewName(wanted):
+                    self.room.rename(self._of_room().number, wanted)
+                case from_page.SitTogether(two):
+                    self._of_room().twins = two
+                    self.room.version += 1
+                case from_page.LeaveBy():
+                    self.room.offer_move(self._of_room().number, f"{secrets.randbelow(100):02}")
+        except Refused as error:
+            ids = (said.id,) if isinstance(said, from_page.Give) else ()
+            self._mail.tell(Taken(ids=ids, refused=str(error)))
+
+    def frame(self, session: Session) -> None:
+        if self._tell_end():
+            return
+        self.klass.tend()
+        ready = tuple(id for version, id in self._unwritten if version <= self.klass.written)
+        if ready:
+            self._unwritten = [one for one in self._unwritten if one[1] not in ready]
+            self._mail.tell(Taken(ids=ready))
+        if self.seat is not None and self.front is None:
+            if self._stop != self.room.at:
+                if (body := self.klass.body(self._number)) is not None:
+                    self._stop = self.room.at
+                    session.post(commands.Resume(body, None))
+                else:
+                    self.begin()
+            if self._paused != self.room.paused:
+                self._paused = self.room.paused
+                session.post(commands.Play(not self._paused))
+        if self._is_new(self.seat is None, self._problem):
+            self._mail.tell(self._state())
+            self._mail.tell(predictions(self.klass))
+
+    def keep(self, keepsake: bytes) -> bool:
+        if self.seat is not None and self._stop == self.room.at:
+            self.klass.keep(self._number, keepsake)
+        return True
+
+    def leave(self) -> None:
+        if self.klass.pupils.get(self._number) is self:
+            del self.klass.pupils[self._number]
+            self.room.seats[self._number].hand = False
+
+    # --------------------------------------------------------------------- the teacher's
+    def begin(self) -> None:
+        self._stop = self.room.at
+        try:
+            scene = self.klass.scene(self.room.at)
+        except SettingError as error:
+            self._mail.tell(Taken(ids=(), refused=f"This step cannot begin: {error}."))
+            return
+        self.show(scene)
+
+    def show(self, scene: sim.Scene) -> None:
+        if self._session is not None:
+            # The class's page tells what the step is; the scene's own card would tell it twice.
+            self._session.post(commands.Open(msgspec.structs.replace(scene, lesson=None)))
+            self._session.post(commands.Play(not self.room.paused))
+
+    # --------------------------------------------------------------------- inside
+    def _enter(self) -> None:
+        try:
+            self._sit(self.room.enter(self._secret))
+            self._problem = ""
+        except Refused as error:
+            self._problem = str(error)
+
+    def _sit(self, seat: SeatOfRoom) -> None:
+        self.leave()
+        self._number = seat.number
+        self.klass.pupils[seat.number] = self
+
+    def _of_room(self) -> SeatOfRoom:
+        """Its seat.
+
+        Raises:
+            Refused: it has none, or another page has it.
+        """
+        seat = self.seat
+        if seat is None:
+            raise Refused(self._problem or "Another page has this seat now.")
+        return seat
+
+    def _give(self, said: from_page.Give) -> None:
+        seat = self._of_room()
+        match said:
+            case from_page.GiveVote(choice=choice):
+                content = Vote(choice)
+            case from_page.GivePlaces(points=points):
+                if said.stop >= len(self.room.stops):
+                    raise Refused("The class has no such step.")
+                mapping = Mapping.of(self.klass.scene(said.stop))
+                content = Ghost(tuple(mapping.to_scene(x, y) for x, y in points))
+            case from_page.GiveLine(text=text):
+                content = Line(text)
+            case _:
+                raise Refused("That cannot be handed in yet.")
+        answer = Answer(said.id, said.turn, seat.number, said.twin, said.stop, said.round, content)
+        self.room.take(seat.number, answer)
+        # One that the room had may not be on the disk yet.
+        self._unwritten.append((self.room.version, said.id))
+
+    def _state(self) -> Seat:
+        room, seat = self.room, self.seat
+        if seat is None:
+            has_other = self._number in room.seats and not room.seats[self._number].removed
+            problem = "" if has_other else self._problem or "The teacher has closed this seat."
+            return Seat(problem=problem if self._secret else "", elsewhere=has_other and bool(self._secret))
+        mine = [answer for answer in room.answers.values() if answer.seat == seat.number]
+        return Seat(
+            code=room.code,
+            name=seat.name,
+            color=seat.color,
+            turn=1 + max((answer.turn for answer in mine), default=0),
+            two=seat.twins,
+            hand=seat.hand,
+            types_name=room.own_names,
+            digits=seat.move,
+            follows=self.front is not None,
+            paused=room.paused,
+            away=not self.klass.teachers,
+            asking=asking(room),
+            given=tuple(
+                Given(
+                    stop=answer.stop,
+                    round=answer.round,
+                    twin=answer.twin,
+                    kind=kind_of(answer.content),
+                    choice=answer.content.choice if isinstance(answer.content, Vote) else -1,
+                    text=text_of(answer.content),
+                )
+                for answer in mine
+                if answer.stop == room.at
+            ),
+        )

@@ -1,0 +1,98 @@
+// @ts-check
+/** The wall: what a class sees in front, large enough for the last row, and without a name. */
+import { onTold } from "../../wire/channel.js";
+import { make } from "../looks/dialog.js";
+import { Ghosts } from "./ghost.js";
+
+/** @typedef {import("../../wire/wire.js").Wall} Wall */
+
+/** Makes the wall. */
+export function addWall() {
+  const head = make("header", "softrod-class softrod-wall-head");
+  const side = make("aside", "softrod-class softrod-wall-side");
+  const corner = make("div", "softrod-class softrod-wall-corner");
+  document.body.append(head, side, corner);
+  const ghosts = new Ghosts();
+  onTold("predictions", ({ bodies }) => ghosts.show(bodies));
+  onTold("wall", (wall) => {
+    document.documentElement.toggleAttribute("data-softrod-wall", true);
+    head.replaceChildren(make("h1", "", title(wall)));
+    side.replaceChildren(...content(wall));
+    corner.replaceChildren(...(wall.asking.phase === "lobby" ? [] : [`${host(wall.address)}   `, make("b", "", wall.code)]));
+  });
+  onTold("classEnded", () => {
+    ghosts.show([]);
+    head.replaceChildren(make("h1", "", "The class is over."));
+    side.replaceChildren();
+    corner.replaceChildren();
+  });
+}
+
+/** An address as one types it. @param {string} address */
+const host = (address) => address.replace(/^http:\/\//, "").replace(/\/$/, "");
+
+/** @param {Wall} wall */
+function title({ asking, seats, answered }) {
+  const { phase } = asking;
+  if (phase === "lobby") return `${seats} ${seats === 1 ? "is" : "are"} here`;
+  if (phase === "ask" || phase === "explain" || phase === "collect") {
+    const what = { ask: "have answered", explain: "have written a line", collect: "have handed in" }[phase];
+    return `${answered} of ${seats} ${what}`;
+  }
+  return asking.title;
+}
+
+/** @param {Wall} wall @returns {HTMLElement[]} */
+function content({ asking, bars, lines, code, address, qr }) {
+  const { phase, question, choices, right, because, predict } = asking;
+  if (phase === "lobby") {
+    const picture = make("img", "softrod-wall-qr");
+    picture.src = qr;
+    picture.alt = `QR code of ${address}?room=${code}`;
+    return [
+      picture,
+      make("p", "softrod-wall-address", host(address)),
+      make("p", "softrod-wall-code", code),
+    ];
+  }
+  const parts = [];
+  const asks = phase === "ask" || phase === "results" || phase === "run";
+  if (phase === "ask" && predict > 0) parts.push(make("p", "", `Where will it be after ${predict} s?`));
+  if (asks && question) {
+    parts.push(make("h2", "", question));
+    parts.push(voted(choices, phase === "ask" ? [] : bars, right));
+  }
+  if (right >= 0 && phase !== "ask") parts.push(make("p", "softrod-verdict", because));
+  if (phase === "explain") parts.push(make("h2", "", "Why did it do that? One line."));
+  if (phase === "try" || phase === "collect") parts.push(make("p", "", asking.do));
+  for (const { text, color } of lines) {
+    const quoted = make("blockquote", "", text);
+    quoted.style.setProperty("--softrod-seat", color);
+    parts.push(quoted);
+  }
+  return parts;
+}
+
+/**
+ * The choices, and how many have chosen each; which is right is seen only when it is told.
+ *
+ * @param {string[]} choices
+ * @param {number[]} bars
+ * @param {number} right
+ */
+export function voted(choices, bars, right) {
+  const list = make("ol", "softrod-bars");
+  const most = Math.max(1, ...bars);
+  choices.forEach((choice, i) => {
+    const item = make("li", "");
+    item.append(make("span", "", choice));
+    if (bars.length) {
+      const bar = make("i", "");
+      bar.style.setProperty("--softrod-part", String(bars[i] / most));
+      item.append(bar, make("b", "", String(bars[i])));
+    }
+    if (i === right) item.dataset.right = "";
+    list.append(item);
+  });
+  return list;
+}
