@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+from collections import Counter
 from collections.abc import Callable, Collection
 
 COLORS = {
@@ -38,15 +39,20 @@ Choose = Callable[[int], int]
 
 
 def new_name(taken: Collection[str], choose: Choose = secrets.randbelow) -> str:
-    """A name such as "Blue Heron" that nobody has; with an animal that nobody has, if there is one.
+    """A name such as "Blue Heron" that nobody has.
+
+    It is of an animal that nobody has, as long as there is one, and of one of the colours that fewest have.
 
     Args:
         taken: names that are in use; fewer than there are names.
     """
-    used = {name.split()[1] for name in taken}
-    animals = [animal for animal in ANIMALS if animal not in used] or list(ANIMALS)
-    free = [f"{color} {animal}" for animal in animals for color in COLORS if f"{color} {animal}" not in taken]
-    return free[choose(len(free))]
+    used = Counter(name.split()[0] for name in taken)
+    animals = set(ANIMALS) - {name.split()[1] for name in taken} or set(ANIMALS)
+    free = [(color, animal) for color in COLORS for animal in ANIMALS if f"{color} {animal}" not in taken]
+    fitting = [name for name in free if name[1] in animals]
+    least = min(used[color] for color, _ in fitting)
+    best = [f"{color} {animal}" for color, animal in fitting if used[color] == least]
+    return best[choose(len(best))]
 
 
 def color_of(name: str) -> str:

@@ -1,8 +1,15 @@
 // @ts-check
 /** A class's part of the page, by what the page's address says that it is. */
+import { onTold } from "../../wire/channel.js";
+import { viser } from "../viser/viser.js";
 import { addDesk } from "./desk.js";
 import { addSeat } from "./seat.js";
 import { addWall } from "./wall.js";
+
+/** Phases in which each pupil has a body of their own. */
+const OWN = new Set(["try", "collect"]);
+/** Milliseconds between two looks whether viser has made its canvas anew. */
+const LOOK_EVERY = 200;
 
 /** Makes it, for any page: a server without classes tells it nothing. */
 export function addClassroom() {
@@ -10,4 +17,12 @@ export function addClassroom() {
   if (as === "desk") addDesk();
   else if (as === "wall") addWall();
   else addSeat();
+  const { dataset } = document.documentElement;
+  // What only looks on has no use for the panel.
+  onTold("seat", ({ asking }) => (dataset.softrodClass = OWN.has(asking?.phase ?? "") ? "seat" : "seat looks"));
+  onTold("wall", ({ asking }) => (dataset.softrodClass = asking.phase === "lobby" ? "wall lobby" : "wall"));
+  onTold("desk", () => (dataset.softrodClass = "desk"));
+  setInterval(() => {
+    if (dataset.softrodClass) viser()?.canvas?.closest("[data-dock-root] > div")?.setAttribute("data-softrod", "canvas");
+  }, LOOK_EVERY);
 }

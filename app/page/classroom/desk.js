@@ -30,7 +30,6 @@ export function addDesk() {
   onTold("predictions", ({ bodies }) => ghosts.show(bodies));
   onTold("desk", (told) => {
     if (!desk.parentNode) document.body.append(desk);
-    document.documentElement.toggleAttribute("data-softrod-desk", true);
     const now = JSON.stringify(told);
     if (now === made) return;
     made = now;

@@ -43,14 +43,12 @@ export function addSeat() {
       [twin, typed, refusal] = [0, "", ""];
     }
     seat = told;
-    document.documentElement.toggleAttribute("data-softrod-seat", true);
     show();
   });
   onTold("predictions", ({ bodies }) => ghosts.show(bodies));
   onTold("classEnded", () => {
     forgetAnswers();
     ghost.show(false);
-    document.documentElement.toggleAttribute("data-softrod-seat", true);
     card.replaceChildren(make("h1", "", "The class is over."), make("p", "", "Nothing that you gave is kept here."));
   });
   onOutbox((refused) => {

@@ -15,7 +15,6 @@ export function addWall() {
   const ghosts = new Ghosts();
   onTold("predictions", ({ bodies }) => ghosts.show(bodies));
   onTold("wall", (wall) => {
-    document.documentElement.toggleAttribute("data-softrod-wall", true);
     head.replaceChildren(make("h1", "", title(wall)));
     side.replaceChildren(...content(wall));
     corner.replaceChildren(...(wall.asking.phase === "lobby" ? [] : [`${host(wall.address)}   `, make("b", "", wall.code)]));
