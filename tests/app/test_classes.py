@@ -1,4 +1,4 @@
-"""Classes that go on: what is on the disk, what a restarted server knows, and that nothing is left at the end."""
+"""Classes that go on: what is on the disk, what a restarted server knows, and what is left at the end."""
 
 from __future__ import annotations
 
