@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim.body.damage import leaking
 from sim.forces.air import WAVE_RATE
 from sim.forces.fillings import FILLING_GAS
+from sim.forces.limits import leaking
 from sim.forces.walls import WALL_NORMAL_Y
 from sim.settings.environment import STILL_AIR
 

@@ -156,7 +156,7 @@ def _lengths(simulation: Simulation, springs: Indices) -> Floats:
 def _elongations(simulation: Simulation, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
     rest = system.body.rest_length[rows] * state.controls[CONTROL_SCALE]
-    if system.body.strength.present:
+    if system.body.limits.present:
         rest = rest + state.set_length[rows]
     return _lengths(simulation, springs) - rest
 
@@ -167,7 +167,7 @@ def _tensions(simulation: Simulation, springs: Indices) -> Floats:
     square = _soft_square(simulation, along)
     damping = body.damping[rows] * (rate * along.conj()).real / square
     tension = (body.stiffness[rows] + damping - state.rest_tension[rows] / np.sqrt(square)) * abs(along)
-    return np.where(state.broken[rows] > 0.0, 0.0, tension) if body.strength.present else tension
+    return np.where(state.broken[rows] > 0.0, 0.0, tension) if body.limits.present else tension
 
 
 def _bending(simulation: Simulation, joints: Indices) -> Floats:
