@@ -13,10 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sim import Scene, Simulation
-from sim.forces.air import WAVE_RATE
 from sim.forces.environment import Environment
-from sim.forces.fillings import FILLING_GAS
-from sim.forces.walls import WALL_NORMAL_Y
+from sim.forces.fillings import FillingRow
 from sim.scene.types import Damage
 from sim.settings.environment import STILL_AIR
 
@@ -192,11 +190,11 @@ def _surroundings(sketch: Sketch, environment: Environment) -> tuple[ArrayLike, 
     loops: list[float] = []
     fillings, air = environment.fillings, environment.air
     for filling, loop in zip(fillings.rows, fillings.loops(), strict=True):
-        loops += [filling[FILLING_GAS], len(loop), *loop]
+        loops += [FillingRow(*filling).is_gas, len(loop), *loop]
     blows = math.hypot(air.wind_x, air.wind_y) >= STILL_AIR
-    wind = (air.wind_x, air.wind_y, *air.waves[:, :WAVE_RATE].ravel()) if blows else ()
+    wind = (air.wind_x, air.wind_y, *air.waves[:, :-1].ravel()) if blows else ()
     return (
-        environment.walls.rows[:, : WALL_NORMAL_Y + 1],
+        environment.walls.rows[:, :4],  # points and normals
         loops,
         wind,
         [sketch.contact] if sketch.contact else (),

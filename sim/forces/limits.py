@@ -33,7 +33,7 @@ from ..scene.columns import column
 from ..scene.types import Scene
 from .broad_phase import update_pairs
 from .contact import energy_on_spring
-from .fillings import FILLING_OUTSIDE, FILLING_PRESSURE
+from .fillings import FillingRow
 from .joints import deflection_at, is_sine, joint_energy, joint_vectors, terms
 from .springs import spring_force
 from .term import read_only
@@ -259,6 +259,7 @@ def without_broken(body: Body, broken: Floats) -> Body:
         environment = environment.replaced(contact=environment.contact.replaced(broken=broken.copy()))
     if leaks := leaking(fillings.loops(), np.stack((body.spring_a, body.spring_b), 1), gone):
         rows = fillings.rows.copy()
-        rows[np.ix_(leaks, (FILLING_PRESSURE, FILLING_OUTSIDE))] = 0.0
+        for k in leaks:
+            rows[k] = FillingRow(*rows[k])._replace(strength=0.0, outside=0.0)
         environment = environment.replaced(fillings=read_only(fillings.replaced(rows=rows)))
     return body.replaced(**tables, environment=environment)
