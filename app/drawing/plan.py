@@ -17,8 +17,8 @@ from sim.forces.air import WAVE_RATE
 from sim.forces.environment import Environment
 from sim.forces.fillings import FILLING_GAS
 from sim.forces.walls import WALL_NORMAL_Y
+from sim.scene.surroundings import STILL_AIR
 from sim.scene.types import Damage
-from sim.settings.environment import STILL_AIR
 
 from .colors import blend
 from .looks import YIELDED

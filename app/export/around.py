@@ -16,7 +16,7 @@ from sim.body.damage import leaking
 from sim.forces.air import WAVE_RATE
 from sim.forces.fillings import FILLING_GAS
 from sim.forces.walls import WALL_NORMAL_Y
-from sim.settings.environment import STILL_AIR
+from sim.scene.surroundings import STILL_AIR
 
 from ..drawing.looks import DENSE, HATCH, HEAD, PARTS, POINT, SIDE, STREAK, STREAKS, STROKE
 from ..drawing.sketch import Floats, Sketch
