@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 from sim import Scene, Simulation
 from sim.forces.environment import Environment
 from sim.forces.fillings import FillingRow
+from sim.scene.surroundings import STILL_AIR
 from sim.scene.types import Damage
-from sim.settings.environment import STILL_AIR
 
 from .colors import blend
 from .looks import YIELDED
