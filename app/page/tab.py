@@ -249,13 +249,13 @@ class Tab:
                 return
             done, self._under_way = self._under_way, None
             made = done.result()
-            session = session or self._begin(made)
         elif session is None:
             if is_large(self._first):
                 self._under_way = beside(Session, self._first, wait=False)
                 return
-            session = self._begin(Session(self._first, wait=False))
+            made = Session(self._first, wait=False)
         else:
+            made = session
             self._look_at_shelf(session.now())
             self._serve_requests(session)
             self._prepare(session)
@@ -264,8 +264,9 @@ class Tab:
                 return
             self._advance(session, budget)
         # All at once: viser 1.1.1 sets an `asyncio.Event` from this thread at every message, which raises if
-        # its event loop is just waking up from the one before.
+        # its event loop is just waking up from the one before. And no panel comes in parts.
         with self.client.atomic():
+            session = session or self._begin(made)
             self._send(session)
         self._keep(session)
 
@@ -294,16 +295,10 @@ class Tab:
         """What is made after the first picture has been sent."""
 
         def resume(kept: keeping.Kept) -> None:
-            # At once: a link that the page sends after it goes before it.
-            versions = pasts.of(kept.undo) if kept.undo else None
-            session.post(commands.Resume(bytes(kept.session), versions))
-            self._requests.append(lambda now: self._resume_looks(now, kept))
-            if kept.undo and versions is None:
-                text = "What was changed before the connection was lost can no longer be undone."
-                self.notify(Notice("info", "Undo begins anew", text))
+            self._requests.append(lambda now: self._resume(now, kept))
 
-        def show(scene: sim.Scene) -> None:
-            session.post(commands.Open(scene))
+        def show(scene: sim.Scene) -> None:  # by the same queue: a link comes after what the page had kept
+            self._requests.append(lambda now: now.post(commands.Open(scene)))
 
         self._answers = Answers(session, self._mail, self.notify, resume, show, self._for_others, self._shelf)
         self._controls = self._wanted_controls(session.scene)
@@ -537,8 +532,16 @@ class Tab:
         wait = (time.thread_time() - began) / KEEP_SHARE
         self._keep_due = now + min(max(KEEP_EVERY, wait), KEEP_LATEST)
 
-    def _resume_looks(self, session: Session, kept: keeping.Kept) -> None:
-        """Have the page look as it did when that was kept, and keep what goes on from that."""
+    def _resume(self, session: Session, kept: keeping.Kept) -> None:
+        """Go on with what was kept, in this very frame, and keep what goes on from that.
+
+        The plots are remembered before the body comes: with it they are put up.
+        """
+        versions = pasts.of(kept.undo) if kept.undo else None
+        if kept.undo and versions is None:
+            text = "What was changed before the connection was lost can no longer be undone."
+            self.notify(Notice("info", "Undo begins anew", text))
+        session.post(commands.Resume(bytes(kept.session), versions))
         self._mail.tell(Resumed())
         self._kept = ()
         self._plots_kept = kept.plots

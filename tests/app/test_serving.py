@@ -29,6 +29,7 @@ from app.server.serve import _tell_addresses, serving
 from app.server.ticker import Ticker
 from app.session import commands
 from app.session.commands import DragStart, Open
+from app.session.plots import Wish
 from app.session.session import Session
 from app.wire.from_page import FromPage, OpenScene, Part, Perform, Switch
 from app.wire.to_page import Hud
@@ -144,9 +145,9 @@ def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
         assert frames[-1][-positions.size :] == pytest.approx(positions.ravel(), abs=1e-3)
 
 
-def kept_letters(session: Session) -> str:
+def kept_letters(session: Session, plots: tuple[Wish, ...] = ()) -> str:
     """What a page's script gives back of what it kept of a session."""
-    kept = keeping.encode(session.keepsake(), keeping.Looks(dark=True))
+    kept = keeping.encode(session.keepsake(), keeping.Looks(dark=True), plots)
     return base64.b64encode(zlib.compress(kept)).decode()
 
 
@@ -157,11 +158,33 @@ def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest
     with stage.page() as page:
         tab = stage.new_tab(set())
         say(page, Part("resume", 1, 1, letters), Part("link", 1, 1, link))
-        eventually(lambda: session_of(tab).scene.name == "box")
+        eventually(lambda: len(tab._requests) == 2)
         monkeypatch.setattr(Tab, "_serve_requests", serve)
         eventually(lambda: tab._looks.dark)  # the page looks as it did
+        eventually(lambda: session_of(tab).scene.name == "box")
         eventually(lambda: not session_of(tab)._queue)
         assert session_of(tab).scene.name == "box"
+
+
+def test_what_the_page_kept_brings_its_plots_whenever_it_comes(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    letters = kept_letters(Session(sim.load_scene("rod")), (Wish(("joint0.angle",)),))
+    prepare, said = Tab._prepare, []
+
+    def prepare_later(tab: Tab, session: Session) -> None:
+        if not said:  # in the middle of a frame
+            said.append(tab)
+            tab.hear(Part("resume", 1, 1, letters))
+        prepare(tab, session)
+
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        monkeypatch.setattr(Tab, "_prepare", prepare_later)
+        eventually(lambda: tab._looks.dark and session_of(tab).scene.name == "rod")
+        page.read_for(0.1)
+        assert tab._measure is not None
+        assert len(tab._measure.plots) == 1
 
 
 def test_another_scene_is_kept_at_once_however_long_the_last_keepsake_took(
