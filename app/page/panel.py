@@ -19,6 +19,7 @@ from sim.settings import CHOICES, TEMPLATES, Setting, settings_of
 from ..drawing.colors import palette
 from ..session import commands
 from ..session.session import Notice, Session
+from ..viser_inside import element_id
 from ..wire.carrier import Mail
 from ..wire.commands import COMMANDS
 from ..wire.to_page import Hud, Role, Roles
@@ -66,11 +67,6 @@ def set_theme(gui: viser.GuiApi, dark: bool) -> None:
     gui.configure_theme(
         dark_mode=dark, show_logo=False, show_share_button=False, brand_color=(red, green, blue)
     )
-
-
-def _id(handle: Any) -> str:
-    """The id that an element has in the page (viser 1.1.1 has no public name for it)."""
-    return handle._impl.uuid
 
 
 _Place = viser.GuiTabHandle | viser.GuiFolderHandle
@@ -377,9 +373,9 @@ class Panel:
         """Say which controls look otherwise than viser draws them."""
         anew = self._play.anew if self._play is not None else None
         roles: dict[str, Role] = {
-            **{_id(slider_box.slider): "slider" for slider_box in self._sliders},
-            **{_id(slider_box.box): "number" for slider_box in self._sliders},
-            **{_id(button): "outlined" for button in self.outlined},
-            **({_id(anew): "beside"} if anew else {}),
+            **{element_id(slider_box.slider): "slider" for slider_box in self._sliders},
+            **{element_id(slider_box.box): "number" for slider_box in self._sliders},
+            **{element_id(button): "outlined" for button in self.outlined},
+            **({element_id(anew): "beside"} if anew else {}),
         }
         self._mail.tell(Roles(roles=roles, time_bar="play" in self._controls))

@@ -32,6 +32,7 @@ from ..session.hand import GIZMO
 from ..session.pacing import is_large
 from ..session.plots import Wish
 from ..session.session import Changed, Notice, Session
+from ..viser_inside import element_id
 from ..wire import from_page
 from ..wire.carrier import Mail, listen
 from ..wire.commands import COMMANDS
@@ -135,8 +136,8 @@ class Tab:
         self._all_ready = False
         self._for_others = for_others
         self._first = scene = self._asked_scene(query) or scene
-        self._view = Canvas(client, self._touched)
         self._mail = Mail(client)
+        self._view = Canvas(client, self._mail, self._touched)
         listen(client, self.hear)
         self._asked_controls = self._checked(controls.of_query, query)
         self._controls = self._scenes_controls = controls.ALL
@@ -505,7 +506,7 @@ class Tab:
             controls=tuple(name for name in TOLD_CONTROLS if name in self._controls),
             gizmos=self._looks.gizmos,
             meter=self._looks.meter,
-            measuring=measures._id if measures is not None else "",
+            measuring=element_id(measures) if measures is not None else "",
             lesson=session.lesson_begun if session.scene.lesson else None,
         )
         self._mail.tell(state)

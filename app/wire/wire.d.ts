@@ -107,6 +107,14 @@ export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, st
 export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
-export type ToPage = PageState | Tools | Hud | Roles | Lesson | Selected | Versions | Keepsake | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link;
+/** What a body is made of, see `drawing.plan.encode_plan`. */
+export type Plan = { tell: "plan"; numbers: Float32Array };
+/** Where the masses are, see `drawing.plan.encode_frame`. */
+export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
+/** What has yielded and broken, see `drawing.plan.encode_damage`. */
+export type Damage = { tell: "damage"; numbers: Float32Array };
+/** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
+export type Arrows = { tell: "arrows"; numbers: Float32Array };
+export type ToPage = PageState | Tools | Hud | Roles | Lesson | Selected | Versions | Keepsake | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link | Plan | Frame | Damage | Arrows;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; hud: Hud; roles: Roles; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link };
+export type Told = { pageState: PageState; tools: Tools; hud: Hud; roles: Roles; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows };

@@ -20,7 +20,6 @@ from rich.console import Console
 import sim
 from app.gate.gate import open_server
 from app.page import tab as tab_module
-from app.page.body.view import FRAME
 from app.page.files import keeping
 from app.page.scenes import owner
 from app.page.tab import Tab
@@ -35,7 +34,7 @@ from app.wire.from_page import FromPage, OpenScene, Part, Perform, Switch
 from app.wire.to_page import Hud
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.store.link import pack_scene
-from studies.bench.client import Page
+from studies.bench.client import FRAME_PLACES, Page, is_frame
 
 PATIENCE = 30.0
 
@@ -92,11 +91,7 @@ def nodes(messages: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:
 
 
 def drawn_nodes(tab: Tab) -> set[str]:
-    return {name for name in tab._view._nodes if not name.startswith("/softrod/")}
-
-
-def is_frame(message: dict[str, Any]) -> bool:
-    return message.get("name") == FRAME and "points" in message.get("updates", {})
+    return set(tab._view._nodes)
 
 
 def say(page: Page, *messages: FromPage | str) -> None:
@@ -140,9 +135,11 @@ def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
         frames: list[np.ndarray] = []
         deadline = time.monotonic() + 0.5
         while time.monotonic() < deadline:
-            frames += [m["updates"]["points"] for m in page.receive(0.1) if is_frame(m)]
+            frames += [m["numbers"] for m in page.receive(0.1) if is_frame(m)]
         positions = session_of(tab).simulation.positions
-        assert frames[-1][-positions.size :] == pytest.approx(positions.ravel(), abs=1e-3)
+        assert frames[-1][FRAME_PLACES : FRAME_PLACES + positions.size] == pytest.approx(
+            positions.ravel(), abs=1e-3
+        )
 
 
 def kept_letters(session: Session, plots: tuple[Wish, ...] = ()) -> str:

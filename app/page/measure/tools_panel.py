@@ -45,7 +45,7 @@ class ToolsPanel:
     def __init__(self, client: viser.ClientHandle, session: Session, mail: Mail) -> None:
         self._session, self._mail = session, mail
         self._asked: deque[tuple[str, Any]] = deque(maxlen=100)
-        self._arrows = Arrows(client)
+        self._arrows = Arrows(mail)
         self._kinds: frozenset[str] = frozenset()
         self._chosen: int | None = None
         self._traced: tuple[int, ...] = ()
