@@ -19,6 +19,7 @@ _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/web
 _FOREVER = "public, max-age=31536000, immutable"
 _STYLES = (
     "page.css",
+    "viser/viser.css",
     "body/overlay.css",
     "time/dock.css",
     "measure/tools.css",

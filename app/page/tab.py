@@ -35,7 +35,7 @@ from ..session.session import Changed, Notice, Session
 from ..viser_inside import element_id
 from ..wire import from_page
 from ..wire.carrier import Mail, listen
-from ..wire.commands import COMMANDS
+from ..wire.commands import COMMANDS, Look
 from ..wire.to_page import Keepsake, PageState, Resumed, Run, ShowMeasures
 from . import controls
 from .answers import Answers
@@ -65,7 +65,7 @@ SHELF_EVERY = 0.3
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
-TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "solver", "tools", "view")
+TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "play", "solver", "tools", "view")
 """Controls of which the script is told whether they are there: it makes some, and commands need some."""
 
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
@@ -112,7 +112,9 @@ class Tab:
         self._requests: deque[Callable[[Session], None]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
         self._looks = keeping.PLAIN
-        self._commas = CommaSwitch(lambda on: self.hear(from_page.Switch("commas", on)))
+        self._commas = CommaSwitch(
+            lambda on: self._requests.append(lambda now: self._switch(now, "commas", on))
+        )
         self._before_lesson: BeforeLesson | None = None
         self._generation = -1
         self._page = secrets.token_hex(4)
@@ -194,8 +196,6 @@ class Tab:
                 self._show_where_seen()
             case from_page.Pick(mass):
                 self._requests.append(lambda now: self._pick(now, mass))
-            case from_page.Switch(what, on):
-                self._requests.append(lambda now: self._switch(now, what, on))
             case from_page.BeginStep():
                 self._requests.append(lambda _: self._begin_step(said))
 
@@ -350,17 +350,14 @@ class Tab:
                 with self._panel.measure_tab:
                     self._tools = ToolsPanel(self.client, session, self._mail)
                 self._tools.show_arrows(self._arrows_kept)
-                self._panel.outlined += self._tools.outlined
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
-                files = self._files = FilesPanel(
+                self._files = FilesPanel(
                     self.client, session, self.notify, lambda: self.perform("share"), self._shelf
                 )
-                take_home = ExportPanel(
+                ExportPanel(
                     self.client, session, lambda: self._looks.dark, self.perform, self.notify, self._commas
                 )
-            self._panel.outlined += [*files.outlined, *take_home.outlined]
-
         self._show_where_seen()
 
     def _prepare(self, session: Session) -> None:
@@ -412,7 +409,6 @@ class Tab:
         if self._files is not None:
             self._files.build()
         self._show_lessons_things(session)
-        self._panel.tell_roles()
         if self._measure is not None:
             self._measure.build(dark)
         self._moved_at = session.now()
@@ -576,6 +572,11 @@ class Tab:
     def show_help(self) -> None:
         """Open the help."""
         self._panel.show_help()
+
+    def toggle(self, look: Look) -> None:
+        """Turn a look of the page on or off."""
+        if self._session is not None:
+            self._switch(self._session, look, not getattr(self._looks, look))
 
     def _switch(self, session: Session, what: str, on: bool) -> None:
         """Turn one of the looks on or off."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 import numpy as np
 from msgspec import Struct
 
@@ -100,18 +98,6 @@ class Hud(State, frozen=True, kw_only=True):
     """The head-up display over the canvas, HTML."""
 
     html: str
-
-
-Role = Literal["slider", "number", "outlined", "beside"]
-"""A slider beside the number box that stands in place of its own; that box; a button that is drawn as an
-outline; and one that stands beside the control before it, as its icon."""
-
-
-class Roles(State, frozen=True, kw_only=True):
-    """Controls that look otherwise than viser draws them, by their ids; whether there is a bar of time."""
-
-    roles: dict[str, Role]
-    time_bar: bool
 
 
 class LessonStep(Struct, frozen=True):

@@ -30,7 +30,7 @@ from app.session import commands
 from app.session.commands import DragStart, Open
 from app.session.plots import Wish
 from app.session.session import Session
-from app.wire.from_page import FromPage, OpenScene, Part, Perform, Switch
+from app.wire.from_page import FromPage, OpenScene, Part, Perform
 from app.wire.to_page import Hud
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.store.link import pack_scene
@@ -108,7 +108,7 @@ def test_one_node_per_kind(stage: Stage) -> None:
         eventually(lambda: "/body/springs" in tab._view._nodes)
         assert drawn_nodes(tab) == {"/body/springs", "/body/wedges", "/body/ring", "/body/masses"}
         assert not tab._view._gizmos
-        tab.hear(Switch("gizmos", True))
+        tab.hear(Perform("gizmos"))
         eventually(lambda: len(tab._view._gizmos) == 1)
         page.read_for(0.1)
 

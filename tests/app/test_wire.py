@@ -33,7 +33,6 @@ SAID = {
     '{"do":"pick","mass":3}': from_page.Pick(3),
     '{"do":"goTo","time":12.5}': from_page.GoTo(12.5),
     '{"do":"speed","speed":0.125}': from_page.Speed(0.125),
-    '{"do":"switch","what":"dark","on":true}': from_page.Switch("dark", True),
     '{"do":"seen","tab":""}': from_page.Seen(""),
 }
 

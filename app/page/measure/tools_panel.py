@@ -37,9 +37,6 @@ class ToolsPanel:
         client: the page.
         session: its simulation.
         mail: to the page's script.
-
-    Attributes:
-        outlined: buttons that are not the first thing to press.
     """
 
     def __init__(self, client: viser.ClientHandle, session: Session, mail: Mail) -> None:
@@ -70,7 +67,6 @@ class ToolsPanel:
             "Length of a trace", tuple(LENGTHS), initial_value="5 s", order=LAST + 3
         )
         clear = gui.add_button("Clear the traces", icon=viser.Icon.ERASER, color="gray", order=LAST + 4)
-        self.outlined = [clear]
 
         for kind, switch in self._switches.items():
             self._listen(switch, kind)
