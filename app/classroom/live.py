@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import sim
-from sim.settings.lessons import scene_of_step
+from sim.settings import scene_of_step
 
 from ..drawing.plan import Picture
 from ..drawing.sketch import Floats

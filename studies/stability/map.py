@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
+from sim.analysis.ensemble import Member, Track, marks, run_ensemble
 
 from sim import Integrator, Scene, Simulation
-from sim.analysis.ensemble import Member, Track, marks, run_ensemble
 from sim.motion.stability import largest_step
 
 from .axes import Axis, extent, in_cell

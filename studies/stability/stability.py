@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 from rich.console import Console
 from rich.table import Table
+from sim.analysis.ensemble import fixed_step_methods
 
 from sim import Scene
-from sim.analysis.ensemble import fixed_step_methods
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 

@@ -38,7 +38,7 @@ class Role:
 
     def allows(self, said: from_page.FromPage) -> bool:
         """Whether the page may say that, whoever is behind it; any thread may ask."""
-        return isinstance(said, from_page.Who | from_page.Switch)
+        return isinstance(said, from_page.Who)
 
     def introduce(self, who: from_page.Who, session: Session) -> None:
         """The page says whose it is."""

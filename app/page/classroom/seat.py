@@ -25,7 +25,7 @@ _HANDS = (from_page.At, from_page.Grab, from_page.Drop, from_page.Keys, from_pag
 _OWN = (*_HANDS, from_page.Visit, from_page.Perform, from_page.Pick, from_page.Seen)
 """What a pupil may say of a body of their own."""
 
-_ALWAYS = (from_page.InSeat, from_page.Who, from_page.Switch, from_page.Unread)
+_ALWAYS = (from_page.InSeat, from_page.Who, from_page.Unread)
 
 
 class SeatRole(ClassRole):
