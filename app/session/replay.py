@@ -49,6 +49,11 @@ class Player:
         return self._index >= len(self.record.entries)
 
     @property
+    def at(self) -> int:
+        """Index of the entry that comes next."""
+        return self._index
+
+    @property
     def upcoming(self) -> Entry:
         """What comes next."""
         return self.record.entries[self._index]

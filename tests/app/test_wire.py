@@ -137,7 +137,7 @@ class Bare(Tab):
     """A tab with a session, and nothing that is shown."""
 
     def __init__(self, session: Any, names: controls.Controls = controls.ALL) -> None:
-        self._session, self._controls = session, names
+        self._session, self._controls, self._role = session, names, None
         self._mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
         self._mail = Letters()
         self._requests = deque()

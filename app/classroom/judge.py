@@ -1,0 +1,212 @@
+"""Whether a step's goal was reached: as the run goes on, and again from the log that was handed in.
+
+A log is a file, and a file can be forged. So a judge does again what it says, and looks at everything that
+could be more than a pupil can do: the scene it begins with, what it sets, and where it goes back to.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import msgspec
+import numpy as np
+
+import sim
+from sim.analysis.swings import swings
+from sim.errors import InputError, SettingError
+from sim.motion.quantities import Quantity, quantity
+from sim.scene.lesson import Goal, Reading, Step
+from sim.settings import CHOICES, set_choice, set_value, setting_of
+
+from ..session import log
+from ..session.log import Log, digest_of
+from ..session.replay import Player
+
+SPAN = 60.0
+"""Simulated seconds of which a period is read off, at most."""
+
+MOST_SECONDS = 3600.0
+"""Simulated time of a log that is judged, at most."""
+
+_SAMPLES_EVERY = 1.0 / 240.0
+"""Seconds between two samples of which a period is read off, at least."""
+
+
+class Meter:
+    """Takes a reading off a body in motion.
+
+    Args:
+        reading: what.
+        scene: of the body.
+
+    Raises:
+        InputError: the scene has no such quantity.
+    """
+
+    def __init__(self, reading: Reading, scene: sim.Scene) -> None:
+        self._quantity: Quantity = quantity(reading.quantity, scene)
+        self._of = reading.of
+        self._times: list[float] = []
+        self._values: list[float] = []
+
+    def take(self, simulation: sim.Simulation) -> float | None:
+        """The reading now; None where there is none, as of what does not swing.
+
+        Time may have gone back: what was read after that is forgotten.
+        """
+        value = self._quantity.read(simulation)
+        if self._of == "value":
+            return value if math.isfinite(value) else None
+        now = simulation.time
+        while self._times and self._times[-1] >= now:
+            self._times.pop()
+            self._values.pop()
+        if not self._times or now - self._times[-1] >= _SAMPLES_EVERY:
+            self._times.append(now)
+            self._values.append(value)
+        first = next((i for i, time in enumerate(self._times) if time >= now - SPAN), 0)
+        del self._times[:first], self._values[:first]
+        values = np.array(self._values)
+        found = swings(np.array(self._times), values) if np.isfinite(values).all() else None
+        return None if found is None else found.period
+
+
+class GoalWatch:
+    """Follows a run until its goal is reached.
+
+    Args:
+        goal: of the step.
+        scene: of the body.
+
+    Attributes:
+        reached: whether it has been; that stays so.
+        value: the reading now, or None.
+        held: simulated seconds for which the reading has been in the range without a break.
+
+    Raises:
+        InputError: the scene has no such quantity.
+    """
+
+    def __init__(self, goal: Goal, scene: sim.Scene) -> None:
+        self._goal, self._meter = goal, Meter(goal, scene)
+        self._since: float | None = None
+        self.reached = False
+        self.value: float | None = None
+        self.held = 0.0
+
+    def look(self, simulation: sim.Simulation) -> bool:
+        """Look at the body between two steps; returns `reached`."""
+        goal = self._goal
+        self.value = value = self._meter.take(simulation)
+        low, high = -math.inf if goal.low is None else goal.low, math.inf if goal.high is None else goal.high
+        inside = value is not None and low <= value <= high and simulation.divergence is None
+        if not inside:
+            self._since, self.held = None, 0.0
+        else:
+            if self._since is None or simulation.time < self._since:
+                self._since = simulation.time
+            self.held = simulation.time - self._since
+            self.reached = self.reached or self.held >= goal.seconds
+        return self.reached
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a judge found.
+
+    Attributes:
+        refused: why the log cannot be what a pupil did; empty if it can.
+        reached: whether the goal was; None without a goal.
+        found: the last reading of what the step collects, or None.
+        steps: time steps done again.
+    """
+
+    refused: str = ""
+    reached: bool | None = None
+    found: float | None = None
+    steps: int = 0
+
+
+class _Forged(Exception):
+    """What a log says is more than a pupil can do."""
+
+
+def judge(record: Log, scene: sim.Scene, step: Step) -> Verdict:
+    """Do again what a log says, and look whether it reached the goal of a step.
+
+    Args:
+        record: what was handed in; nothing in it is trusted.
+        scene: as the step begins.
+        step: of the lesson.
+    """
+    try:
+        _check_scene(record.scene, scene, step.controls, "the log begins with")
+        return _judge(record, scene, step)
+    except _Forged as error:
+        return Verdict(refused=f"{error}.")
+    except (InputError, SettingError) as error:
+        return Verdict(refused=f"{error}.")
+
+
+def _judge(record: Log, scene: sim.Scene, step: Step) -> Verdict:
+    simulation = sim.Simulation(record.scene)
+    player = Player(record, simulation)
+    watch = GoalWatch(step.goal, record.scene) if step.goal is not None else None
+    meter = Meter(step.collect, record.scene) if step.collect is not None else None
+    found = None
+    # Where it has been: nobody goes back to where nobody was.
+    been = {digest_of(simulation)}
+    while not player.ended:
+        entry = player.upcoming
+        match entry:
+            case log.Set(key=key) | log.Choose(key=key) if key not in step.controls:
+                raise _Forged(f"the log sets {key}, which this step has no slider for")
+            case log.Restore(scene=other) if other is not None:
+                _check_scene(record.moments[player.at].scene, scene, step.controls, "the log goes on with")
+        player.do()
+        if isinstance(entry, log.Restore) and digest_of(simulation) not in been:
+            raise _Forged("the log goes on from where the body never was; begin anew and hand in that run")
+        if isinstance(entry, log.Step):
+            been.add(digest_of(simulation))
+            if watch is not None:
+                watch.look(simulation)
+            if meter is not None:
+                found = meter.take(simulation)
+        if simulation.time > MOST_SECONDS:
+            raise _Forged(f"the log has more than {MOST_SECONDS:g} s")
+    if not player.agrees:
+        raise _Forged(player.verdict.rstrip("."))
+    return Verdict("", None if watch is None else watch.reached, found, player.steps)
+
+
+def _check_scene(has: sim.Scene, wanted: sim.Scene, controls: tuple[str, ...], what: str) -> None:
+    """Refuse another scene than the step's, but for what its sliders set.
+
+    Raises:
+        _Forged: it is another one.
+    """
+    for key in controls:
+        try:
+            if key in CHOICES:
+                wanted = set_choice(wanted, key, CHOICES[key].read(has))
+            else:
+                wanted = set_value(wanted, key, setting_of(has, key).read(has))
+        except SettingError as error:
+            raise _Forged(f"{what} {error}") from None
+    if _bare(has) != _bare(wanted):
+        raise _Forged(f"{what} another scene than the step's")
+
+
+def _bare(scene: sim.Scene) -> sim.Scene:
+    """A scene without what does not move it."""
+    plain = sim.Scene(name="x", masses=scene.masses)
+    return msgspec.structs.replace(
+        scene,
+        name="x",
+        title="",
+        description="",
+        lesson=None,
+        view=plain.view,
+        format=plain.format,
+    )
