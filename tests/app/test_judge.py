@@ -1,4 +1,4 @@
-"""Goals are judged from the run, and again from its log; one that says more than a pupil can do is refused."""
+"""Goals are judged from the run, and again from its log; a log that no pupil can have made is refused."""
 
 from __future__ import annotations
 

@@ -1,0 +1,129 @@
+"""What a teacher takes home of a class: one zip with its scenes, what was given, and the runs."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import re
+import zipfile
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from sim.store.files import encode_scene
+
+from . import kept
+from .room import Answer, Ghost, Line, Room, Vote, Work
+
+LOGS = "logs"
+"""Folder of the logs that were handed in, in the class's own folder and in the zip."""
+
+README = """What a class gave, {steps} steps, {seats} seats.
+
+answers.csv      votes, lines and what was handed in, a row each
+predictions.csv  where masses were predicted to be, in the scene's units, a row a mass
+scenes/          what the class went through; softrod opens them, and `softrod class` begins with them
+logs/            the runs that were handed in; `softrod run --inputs FILE` does one again
+
+Seats have the names that the class gave out. Nothing of this is left on the computer that held the class.
+"""
+
+
+def pack(room: Room, decimal_comma: bool = False) -> bytes:
+    """The zip.
+
+    Args:
+        room: of the class, also while it goes on.
+        decimal_comma: whether tables are for spreadsheets that write numbers with commas.
+    """
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as file:
+        seats = sum(not seat.removed for seat in room.seats.values())
+        file.writestr("README.txt", README.format(steps=len(room.stops), seats=seats))
+        file.writestr("answers.csv", _table(_answers(room), decimal_comma))
+        file.writestr("predictions.csv", _table(_predictions(room), decimal_comma))
+        for i, scene in enumerate(room.scenes, start=1):
+            file.writestr(f"scenes/{i:02}-{_slug(scene.name)}.json", encode_scene(scene))
+        for answer in _in_order(room):
+            if isinstance(answer.content, Work) and answer.content.log:
+                path = log_path(room.code, answer.content.log)
+                if path.is_file():
+                    name = f"{answer.seat:02}-{_slug(room.seats[answer.seat].name)}"
+                    file.writestr(f"{LOGS}/step-{answer.stop + 1:02}-{name}.jsonl", path.read_bytes())
+    return made.getvalue()
+
+
+def log_path(code: str, name: str) -> Path:
+    """Where a log is kept that was handed in."""
+    return kept.folder_of(code) / LOGS / name
+
+
+def _in_order(room: Room) -> list[Answer]:
+    return sorted(room.answers.values(), key=lambda a: (a.stop, a.round, a.seat, a.twin))
+
+
+def _answers(room: Room) -> Iterable[Sequence[str | float]]:
+    yield "step", "title", "asked", "seat", "name", "pupil", "kind", "answer", "right", "late", "starred"
+    for a in _in_order(room):
+        step = room.step_at(a.stop)
+        question = step.question if step is not None else None
+        right = ""
+        match a.content:
+            case Vote(choice) if question is not None:
+                kind, text, right = "vote", question.choices[choice], _yes(choice == question.answer)
+            case Line(text):
+                kind = "line"
+            case Work():
+                kind, text = "handed in", "" if a.content.found is None else a.content.found
+                right = "" if a.content.reached is None else _yes(a.content.reached)
+            case _:
+                continue
+        title = step.title if step is not None else room.scenes[room.stops[a.stop].scene].name
+        name = room.seats[a.seat].name
+        asked = a.round + 1
+        yield (
+            a.stop + 1,
+            title,
+            asked,
+            a.seat,
+            name,
+            a.twin + 1,
+            kind,
+            text,
+            right,
+            _yes(a.late),
+            _yes(a.starred),
+        )
+
+
+def _predictions(room: Room) -> Iterable[Sequence[str | float]]:
+    yield "step", "asked", "seat", "name", "pupil", "mass", "x", "y"
+    for a in _in_order(room):
+        if isinstance(a.content, Ghost):
+            for mass, (x, y) in enumerate(a.content.points):
+                yield a.stop + 1, a.round + 1, a.seat, room.seats[a.seat].name, a.twin + 1, mass, x, y
+
+
+def _slug(text: str) -> str:
+    """A text as a part of a file's name."""
+    return re.sub(r"[^\w-]+", "-", text).strip("-")[:40] or "unnamed"
+
+
+def _yes(on: bool) -> str:
+    return "yes" if on else "no"
+
+
+def _table(rows: Iterable[Sequence[str | float]], decimal_comma: bool) -> str:
+    """CSV. A text that a spreadsheet would take for a formula has an apostrophe before it."""
+    made = io.StringIO()
+    writer = csv.writer(made, delimiter=";" if decimal_comma else ",", lineterminator="\r\n")
+    for row in rows:
+        writer.writerow([_cell(value, decimal_comma) for value in row])
+    return "\ufeff" + made.getvalue()
+
+
+def _cell(value: str | float, decimal_comma: bool) -> str:
+    if isinstance(value, str):
+        return f"'{value}" if value[:1] in ("=", "+", "-", "@") else value
+    text = f"{value:.6g}" if math.isfinite(value) else ""
+    return text.replace(".", ",") if decimal_comma else text

@@ -1,0 +1,71 @@
+"""What a teacher takes home of a class."""
+
+from __future__ import annotations
+
+import csv
+import io
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import sim
+from app.classroom import kept
+from app.classroom.room import Ghost, Line, Phase, Vote, Work
+from app.classroom.takeaway import log_path, pack
+from tests.app.test_room import a_room, an_answer
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+
+
+def tables(data: bytes, delimiter: str = ",") -> tuple[list[dict[str, str]], list[dict[str, str]]]:
+    with zipfile.ZipFile(io.BytesIO(data)) as file:
+        texts = [file.read(name).decode("utf-8-sig") for name in ("answers.csv", "predictions.csv")]
+    answers, predictions = (list(csv.DictReader(io.StringIO(text), delimiter=delimiter)) for text in texts)
+    return answers, predictions
+
+
+def test_everything_that_was_given_is_in_the_zip_once() -> None:
+    room = a_room()
+    seat = room.enter("0" * 32)
+    room.go(0, Phase.ASK)
+    room.take(1, an_answer(1, Vote(1)))
+    room.take(1, an_answer(2, Ghost(((0.5, 1.0), (2.0, 3.0), (4.0, 5.0), (6.0, 7.0)))))
+    room.go(0, Phase.EXPLAIN)
+    room.take(1, an_answer(3, Line('=HYPERLINK("x")')))
+    room.go(0, Phase.COLLECT)
+    path = log_path(room.code, "one.jsonl")
+    path.parent.mkdir(parents=True)
+    path.write_text("a log")
+    room.take(1, an_answer(4, Work(log="one.jsonl", found=1.25, reached=True)))
+    data = pack(room)
+    answers, predictions = tables(data)
+    assert [(row["kind"], row["answer"], row["right"]) for row in answers] == [
+        ("vote", "right", "yes"),
+        ("line", '\'=HYPERLINK("x")', ""),
+        ("handed in", "1.25", "yes"),
+    ]
+    assert {row["name"] for row in answers} == {seat.name}
+    assert [(row["mass"], row["x"], row["y"]) for row in predictions] == [
+        ("0", "0.5", "1"), ("1", "2", "3"), ("2", "4", "5"), ("3", "6", "7"),
+    ]  # fmt: skip
+    with zipfile.ZipFile(io.BytesIO(data)) as file:
+        assert file.testzip() is None
+        logs = [name for name in file.namelist() if name.startswith("logs/")]
+        assert [file.read(name) for name in logs] == [b"a log"]
+        scenes = sorted(name for name in file.namelist() if name.startswith("scenes/"))
+        assert len(scenes) == 2
+        file.extract(scenes[0], path.parent)
+    assert sim.load_scene(path.parent / scenes[0]).lesson == room.scenes[0].lesson
+
+
+def test_tables_may_have_decimal_commas() -> None:
+    room = a_room()
+    room.enter("0" * 32)
+    room.go(0, Phase.COLLECT)
+    room.take(1, an_answer(1, Work(found=1.25)))
+    (row,), _ = tables(pack(room, decimal_comma=True), ";")
+    assert row["answer"] == "1,25"
