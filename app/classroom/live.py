@@ -11,15 +11,22 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Literal, Protocol
+
+import msgspec
 
 import sim
+from sim.scene.lesson import Step
 from sim.settings import scene_of_step
+from sim.store.files import write_atomically
 
 from ..drawing.plan import Picture
 from ..drawing.sketch import Floats
+from ..session.log import decode_log
 from . import kept, names
-from .room import MOST_STOPS, Refused, Room, digest
+from .judge import Verdict, judge
+from .room import MOST_STOPS, Answer, Refused, Room, Work, digest
+from .takeaway import log_path
 
 WRITE_EVERY = 0.1
 """Seconds between two writings of a class; what was given in between is acknowledged together."""
@@ -53,6 +60,23 @@ class Front:
     speed: float
 
 
+Word = Literal["", "moving", "at rest", "paused", "exploded", "goal reached"]
+"""What a body does, as the teacher reads it; nothing while all look at one body."""
+
+
+@dataclass(frozen=True)
+class Doing:
+    """What a pupil's body does.
+
+    Attributes:
+        word: in a word.
+        places: of its masses, thousandths of the scene's frame from its left and upper edge.
+    """
+
+    word: Word = ""
+    places: tuple[tuple[int, int], ...] = ()
+
+
 class Pupil(Protocol):
     """A pupil's page, as the teacher's can turn to it."""
 
@@ -77,6 +101,7 @@ class Class:
         teachers: how many pages of teachers there are.
         desk: the teacher's page whose body all look at.
         pupils: the page that each seat has, by its number; the last one, where there are several.
+        doing: what each seat's body does.
         written: version of the room that is on the disk.
         ended: whether it is over.
     """
@@ -92,6 +117,8 @@ class Class:
         self.teachers = 0
         self.desk: object | None = None
         self.pupils: dict[int, Pupil] = {}
+        self.doing: dict[int, Doing] = {}
+        self._judged: list[tuple[str, Future[Verdict]]] = []
         self.ended = False
         self._clock = clock
         self._scenes: dict[int, sim.Scene] = {}
@@ -122,8 +149,47 @@ class Class:
         stop, keepsake = self._bodies.get(seat, (-1, b""))
         return keepsake if stop == self.room.at else None
 
+    def hand_in(self, answer: Answer, log: bytes, step: Step, scene: sim.Scene) -> None:
+        """Take what a pupil hands in: the log is written, and judged once more by itself.
+
+        Args:
+            answer: with what the server saw of the run.
+            log: of the run.
+            step, scene: that it is of.
+
+        Raises:
+            Refused: see `Room.take`.
+        """
+        name = f"{answer.id}.jsonl"
+        content = answer.content
+        if isinstance(content, Work):
+            answer = msgspec.structs.replace(answer, content=msgspec.structs.replace(content, log=name))
+        if self.room.take(answer.seat, answer):
+            work = self._writer.submit(_keep_and_judge, self.room.code, name, log, step, scene)
+            self._judged.append((answer.id, work))
+
+    def _take_verdicts(self) -> None:
+        """What the logs say goes before what was seen of the runs."""
+        for id, future in [one for one in self._judged if one[1].done()]:
+            self._judged.remove((id, future))
+            answer = self.room.answers.get(id)
+            if (error := future.exception()) is not None:
+                _log.error("a log of the class %s was not kept: %s", self.room.code, error)
+            elif answer is not None and isinstance(answer.content, Work):
+                verdict = future.result()
+                content = msgspec.structs.replace(
+                    answer.content,
+                    reached=verdict.reached and not verdict.refused,
+                    found=verdict.found,
+                    doubt=verdict.refused,
+                )
+                if content != answer.content:
+                    self.room.answers[id] = msgspec.structs.replace(answer, content=content)
+                    self.room.version += 1
+
     def tend(self) -> None:
         """Have written what is new, if it is time; whatever is acknowledged is on the disk before."""
+        self._take_verdicts()
         if self._writing is not None:
             version, future = self._writing
             if not future.done():
@@ -163,6 +229,14 @@ class Class:
         self.room.answers.clear()
         self._bodies.clear()
         self.room.version += 1
+
+
+def _keep_and_judge(code: str, name: str, data: bytes, step: Step, scene: sim.Scene) -> Verdict:
+    """Write a log that was handed in, and do it again."""
+    path = log_path(code, name)
+    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    write_atomically(path, data)
+    return judge(decode_log(data, "the log"), scene, step)
 
 
 class Classes:

@@ -96,9 +96,10 @@ class Work(Content, frozen=True):
 
     Attributes:
         log: name of the file of the run's log in the class's folder; empty if it could not be kept.
-        found: the quantity that the step asks for, or None if it asks for none.
-        setting: the setting that was changed, if one was: the abscissa of the class's plot.
-        reached: whether the step's goal was reached, as the server saw it; None without a goal.
+        found: the reading that the step collects; None without one.
+        setting: the first number that the step has a slider for: the abscissa of the class's plot.
+        reached: whether the step's goal was reached; None without a goal.
+        doubt: why the log cannot be what a pupil did; empty if it can.
         points: where the masses were, for a picture.
     """
 
@@ -106,6 +107,7 @@ class Work(Content, frozen=True):
     found: float | None = None
     setting: float | None = None
     reached: bool | None = None
+    doubt: str = ""
     points: tuple[tuple[float, float], ...] = ()
 
 

@@ -82,7 +82,7 @@ def serving(
         base = for_others(f"{page_addresses(host, server.get_port())[0]}/")
 
         def role(mail: Mail, classes: Classes = classes) -> Role | None:
-            return role_of_query(query, mail, classes, base, owned)
+            return role_of_query(query, mail, classes, base, owned, client.send_file_download)
 
         first = (klass and first_scene(klass)) or scene
         return Tab(client, first, compiler, query, owned, for_others, role)

@@ -288,10 +288,13 @@ class Stage(Lead, frozen=True):
 
 
 class Arrange(Lead, frozen=True):
-    """Something that needs no place: all bodies are to stand, to go on, or to begin anew; all are to have the
-    teacher's scene as it is now; the door, and whether names can be typed; and the end."""
+    """Something that needs no place.
 
-    what: Literal["pause", "goOn", "reset", "asMine", "open", "close", "ownNames", "givenNames", "end"]
+    All bodies are to stand, to go on, or to begin anew, or are to be the teacher's as it is now; the door and
+    whether names can be typed; what was given is to be saved as a file; and the end.
+    """
+
+    what: Literal["pause", "goOn", "reset", "asMine", "open", "close", "ownNames", "givenNames", "zip", "end"]
 
 
 class Star(Lead, frozen=True):

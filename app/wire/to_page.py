@@ -177,6 +177,8 @@ class Asking(Struct, frozen=True, kw_only=True):
         right: the right choice, once it may be known; else -1.
         because: why it is right, then.
         predict: simulated time for which the body's place is asked for, s; 0 if it is not.
+        goal: what is to be reached, in words; empty for nothing.
+        collects: what each one hands in, in words; empty for the run alone.
     """
 
     stop: int
@@ -190,6 +192,8 @@ class Asking(Struct, frozen=True, kw_only=True):
     right: int
     because: str
     predict: float
+    goal: str
+    collects: str
 
 
 class Given(Struct, frozen=True, kw_only=True):
@@ -225,6 +229,7 @@ class Seat(State, frozen=True, kw_only=True):
         paused: whether all bodies stand.
         away: whether the teacher is not there.
         elsewhere: whether a later page of the same browser has the seat.
+        reached: whether the page's body has reached the step's goal.
     """
 
     code: str = ""
@@ -240,6 +245,7 @@ class Seat(State, frozen=True, kw_only=True):
     paused: bool = False
     away: bool = False
     elsewhere: bool = False
+    reached: bool = False
     asking: Asking | None = None
     given: tuple[Given, ...] = ()
 
@@ -249,6 +255,13 @@ class WallLine(Struct, frozen=True, kw_only=True):
 
     text: str
     color: str
+
+
+class Found(Struct, frozen=True, kw_only=True):
+    """What one seat found: a point of the class's plot."""
+
+    setting: float
+    found: float
 
 
 class Wall(State, frozen=True, kw_only=True):
@@ -261,6 +274,8 @@ class Wall(State, frozen=True, kw_only=True):
         bars: votes for each choice, once they are shown; else empty.
         lines: what was picked out.
         alone: whether one prediction is shown alone.
+        found: what was handed in, a point a seat; over what, and what it is.
+        doing: how many bodies do what, while each one has their own.
     """
 
     code: str
@@ -273,6 +288,9 @@ class Wall(State, frozen=True, kw_only=True):
     lines: tuple[WallLine, ...]
     alone: bool
     paused: bool
+    found: tuple[Found, ...]
+    over: str
+    doing: dict[str, int]
 
 
 class Predictions(State, frozen=True, kw_only=True):
@@ -280,6 +298,14 @@ class Predictions(State, frozen=True, kw_only=True):
     names."""
 
     bodies: tuple[tuple[tuple[float, float], ...], ...] = ()
+
+
+class Posters(State, frozen=True, kw_only=True):
+    """Where the bodies of the seats are, by their numbers: thousandths of the scene's frame from its left and
+    upper edge."""
+
+    places: dict[str, tuple[tuple[int, int], ...]]
+    springs: tuple[tuple[int, int], ...]
 
 
 class DeskSeat(Struct, frozen=True, kw_only=True):
@@ -311,6 +337,10 @@ class DeskAnswer(Struct, frozen=True, kw_only=True):
     text: str
     late: bool
     starred: bool
+    found: float | None
+    setting: float | None
+    reached: bool | None
+    doubt: str
 
 
 class DeskStop(Struct, frozen=True, kw_only=True):

@@ -60,8 +60,8 @@ export type LeaveBy = { do: "leaveBy" };
 export type TakeOver = { do: "takeOver"; digits: string };
 /** The class goes to a stop and a phase. */
 export type Stage = { do: "stage"; stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round?: number };
-/** Something that needs no place: all bodies are to stand, to go on, or to begin anew; all are to have the teacher's scene as it is now; the door, and whether names can be typed; and the end. */
-export type Arrange = { do: "arrange"; what: "asMine" | "close" | "end" | "givenNames" | "goOn" | "open" | "ownNames" | "pause" | "reset" };
+/** Something that needs no place. */
+export type Arrange = { do: "arrange"; what: "asMine" | "close" | "end" | "givenNames" | "goOn" | "open" | "ownNames" | "pause" | "reset" | "zip" };
 /** An answer is picked out, or no longer. */
 export type Star = { do: "star"; answer: string; on: boolean };
 /** An answer is to be shown alone on the wall; none for "". */
@@ -94,17 +94,19 @@ export type LessonStep = { title: string; do: string; watch: string; question: Q
 /** A question with answers to choose from. */
 export type Question = { text: string; choices: string[]; answer: number; because: string };
 /** What a class looks at. */
-export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number };
+export type Asking = { stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round: number; title: string; do: string; watch: string; question: string; choices: string[]; right: number; because: string; predict: number; goal: string; collects: string };
 /** Something that the pupil at a page has given. */
 export type Given = { stop: number; round: number; twin: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string };
 /** A line that the teacher has picked out. */
 export type WallLine = { text: string; color: string };
+/** What one seat found: a point of the class's plot. */
+export type Found = { setting: number; found: number };
 /** A stop of the class's plan. */
 export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number][] };
 /** A seat, as the teacher sees it. */
 export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string };
 /** An answer, as the teacher sees it. */
-export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean };
+export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string };
 /** A scene as the gallery shows it. */
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What the script has to know of the session and of the page. */
@@ -122,11 +124,13 @@ export type Versions = { tell: "versions"; undo: string; redo: string; count: nu
 /** What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
 /** What a pupil's page has to know of the class. */
-export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; paused: boolean; away: boolean; elsewhere: boolean; asking: Asking | null; given: Given[] };
+export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; paused: boolean; away: boolean; elsewhere: boolean; reached: boolean; asking: Asking | null; given: Given[] };
 /** What the class sees in front; no name is in it. */
-export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean };
+export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; doing: Record<string, number> };
 /** Where the class has said that the masses will be, in the page's world: one body a prediction, without names. */
 export type Predictions = { tell: "predictions"; bodies: [number, number][][] };
+/** Where the bodies of the seats are, by their numbers: thousandths of the scene's frame from its left and upper edge. */
+export type Posters = { tell: "posters"; places: Record<string, [number, number][]>; springs: [number, number][] };
 /** What the teacher's page has to know of the class. */
 export type Desk = { tell: "desk"; code: string; address: string; qr: string; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; on_wall: string; open: boolean; own_names: boolean; paused: boolean; saved: boolean };
 /** The server has these answers, or has refused one: then it says why. */
@@ -163,6 +167,6 @@ export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 export type Damage = { tell: "damage"; numbers: Float32Array };
 /** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
-export type ToPage = PageState | Tools | Hud | Lesson | Selected | Versions | Keepsake | Seat | Wall | Predictions | Desk | Taken | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link | Plan | Frame | Damage | Arrows;
+export type ToPage = PageState | Tools | Hud | Lesson | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link | Plan | Frame | Damage | Arrows;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; desk: Desk; taken: Taken; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows };
+export type Told = { pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows };

@@ -3,7 +3,8 @@
 import { onTold, send } from "../../wire/channel.js";
 import { make, makeButton } from "../looks/dialog.js";
 import { Ghosts } from "./ghost.js";
-import { voted } from "./wall.js";
+import { SVG } from "../body/overlay.js";
+import { plot, voted } from "./wall.js";
 
 /** @typedef {import("../../wire/wire.js").Desk} Desk */
 /** @typedef {import("../../wire/wire.js").DeskAnswer} DeskAnswer */
@@ -21,6 +22,30 @@ const PHASES = {
   collect: "Collect",
 };
 
+/** Where the seats' bodies are. @type {import("../../wire/wire.js").Posters} */
+let posters = { tell: "posters", places: {}, springs: [] };
+
+/** Draws the body of the seat that a picture is of. @param {SVGSVGElement} svg */
+function drawPoster(svg) {
+  const places = posters.places[svg.dataset.seat ?? ""] ?? [];
+  let path = "";
+  for (const [a, b] of posters.springs) {
+    if (places[a] && places[b]) path += `M${places[a].join(" ")}L${places[b].join(" ")}`;
+  }
+  svg.firstElementChild?.setAttribute("d", path);
+}
+
+/** A still picture of a seat's body. @param {number} seat */
+function poster(seat) {
+  const svg = document.createElementNS(SVG, "svg");
+  svg.setAttribute("viewBox", "0 0 1000 1000");
+  svg.dataset.seat = String(seat);
+  svg.setAttribute("aria-hidden", "true");
+  svg.append(document.createElementNS(SVG, "path"));
+  drawPoster(svg);
+  return svg;
+}
+
 /** Makes the teacher's part. */
 export function addDesk() {
   const desk = make("aside", "softrod-class softrod-desk");
@@ -28,6 +53,10 @@ export function addDesk() {
   const ghosts = new Ghosts();
   let made = "";
   onTold("predictions", ({ bodies }) => ghosts.show(bodies));
+  onTold("posters", (told) => {
+    posters = told;
+    for (const svg of desk.querySelectorAll("svg[data-seat]")) drawPoster(/** @type {SVGSVGElement} */ (svg));
+  });
   onTold("desk", (told) => {
     if (!desk.parentNode) document.body.append(desk);
     const now = JSON.stringify(told);
@@ -120,17 +149,20 @@ function asked({ asking, bars, right, answers, seats }) {
 }
 
 /** @param {Desk} desk */
-function seats({ seats }) {
+function seats({ seats, asking }) {
+  const own = asking.phase === "try" || asking.phase === "collect";
   const box = make("section", "");
   const here = seats.filter((seat) => seat.here).length;
   box.append(make("h3", "", `${here} of ${seats.length} are here`));
   const grid = make("ul", "softrod-seats");
-  for (const { number, name, color, here, two, hand, answered } of seats) {
+  for (const { number, name, color, here, two, hand, answered, doing } of seats) {
     const item = make("li", "");
     item.style.setProperty("--softrod-seat", color);
     item.toggleAttribute("data-away", !here);
     item.toggleAttribute("data-answered", answered);
-    item.append(make("span", "", `${name}${two ? " (two)" : ""}${hand ? " ✋" : ""}${here ? "" : " – away"}`));
+    if (own) item.append(poster(number));
+    const state = here ? doing && own && ` – ${doing}` : " – away";
+    item.append(make("span", "", `${name}${two ? " (two)" : ""}${hand ? " ✋" : ""}${state || ""}`));
     const away = button("×", () => confirm(`Close the seat of ${name}? What it gave goes, too.`) && send({ do: "sendAway", seat: number }), "softrod-cross");
     away.ariaLabel = `Close the seat of ${name}`;
     away.dataset.focus = `away${number}`;
@@ -143,22 +175,24 @@ function seats({ seats }) {
 
 /** @param {Desk} desk */
 function lines({ answers, seats, on_wall }) {
-  const written = answers.filter(({ kind }) => kind === "line" || kind === "ghost");
+  const written = answers.filter(({ kind }) => kind !== "vote");
   if (!written.length) return [];
   const box = make("section", "");
   box.append(make("h3", "", "Given"));
+  const found = answers.flatMap(({ setting, found, doubt }) => (setting === null || found === null || doubt ? [] : [{ setting, found }]));
+  if (found.length) box.append(plot(found, "", ""));
   const list = make("ul", "softrod-lines");
-  for (const { id, seat, kind, text, late, starred } of written) {
+  for (const { id, seat, kind, text, late, starred, doubt } of written) {
     const item = make("li", "");
     const name = seats.find(({ number }) => number === seat)?.name ?? "";
-    item.append(make("span", "", `${name}: ${kind === "ghost" ? "a prediction" : text}${late ? " (late)" : ""}`));
+    item.append(make("span", "", `${name}: ${kind === "ghost" ? "a prediction" : text || "a run"}${late ? " (late)" : ""}${doubt && `: ${doubt}`}`));
     if (kind === "line") {
       const star = button(starred ? "★" : "☆", () => send({ do: "star", answer: id, on: !starred }), "softrod-cross");
       star.ariaLabel = `Show this line on the wall, by ${name}`;
       star.ariaPressed = String(starred);
       star.dataset.focus = `star${id}`;
       item.append(star);
-    } else {
+    } else if (kind === "ghost") {
       const alone = button(on_wall === id ? "All" : "Alone", () => send({ do: "toWall", answer: on_wall === id ? "" : id }));
       alone.ariaLabel = `Show the prediction of ${name} alone on the wall`;
       alone.dataset.focus = `wall${id}`;
@@ -179,6 +213,7 @@ function foot({ paused, open, own_names }) {
     button("All as mine", () => arrange("asMine")),
     button(open ? "Close the door" : "Open the door", () => arrange(open ? "close" : "open")),
     button(own_names ? "Names by us" : "Let them type names", () => arrange(own_names ? "givenNames" : "ownNames")),
+    button("Save all as a zip", () => arrange("zip")),
     button("End", () => confirm("End the class? Everything that was given is deleted.") && arrange("end")),
   );
   return box;

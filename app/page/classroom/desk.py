@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import msgspec
 import numpy as np
 
 from app.classroom.live import Class, Front, is_key
-from app.classroom.room import PHASE_OF, Phase, Refused, Vote
+from app.classroom.room import FREE, PHASE_OF, Phase, Refused, Vote, Work
+from app.classroom.takeaway import pack
 from sim.errors import SettingError
 
 from ...session import commands
 from ...session.session import Notice, Session
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...wire.to_page import Desk, DeskAnswer, DeskSeat, DeskStop
+from ...wire.to_page import Desk, DeskAnswer, DeskSeat, DeskStop, Posters
 from ..body.view import picture_of
 from ..controls import Controls
 from .role import NOTHING, ClassRole, asking, kind_of, predictions, text_of
+from .seat import MOST_PLACES
 
 STILL = frozenset((Phase.SHOW, Phase.ASK))
 """Phases that begin with the body as its step has it, at rest in time."""
@@ -32,11 +36,14 @@ class DeskRole(ClassRole):
         mail: to the page's script.
         address: by which pupils come in.
         qr: a picture of its QR code, as an address.
+        download: has the browser save a file of that name.
     """
 
-    def __init__(self, klass: Class, mail: Mail, address: str, qr: str) -> None:
+    def __init__(
+        self, klass: Class, mail: Mail, address: str, qr: str, download: Callable[[str, bytes], None]
+    ) -> None:
         super().__init__(klass, mail)
-        self._address, self._qr = address, qr
+        self._address, self._qr, self._download = address, qr, download
         self._is_teacher = False
         self._opened: tuple[int, Phase, int] | None = None
 
@@ -86,7 +93,15 @@ class DeskRole(ClassRole):
             self.klass.desk = self
         if self.klass.desk is self:
             self._lead(session)
-        if self._is_new(self.klass.written):
+        doing = self.klass.doing if self.room.phase in FREE else {}
+        springs = self.klass.scene(self.room.at).linear_springs if doing else ()
+        self._mail.tell(
+            Posters(
+                places={str(number): one.places for number, one in doing.items()},
+                springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MOST_PLACES),
+            )
+        )
+        if self._is_new(self.klass.written, *(one.word for one in doing.values())):
             self._mail.tell(self._state())
             self._mail.tell(predictions(self.klass))
 
@@ -115,6 +130,9 @@ class DeskRole(ClassRole):
             case "asMine":
                 for pupil in self.klass.pupils.values():
                     pupil.show(session.scene)
+            case "zip":
+                self._download(f"class-{room.code}.zip", pack(room))
+                return
             case "end":
                 self.klass.end()
         room.version += 1
@@ -191,7 +209,7 @@ class DeskRole(ClassRole):
                     two=seat.twins,
                     hand=seat.hand,
                     answered=seat.number in done,
-                    doing="",
+                    doing=klass.doing[seat.number].word if seat.number in klass.doing else "",
                 )
                 for seat in room.seats.values()
                 if not seat.removed
@@ -205,6 +223,10 @@ class DeskRole(ClassRole):
                     text=text_of(a.content),
                     late=a.late,
                     starred=a.starred,
+                    found=a.content.found if isinstance(a.content, Work) else None,
+                    setting=a.content.setting if isinstance(a.content, Work) else None,
+                    reached=a.content.reached if isinstance(a.content, Work) else None,
+                    doubt=a.content.doubt if isinstance(a.content, Work) else "",
                 )
                 for a in answers
             ),

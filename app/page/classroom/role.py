@@ -7,8 +7,12 @@ from typing import Any, Literal
 
 import numpy as np
 
+import sim
 from app.classroom.live import Class, Front
 from app.classroom.room import Content, Ghost, Line, Phase, Room, Vote, Work
+from sim.errors import InputError
+from sim.motion.quantities import quantity
+from sim.scene.lesson import Goal, Reading
 
 from ...drawing.sketch import Mapping
 from ...session.session import Session
@@ -122,8 +126,9 @@ def text_of(content: Content) -> str:
     match content:
         case Line(text):
             return text
-        case Work(found=found) if found is not None:
-            return f"{found:.4g}"
+        case Work(found=found, reached=reached):
+            told = {None: "", True: "goal reached", False: "goal not reached"}[reached]
+            return ", ".join(text for text in (f"{found:.4g}" if found is not None else "", told) if text)
     return ""
 
 
@@ -149,7 +154,26 @@ def asking(room: Room, all_of_it: bool = False) -> Asking:
         right=question.answer if question is not None and told else -1,
         because=question.because if question is not None and told else "",
         predict=(step.predict or 0.0) if step is not None else 0.0,
+        goal=goal_text(step.goal, scene) if step is not None and step.goal is not None else "",
+        collects=reading_text(step.collect, scene) if step is not None and step.collect is not None else "",
     )
+
+
+def reading_text(reading: Reading, scene: sim.Scene) -> str:
+    """A reading in words, as in "period of mass1.y"."""
+    return f"period of {reading.quantity}" if reading.of == "period" else reading.quantity
+
+
+def goal_text(goal: Goal, scene: sim.Scene) -> str:
+    """A goal in words, as in "period of mass1.y: 1.98 to 2.02 s"."""
+    try:
+        unit = "s" if goal.of == "period" else quantity(goal.quantity, scene).unit
+    except InputError:
+        unit = ""
+    low, high = (None if bound is None else f"{bound:.6g}" for bound in (goal.low, goal.high))
+    span = f"{low} to {high}" if low and high else f"at least {low}" if low else f"at most {high}"
+    held = f", for {goal.seconds:g} s" if goal.seconds else ""
+    return f"{reading_text(goal, scene)}: {span} {unit}".rstrip() + held
 
 
 def predictions(klass: Class) -> Predictions:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import msgspec
 
 import sim
@@ -44,7 +46,14 @@ def class_of_query(query: str, classes: Classes) -> Class | None:
     return classes.find((page_query(query) or {}).get("room", "").upper())
 
 
-def role_of_query(query: str, mail: Mail, classes: Classes, base: str, owned: bool) -> Role | None:
+def role_of_query(
+    query: str,
+    mail: Mail,
+    classes: Classes,
+    base: str,
+    owned: bool,
+    download: Callable[[str, bytes], None],
+) -> Role | None:
     """What a page is on a server that has classes; None for a page of its own.
 
     Args:
@@ -52,6 +61,7 @@ def role_of_query(query: str, mail: Mail, classes: Classes, base: str, owned: bo
         mail: to the page's script.
         base: the address by which others reach the server, with a slash at its end.
         owned: whether it is known to be the page of this computer's owner, who comes to no class by chance.
+        download: has the page's browser save a file of that name.
     """
     fields = page_query(query) or {}
     code = fields.get("room", "").upper()
@@ -63,8 +73,8 @@ def role_of_query(query: str, mail: Mail, classes: Classes, base: str, owned: bo
     kind = fields.get("as", "")
     if kind not in ("desk", "wall"):
         return SeatRole(klass, mail)
-    address = seat_address(base, code)
-    return (DeskRole if kind == "desk" else WallRole)(klass, mail, base, qr_code(address))
+    qr = qr_code(seat_address(base, code))
+    return DeskRole(klass, mail, base, qr, download) if kind == "desk" else WallRole(klass, mail, base, qr)
 
 
 def first_scene(klass: Class) -> sim.Scene | None:

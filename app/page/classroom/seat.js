@@ -128,7 +128,9 @@ function body(seat, asking) {
     const text = make("p", "", asking.do);
     const anew = makeButton("Begin anew", () => perform("reset"), "softrod-small");
     anew.dataset.focus = "reset";
+    if (asking.goal) parts.push(make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`));
     parts.push(text, ...(asking.right >= 0 ? [verdict(asking)] : []), anew);
+    if (phase === "collect") parts.push(...twins(seat), ...handIn(asking));
   }
   return parts;
 }
@@ -193,6 +195,16 @@ function verdict(asking) {
   if (given && given.choice >= 0) text.append("You chose: ", make("b", "", asking.choices[given.choice]), ". ");
   if (asking.right >= 0) text.append("Right is: ", make("b", "", asking.choices[asking.right]), `. ${asking.because}`);
   return text;
+}
+
+/** What is handed in, and what was. @param {Asking} asking */
+function handIn(asking) {
+  const given = mine(asking, "work");
+  const what = asking.collects ? `Hand in: ${asking.collects}` : "Hand in this run";
+  const button = makeButton(given ? "Hand in anew" : what, () => give({ do: "handIn", ...place(asking) }), "softrod-strong");
+  button.dataset.focus = "handin";
+  const told = given?.sent ? `Handed in${given.text ? `: ${given.text}` : ""}.` : "";
+  return [button, ...(told ? [make("p", "softrod-verdict", told)] : [])];
 }
 
 /** Who of two answers. @param {Seat} seat */

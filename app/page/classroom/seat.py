@@ -5,12 +5,16 @@ from __future__ import annotations
 import secrets
 
 import msgspec
+import numpy as np
 
 import sim
-from app.classroom.live import Class, Front
-from app.classroom.room import FREE, Answer, Ghost, Line, Refused, Vote
+from app.classroom.judge import GoalWatch, Meter
+from app.classroom.live import Class, Doing, Front, Word
+from app.classroom.room import FREE, Answer, Ghost, Line, Refused, Vote, Work
 from app.classroom.room import Seat as SeatOfRoom
-from sim.errors import SettingError
+from sim.errors import InputError, SettingError
+from sim.scene.lesson import Step
+from sim.settings import CHOICES, setting_of
 
 from ...drawing.sketch import Mapping
 from ...session import commands
@@ -26,6 +30,13 @@ _OWN = (*_HANDS, from_page.Visit, from_page.Perform, from_page.Pick, from_page.S
 """What a pupil may say of a body of their own."""
 
 _ALWAYS = (from_page.InSeat, from_page.Who, from_page.Unread)
+
+
+LOOK_EVERY = 0.5
+"""Seconds between two looks at what a pupil's body does."""
+
+MOST_PLACES = 60
+"""Masses in a picture of a pupil's body."""
 
 
 class SeatRole(ClassRole):
@@ -45,6 +56,12 @@ class SeatRole(ClassRole):
         self._paused = False
         self._session: Session | None = None
         self._unwritten: list[tuple[int, str]] = []
+        self._watch: GoalWatch | None = None
+        self._meter: Meter | None = None
+        self._begun = -1
+        self._reached = False
+        self._found: float | None = None
+        self._look_due = 0.0
 
     @property
     def seat(self) -> SeatOfRoom | None:
@@ -109,10 +126,11 @@ class SeatRole(ClassRole):
                     session.post(commands.Resume(body, None))
                 else:
                     self.begin()
+            self._look(session)
             if self._paused != self.room.paused:
                 self._paused = self.room.paused
                 session.post(commands.Play(not self._paused))
-        if self._is_new(self.seat is None, self._problem):
+        if self._is_new(self.seat is None, self._problem, self._reached):
             self._mail.tell(self._state())
             self._mail.tell(predictions(self.klass))
 
@@ -124,6 +142,7 @@ class SeatRole(ClassRole):
     def leave(self) -> None:
         if self.klass.pupils.get(self._number) is self:
             del self.klass.pupils[self._number]
+            self.klass.doing.pop(self._number, None)
             self.room.seats[self._number].hand = False
 
     # --------------------------------------------------------------------- the teacher's
@@ -143,6 +162,36 @@ class SeatRole(ClassRole):
             self._session.post(commands.Play(not self.room.paused))
 
     # --------------------------------------------------------------------- inside
+    def _look(self, session: Session) -> None:
+        """Look at the pupil's body: whether it reaches the goal, and what it does."""
+        step = self.room.step
+        if self._begun != session.openings:
+            self._begun, self._reached, self._found = session.openings, False, None
+            goal, collect = (step.goal, step.collect) if step is not None else (None, None)
+            try:
+                self._watch = GoalWatch(goal, session.scene) if goal is not None else None
+                self._meter = Meter(collect, session.scene) if collect is not None else None
+            except InputError:
+                self._watch = self._meter = None
+        if self._watch is not None and self._watch.look(session.simulation) and not self._reached:
+            self._reached = True
+        if self._meter is not None:
+            self._found = self._meter.take(session.simulation)
+        now = session.now()
+        if now >= self._look_due:
+            self._look_due = now + LOOK_EVERY
+            self.klass.doing[self._number] = Doing(self._word(session), _places(session))
+
+    def _word(self, session: Session) -> Word:
+        if session.simulation.divergence is not None:
+            return "exploded"
+        if self._reached:
+            return "goal reached"
+        if not session.playing:
+            return "paused"
+        before = self.klass.doing.get(self._number, Doing()).places
+        return "at rest" if before == _places(session) else "moving"
+
     def _enter(self) -> None:
         try:
             self._sit(self.room.enter(self._secret))
@@ -179,10 +228,31 @@ class SeatRole(ClassRole):
             case from_page.GiveLine(text=text):
                 content = Line(text)
             case _:
-                raise Refused("That cannot be handed in yet.")
+                self._hand_in(said, seat)
+                return
         answer = Answer(said.id, said.turn, seat.number, said.twin, said.stop, said.round, content)
         self.room.take(seat.number, answer)
         # One that the room had may not be on the disk yet.
+        self._unwritten.append((self.room.version, said.id))
+
+    def _hand_in(self, said: from_page.Give, seat: SeatOfRoom) -> None:
+        """Hand in what the pupil's body did since it began."""
+        session, step = self._session, self.room.step
+        if session is None or self.front is not None or said.stop != self.room.at:
+            raise Refused("There is no run to hand in now.")
+        if session.replay is not None:
+            raise Refused("A log is being played; there is nothing to hand in.")
+        content = Work(
+            found=self._found,
+            setting=_setting(session.scene, step),
+            reached=None if self._watch is None else self._reached,
+            points=tuple((float(x), float(y)) for x, y in session.simulation.positions[:2000]),
+        )
+        answer = Answer(said.id, said.turn, seat.number, said.twin, said.stop, said.round, content)
+        if step is None:
+            self.room.take(seat.number, answer)
+        else:
+            self.klass.hand_in(answer, session.recorder.file(), step, self.klass.scene(self.room.at))
         self._unwritten.append((self.room.version, said.id))
 
     def _state(self) -> Seat:
@@ -204,6 +274,7 @@ class SeatRole(ClassRole):
             follows=self.front is not None,
             paused=room.paused,
             away=not self.klass.teachers,
+            reached=self._reached,
             asking=asking(room),
             given=tuple(
                 Given(
@@ -218,3 +289,28 @@ class SeatRole(ClassRole):
                 if answer.stop == room.at
             ),
         )
+
+
+def _places(session: Session) -> tuple[tuple[int, int], ...]:
+    """Where masses are, thousandths of the scene's frame."""
+    xmin, ymin, xmax, ymax = session.scene.view.frame
+    positions = session.simulation.positions[:MOST_PLACES]
+    if not np.isfinite(positions).all():
+        return ()
+    x = (positions[:, 0] - xmin) / (xmax - xmin)
+    y = (positions[:, 1] - ymin) / (ymax - ymin)
+    if not session.scene.view.y_down:
+        y = 1.0 - y
+    rounded = np.clip(np.rint(1000.0 * np.column_stack((x, y))), -1000, 2000).astype(int)
+    return tuple((x, y) for x, y in rounded.tolist())
+
+
+def _setting(scene: sim.Scene, step: Step | None) -> float | None:
+    """The first number that a step has a slider for."""
+    for key in step.controls if step is not None else ():
+        if key not in CHOICES:
+            try:
+                return float(setting_of(scene, key).read(scene))
+            except SettingError:
+                return None
+    return None

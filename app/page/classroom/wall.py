@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from app.classroom.live import Class
-from app.classroom.room import PHASE_OF, Line, Phase, Vote
+from app.classroom.room import PHASE_OF, Line, Phase, Vote, Work
 
 from ...session.session import Session
 from ...wire.carrier import Mail
-from ...wire.to_page import Wall, WallLine
+from ...wire.to_page import Found, Wall, WallLine
 from .role import ClassRole, asking, predictions
 
 
@@ -29,7 +31,8 @@ class WallRole(ClassRole):
         if self._tell_end():
             return
         self.klass.tend()
-        if not self._is_new():
+        words = tuple(one.word for one in self.klass.doing.values() if one.word)
+        if not self._is_new(words):
             return
         room = self.room
         shown = room.phase in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN)
@@ -50,6 +53,16 @@ class WallRole(ClassRole):
                 ),
                 alone=bool(room.on_wall),
                 paused=room.paused,
+                found=tuple(
+                    Found(setting=work.setting, found=work.found)
+                    for answer in room.given(room.at, 0, Work)
+                    if isinstance(work := answer.content, Work)
+                    and work.setting is not None
+                    and work.found is not None
+                    and not work.doubt
+                ),
+                over=next(iter(step.controls), "") if (step := room.step) is not None else "",
+                doing=dict(Counter(words)),
             )
         )
         self._mail.tell(predictions(self.klass))

@@ -1,0 +1,245 @@
+"""One lesson of a class, from its command's server to the zip: a teacher, a wall and four pupils."""
+
+from __future__ import annotations
+
+import csv
+import io
+import zipfile
+from collections.abc import Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+import sim
+from app.classroom import kept
+from app.classroom.live import Class, Classes
+from app.classroom.room import Ghost, Line, Phase, Vote, Work
+from app.page.classroom.roles import desk_address, seat_address, wall_address
+from app.server.serve import serving
+from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
+from tests.browser.driver import ARTIFACTS, LIMIT, until
+from tests.browser.wires import Wire
+
+expect.set_options(timeout=LIMIT * 1e3)
+
+PHONE, LAPTOP, WALL = (390, 844), (1280, 720), (1920, 1080)
+
+
+def a_lesson() -> sim.Scene:
+    """A mass on a spring, and one step that asks, predicts, has a goal and collects."""
+    question = Question(
+        text="Where does it stop first?", choices=("at 220", "at 240"), answer=1, because="Energy."
+    )
+    step = Step(
+        title="It falls",
+        do="Double the stiffness.",
+        question=question,
+        predict=0.5,
+        controls=("linear_stiffness",),
+        goal=Goal(quantity="mass1.y", low=200.0, seconds=0.1),
+        collect=Reading(quantity="mass1.y"),
+    )
+    return sim.Scene(
+        name="swing",
+        masses=(sim.Mass(position=(300.0, 100.0)), sim.Mass(position=(300.0, 200.0))),
+        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=20.0, damping=0.0, rest_length=100.0),),
+        anchors=(sim.Anchor(mass=0),),
+        gravity=(0.0, 400.0),
+        air_friction=0.0,
+        lesson=Lesson(steps=(step,)),
+    )
+
+
+@dataclass
+class School:
+    """A server with a class, and its pages."""
+
+    browser: Browser
+    port: int
+    klass: Class
+    pages: list[Page] = field(default_factory=list)
+    errors: list[str] = field(default_factory=list)
+
+    @property
+    def base(self) -> str:
+        return f"http://127.0.0.1:{self.port}/"
+
+    def open(self, address: str, size: tuple[int, int], touch: bool = False) -> Page:
+        context = self.browser.new_context(
+            viewport={"width": size[0], "height": size[1]}, has_touch=touch, reduced_motion="reduce"
+        )
+        page = context.new_page()
+        page.set_default_timeout(LIMIT * 1e3)
+        page.on("pageerror", lambda error: self.errors.append(str(error)))
+        page.goto(address)
+        self.pages.append(page)
+        return page
+
+    def go(self, desk: Page, phase: Phase, round: int = 0) -> None:
+        """Go on, and wait until the class is there."""
+        desk.locator("[data-focus=next]").click()
+        until(desk, lambda: (self.klass.room.phase, self.klass.room.round) == (phase, round), f"to {phase}")
+
+    def shoot(self, name: str) -> None:
+        ARTIFACTS.mkdir(exist_ok=True)
+        for i, page in enumerate(self.pages):
+            page.screenshot(path=ARTIFACTS / f"class-{name}-{i}.png")
+
+
+@pytest.fixture
+def school(browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[School]:
+    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
+    classes = Classes()
+    klass = classes.begin((a_lesson(),))
+    with ExitStack() as stack:
+        server, _, compiler = stack.enter_context(
+            serving(sim.load_scene("rope"), "127.0.0.1", 0, classes=classes)
+        )
+        compiler.start()
+        compiler.wait()
+        made = School(browser, server.get_port(), klass)
+        yield made
+        for page in made.pages:
+            page.context.close()
+        assert not made.errors
+
+
+def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
+    room = school.klass.room
+    desk = school.open(desk_address(school.base, school.klass), LAPTOP)
+    wall = school.open(wall_address(school.base, room.code), WALL)
+    expect(desk.locator(".softrod-desk-code")).to_have_text(room.code)
+    expect(wall.locator(".softrod-wall-code")).to_have_text(room.code)
+
+    # Two come in by touch, of whom one types the letters; one by keys; one will lose its connection.
+    wire = Wire(school.port)
+    first = school.open(seat_address(school.base, room.code), PHONE, touch=True)
+    second = school.open(f"{school.base}?room=QQQQ", PHONE, touch=True)
+    expect(second.locator(".softrod-warning")).to_contain_text("no class QQQQ")
+    second.get_by_label("The four letters").fill(room.code.lower())
+    second.get_by_role("button", name="Come in").tap()
+    keys = school.open(seat_address(school.base, room.code), LAPTOP)
+    lost = school.open(seat_address(f"http://127.0.0.1:{wire.port}/", room.code), PHONE)
+    pupils = (first, second, keys, lost)
+    for page in pupils:
+        expect(page.locator(".softrod-task")).to_have_text("You are in. It begins soon.")
+    expect(wall.locator(".softrod-wall-head h1")).to_have_text("4 are here")
+    names = [page.locator(".softrod-seat-name").inner_text() for page in pupils]
+    assert len(set(names)) == 4
+    first.get_by_role("button", name="Hand up").tap()
+    expect(desk.locator(".softrod-seats")).to_contain_text(f"{names[0]} ✋")
+    school.shoot("lobby")
+
+    school.go(desk, Phase.SHOW)
+    for page in pupils:
+        expect(page.locator(".softrod-task")).to_have_text("Look to the front.")
+
+    # Each one predicts, unseen.
+    school.go(desk, Phase.ASK)
+    for page in (first, second):
+        grip = page.locator(".softrod-own-ghost circle")
+        expect(grip).to_have_count(1)
+        box = grip.bounding_box()
+        assert box is not None
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        page.mouse.down()
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2 + 30.0, steps=4)
+        page.mouse.up()
+        page.get_by_role("button", name="It will be there").tap()
+        page.get_by_role("button", name="at 240").tap()
+    keys.locator(".softrod-own-ghost circle").focus()
+    for _ in range(3):
+        keys.keyboard.press("ArrowDown")
+    keys.locator("[data-focus=predict]").focus()
+    keys.keyboard.press("Enter")
+    keys.locator("[data-focus=choice0]").focus()
+    keys.keyboard.press("Enter")
+    until(
+        desk, lambda: len(room.given(0, 0, Ghost)) == len(room.given(0, 0, Vote)) == 3, "three have answered"
+    )
+
+    # The fourth answers while it has no connection, is reloaded, and is counted all the same.
+    wire.mute = True
+    expect(lost.locator("html")).to_have_attribute("data-softrod-away", "")
+    lost.locator("[data-focus=choice0]").click()
+    expect(lost.locator(".softrod-waiting")).to_be_visible()
+    wire.mute = False
+    lost.reload()
+    until(lost, lambda: sum(room.bars(0, 0)) == 4, "the lost one's answer has come")
+    expect(lost.locator(".softrod-seat-name")).to_have_text(names[3])
+    expect(lost.locator("[data-focus=choice0]")).to_have_attribute("aria-pressed", "true")
+    expect(lost.locator(".softrod-waiting")).to_have_count(0)
+    expect(wall.locator(".softrod-wall-head h1")).to_have_text("4 of 4 have answered")
+    assert wall.locator(".softrod-bars b").count() == 0
+    assert wall.locator(".softrod-ghosts path").count() == 0
+    school.shoot("ask")
+
+    school.go(desk, Phase.RESULTS)
+    expect(wall.locator(".softrod-bars b")).to_have_text(["2", "2"])
+    expect(wall.locator(".softrod-ghosts path")).to_have_count(3)
+    assert wall.locator("[data-right]").count() == 0
+    text = wall.locator("body").inner_text()
+    assert not any(name in text for name in names)
+    school.shoot("results")
+
+    # One run, the same everywhere, which stands at the moment that was predicted.
+    school.go(desk, Phase.RUN)
+    until(desk, lambda: school.klass.front is not None and not school.klass.front.playing, "it stands")
+    front = school.klass.front
+    assert front is not None
+    assert front.picture.time >= 0.5
+    shown = [page.evaluate("[...window.__softrod.shown().frame.positions]") for page in (wall, *pupils)]
+    assert all(positions == shown[0] for positions in shown)
+    school.shoot("run")
+
+    school.go(desk, Phase.EXPLAIN)
+    keys.get_by_label("Because").fill('<img src=x onerror="alert(1)"> energy')
+    keys.keyboard.press("Enter")
+    until(keys, lambda: len(room.given(0, 0, Line)) == 1, "the line is there")
+    desk.get_by_role("button", name="Show this line on the wall").click()
+    school.go(desk, Phase.ASK, 1)
+    first.get_by_role("button", name="at 240").tap()
+    until(first, lambda: room.bars(0, 1) == [0, 1], "the second vote counts")
+    school.go(desk, Phase.RESULTS, 1)
+    expect(wall.locator("blockquote")).to_have_text('<img src=x onerror="alert(1)"> energy')
+    expect(wall.locator("[data-right]")).to_contain_text("at 240")
+
+    # Each one has a body of their own, and hands in a run of it.
+    school.go(desk, Phase.TRY)
+    expect(first.locator(".softrod-goal")).to_contain_text("Reached")
+    expect(desk.locator(".softrod-seats path")).to_have_count(4)
+    school.shoot("try")
+    school.go(desk, Phase.COLLECT)
+    first.locator("[data-focus=handin]").tap()
+    expect(first.locator(".softrod-verdict").last).to_contain_text("Handed in")
+    until(first, lambda: room.given(0, 0, Work)[0].content.reached is True, "the goal is judged")  # type: ignore[union-attr]
+    school.shoot("collect")
+
+    with desk.expect_download() as download:
+        desk.get_by_role("button", name="Save all as a zip").click()
+    with zipfile.ZipFile(download.value.path()) as file:
+        answers = list(csv.DictReader(io.StringIO(file.read("answers.csv").decode("utf-8-sig"))))
+        logs = [name for name in file.namelist() if name.startswith("logs/")]
+    assert [row["kind"] for row in answers].count("vote") == 5
+    assert {row["name"] for row in answers} == set(names)
+    assert len(logs) == 1
+
+    desk.once("dialog", lambda dialog: dialog.accept())
+    desk.get_by_role("button", name="End", exact=True).click()
+    for page in pupils:
+        expect(page.locator(".softrod-seat h1")).to_have_text("The class is over.")
+    assert not list(kept.classes_folder().iterdir())
+    wire.close()
+
+
+def test_a_page_without_the_secret_is_no_teachers(school: School) -> None:
+    address = desk_address(school.base, school.klass)
+    page = school.open(address[:-1] + ("A" if address[-1] != "A" else "B"), LAPTOP)
+    seat = school.open(seat_address(school.base, school.klass.room.code), PHONE)
+    expect(seat.locator(".softrod-task")).to_have_text("You are in. It begins soon.")
+    page.wait_for_timeout(500)
+    assert page.locator(".softrod-desk").count() == 0
+    assert school.klass.teachers == 0
