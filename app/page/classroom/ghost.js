@@ -139,6 +139,7 @@ export class OwnGhost {
   /** @param {number} mass @param {number} of how many there are */
   makeGrip(mass, of) {
     const grip = document.createElementNS(SVG, "circle");
+    grip.classList.add("softrod-own-grip");
     grip.dataset.mass = String(mass);
     grip.setAttribute("r", String(of > 12 ? REACH / 2 : REACH));
     grip.setAttribute("tabindex", "0");

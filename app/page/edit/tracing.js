@@ -27,7 +27,7 @@ const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRi
 /** Milliseconds without a change after which it is stored. */
 const STORE_AFTER = 300;
 /** What does something else with the arrows. */
-const OWN_ARROWS = '.softrod-body, .softrod-grip, input, [role="tab"], [role="slider"]:focus-visible';
+const OWN_ARROWS = '.softrod-body, .softrod-grip, .softrod-own-grip, input, [role="tab"], [role="slider"]:focus-visible';
 /** By how much an arrow moves it, in the world, and with Shift. */
 const [STEP, FINE] = [0.1, 0.01];
 

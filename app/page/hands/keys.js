@@ -48,7 +48,7 @@ const isSlider = (target) =>
 function isTaken({ target, code, key }) {
   if (!(target instanceof Element)) return false;
   if (key === "Escape") return target.closest(".softrod-box[data-open]") !== null;
-  return target.matches(".softrod-body, .softrod-grip") && (key in ARROWS || code === "Space");
+  return target.matches(".softrod-body, .softrod-grip, .softrod-own-grip") && (key in ARROWS || code === "Space");
 }
 /**
  * Whether Space plays or pauses, and does not press or type anything. After a click it does, wherever the focus is then;
