@@ -7,7 +7,7 @@ events have no client, and are ignored, so that nothing loops.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import viser
@@ -18,19 +18,16 @@ from sim.settings import CHOICES, TEMPLATES, Setting, settings_of
 
 from ..drawing.colors import palette
 from ..session import commands
-from ..session.session import Notice, Session
-from ..wire.carrier import Mail
 from ..wire.commands import COMMANDS
-from ..wire.to_page import Hud, Role, Roles
-from .controls import Controls
+from ..wire.to_page import Hud, Roles
 from .edit.selection_panel import SelectionPanel
 from .looks import readouts
-from .measure.plot_list import PlotList
+from .page import Page
 from .play_panel import PlayPanel
 from .scenes.lesson_panel import LessonPanel
 from .solver.solver_panel import SolverPanel
 from .viser.choice_box import ChoiceBox
-from .viser.comma_switch import CommaSwitch
+from .viser.handlers import add_command, on_change, on_press
 from .viser.slider_box import SliderBox, mixed_words
 
 PANEL_WIDTH = 348
@@ -66,11 +63,6 @@ def set_theme(gui: viser.GuiApi, dark: bool) -> None:
     gui.configure_theme(
         dark_mode=dark, show_logo=False, show_share_button=False, brand_color=(red, green, blue)
     )
-
-
-def _id(handle: Any) -> str:
-    """The id that an element has in the page (viser 1.1.1 has no public name for it)."""
-    return handle._impl.uuid
 
 
 _Place = viser.GuiTabHandle | viser.GuiFolderHandle
@@ -113,64 +105,42 @@ class Panel:
     """The controls of one page, for the scene that it shows.
 
     Args:
-        client: the page.
-        session: its simulation.
-        mail: to the page's script.
-        perform: does a command of the table.
-        notify: tells the user something.
-        controls: which there are; what there is not is not made.
-        commas: whether tables have decimal commas.
+        page: whose panel it is.
 
     Attributes:
         lesson: the Lesson tab, if the scene has a lesson.
-        plots: all lists of plots that the page has.
-        outlined: buttons that are not the first thing to press in their tab.
     """
 
-    def __init__(
-        self,
-        client: viser.ClientHandle,
-        session: Session,
-        mail: Mail,
-        perform: Callable[[str], None],
-        notify: Callable[[Notice], None],
-        controls: Controls,
-        commas: CommaSwitch,
-    ) -> None:
-        self._controls = controls
-        self._client = client
-        self._session = session
-        self._mail, self._perform, self._notify = mail, perform, notify
+    def __init__(self, page: Page) -> None:
+        self._page, self._client, self._session = page, page.client, page.session
+        self._controls = controls = page.controls
         self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
         self._shown: tuple[list[Setting], tuple[str, ...]] | None = None
         self._notes: list[_MixedNote] = []
         self._templates: list[viser.GuiDropdownHandle[str]] = []
         self._choices: list[ChoiceBox] = []
-        self.outlined: list[Any] = []
         self._shown_revision = -1
-        gui = client.gui
+        gui = page.client.gui
         gui.set_panel_label("softrod")
         gui.main_panel.dock_right()
         gui.main_panel.set_width(PANEL_WIDTH)
-        has_lesson = session.scene.lesson is not None
+        has_lesson = page.session.scene.lesson is not None
         if not (controls.in_panel or has_lesson):
             gui.main_panel.minimize()
         self._selection: SelectionPanel | None = None
         if "edit" in controls:
-            self._selection = SelectionPanel(client, session, notify)
+            self._selection = SelectionPanel(page)
         self.lesson: LessonPanel | None = None
-        self.plots: list[PlotList] = []
         self._play_tab = self._solver_tab = None
         self._play = self._solver = None
-        self._own_values: viser.GuiButtonHandle | None = None
         self.measure_tab: viser.GuiTabHandle | None = None
         self.files_tab: viser.GuiTabHandle | None = None
         if controls.in_panel or has_lesson:
             tabs = gui.add_tab_group()
             if has_lesson:
                 tab = tabs.add_tab("Lesson")
-                self.lesson = LessonPanel(client, tab, session, mail, notify, commas, self.plots)
+                self.lesson = LessonPanel(page, tab)
             self._build_tabs(tabs)
         self._add_palette_commands()
 
@@ -180,15 +150,13 @@ class Panel:
         if controls.in_play_tab:
             self._play_tab = tabs.add_tab("Play")
             with self._play_tab:
-                self._play = PlayPanel(self._client, self._session, self._perform, controls)
-            self.outlined += self._play.outlined
+                self._play = PlayPanel(self._page)
         if "measure" in controls or "tools" in controls:
             self.measure_tab = tabs.add_tab("Measure")
         if "solver" in controls:
             self._solver_tab = tabs.add_tab("Solver")
             with self._solver_tab:
-                self._solver = SolverPanel(self._client, self._session, self._notify)
-            self.outlined += self._solver.outlined
+                self._solver = SolverPanel(self._page)
         if "files" in controls:
             self.files_tab = tabs.add_tab("Share")
 
@@ -200,13 +168,8 @@ class Panel:
                 continue
             keys = " or ".join(row.keys)
             held = ", held" if row.where == "held" else ""
-            command = self._client.gui.add_command(
-                row.label, description=f"key {keys}{held}" if keys else None
-            )
-
-            @command.on_trigger
-            async def _(_: object, name: str = name) -> None:
-                self._perform(name)
+            about = f"key {keys}{held}" if keys else None
+            add_command(self._client.gui, row.label, partial(self._page.perform, name), about)
 
     # --------------------------------------------------------------------- what a scene needs
     def build(self) -> None:
@@ -239,7 +202,7 @@ class Panel:
             self._add_controls(self.lesson.tab, [known[key] for key in of_lesson if key in known])
             with self.lesson.tab:
                 for order, key in enumerate((key for key in of_lesson if key in CHOICES), start=30):
-                    choice = ChoiceBox(self._client, self._session, key, order)
+                    choice = ChoiceBox(self._page, key, order)
                     self._choices.append(choice)
                     self._body.append(choice.handle)
         foremost = self._foremost(applicable)
@@ -262,17 +225,14 @@ class Panel:
             folder = gui.add_folder("All numbers", order=LAST + 3)
         with folder:
             self._add_sliders(folder, others)
-            own_values = gui.add_button(
-                "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST
+            own_values = self._page.button(
+                "Scene's own values",
+                viser.Icon.RESTORE,
+                lambda: self._session.post(commands.OwnValues("body")),
+                order=LAST,
             )
         # What is in the folder goes first.
         self._body += [own_values, folder]
-        self.outlined = [*(button for button in self.outlined if button is not self._own_values), own_values]
-        self._own_values = own_values
-
-        @own_values.on_click
-        async def _(_: object) -> None:
-            self._session.post(commands.OwnValues("body"))
 
     def _foremost(self, applicable: list[Setting]) -> list[Setting]:
         """The settings of the Play tab: those that are named, or those that make most of the scene."""
@@ -304,8 +264,10 @@ class Panel:
             self._session.post(commands.SetValue(setting.key, round(value) if setting.integer else value))
 
         value = setting.read(self._session.scene)
-        slider_box = SliderBox(self._client, setting, value, post, self._notify, order)
+        slider_box = SliderBox(self._client, setting, value, post, self._page.notify, order)
         self._sliders.append(slider_box)
+        self._page.mark(slider_box.slider, "slider")
+        self._page.mark(slider_box.box, "number")
         self._body += [slider_box.slider, slider_box.box]
 
     def _add_templates(self, order: float) -> None:
@@ -314,10 +276,11 @@ class Panel:
         self._templates.append(choice)
         self._body.append(choice)
 
-        @choice.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None and choice.value in names:
+        def choose() -> None:
+            if choice.value in names:
                 self._session.post(commands.SetValue("template", float(choice.value.rstrip("°"))))
+
+        on_change(choice, choose)
 
     # --------------------------------------------------------------------- what changes
     @property
@@ -329,18 +292,13 @@ class Panel:
     def show_selection(self) -> None:
         """Show what is selected, if it may be edited."""
         if self._selection is not None and self._selection.tick():
-            self.outlined += self._selection.outlined
             self.tell_roles()
 
     def show_help(self) -> None:
         """Open the help."""
         with self._client.gui.add_modal("How to use softrod") as modal:
             self._client.gui.add_html(readouts.help_html())
-            close = self._client.gui.add_button("Close")
-
-        @close.on_click
-        async def _(_: object) -> None:
-            modal.close()
+            on_press(self._client.gui.add_button("Close"), modal.close)
 
     def refresh_controls(self) -> None:
         """Show in the controls what keys, commands or other controls changed."""
@@ -360,14 +318,14 @@ class Panel:
             choice.show(scene)
         template = f"{scene.template}°"
         for templates in self._templates:
-            if scene.template is not None and templates.value != template:
+            if scene.template is not None:
                 templates.value = template
 
-    def refresh_readouts(self, dark: bool, at_rest: bool, meter: bool) -> None:
-        """Show the clock, the angle and the rates as they are now; with `meter`, always that of stability."""
-        session = self._session
-        colors = palette(session.scene.view.colors, dark)
-        self._mail.tell(Hud(html=readouts.hud(session, colors, at_rest, meter)))
+    def refresh_readouts(self, at_rest: bool) -> None:
+        """Show the clock, the angle and the rates as they are now."""
+        session, looks = self._session, self._page.looks
+        colors = palette(session.scene.view.colors, looks.dark)
+        self._page.mail.tell(Hud(html=readouts.hud(session, colors, at_rest, looks.meter)))
         if self._play is not None:
             self._play.refresh_readouts()
         if self._solver is not None:
@@ -375,11 +333,4 @@ class Panel:
 
     def tell_roles(self) -> None:
         """Say which controls look otherwise than viser draws them."""
-        anew = self._play.anew if self._play is not None else None
-        roles: dict[str, Role] = {
-            **{_id(slider_box.slider): "slider" for slider_box in self._sliders},
-            **{_id(slider_box.box): "number" for slider_box in self._sliders},
-            **{_id(button): "outlined" for button in self.outlined},
-            **({_id(anew): "beside"} if anew else {}),
-        }
-        self._mail.tell(Roles(roles=roles, time_bar="play" in self._controls))
+        self._page.mail.tell(Roles(roles=self._page.roles, time_bar="play" in self._controls))

@@ -35,7 +35,7 @@ from ..session.session import Changed, Notice, Session
 from ..wire import from_page
 from ..wire.carrier import Mail, listen
 from ..wire.commands import COMMANDS
-from ..wire.to_page import Keepsake, PageState, Resumed, Run, ShowMeasures
+from ..wire.to_page import Keepsake, PageState, Resumed, Run
 from . import controls
 from .answers import Answers
 from .body.view import Canvas, Touch, picture_of
@@ -47,6 +47,7 @@ from .looks import readouts
 from .measure.measure_panel import MeasurePanel
 from .measure.tools_panel import ToolsPanel
 from .opening import asked_scene
+from .page import Page
 from .panel import Panel, set_theme
 from .scenes.shelf import Shelf
 from .viser.comma_switch import CommaSwitch
@@ -129,11 +130,9 @@ class Tab:
         self._compiler = compiler
         self._requests: deque[Callable[[Session], None]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
-        self._looks = keeping.PLAIN
-        self._commas = CommaSwitch(lambda on: self.hear(from_page.Switch("commas", on)))
         self._before_lesson: BeforeLesson | None = None
         self._generation = -1
-        self._page = secrets.token_hex(4)
+        self._number = secrets.token_hex(4)
         self._seen: from_page.Seen | None = None
         self._planned = -1
         self._kept: tuple[Any, ...] = ()
@@ -158,7 +157,7 @@ class Tab:
         self._mail = Mail(client)
         listen(client, self.hear)
         self._asked_controls = self._checked(controls.of_query, query)
-        self._controls = self._scenes_controls = controls.ALL
+        self._scenes_controls = controls.ALL
         self._named_controls: tuple[str, ...] | None = None
         self._plots_kept: tuple[Wish, ...] = ()
         self._arrows_kept: frozenset[str] = frozenset()
@@ -168,7 +167,7 @@ class Tab:
         self._session: Session | None = None
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
-        self._view.build(scene, self._looks.dark)
+        self._view.build(scene, keeping.PLAIN.dark)
         self._view.draw(Picture.at_start(scene), time.monotonic())
 
     @property
@@ -201,11 +200,11 @@ class Tab:
             case from_page.Perform(command):
                 self.perform(command)
             case from_page.Part():
-                self._answers.take(said, self._controls)
+                self._answers.take(said)
             case from_page.Ask():
                 self._answers.ask(said)
             case from_page.Edit():
-                if "edit" in self._controls:
+                if "edit" in self._page.controls:
                     self._answers.edits.do(said)
             case from_page.Seen():
                 self._seen = said
@@ -221,7 +220,7 @@ class Tab:
         """Do a command of the table, if the page has the control that it needs."""
         row, session = COMMANDS[command], self._session
         does = row.does
-        if session is None or (row.needs and row.needs not in self._controls) or does == "elsewhere":
+        if session is None or (row.needs and row.needs not in self._page.controls) or does == "elsewhere":
             return
         if does == "page":
             self._mail.tell(Run(command=command))
@@ -300,7 +299,7 @@ class Tab:
             self._measure.tick()
         self._show(session)
         self._panel.show_selection()
-        if "edit" in self._controls:
+        if "edit" in self._page.controls:
             self._answers.edits.tell()
         self._tell(session)
 
@@ -321,11 +320,12 @@ class Tab:
                 text = "What was changed before the connection was lost can no longer be undone."
                 self.notify(Notice("info", "Undo begins anew", text))
 
-        def show(scene: sim.Scene) -> None:
-            session.post(commands.Open(scene))
-
-        self._answers = Answers(session, self._mail, self.notify, resume, show, self._for_others, self._shelf)
-        self._controls = self._wanted_controls(session.scene)
+        commas = CommaSwitch(lambda on: self.hear(from_page.Switch("commas", on)))
+        self._page = Page(
+            self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
+            controls=self._wanted_controls(session.scene),
+        )  # fmt: skip
+        self._answers = Answers(self._page, resume, self._for_others)
         self._make_panel(session)
         self._session = session
         return session
@@ -357,33 +357,22 @@ class Tab:
 
     def _make_panel(self, session: Session) -> None:
         """The panel, with the controls that there are."""
-        self._panel = Panel(
-            self.client, session, self._mail, self.perform, self.notify, self._controls, self._commas
-        )
+        page = self._page
+        self._panel = Panel(page)
         self._has_lesson = session.scene.lesson is not None
         self._measure = self._tools = self._files = None
         if self._panel.measure_tab is not None:
-            if "measure" in self._controls:
-                tab, lists = self._panel.measure_tab, self._panel.plots
-                self._measure = MeasurePanel(
-                    self.client, tab, session, self.notify, self._commas, lists, self._turn_to_measures
-                )
+            if "measure" in page.controls:
+                self._measure = MeasurePanel(page, self._panel.measure_tab)
                 self._measure.plots.remember(self._plots_kept)
-            if "tools" in self._controls:
+            if "tools" in page.controls:
                 with self._panel.measure_tab:
-                    self._tools = ToolsPanel(self.client, session, self._mail)
+                    self._tools = ToolsPanel(page)
                 self._tools.show_arrows(self._arrows_kept)
-                self._panel.outlined += self._tools.outlined
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
-                files = self._files = FilesPanel(
-                    self.client, session, self.notify, lambda: self.perform("share"), self._shelf
-                )
-                take_home = ExportPanel(
-                    self.client, session, lambda: self._looks.dark, self.perform, self.notify, self._commas
-                )
-            self._panel.outlined += [*files.outlined, *take_home.outlined]
-
+                self._files = FilesPanel(page)
+                ExportPanel(page)
         self._show_where_seen()
 
     def _prepare(self, session: Session) -> None:
@@ -405,24 +394,23 @@ class Tab:
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
         self._plan(session)
-        self._view.show_gizmos(self._looks.gizmos)
+        self._view.show_gizmos(self._page.looks.gizmos)
         wanted, has_lesson = self._wanted_controls(session.scene), session.scene.lesson is not None
         if has_lesson and self._before_lesson is None:
             self._before_lesson = self._switched_on(session)
-        if (wanted, has_lesson) != (self._controls, self._has_lesson):
-            if (wanted.in_panel or has_lesson) and not (self._controls.in_panel or self._has_lesson):
+        if (wanted, has_lesson) != (self._page.controls, self._has_lesson):
+            if (wanted.in_panel or has_lesson) and not (self._page.controls.in_panel or self._has_lesson):
                 self.client.gui.main_panel.expand()
-            self._controls = wanted
+            self._page.controls = wanted
             if self._measure is not None:
                 self._plots_kept = self._measure.plots.wishes
             if self._tools is not None:
                 self._arrows_kept = self._tools.leave()
             self.client.gui.reset()
-            self._commas.clear()
+            self._page.clear()
             self._make_panel(session)
-        dark = self._looks.dark
         if self._panel.lesson is not None:
-            self._panel.lesson.build(dark)
+            self._panel.lesson.build()
         self._panel.build()
         if self._tools is not None:
             self._tools.build()
@@ -431,7 +419,7 @@ class Tab:
         self._show_lessons_things(session)
         self._panel.tell_roles()
         if self._measure is not None:
-            self._measure.build(dark)
+            self._measure.build()
         self._moved_at = session.now()
         self._generation = session.generation
 
@@ -468,7 +456,7 @@ class Tab:
         damage = simulation.damage
         if damage is not None and damage.set_angles:
             rest_angles = rest_angles - np.array(damage.set_angles)  # of which the page is told apart
-        self._view.build(session.scene, self._looks.dark, rest_angles)
+        self._view.build(session.scene, self._page.looks.dark, rest_angles)
 
     def _show(self, session: Session) -> None:
         """Send the picture, the texts and the controls, as far as they changed."""
@@ -492,7 +480,7 @@ class Tab:
             self._was_at_rest = at_rest and not session.is_looking
             with self.client.atomic():
                 self._panel.refresh_controls()
-                self._panel.refresh_readouts(self._looks.dark, at_rest, self._looks.meter)
+                self._panel.refresh_readouts(at_rest)
 
     def _set_state(self, playing: bool) -> None:
         """Tell the page's script how things are."""
@@ -502,7 +490,7 @@ class Tab:
         size = WORLD_SIZE / max(frame[2] - frame[0], frame[3] - frame[1])
         scrubbed, measures = history.scrubbed, self._panel.measure_tab
         state = PageState(
-            page=self._page,
+            page=self._number,
             scene=session.openings,
             title=shown_name(session.scene),
             width=(frame[2] - frame[0]) * size,
@@ -520,9 +508,9 @@ class Tab:
             future=session.old_future is not None,
             follow=session.follow,
             broken=self._broken,
-            controls=tuple(name for name in TOLD_CONTROLS if name in self._controls),
-            gizmos=self._looks.gizmos,
-            meter=self._looks.meter,
+            controls=tuple(name for name in TOLD_CONTROLS if name in self._page.controls),
+            gizmos=self._page.looks.gizmos,
+            meter=self._page.looks.meter,
             measuring=measures._id if measures is not None else "",
             lesson=session.lesson_begun if session.scene.lesson else None,
         )
@@ -531,7 +519,7 @@ class Tab:
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
         now, plots = session.now(), self._measure.plots.wishes if self._measure is not None else ()
-        state = (session.revision, self._looks, plots, session.simulation.time)
+        state = (session.revision, self._page.looks, plots, session.simulation.time)
         # At rest only the clock goes on: that is not worth a message.
         resting = self._was_at_rest and state[:-1] == self._kept[:-1]
         # Another scene, and one that was saved under another name, is kept at once.
@@ -543,7 +531,7 @@ class Tab:
         undo = self._secret if len(session.versions) else ""
         if undo:
             pasts.keep(undo, session.versions)
-        kept = keeping.encode(session.keepsake(), self._looks, plots, undo)
+        kept = keeping.encode(session.keepsake(), self._page.looks, plots, undo)
         self._mail.tell(Keepsake(kept=kept.decode()))
         self._kept = state
         self._kept_scene = scene
@@ -571,8 +559,7 @@ class Tab:
             self._answers.gallery.changed()
 
     def _serve_requests(self, session: Session) -> None:
-        if self._tools is not None:
-            self._tools.tick()
+        self._page.serve()
         while self._requests:
             self._requests.popleft()(session)
 
@@ -588,7 +575,7 @@ class Tab:
 
     def _switch(self, session: Session, what: str, on: bool) -> None:
         """Turn one of the looks on or off."""
-        self._looks = msgspec.structs.replace(self._looks, **{what: on})
+        self._page.looks = msgspec.structs.replace(self._page.looks, **{what: on})
         session.note(Changed.SETTINGS)
         if what == "dark":
             set_theme(self.client.gui, dark=on)
@@ -596,7 +583,7 @@ class Tab:
         elif what == "gizmos":
             self._view.show_gizmos(on)
         elif what == "commas":
-            self._commas.show(on)
+            self._page.commas.show(on)
 
     def _pick(self, session: Session, mass: int) -> None:
         """A mass was clicked: it is chosen for all that is measured."""
@@ -623,11 +610,8 @@ class Tab:
         if self._panel.lesson is not None:
             self._panel.lesson.plots.looked_at = self._seen.tab == "lesson"
 
-    def _turn_to_measures(self) -> None:
-        self._mail.tell(ShowMeasures())
-
     def _say_not_found(self, why: str) -> None:
-        if "chooser" in self._controls:
+        if "chooser" in self._page.controls:
             self._answers.gallery.offer(why)
         else:
             self.notify(Notice("error", "That address has no scene", why))

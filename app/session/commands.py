@@ -159,7 +159,7 @@ class SetChoice(Command):
     def apply(self, session: Session, at: float) -> None:
         label = CHOICES[self.key].label if self.key in CHOICES else self.key
         session.change(lambda: session.recorder.set_choice(self.key, self.value), label)
-        if self.key == "method" and session.books:
+        if self.key == "method" and session.follows_energy:
             # What is left over is the error of one method, not of two.
             session.recorder.keep_books(False)
             session.recorder.keep_books(True)
@@ -213,7 +213,7 @@ class Foretell(Command):
 
 
 @dataclass(frozen=True)
-class KeepBooks(Command):
+class FollowEnergy(Command):
     """Whether the energy is to be followed."""
 
     on: bool
@@ -221,7 +221,7 @@ class KeepBooks(Command):
     changes = Changed.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
-        session.books = self.on
+        session.follows_energy = self.on
         session.recorder.keep_books(self.on)
 
 

@@ -142,7 +142,7 @@ class Session:
         stability_watch: keeps `stability` up to date.
         versions: what undo and redo lead to.
         selection: the parts of the body that are selected.
-        books: whether the energy is followed.
+        follows_energy: whether the energy is followed.
         fallbacks: fallback steps since the scene was opened or reset.
         recorder: what acts on the body, and keeps its log; not while a log is played.
         history: the moments that are past, and which of them is shown.
@@ -183,7 +183,7 @@ class Session:
         self.notices: list[Notice] = []
         self.stability_watch = StabilityWatch()
         self.hands = PointerHands(self._bodies, clock)
-        self.books = False
+        self.follows_energy = False
         self.fallbacks = 0
         self.preparing = ""
 
@@ -467,7 +467,7 @@ class Session:
         self.lesson_begun = True
         self.hands.drop()
         self.simulation, self.recorder = simulation, Recorder(simulation)
-        if self.books:
+        if self.follows_energy:
             self.recorder.keep_books(True)
         self._begin_history()
         self.replay = self._viewer = None
@@ -598,7 +598,7 @@ class Session:
         self._after_steps()
 
     def _count(self, now: float, done: int, missed: int, began: float) -> float:
-        """Enter steps that were done since `began` into the clock's books; returns the seconds they took."""
+        """Enter steps that were done since `began` into the pacer; returns the seconds they took."""
         seconds, stats = time.perf_counter() - began, self.simulation.stats()
         self.fallbacks += stats.fallbacks
         self.pacer.record(now, self.simulation.dt, done, seconds, stats, missed=missed)

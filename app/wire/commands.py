@@ -68,7 +68,7 @@ def _follow(session: Session, _: Page) -> None:
 
 
 def _energy(session: Session, _: Page) -> None:
-    session.post(commands.KeepBooks(not session.books))
+    session.post(commands.FollowEnergy(not session.follows_energy))
 
 
 def _foretell(session: Session, _: Page) -> None:

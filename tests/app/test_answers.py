@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 import sim
-from app.page import answers, controls
+from app.page import answers
 from app.page.answers import MOST_WAITING, InOrder
-from app.page.scenes.shelf import Shelf
 from app.session.notices import Notice
 from app.wire.from_page import Ask, ListScenes, Part, Unread, Unsent
 from app.wire.to_page import Resumed
 from sim.store import files
+from tests.app.panels import page_of
 from tests.app.test_gallery import Page
 
 LIMIT = 20.0
@@ -102,9 +102,7 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
         notices.append(notice)
         told.set()
 
-    answering = answers.Answers(
-        page.session, page.letters, notify, lambda _: None, print, str, Shelf(owned=True)
-    )
+    answering = answers.Answers(page_of(page.session, None, page.letters, notify), print, str)
     answering.ask(message)
     assert told.wait(LIMIT)
     assert notices[0].title == title
@@ -113,6 +111,6 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
 
 def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
     page = Page()
-    answering = answers.Answers(page.session, page.letters, print, print, print, str, Shelf(owned=True))
-    answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="), controls.ALL)
+    answering = answers.Answers(page_of(page.session, None, page.letters), print, str)
+    answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="))
     assert page.letters.sent == [Resumed()]

@@ -49,7 +49,7 @@ COMMANDS: st.SearchStrategy[commands.Command] = st.one_of(
     st.builds(commands.Open, st.sampled_from(list(SCENES.values()))),
     st.builds(commands.Compare, st.sampled_from(["", "rk4", "symplectic_euler"]), st.just("")),
     st.builds(commands.Foretell, st.booleans()),
-    st.builds(commands.KeepBooks, st.booleans()),
+    st.builds(commands.FollowEnergy, st.booleans()),
     st.builds(commands.SetValue, st.just("gravity"), st.sampled_from([0.0, 500.0])),
     st.builds(commands.SetValue, st.just("masses"), st.sampled_from([4.0, 6.0, 12.0])),
     st.builds(commands.SetChoice, st.just("method"), st.sampled_from(["rk4", "symplectic_euler"])),

@@ -39,7 +39,7 @@ def test_a_log_leads_to_the_same_bits_for_any_topology(preset: str) -> None:
 
 def test_a_log_of_a_follower_of_choices_and_of_books() -> None:
     page = SessionPage(sim.load_scene("tutorial-3.3"))
-    page.frames(20, commands.KeepBooks(True), commands.Follow(True), commands.Point(290.0, 170.0))
+    page.frames(20, commands.FollowEnergy(True), commands.Follow(True), commands.Point(290.0, 170.0))
     page.frames(20, commands.SetChoice("method", "adams"), commands.Point(340.0, 190.0))
     page.frames(20, commands.Follow(False), commands.SetChoice("force_law", "conservative"))
     page.frames(20, commands.SetValue("template", 90.0))
@@ -73,7 +73,7 @@ ACTS: st.SearchStrategy[commands.Command] = st.one_of(
         commands.SetChoice, st.just("method"), st.sampled_from(["rk4", "symplectic_euler", "adams", "rodas4"])
     ),
     st.builds(commands.OwnValues, st.sampled_from(["body", "solver"])),
-    st.builds(commands.KeepBooks, st.booleans()),
+    st.builds(commands.FollowEnergy, st.booleans()),
     st.builds(commands.Play, st.sampled_from([None, True, False])),
     st.builds(commands.DoSteps, st.integers(0, 20)),
     st.just(commands.Reset()),
@@ -171,7 +171,7 @@ def test_a_log_stays_short_while_time_stands(monkeypatch: pytest.MonkeyPatch) ->
     for i in range(100):
         acts += [
             commands.Point(x + 0.1 * i, y), commands.SetValue("gravity", 1.0 + i), commands.GoBack(),
-            commands.DragStart(8, x, y), commands.KeepBooks(bool(i % 2)), commands.DragEnd(),
+            commands.DragStart(8, x, y), commands.FollowEnergy(bool(i % 2)), commands.DragEnd(),
         ]  # fmt: skip
     for act in acts:
         page.frames(1, act)

@@ -114,8 +114,8 @@ def test_the_energy_of_a_replay_is_followed_from_its_beginning() -> None:
     page = SessionPage(sim.load_scene("tutorial-3.3"))
     x, y = page.session.simulation.positions[0]
     page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
-    page.frames(20, commands.DragEnd(), commands.KeepBooks(True))
-    page.frames(20, commands.KeepBooks(False))
+    page.frames(20, commands.DragEnd(), commands.FollowEnergy(True))
+    page.frames(20, commands.FollowEnergy(False))
     recorded = decode_log(log_of(page), "log")
     recording, player = headless.replay(recorded, None, 10, Console(quiet=True), energy=True)
     assert player.agrees

@@ -159,7 +159,7 @@ def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest
         say(page, Part("resume", 1, 1, letters), Part("link", 1, 1, link))
         eventually(lambda: session_of(tab).scene.name == "box")
         monkeypatch.setattr(Tab, "_serve_requests", serve)
-        eventually(lambda: tab._looks.dark)  # the page looks as it did
+        eventually(lambda: tab._page.looks.dark)  # the page looks as it did
         eventually(lambda: not session_of(tab)._queue)
         assert session_of(tab).scene.name == "box"
 
@@ -353,7 +353,7 @@ def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytes
         eventually(lambda: tab._session is not None)
         session = session_of(tab)
         session.post(commands.SetValue("linear_stiffness", 12345.0))
-        session.post(commands.KeepBooks(True))
+        session.post(commands.FollowEnergy(True))
         session.post(commands.Compare("rodas4", ""))
         page.wait_for(lambda m: "is followed when it is compiled" in str(m))
         page.wait_for(lambda m: "comes when it is compiled" in str(m))

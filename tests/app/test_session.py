@@ -235,15 +235,15 @@ def test_opening_a_scene_starts_it_anew(page: SessionPage) -> None:
 
 
 def test_opening_a_scene_goes_on_keeping_the_books(page: SessionPage) -> None:
-    page.frames(1, commands.KeepBooks(True), commands.Open(tutorial_preset("ring")))
-    assert page.session.books
+    page.frames(1, commands.FollowEnergy(True), commands.Open(tutorial_preset("ring")))
+    assert page.session.follows_energy
     page.frames(30)
     # Books that were opened only when they are asked for would know nothing of what was damped before.
     assert page.session.simulation.energy().damping < 0.0
 
 
 def test_the_residual_is_that_of_one_method(page: SessionPage) -> None:
-    page.frames(1, commands.SetValue("rest_angle", 20.0), commands.KeepBooks(True))
+    page.frames(1, commands.SetValue("rest_angle", 20.0), commands.FollowEnergy(True))
     page.frames(60)
     assert abs(page.session.simulation.energy().residual) > 1.0
     # The same body by another method, which has done no step yet.

@@ -22,6 +22,7 @@ from app.wire.commands import COMMANDS, key_lines
 from app.wire.from_page import read
 from app.wire.to_page import OfferGallery, ShelfChanged, Tools
 from tests.app.letters import Letters
+from tests.app.panels import page_of
 from tests.page import generate
 
 SAID = {
@@ -131,7 +132,8 @@ class Bare(Tab):
     """A tab with a session, and nothing that is shown."""
 
     def __init__(self, session: Any, names: controls.Controls = controls.ALL) -> None:
-        self._session, self._controls = session, names
+        self._session, self._page = session, page_of(session)
+        self._page.controls = names
         self._mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
         self._mail = Letters()
         self._requests = deque()

@@ -46,7 +46,7 @@ def put_on(desk: Desk, look: str) -> None:
         desk.page.keyboard.press("p")
     if look == "dark":
         desk.view("Dark")
-        desk.until(lambda: desk.tab._looks.dark, "it is dark")
+        desk.until(lambda: desk.tab._page.looks.dark, "it is dark")
 
 
 @pytest.mark.parametrize("look", ["light", "dark", "projector"])

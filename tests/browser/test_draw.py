@@ -69,7 +69,7 @@ def test_screenshots_show_the_whole_body(open_page: OpenPage, phone: bool) -> No
     for dark in (False,) if phone else (False, True):
         if dark:
             desk.view("Dark")
-            desk.until(lambda: desk.tab._looks.dark, "it is dark")
+            desk.until(lambda: desk.tab._page.looks.dark, "it is dark")
             desk.show("Play")
         for name in SHOWN:
             desk.tell(commands.Open(sim.load_scene(name)), commands.DoSteps(400))

@@ -258,7 +258,7 @@ def test_the_view_menu_and_the_open_box_of_instruments_have_their_keys_to_themse
     press("End")
     press("Home")
     press("Space")
-    desk.until(lambda: desk.tab._looks.dark, "Space presses what has the focus")
+    desk.until(lambda: desk.tab._page.looks.dark, "Space presses what has the focus")
     assert is_at("View") and not menu.is_visible()
     # A press anywhere else closes it, also on a mass; then the keys are the body's.
     desk.button("View").click()

@@ -86,11 +86,11 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     # With decimal commas, which the tab remembers.
     before = desk.page.evaluate(KEPT)
     desk.control("Decimal commas").check()
-    desk.until(lambda: desk.tab._commas.on, "tables have decimal commas")
+    desk.until(lambda: desk.tab._page.commas.on, "tables have decimal commas")
     desk.until(lambda: desk.tab._kept[1].commas, "the server has told the browser to keep that")
     desk.until(lambda: desk.page.evaluate(KEPT) != before, "and it does")
     desk.open()
-    desk.until(lambda: desk.tab._commas.on, "it is so after a reload")
+    desk.until(lambda: desk.tab._page.commas.on, "it is so after a reload")
     desk.show("Measure")
     assert desk.control("Decimal commas").is_checked()
     with desk.page.expect_download() as download:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import html
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import viser
@@ -19,8 +20,9 @@ from sim.store import files
 from sim.store.places import as_utf8
 
 from ...session import commands, log
-from ...session.session import Notice, Session
-from ..scenes.shelf import Shelf
+from ...session.notices import Notice
+from ..page import Page
+from ..viser.handlers import on_press
 
 ABOUT_LOGS = (
     '<div class="softrod-text">A log is all that was done since the start or the last reset; opened as a '
@@ -32,29 +34,13 @@ class FilesPanel:
     """The controls of one page's Share tab.
 
     Args:
-        client: the page.
-        session: its simulation.
-        notify: tells the user something.
-        share: has the page offer a link to the scene.
-        shelf: the page's scenes.
-
-    Attributes:
-        outlined: buttons that are not the first thing to press.
+        page: whose scene it is.
     """
 
-    def __init__(
-        self,
-        client: viser.ClientHandle,
-        session: Session,
-        notify: Callable[[Notice], None],
-        share: Callable[[], None],
-        shelf: Shelf,
-    ) -> None:
-        self._shelf = shelf
-        self._client = client
-        self._session = session
-        self._notify = notify
-        gui = client.gui
+    def __init__(self, page: Page) -> None:
+        self._shelf, self._client = page.shelf, page.client
+        self._session, self._notify = page.session, page.notify
+        gui = page.client.gui
         self._offered = ""
         self._name = gui.add_text("Name", initial_value="")
         self.build()
@@ -62,25 +48,19 @@ class FilesPanel:
             "With pose", initial_value=False, hint="save where every mass is now, too"
         )
         save = gui.add_button("Save", icon=viser.Icon.DEVICE_FLOPPY)
+        on_press(save, lambda: self._try(self._save), blocks=True)
         gui.add_divider()
-        link = gui.add_button("Share by a link", icon=viser.Icon.LINK, color="gray")
-        download = gui.add_button("Download as a file", icon=viser.Icon.DOWNLOAD, color="gray")
-        save_log = gui.add_button("Save a log", icon=viser.Icon.HISTORY, color="gray")
+        page.button("Share by a link", viser.Icon.LINK, lambda: page.perform("share"))
+        for label, icon, action in (
+            ("Download as a file", viser.Icon.DOWNLOAD, self._download),
+            ("Save a log", viser.Icon.HISTORY, self._save_log),
+        ):
+            page.button(label, icon, partial(self._try, action), blocks=True)
         upload = gui.add_upload_button(
             "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json,.jsonl"
         )
         gui.add_html(ABOUT_LOGS)
-        self.outlined = [link, download, save_log, upload]
-        for button, action in (
-            (save, self._save),
-            (link, share),
-            (download, self._download),
-            (save_log, self._save_log),
-        ):
-
-            @button.on_click
-            def _(_: object, action: Callable[[], None] = action) -> None:
-                self._try(action)
+        page.mark(upload, "outlined")
 
         @upload.on_upload
         def _(event: viser.GuiEvent[Any]) -> None:
@@ -140,11 +120,9 @@ class FilesPanel:
             yes = self._client.gui.add_button(verb, color="red")
             no = self._client.gui.add_button("Cancel", color="gray")
 
-        @yes.on_click
-        def _(_: object) -> None:
+        def confirmed() -> None:
             modal.close()
             self._try(action)
 
-        @no.on_click
-        def _(_: object) -> None:
-            modal.close()
+        on_press(yes, confirmed, blocks=True)
+        on_press(no, modal.close)

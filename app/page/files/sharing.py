@@ -14,10 +14,11 @@ from sim.store import files
 from sim.store.link import PATH, pack_scene
 
 from ...linking import short_address
-from ...session.session import Notice, Session
-from ...wire.carrier import Mail
+from ...session import commands
+from ...session.notices import Notice
 from ...wire.from_page import Share
 from ...wire.to_page import Link
+from ..page import Page
 from ..panel import foremost
 
 MOST_IN_QR = 1200
@@ -29,25 +30,12 @@ class Sharing:
     """One page's links. What reads and makes scenes takes a while: call it in a thread.
 
     Args:
-        session: the page's simulation.
-        mail: to the page's script.
-        notify: tells the user something.
-        show: opens a scene.
+        page: whose scene is shared.
         for_others: the address by which others reach the page, from that by which it was reached itself.
     """
 
-    def __init__(
-        self,
-        session: Session,
-        mail: Mail,
-        notify: Callable[[Notice], None],
-        show: Callable[[Scene], None],
-        for_others: Callable[[str], str] = str,
-    ) -> None:
-        self._session = session
-        self._mail = mail
-        self._notify = notify
-        self._show = show
+    def __init__(self, page: Page, for_others: Callable[[str], str] = str) -> None:
+        self._session, self._mail, self._notify = page.session, page.mail, page.notify
         self._for_others = for_others
 
     def share(self, ask: Share) -> None:
@@ -73,7 +61,7 @@ class Sharing:
         except SceneError as error:
             self._notify(Notice("error", "That link cannot be opened", str(error)))
         else:
-            self._show(scene)
+            self._session.post(commands.Open(scene))
 
 
 def _controls(scene: Scene, which: Literal["all", "play", "sliders"]) -> str:
