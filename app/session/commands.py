@@ -20,6 +20,7 @@ from sim.scene.types import shown_name
 from sim.settings import CHOICES, settings_of
 
 from ..drawing.looks import SPEEDS
+from . import log
 from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME
 from .log import Log
@@ -136,7 +137,8 @@ class SetValue(Command):
         if setting is None or not math.isfinite(self.value):
             return
         value = min(max(self.value, setting.low), setting.high)
-        session.change(lambda: session.recorder.set_value(self.key, value), setting.label, self.key)
+        act = log.Set(key=self.key, value=value)
+        session.change(lambda: session.recorder.do(act), setting.label, self.key)
 
 
 @dataclass(frozen=True)
@@ -158,11 +160,12 @@ class SetChoice(Command):
 
     def apply(self, session: Session, at: float) -> None:
         label = CHOICES[self.key].label if self.key in CHOICES else self.key
-        session.change(lambda: session.recorder.set_choice(self.key, self.value), label)
+        act = log.Choose(key=self.key, value=self.value)
+        session.change(lambda: session.recorder.do(act), label)
         if self.key == "method" and session.follows_energy:
             # What is left over is the error of one method, not of two.
-            session.recorder.keep_books(False)
-            session.recorder.keep_books(True)
+            session.recorder.do(log.FollowEnergy(on=False))
+            session.recorder.do(log.FollowEnergy(on=True))
 
 
 @dataclass(frozen=True)
@@ -222,7 +225,7 @@ class FollowEnergy(Command):
 
     def apply(self, session: Session, at: float) -> None:
         session.follows_energy = self.on
-        session.recorder.keep_books(self.on)
+        session.recorder.do(log.FollowEnergy(on=self.on))
 
 
 @dataclass(frozen=True)

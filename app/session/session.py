@@ -24,10 +24,10 @@ from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
 from sim.motion.stability import StabilityEstimate
 
-from . import keepsakes
+from . import keepsakes, log
 from .companions import Companions
 from .ghost import Ghost
-from .hand import FRAME, Body, PointerHands
+from .hand import FRAME, PointerHands
 from .history import History, OldFuture
 from .log import Log
 from .notices import Notice, runaway
@@ -182,7 +182,7 @@ class Session:
         self.selection = Selection()
         self.notices: list[Notice] = []
         self.stability_watch = StabilityWatch()
-        self.hands = PointerHands(self._bodies, clock)
+        self.hands = PointerHands(lambda: self.simulation, self.do, clock)
         self.follows_energy = False
         self.fallbacks = 0
         self.preparing = ""
@@ -340,7 +340,7 @@ class Session:
             budget: seconds of computing that the frame may take.
         """
         now = self._clock()
-        if self.replay is None and now - self._keys_at > KEYS_FORGOTTEN_AFTER:
+        if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
             self.hold_keys(frozenset(), self._keys_at)
         running = self.playing and (self.replay is not None or self.simulation.divergence is None)
         if running and self.replay is not None:
@@ -393,11 +393,23 @@ class Session:
         self.companions.follow(self.simulation, done, led, MOST_SECONDS)
         self._after_steps()
 
+    def do(self, act: log.Act) -> None:
+        """Do something by hand to the body, and to those that go along with it.
+
+        Raises:
+            InputError: it cannot be done.
+        """
+        self.recorder.do(act)
+        for body in self.companions.bodies:
+            # Those that are as fast as any hand are led to where the body came to.
+            if body.rate_limited or not isinstance(act, log.Follow):
+                act.do(body)
+
     def hold_keys(self, keys: frozenset[str], at: float) -> None:
         """These arrow keys are held, as was said at a wall time, s."""
         self._keys_at = at
-        for body in self._bodies():
-            body.keys = keys
+        if keys != self.simulation.keys and self.replay is None:
+            self.do(log.Keys.of(keys))
 
     def let_go(self) -> None:
         """Have all hands let go."""
@@ -468,7 +480,7 @@ class Session:
         self.hands.drop()
         self.simulation, self.recorder = simulation, Recorder(simulation)
         if self.follows_energy:
-            self.recorder.keep_books(True)
+            self.recorder.do(log.FollowEnergy(on=True))
         self._begin_history()
         self.replay = self._viewer = None
         self.companions = Companions()
@@ -565,10 +577,6 @@ class Session:
         self.play(True)
 
     # --------------------------------------------------------------------- inside
-    def _bodies(self) -> list[Body]:
-        """The body, and those that go along with it."""
-        return [self.recorder, *self.companions.bodies]
-
     def _choose_joint(self) -> None:
         """Read out a joint that the scene has."""
         self.joint = min(self.joint, max(0, len(self.simulation.scene.angular_springs) - 1))
@@ -653,6 +661,6 @@ class Session:
     def _end_replay(self, text: str, kind: Literal["info", "warning"] = "info") -> None:
         self.replay = self._viewer = None
         self.recorder = Recorder(self.simulation, _AFTER_REPLAY)
-        self.recorder.keys = frozenset()
+        self.hold_keys(frozenset(), self._keys_at)
         self.note(Changed.SETTINGS)
         self.notices.append(Notice(kind, "The replay has ended", text))

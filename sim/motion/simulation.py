@@ -186,6 +186,11 @@ class Simulation:
         return self._hands.rate_limited
 
     @property
+    def grabbed(self) -> list[int]:
+        """The masses that are in a hand, see `grab`."""
+        return sorted(self._hands.grabbed)
+
+    @property
     def behind(self) -> dict[int, float]:
         """How far masses that `follow` leads, or that are being stopped, still have to go, px, by mass."""
         return self._hands.behind

@@ -44,7 +44,7 @@ def test_a_log_of_a_follower_of_choices_and_of_books() -> None:
     page.frames(20, commands.Follow(False), commands.SetChoice("force_law", "conservative"))
     page.frames(20, commands.SetValue("template", 90.0))
     # With another method they begin anew.
-    books = [entry.on for entry in agrees(page).record.entries if isinstance(entry, log.Books)]
+    books = [entry.on for entry in agrees(page).record.entries if isinstance(entry, log.FollowEnergy)]
     assert books == [True, False, True]
 
 
