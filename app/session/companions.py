@@ -10,7 +10,7 @@ from typing import Any, Protocol
 import sim
 
 from .ghost import Ghost
-from .history import Beside, History
+from .history import History
 from .shadow import Foresight
 
 
@@ -42,7 +42,7 @@ class Companion(Protocol):
         """Go on after the body's settings have changed."""
         ...
 
-    def capture(self) -> Beside | None:
+    def capture(self) -> object | None:
         """What there is to come back to, if anything."""
         ...
 
@@ -89,7 +89,7 @@ class Companions:
         """Those of all of them."""
         return [body for one in self for body in one.bodies]
 
-    def capture(self) -> Mapping[str, Beside]:
+    def capture(self) -> Mapping[str, object]:
         """What there is to come back to, by name."""
         return {name: kept for name, one in self._named() if (kept := one.capture()) is not None}
 

@@ -13,7 +13,6 @@ import sim
 from sim.methods.registry import METHODS
 from sim.settings import CHOICES, SETTINGS, set_choice
 
-from .history import sharing, size_of
 from .pacing import attempts_within, smoothed
 
 REFERENCE = "reference"
@@ -38,14 +37,6 @@ class GhostMoment(NamedTuple):
     moment: sim.Moment
     owed: float
     worst: float
-
-    def size(self, before: GhostMoment | None) -> int:
-        """See `Beside`."""
-        return size_of(self.moment, before.moment if before else None)
-
-    def sharing(self, before: GhostMoment | None) -> GhostMoment:
-        """See `Beside`."""
-        return self._replace(moment=sharing(self.moment, before.moment if before else None))
 
 
 class Ghost:

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 import sim
 from sim.analysis.predictability import MANY, Shadow, factor_of, growth_within, verdict
 
-from .history import OVERHEAD
 from .pacing import attempts_within, smoothed
 
 SPAN = 1.0
@@ -36,14 +35,6 @@ class ShadowMoment(NamedTuple):
 
     hair: NDArray[np.float64]
     level: float
-
-    def size(self, _: ShadowMoment | None) -> int:
-        """See `Beside`."""
-        return self.hair.nbytes + OVERHEAD
-
-    def sharing(self, _: ShadowMoment | None) -> ShadowMoment:
-        """See `Beside`; two moments share nothing."""
-        return self
 
 
 class Foresight:

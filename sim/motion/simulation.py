@@ -152,12 +152,15 @@ class Simulation:
         if not (state.set_length.any() or state.set_angle.any() or state.broken.any()):
             return None
         index = np.argsort(system.spring_order)  # of each spring of the scene, in the tables
-        return Damage(
+        found = Damage(
             broken=tuple(np.flatnonzero(state.broken[index]).tolist()),
             set_lengths=tuple(state.set_length[index].tolist()),
             hardened=tuple(state.hardened[index].tolist()),
             set_angles=tuple(state.set_angle[system.joint_order].tolist()),
         )
+        if found != self._damage:
+            self._damage = found  # moments share it while nothing changes
+        return self._damage
 
     @property
     def step_count(self) -> int:
@@ -530,6 +533,7 @@ class Simulation:
         self._stepper = self._new_stepper()
         self._meter: StabilityMeter | None = None
         self._books: Books | None = None
+        self._damage: Damage | None = None
         self._load_calculator: LoadCalculator | None = None
         self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
 
