@@ -211,7 +211,7 @@ def test_question_and_choices_are_in_sight_and_so_is_the_body(
         assert 0.0 <= box["y"] < box["y"] + box["height"] <= size[1], "each choice is in sight"
         x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
         hit = f"document.elementFromPoint({x}, {y}).className"
-        assert desk.page.evaluate(hit) == "softrod-choice", "and not covered"
+        assert desk.page.evaluate(hit) == "softrod-button softrod-choice", "and not covered"
 
     def is_free() -> bool:
         places, dock = desk.at(desk.simulation.positions), desk.page.locator(".softrod-dock").bounding_box()
