@@ -332,11 +332,16 @@ class Open(Command):
     def apply(self, session: Session, at: float) -> None:
         # What stopped the clock was the other body's.
         stopped = session.simulation.divergence is not None or session.waits
+        # The first step of a lesson is no other scene than the one that has just been opened.
+        begins = self.begun and not session.lesson_begun
         before = session.simulation.capture()
         session.open(self.scene)
         session.lesson_begun = self.begun
         opened = session.simulation.capture()
-        session.versions.add_leap(f"opening {shown_name(self.scene)}", before, opened)
+        if begins:
+            session.versions.amend_leap(opened)
+        else:
+            session.versions.add_leap(f"opening {shown_name(self.scene)}", before, opened)
         if stopped or self.waits:
             session.play(not self.waits)
         session.waits = self.waits

@@ -165,6 +165,29 @@ def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server:
     assert not told
 
 
+def test_nothing_is_to_be_undone_of_a_lesson_that_has_just_been_opened(server: viser.ViserServer) -> None:
+    lesson = with_lesson(Step(title="A", do="B", settings=("gravity=0",)), Step(title="C", do="D"))
+    page = SessionPage(lesson)
+    panel, versions = lesson_panel(server, page, []), page.session.versions
+    panel.begin(BeginStep(0))
+    page.frames(1)
+    assert page.session.scene.gravity == (0.0, 0.0)
+    assert not versions.undoable
+    panel.begin(BeginStep(1))
+    page.frames(1)
+    assert versions.undoable
+    # Opened in the place of another scene, the lesson is one step with its beginning.
+    page.frames(1, commands.Open(sim.load_scene("ring")))
+    ring = page.session.simulation.capture().scene
+    page.frames(1, commands.Open(lesson))
+    panel.begin(BeginStep(0))
+    page.frames(1)
+    page.frames(1, commands.Undo())
+    assert page.session.simulation.capture().scene is ring
+    page.frames(1, commands.Redo())
+    assert page.session.scene.gravity == (0.0, 0.0)
+
+
 def test_what_a_step_cannot_have_is_told_by_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "lesson.json"
     for step, said in (

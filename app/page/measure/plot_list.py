@@ -263,7 +263,9 @@ class PlotList:
                     shown.chart = gui.add_html(content, order=shown.order)
             else:
                 before = chart if isinstance(chart, viser.GuiUplotHandle) else None
-                add = partial(gui.add_uplot, height=HEIGHT, padding=(8, 4, 0, 0), order=shown.order)
+                # At the right there is an axis, or else room for half of the last number of the time.
+                padding = (8, 4 if len(plot.units) > 1 else 20, 0, 0)
+                add = partial(gui.add_uplot, height=HEIGHT, padding=padding, order=shown.order)
                 shown.chart, shown.looks = plots.draw_over_time(
                     before, add, plot, drawn, series, colors, shown.looks
                 )
