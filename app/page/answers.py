@@ -11,6 +11,8 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any
 
+from sim.scene.types import Scene
+
 from ..session.notices import Notice
 from ..wire import from_page
 from ..wire.to_page import Resumed
@@ -36,6 +38,7 @@ class Answers:
     Args:
         page: whose script asks.
         resume: goes on with what the page had kept.
+        show: opens the scene of a link, after what the page had kept.
         for_others: the address by which others reach the page, from that by which it was reached itself.
 
     Attributes:
@@ -46,10 +49,11 @@ class Answers:
         self,
         page: Page,
         resume: Callable[[keeping.Kept], None],
+        show: Callable[[Scene], None],
         for_others: Callable[[str], str],
     ) -> None:
         self._page, self._resume = page, resume
-        self.sharing = Sharing(page, for_others)
+        self.sharing = Sharing(page, show, for_others)
         self.gallery = Gallery(page)
         self.edits = Edits(page.session, page.mail, page.notify)
         self._parts = {"resume": keeping.Parts(), "link": keeping.Parts(), "paste": keeping.Parts()}

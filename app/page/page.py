@@ -12,7 +12,6 @@ import viser
 from ..session.notices import Notice
 from ..session.session import Session
 from ..wire.carrier import Mail
-from ..wire.to_page import Role
 from .controls import ALL, Controls
 from .files.keeping import PLAIN, Looks
 from .scenes.shelf import Shelf
@@ -51,7 +50,6 @@ class Page:
     looks: Looks = PLAIN
     plots: list[PlotList] = field(default_factory=list)
     _asked: deque[Callable[[], None]] = field(default_factory=lambda: deque(maxlen=100))
-    _roles: list[tuple[Any, Role]] = field(default_factory=list)
 
     def later(self, act: Callable[[], None]) -> None:
         """Have the ticker do something, before the next frame; any thread may ask."""
@@ -65,7 +63,6 @@ class Page:
     def clear(self) -> None:
         """All controls are gone: forget them, and what was asked by them."""
         self._asked.clear()
-        self._roles.clear()
         self.plots.clear()
         self.commas.clear()
 
@@ -81,16 +78,4 @@ class Page:
         """A button that is not the first thing to press; see `on_press`."""
         made = self.client.gui.add_button(label, icon=icon, color="gray", **options)
         on_press(made, press, blocks)
-        self.mark(made, "outlined")
         return made
-
-    def mark(self, handle: Any, role: Role) -> None:
-        """A control looks otherwise than viser draws it."""
-        self._roles.append((handle, role))
-
-    @property
-    def roles(self) -> dict[str, Role]:
-        """The controls that are marked, by the ids that they have in the page."""
-        # viser 1.1.1 has no public names for these.
-        self._roles = [(handle, role) for handle, role in self._roles if not handle._impl.removed]
-        return {handle._impl.uuid: role for handle, role in self._roles}

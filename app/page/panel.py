@@ -19,7 +19,7 @@ from sim.settings import CHOICES, TEMPLATES, Setting, settings_of
 from ..drawing.colors import palette
 from ..session import commands
 from ..wire.commands import COMMANDS
-from ..wire.to_page import Hud, Roles
+from ..wire.to_page import Hud
 from .edit.selection_panel import SelectionPanel
 from .looks import readouts
 from .page import Page
@@ -266,8 +266,6 @@ class Panel:
         value = setting.read(self._session.scene)
         slider_box = SliderBox(self._client, setting, value, post, self._page.notify, order)
         self._sliders.append(slider_box)
-        self._page.mark(slider_box.slider, "slider")
-        self._page.mark(slider_box.box, "number")
         self._body += [slider_box.slider, slider_box.box]
 
     def _add_templates(self, order: float) -> None:
@@ -291,8 +289,8 @@ class Panel:
 
     def show_selection(self) -> None:
         """Show what is selected, if it may be edited."""
-        if self._selection is not None and self._selection.tick():
-            self.tell_roles()
+        if self._selection is not None:
+            self._selection.tick()
 
     def show_help(self) -> None:
         """Open the help."""
@@ -330,7 +328,3 @@ class Panel:
             self._play.refresh_readouts()
         if self._solver is not None:
             self._solver.refresh_readouts()
-
-    def tell_roles(self) -> None:
-        """Say which controls look otherwise than viser draws them."""
-        self._page.mail.tell(Roles(roles=self._page.roles, time_bar="play" in self._controls))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import viser
 
 from sim.scene.types import Scene, shown_name
@@ -9,7 +11,7 @@ from sim.scene.types import Scene, shown_name
 from ..session import commands
 from .looks import readouts
 from .page import Page
-from .viser.handlers import on_change, on_press
+from .viser.handlers import on_change
 
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""
@@ -29,13 +31,11 @@ class PlayPanel:
         self._chooser = self._about = self._follow = self._readout = self._pad = None
         if "chooser" in controls:
             hint = "choose another scene (key O)"
-            self._chooser = gui.add_button("Scene", icon=viser.Icon.LAYOUT_GRID, hint=hint, order=1)
-            hint = "open this scene anew"
-            anew = gui.add_button("Open anew", icon=viser.Icon.REFRESH, hint=hint, order=1.5)
-            page.mark(self._chooser, "outlined")
-            page.mark(anew, "beside")
-            on_press(self._chooser, lambda: page.perform("gallery"))
-            on_press(anew, lambda: page.perform("anew"))
+            icon, press = viser.Icon.LAYOUT_GRID, partial(page.perform, "gallery")
+            self._chooser = page.button("Scene", icon, press, hint=hint, order=1)
+            hint = "open this scene anew"  # it stands beside the chooser, see widgets.js
+            press = partial(page.perform, "anew")
+            page.button("Open anew", viser.Icon.REFRESH, press, hint=hint, order=1.5)
         if "about" in controls:
             self._about = gui.add_html("", order=2)
         # Between them are the sliders that make most of the scene.

@@ -102,7 +102,7 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
         notices.append(notice)
         told.set()
 
-    answering = answers.Answers(page_of(page.session, None, page.letters, notify), print, str)
+    answering = answers.Answers(page_of(page.session, None, page.letters, notify), print, print, str)
     answering.ask(message)
     assert told.wait(LIMIT)
     assert notices[0].title == title
@@ -111,6 +111,6 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
 
 def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
     page = Page()
-    answering = answers.Answers(page_of(page.session, None, page.letters), print, str)
+    answering = answers.Answers(page_of(page.session, None, page.letters), print, print, str)
     answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="))
     assert page.letters.sent == [Resumed()]

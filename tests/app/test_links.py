@@ -49,7 +49,11 @@ class Page(SessionPage):
     def __init__(self, name: str) -> None:
         super().__init__(sim.load_scene(name))
         self.letters, self.notices = Letters(), list[Notice]()
-        self.sharing = Sharing(page_of(self.session, None, self.letters, self.notices.append))
+        self.sharing = Sharing(page_of(self.session, None, self.letters, self.notices.append), self.open)
+
+    def open(self, scene: sim.Scene) -> None:
+        """Open a scene."""
+        self.session.post(commands.Open(scene))
 
     def link(self, pose: bool = False, **wishes: Any) -> Link:
         """What comes back when a link is asked for."""

@@ -121,27 +121,21 @@ class SelectionPanel:
         self._rows: list[_Row] = []
 
     # --------------------------------------------------------------------- the ticker's
-    def tick(self) -> bool:
-        """Show what is selected, if that has changed, and its numbers as they are now.
-
-        Returns:
-            whether the folder was made just now.
-        """
+    def tick(self) -> None:
+        """Show what is selected, if that has changed, and its numbers as they are now."""
         selection, now = self._session.selection, self._session.now()
         another = selection is not self._selection
         if not another and (now < self._due or not any(selection)):
-            return False
+            return
         self._due, self._selection = now + EVERY, selection
         if self._folder is None and not any(selection):
-            return False
+            return
         with self._client.atomic():
-            made = self._folder is None
             folder = self._folder = self._folder or self._make_folder()
             if any(selection):
                 self._show(folder, selection, another)
             else:
                 folder.visible = False
-        return made
 
     def _show(self, folder: viser.GuiFolderHandle, selection: Selection, another: bool) -> None:
         scene = self._session.scene

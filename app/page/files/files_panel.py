@@ -60,7 +60,6 @@ class FilesPanel:
             "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json,.jsonl"
         )
         gui.add_html(ABOUT_LOGS)
-        page.mark(upload, "outlined")
 
         @upload.on_upload
         def _(event: viser.GuiEvent[Any]) -> None:

@@ -14,7 +14,6 @@ from sim.store import files
 from sim.store.link import PATH, pack_scene
 
 from ...linking import short_address
-from ...session import commands
 from ...session.notices import Notice
 from ...wire.from_page import Share
 from ...wire.to_page import Link
@@ -31,12 +30,15 @@ class Sharing:
 
     Args:
         page: whose scene is shared.
+        show: opens a scene.
         for_others: the address by which others reach the page, from that by which it was reached itself.
     """
 
-    def __init__(self, page: Page, for_others: Callable[[str], str] = str) -> None:
+    def __init__(
+        self, page: Page, show: Callable[[Scene], None], for_others: Callable[[str], str] = str
+    ) -> None:
         self._session, self._mail, self._notify = page.session, page.mail, page.notify
-        self._for_others = for_others
+        self._show, self._for_others = show, for_others
 
     def share(self, ask: Share) -> None:
         """Send the page a link to its scene."""
@@ -61,7 +63,7 @@ class Sharing:
         except SceneError as error:
             self._notify(Notice("error", "That link cannot be opened", str(error)))
         else:
-            self._session.post(commands.Open(scene))
+            self._show(scene)
 
 
 def _controls(scene: Scene, which: Literal["all", "play", "sliders"]) -> str:

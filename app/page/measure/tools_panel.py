@@ -38,7 +38,7 @@ class ToolsPanel:
 
     def __init__(self, page: Page) -> None:
         self._session, self._mail = page.session, page.mail
-        self._arrows = Arrows(page.client)
+        self._arrows = Arrows(page.mail)
         self._chosen: int | None = None
         self._traced: tuple[int, ...] = ()
         gui = page.client.gui
