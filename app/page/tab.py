@@ -184,8 +184,8 @@ class Tab:
             return
         match said:
             case from_page.At(hands):
-                points = tuple(commands.Point(*self._mapping.to_scene(x, y), hand) for hand, x, y in hands)
-                session.post(points[0] if len(points) == 1 else commands.Points(points))
+                for hand, x, y in hands:
+                    session.post(commands.Point(*self._mapping.to_scene(x, y), hand))
             case from_page.Grab(hand, mass, x, y):
                 session.post(commands.DragStart(mass, *self._mapping.to_scene(x, y), hand))
             case from_page.Drop(hand):
@@ -247,7 +247,7 @@ class Tab:
         if touch.phase == "start":
             self._session.post(commands.DragStart(touch.mass, touch.x, touch.y, GIZMO))
         elif touch.phase == "update":
-            self._session.post(commands.DragTo(touch.x, touch.y, GIZMO))
+            self._session.post(commands.Point(touch.x, touch.y, GIZMO, late=True))
         else:
             self._session.post(commands.DragEnd(GIZMO))
 
@@ -473,7 +473,7 @@ class Tab:
         still = at_rest and self._was_at_rest and not self._panel.unsettled
         if changed or (now >= self._readouts_due and not still):
             self._readouts_due = now + READOUTS_EVERY
-            self._was_at_rest = at_rest and not session.is_looking
+            self._was_at_rest = at_rest and not session.stability_watch.is_looking
             with self.client.atomic():
                 self._panel.refresh_controls()
                 self._panel.refresh_readouts(at_rest)

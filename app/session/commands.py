@@ -49,27 +49,21 @@ class HoldKeys(Command):
 
 @dataclass(frozen=True)
 class Point(Command):
-    """Where a hand's pointer is; used while it has a mass, and that of hand 0 while something follows."""
+    """Where a hand's pointer is; used while it has a mass, and that of hand 0 while something follows.
+
+    Attributes:
+        late: whether the next report comes later than the next frame, as of viser's own drags.
+    """
 
     x: float
     y: float
     hand: int = 0
+    late: bool = False
 
     def apply(self, session: Session, at: float) -> None:
         # What follows the pointer must not disturb a moment that was gone back to.
         if session.hands.is_full(self.hand) or not session.history.scrubbed:
-            session.hands.point(self.hand, self.x, self.y, at + FRAME)
-
-
-@dataclass(frozen=True)
-class Points(Command):
-    """Where the pointers of several hands are."""
-
-    points: tuple[Point, ...]
-
-    def apply(self, session: Session, at: float) -> None:
-        for point in self.points:
-            point.apply(session, at)
+            session.hands.point(self.hand, self.x, self.y, at + (DRAG_EVENT if self.late else FRAME))
 
 
 @dataclass(frozen=True)
@@ -99,18 +93,6 @@ class DragStart(Command):
 
     def apply(self, session: Session, at: float) -> None:
         session.hands.take(self.hand, self.mass, self.x, self.y)
-
-
-@dataclass(frozen=True)
-class DragTo(Command):
-    """As `Point`, from whom the next report comes later."""
-
-    x: float
-    y: float
-    hand: int = 0
-
-    def apply(self, session: Session, at: float) -> None:
-        session.hands.point(self.hand, self.x, self.y, at + DRAG_EVENT)
 
 
 @dataclass(frozen=True)

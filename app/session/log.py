@@ -295,11 +295,6 @@ def noted(simulation: sim.Simulation) -> np.ndarray:
     return positions[:: -(-len(positions) // NOTED)]
 
 
-def encode_entry(entry: Entry) -> bytes:
-    """One line, without its end."""
-    return encode_fields(entry)
-
-
 def encode_header(scene: sim.Scene, note: str = "") -> bytes:
     """The first line, without its end.
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 import sim
 from sim.body.system import same_topology
 from sim.methods.registry import METHODS
+from sim.store.files import encode_fields
 
 from . import log
 from .log import Entry
@@ -126,7 +127,7 @@ class Recorder:
         if not self._complete:
             self._go_on_from_here()
         self._settle()
-        end = log.encode_entry(log.check_of(self.simulation))
+        end = encode_fields(log.check_of(self.simulation))
         return b"\n".join([log.encode_header(self._scene, self._text), *self._lines, end, b""])
 
     def _note(self, entry: Entry) -> None:
@@ -160,7 +161,7 @@ class Recorder:
             self._write(entry, self._times)
 
     def _write(self, entry: Entry, times: int = 1) -> None:
-        line = log.encode_entry(entry)
+        line = encode_fields(entry)
         if times > 1:
             line = line[:-1] + b',"times":%d}' % times
         if self._lines:

@@ -203,11 +203,6 @@ class Session:
         return next((a.mass for a in self.simulation.anchors if a.driven), None)
 
     @property
-    def dragged(self) -> tuple[int, ...]:
-        """The masses in hand, in the order in which they were taken."""
-        return self.hands.masses
-
-    @property
     def following(self) -> int | None:
         """The mass that follows the pointer without a button."""
         return self.driven if self.follow else None
@@ -226,11 +221,6 @@ class Session:
     def stability(self) -> StabilityEstimate:
         """The last look at the stability limit."""
         return self.stability_watch.estimate
-
-    @property
-    def is_looking(self) -> bool:
-        """Whether `stability` is still to be that of the present body."""
-        return self.stability_watch.is_looking
 
     @property
     def heavy(self) -> bool:

@@ -55,7 +55,7 @@ COMMANDS: st.SearchStrategy[commands.Command] = st.one_of(
     st.builds(commands.SetChoice, st.just("method"), st.sampled_from(["rk4", "symplectic_euler"])),
     st.builds(commands.OwnValues, st.sampled_from(["body", "solver"])),
     st.builds(commands.DragStart, index, unit, unit),
-    st.builds(commands.DragTo, unit, unit),
+    st.builds(commands.Point, unit, unit, late=st.just(True)),
     st.builds(commands.DragEnd),
     st.builds(commands.Follow, st.booleans()),
     st.builds(commands.SelectJoint, index),

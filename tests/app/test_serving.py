@@ -261,7 +261,7 @@ def test_a_page_that_goes_in_the_middle_of_a_drag_is_forgotten(stage: Stage) -> 
         with stage.page():
             second = stage.new_tab(known)
             session_of(second).post(DragStart(3, 300.0, 250.0))
-            eventually(lambda: session_of(second).dragged == (3,))
+            eventually(lambda: session_of(second).hands.masses == (3,))
         eventually(lambda: set(stage.ticker.tabs) == known)
         steps = session_of(first).simulation.step_count
         eventually(lambda: session_of(first).simulation.step_count > steps)

@@ -160,10 +160,6 @@ class Posts:
     [
         (from_page.Keys(("up", "right")), commands.HoldKeys(frozenset({"up", "right"}))),
         (from_page.At(((0, 1.5, -0.5),)), commands.Point(450.0, 350.0)),
-        (
-            from_page.At(((2, 1.5, -0.5), (9, 0.0, 0.0))),
-            commands.Points((commands.Point(450.0, 350.0, 2), commands.Point(300.0, 300.0, 9))),
-        ),
         (from_page.Grab(2, 3, 1.5, -0.5), commands.DragStart(3, 450.0, 350.0, 2)),
         (from_page.Drop(2), commands.DragEnd(2)),
         (from_page.GoTo(12.5), commands.GoTo(12.5)),
@@ -178,6 +174,12 @@ def test_what_a_page_says_is_done(said: from_page.FromPage, posted: commands.Com
     session = Posts()
     Bare(session).hear(said)
     assert session.posted == [posted]
+
+
+def test_every_hand_is_pointed() -> None:
+    session = Posts()
+    Bare(session).hear(from_page.At(((2, 1.5, -0.5), (9, 0.0, 0.0))))
+    assert session.posted == [commands.Point(450.0, 350.0, 2), commands.Point(300.0, 300.0, 9)]
 
 
 def test_a_command_is_done_by_whom_the_table_says_and_needs_its_control() -> None:

@@ -298,7 +298,7 @@ def test_the_ringed_mass_follows_the_pointer_without_a_button(open_page: OpenPag
     steps = desk.simulation.step_count
     desk.until(lambda: desk.simulation.step_count > steps + 60, "time goes on")
     assert np.abs(desk.simulation.positions[0] - desk.scene_at(end)).max() < 1.5
-    assert not desk.session.dragged
+    assert not desk.session.hands.masses
 
     desk.page.keyboard.press("KeyF")
     desk.until(lambda: not desk.session.follow, "F stops following")

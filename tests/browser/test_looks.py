@@ -60,7 +60,7 @@ def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPa
     desk = open_page()
     desk.tell(commands.Play(False))
     x, y = desk.simulation.positions[0]
-    desk.tell(commands.DragStart(0, x, y), commands.DragTo(x + 1500.0, y), commands.DragEnd())
+    desk.tell(commands.DragStart(0, x, y), commands.Point(x + 1500.0, y, late=True), commands.DragEnd())
     desk.wait_drawn()
     assert not desk.uncovered(desk.place(0))
     desk.page.keyboard.press("0")

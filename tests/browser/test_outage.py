@@ -59,7 +59,7 @@ def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> Non
     # In the middle of a drag.
     start = desk.place(0)
     desk.take(start)
-    desk.until(lambda: desk.session.dragged == (0,), "the mass is in hand")
+    desk.until(lambda: desk.session.hands.masses == (0,), "the mass is in hand")
     old = desk._client
     between.mute = True
     desk.until(lambda: is_away(desk), "the page says so", limit=WITHIN)
@@ -75,7 +75,7 @@ def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> Non
     take_up(desk, old)
     desk.until(lambda: not is_away(desk), "the page is back")
     desk.until(lambda: desk.session.scene.gravity == (0.0, 900.0), "with what it had kept")
-    assert not desk.session.dragged
+    assert not desk.session.hands.masses
     assert desk.session.playing
     # The server has not kept the dead connection, of which nobody told it.
     desk.until(lambda: old not in desk.served.ticker.tabs, "the dead connection is gone")
@@ -92,7 +92,7 @@ def test_a_stall_ends_the_drag_and_keeps_the_connection(led: tuple[Desk, Wire]) 
     desk.page.keyboard.down("ArrowRight")
     start = desk.place(0)
     desk.take(start)
-    desk.until(lambda: desk.session.dragged == (0,), "the mass is in hand")
+    desk.until(lambda: desk.session.hands.masses == (0,), "the mass is in hand")
     between.held = True
     desk.until(lambda: is_away(desk), "the page says so", limit=WITHIN)
     desk.page.mouse.move(start[0] + 200.0, start[1])
@@ -100,7 +100,7 @@ def test_a_stall_ends_the_drag_and_keeps_the_connection(led: tuple[Desk, Wire]) 
     between.held = False
     desk.until(lambda: not is_away(desk), "the page is back")
     assert desk._client == old
-    desk.until(lambda: not desk.session.dragged, "the drag has ended")
+    desk.until(lambda: not desk.session.hands.masses, "the drag has ended")
     desk.page.mouse.move(start[0] + 250.0, start[1])
     desk.pause(0.5)
     assert abs(desk.place(0)[0] - start[0]) < 20.0

@@ -78,7 +78,7 @@ def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
     assert ghost.method == REFERENCE
     second = BetweenFrames(ghost.simulation)
     x, y = desk.simulation.positions[0].tolist()
-    desk.tell(commands.DragStart(0, x, y), commands.DragTo(x + 120.0, y))
+    desk.tell(commands.DragStart(0, x, y), commands.Point(x + 120.0, y, late=True))
     desk.until(lambda: ghost.worst > 0.01, "they part")
     desk.tell(commands.DragEnd())
     # Both were led to the same place.

@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from rich.console import Console
+from sim.analysis.ensemble import Member, Track, marks, run_ensemble
 
 import sim
 from app.cli import main
-from sim.analysis.ensemble import Member, Track, marks, run_ensemble
 from sim.methods.registry import METHODS
 from sim.motion.stability import largest_step
 from studies.stability import stability as command
