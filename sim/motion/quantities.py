@@ -172,7 +172,7 @@ def _lengths(simulation: Moving, springs: Indices) -> Floats:
 def _elongations(simulation: Moving, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
     rest = system.body.rest_length[rows] * state.controls[CONTROL_SCALE]
-    if system.body.strength.present:
+    if system.body.limits.present:
         rest = rest + state.set_length[rows]
     return _lengths(simulation, springs) - rest
 
@@ -183,7 +183,7 @@ def _tensions(simulation: Moving, springs: Indices) -> Floats:
     square = _soft_square(simulation, along)
     damping = body.damping[rows] * (rate * along.conj()).real / square
     tension = (body.stiffness[rows] + damping - state.rest_tension[rows] / np.sqrt(square)) * abs(along)
-    return np.where(state.broken[rows] > 0.0, 0.0, tension) if body.strength.present else tension
+    return np.where(state.broken[rows] > 0.0, 0.0, tension) if body.limits.present else tension
 
 
 def _bending(simulation: Moving, joints: Indices) -> Floats:

@@ -11,11 +11,11 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.damage import without_broken
 from ..body.stable_spring import clamp_stiffness
 from ..body.system import System, build_system, new_scratch, new_state, put_damage, refresh, same_topology
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
+from ..forces.limits import without_broken
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
@@ -116,7 +116,7 @@ class Simulation:
     def rest_angles(self) -> NDArray[np.float64]:
         """(J,) the present rest angle of each angular spring, in degrees in (-180, 180]."""
         angles = self._body.joint_rest + self._state.controls[CONTROL_SHIFT]
-        if self._body.strength.present:
+        if self._body.limits.present:
             angles = angles + self._state.set_angle
         return 180.0 - (180.0 - angles[self._system.joint_order]) % 360.0
 
@@ -476,7 +476,7 @@ class Simulation:
 
     def _lacks_room_for(self, damage: Damage | None) -> bool:
         """Whether the tables are those of a body that can have no damage."""
-        return damage is not None and not self._body.strength.present
+        return damage is not None and not self._body.limits.present
 
     def _rows(self) -> NDArray[np.float64]:
         """(4, n) x, y, vx and vy of the scene's masses; a copy."""
@@ -492,7 +492,7 @@ class Simulation:
         state, index = self._state, self._system.mass_index
         state.q[:] = state.v[:] = 0.0  # the padding, too
         state.x[index], state.y[index], state.vx[index], state.vy[index] = rows
-        if self._body.strength.present:
+        if self._body.limits.present:
             put_damage(state, self._system, damage)
 
     def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -520,7 +520,7 @@ class Simulation:
     @property
     def _needed(self) -> tuple[str, ...]:
         """Names of the compiled entry points without which NumPy moves the body."""
-        damage = FOR_DAMAGE if self._body.strength.present else ()
+        damage = FOR_DAMAGE if self._body.limits.present else ()
         return *needed_by(self.method), *damage
 
     def _new_stepper(self) -> Stepper:
@@ -541,7 +541,7 @@ class Simulation:
         # The scene as keys have made it, and the scale and the shift for which it was made.
         self._folded = (self._scene.rest_length_scale, 0.0), self._scene
         self._state.controls[:] = controls or self._folded[0]
-        if self._body.strength.present:
+        if self._body.limits.present:
             broken = self._state.broken
             system = self._whole
             if broken.any():

@@ -11,7 +11,6 @@ import subprocess
 import sys
 import urllib.request
 from pathlib import Path
-from types import SimpleNamespace
 
 import msgspec
 import numpy as np
@@ -20,7 +19,7 @@ import pytest
 
 import sim
 from app.cli import main
-from app.page.tab import Tab
+from app.page.tab import told_of_compiling
 from app.session.log import Keys, read_log
 from sim.compiling.compiler import EntryPoint
 from sim.errors import InputError
@@ -304,13 +303,8 @@ def test_a_cache_folder_that_cannot_be_written_is_said_once(
     assert result.stderr == f"softrod: the solver is {trouble}\n"
     assert softrod_here(capsys, "check", tmp_path / "file").stderr.count("anew") == 0
     # The page says it in the line that tells how far the compiler is.
-    page = SimpleNamespace(_all_ready=False, _wanted="", _compiler=None)
-    page._compiler = SimpleNamespace(progress=(3, 19), want=list, busy_with="forces")
-    session = SimpleNamespace(
-        simulation=SimpleNamespace(method="auto", plain=False), preparing="", note=lambda _: None
-    )
-    Tab._prepare(page, session)  # type: ignore[arg-type]
-    assert session.preparing == f"preparing forces: 3 of 19 parts ready; {trouble}"
+    assert told_of_compiling(3, 19, "forces", "") == f"preparing forces: 3 of 19 parts ready; {trouble}"
+    assert told_of_compiling(19, 19, "", "") == ""
 
 
 def test_check_notes_a_tolerance_that_is_coarse_for_its_body(
