@@ -212,7 +212,8 @@ def compute(
     references: dict[tuple[float, ...], ExactMotion] = {}
     limits: dict[tuple[float, ...], dict[str, float]] = {}
     done = 2 * len(scenes)
-    with ThreadPoolExecutor(os.cpu_count()) as pool:  # kernels release the GIL
+    pool = ThreadPoolExecutor(os.cpu_count())  # kernels release the GIL
+    try:
         exact = pool.map(lambda at: ExactMotion(at, duration), scenes.values())
         for key, reference in zip(scenes, exact, strict=True):
             references[key] = reference
@@ -232,6 +233,8 @@ def compute(
                 endings[cell], errors[cell] = references[keys[cell]].judge(track)
                 done += 1
                 report(done, total, method)
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 def _key(chart: Map, row: int, column: int) -> tuple[float, ...]:

@@ -99,6 +99,17 @@ def test_maps_have_the_border_where_the_limit_is(moving: sim.Scene) -> None:
     assert (made.limits["rk4"] > 1.2 * made.limits["symplectic_euler"]).all()
 
 
+def test_a_map_that_is_interrupted_keeps_the_cells_that_are_done(moving: sim.Scene) -> None:
+    def stop(done: int, of: int, what: str) -> None:
+        if what == "rk4":
+            raise KeyboardInterrupt
+
+    made = chart("dt", "stiffness", ((2e-3, 2e-2), (1e5, 1e6)), 4)
+    with pytest.raises(KeyboardInterrupt):
+        compute(moving, made, ["rk4"], 0.05, stop)
+    assert (made.endings["rk4"] != UNKNOWN).sum() == 1
+
+
 def test_endings_are_told_apart(moving: sim.Scene) -> None:
     scene = in_cell(moving, {})
     reference = ExactMotion(scene, 0.2)
