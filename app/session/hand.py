@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import sim
 from sim.errors import InputError
-from sim.motion.divergence import FARTHEST
+from sim.scene.numbers import MAX_COORDINATE
 
 from . import log
 
@@ -169,4 +169,4 @@ def finite(x: float, y: float) -> tuple[float, float]:
 
 
 def _clamp(coordinate: float) -> float:
-    return min(max(coordinate, -FARTHEST), FARTHEST)
+    return min(max(coordinate, -MAX_COORDINATE), MAX_COORDINATE)
