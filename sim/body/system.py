@@ -11,6 +11,7 @@ import numpy as np
 from ..forces.environment import new_environment
 from ..forces.joints import LAWS, NO_JOINTS
 from ..forces.limits import Limits, new_limits, without_broken
+from ..forces.term import read_only
 from ..kernels.core.roots import LEAST
 from ..kernels.core.tables import (
     CONTROL_SCALE,
@@ -371,7 +372,6 @@ def _body(
         rest_length=rest,
         joint_a=joint_a,
         joint_b=joint_b,
-        joint_stiffness=np.ascontiguousarray(strength),
         joint_rest=np.ascontiguousarray(rest_angle),
         torque_size=torque_size,
         torque_damping=torque_damping,
@@ -396,9 +396,7 @@ def _body(
             step=0.0 if method.adaptive or method.implicit else scene.integrator.dt,
         ),
     )
-    for _, array in body.arrays():
-        array.setflags(write=False)
-    return body, joint_order
+    return read_only(body), joint_order
 
 
 def _softening(scene: Scene) -> float:

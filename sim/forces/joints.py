@@ -503,6 +503,6 @@ class JointsTwin:
         springs = self._springs(x)
         s = springs[0].conj() * springs[1] * np.exp(-1j * self.rest_angle)
         torque, energy = self._law(s)
-        lengths = np.sqrt(self._square(springs).prod(0))  # |A||B|
+        lengths = np.sqrt(self._square(springs)).prod(0)  # |A||B|
         weight = self.stiffness if self._is_sine else self.stiffness * abs(s) / lengths  # as `blocks_of_law`
         return springs, weight * torque + self.damping * lengths * self.rates(x, v), weight * energy
