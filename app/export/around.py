@@ -14,7 +14,7 @@ import numpy as np
 
 from sim.forces.fillings import FillingRow
 from sim.forces.limits import leaking
-from sim.settings.environment import STILL_AIR
+from sim.scene.surroundings import STILL_AIR
 
 from ..drawing.looks import DENSE, HATCH, HEAD, PARTS, POINT, SIDE, STREAK, STREAKS, STROKE
 from ..drawing.sketch import Floats, Sketch

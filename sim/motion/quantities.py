@@ -11,21 +11,20 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..body.system import System
 from ..errors import InputError
 from ..forces.all import WITH_ENERGY
 from ..forces.joints import JointsTwin
 from ..forces.springs import SpringsTwin
 from ..kernels.core.tables import CONTROL_SCALE, State
 from ..scene.types import Scene
-from .energy import ENERGY_FIELDS
-
-if TYPE_CHECKING:
-    from .simulation import Simulation
+from .energy import ENERGY_FIELDS, EnergyBook
+from .stability import StabilityEstimate
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -37,6 +36,23 @@ _NAMED = {"kg m/s²": "N", "kg m²/s²": "J"}
 """Units that have a name, where lengths are in metres."""
 
 _NAME = re.compile(r"([a-z]+)(\d{1,9})?\.([a-z_]+)", re.ASCII)
+
+
+class Moving(Protocol):
+    """What is read of a body in motion; a `sim.Simulation` is one."""
+
+    @property
+    def tables(self) -> tuple[System, State]: ...
+    @property
+    def angles(self) -> Floats: ...
+    @property
+    def rest_angles(self) -> Floats: ...
+    @property
+    def time(self) -> float: ...
+    @property
+    def dt(self) -> float: ...
+    def energy(self) -> EnergyBook: ...
+    def stability(self) -> StabilityEstimate: ...
 
 
 @dataclass(frozen=True)
@@ -57,7 +73,7 @@ class Kind:
     what: str
     unit: str
     summary: str
-    values: Callable[[Simulation, Indices], Floats] = field(repr=False, compare=False)
+    values: Callable[[Moving, Indices], Floats] = field(repr=False, compare=False)
     vertical: bool = False
 
 
@@ -77,7 +93,7 @@ class Quantity:
     kind: Kind
     index: int
 
-    def read(self, simulation: Simulation) -> float:
+    def read(self, simulation: Moving) -> float:
         """Its present value.
 
         Raises:
@@ -119,7 +135,7 @@ def quantity(name: str, scene: Scene) -> Quantity:
 
 
 # ------------------------------------------------------------------------- how they are read
-def _masses(simulation: Simulation, masses: Indices) -> tuple[Vectors, Vectors]:
+def _masses(simulation: Moving, masses: Indices) -> tuple[Vectors, Vectors]:
     """Positions and velocities of masses."""
     system, state = simulation.tables
     x, v = _all_masses(state)
@@ -127,7 +143,7 @@ def _masses(simulation: Simulation, masses: Indices) -> tuple[Vectors, Vectors]:
     return x[slots], v[slots]
 
 
-def _speeds(simulation: Simulation, masses: Indices) -> Floats:
+def _speeds(simulation: Moving, masses: Indices) -> Floats:
     _, v = _masses(simulation, masses)
     return np.hypot(v.real, v.imag)
 
@@ -137,19 +153,19 @@ def _all_masses(state: State) -> tuple[Vectors, Vectors]:
     return state.x + 1j * state.y, state.vx + 1j * state.vy
 
 
-def _spring_rows(simulation: Simulation, springs: Indices) -> Indices:
+def _spring_rows(simulation: Moving, springs: Indices) -> Indices:
     """Rows of springs in the tables."""
     order = simulation.tables[0].spring_order
     return np.flatnonzero(order == springs[0]) if springs.size == 1 else np.argsort(order)[springs]
 
 
-def _lengths(simulation: Simulation, springs: Indices) -> Floats:
+def _lengths(simulation: Moving, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
     a, b = system.body.spring_a[rows], system.body.spring_b[rows]
     return np.hypot(state.x[b] - state.x[a], state.y[b] - state.y[a])
 
 
-def _elongations(simulation: Simulation, springs: Indices) -> Floats:
+def _elongations(simulation: Moving, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
     rest = system.body.rest_length[rows] * state.controls[CONTROL_SCALE]
     if system.body.limits.present:
@@ -157,34 +173,34 @@ def _elongations(simulation: Simulation, springs: Indices) -> Floats:
     return _lengths(simulation, springs) - rest
 
 
-def _pulls(simulation: Simulation, springs: Indices) -> Floats:
+def _pulls(simulation: Moving, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
     pulls = SpringsTwin(system.body, state, rows).pulls(*_all_masses(state))
     return np.where(state.broken[rows] > 0.0, 0.0, pulls) if system.body.limits.present else pulls
 
 
-def _joints(simulation: Simulation, joints: Indices) -> tuple[JointsTwin, tuple[Vectors, Vectors]]:
+def _joints(simulation: Moving, joints: Indices) -> tuple[JointsTwin, tuple[Vectors, Vectors]]:
     """Some joints, and the positions and velocities of all masses."""
     system, state = simulation.tables
     return JointsTwin(system.body, state, system.joint_order[joints]), _all_masses(state)
 
 
-def _bending(simulation: Simulation, joints: Indices) -> Floats:
+def _bending(simulation: Moving, joints: Indices) -> Floats:
     """Rates at which angles grow, radians/s."""
     twin, masses = _joints(simulation, joints)
     return twin.rates(*masses)
 
 
-def _torques(simulation: Simulation, joints: Indices) -> Floats:
+def _torques(simulation: Moving, joints: Indices) -> Floats:
     twin, masses = _joints(simulation, joints)
     return twin.torques(*masses)
 
 
-def _of_energy(name: str) -> Callable[[Simulation, Indices], Floats]:
+def _of_energy(name: str) -> Callable[[Moving, Indices], Floats]:
     return lambda simulation, _: np.array([getattr(simulation.energy(), name)])
 
 
-def _over_limit(simulation: Simulation, _: Indices) -> Floats:
+def _over_limit(simulation: Moving, _: Indices) -> Floats:
     return np.array([simulation.dt / simulation.stability().limit])
 
 
