@@ -257,10 +257,8 @@ def refresh(body: Body, state: State) -> None:
     state.torque_cos[joints] = body.joint_stiffness * np.cos(rest)
     state.torque_sin[joints] = body.joint_stiffness * np.sin(rest)
     if body.ring and body.joints:
-        state.torque_cos[0], state.torque_sin[0] = (
-            state.torque_cos[body.joints],
-            state.torque_sin[body.joints],
-        )
+        state.torque_cos[0] = state.torque_cos[body.joints]
+        state.torque_sin[0] = state.torque_sin[body.joints]
 
 
 def new_scratch(system: System) -> Scratch:

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.core.blocks import add_block, minus, outer, plus, scaled
+from ..kernels.core.blocks import add_block, from_left, minus, outer, plus, scaled
 from ..kernels.core.tables import SHORTEST_SQUARED, Body, State
 from ..kernels.core.vectors import deflection, from_to, inverse_of, length_of
 from ..kernels.engine.jit import FAST, kernel
@@ -283,31 +283,21 @@ def joint_blocks(
     if damping > 0.0:
         strength = damping * product
         # dV/dt is the turning rate of b minus that of a; the turning rate of a spring is -normal . rate.
-        turning = (
-            normal_a[0] * rate_a[0]
-            + normal_a[1] * rate_a[1]
-            - normal_b[0] * rate_b[0]
-            - normal_b[1] * rate_b[1]
-        )
+        turning = normal_a[0] * rate_a[0] + normal_a[1] * rate_a[1]
+        turning = turning - normal_b[0] * rate_b[0] - normal_b[1] * rate_b[1]
         torque = strength * turning
         by_a = (g * strength * normal_a[0], g * strength * normal_a[1])
         by_b = (-g * strength * normal_b[0], -g * strength * normal_b[1])
         if not definite:
+            longer_a, longer_b = damping * len_b * inv_a * turning, damping * len_a * inv_b * turning
+            turned_a, turned_b = from_left(rate_a, turn_a), from_left(rate_b, turn_b)
             by_a = (
-                by_a[0]
-                + damping * len_b * inv_a * turning * a[0]
-                + strength * (turn_a[0] * rate_a[0] + turn_a[2] * rate_a[1]),
-                by_a[1]
-                + damping * len_b * inv_a * turning * a[1]
-                + strength * (turn_a[1] * rate_a[0] + turn_a[3] * rate_a[1]),
+                by_a[0] + longer_a * a[0] + strength * turned_a[0],
+                by_a[1] + longer_a * a[1] + strength * turned_a[1],
             )
             by_b = (
-                by_b[0]
-                + damping * len_a * inv_b * turning * b[0]
-                - strength * (turn_b[0] * rate_b[0] + turn_b[2] * rate_b[1]),
-                by_b[1]
-                + damping * len_a * inv_b * turning * b[1]
-                - strength * (turn_b[1] * rate_b[0] + turn_b[3] * rate_b[1]),
+                by_b[0] + longer_b * b[0] - strength * turned_b[0],
+                by_b[1] + longer_b * b[1] - strength * turned_b[1],
             )
             aa = minus(aa, scaled(torque, turn_a))
             bb = plus(bb, scaled(torque, turn_b))

@@ -70,19 +70,9 @@ def spring_forces(body, state, scratch, x, y, vx, vy):
         )  # fmt: skip
     else:
         _tensions(
-            springs,
-            lx,
-            ly,
-            dvx,
-            dvy,
-            inverse,
-            state.rest_tension,
-            body.stiffness,
-            body.damping,
-            scratch.torque_at,
-            tx,
-            ty,
-        )
+            springs, lx, ly, dvx, dvy, inverse, state.rest_tension, body.stiffness, body.damping,
+            scratch.torque_at, tx, ty,
+        )  # fmt: skip
     if body.joint_damped:
         joint_friction(body, lx, ly, dvx, dvy, inverse, scratch.turning, scratch.friction)
         at_springs(body, scratch.friction, scratch.friction_at, -1.0)
