@@ -152,23 +152,17 @@ class User:
         self.number = gui.add_number("number", 1.5)
         self.slider = gui.add_slider("slider", 0.0, 10.0, 0.1, 5.0)
         self.checkbox = gui.add_checkbox("checkbox", False)
-        self.color = gui.add_rgb("color", (1, 2, 3))
         self.vector = gui.add_vector3("vector", (0.0, 0.0, 0.0))
         self.button = gui.add_button("button")
         self.upload = gui.add_upload_button("upload")
         self.command = gui.add_command("command")
-        self.ball = scene.add_icosphere("/ball")
         self.gizmo = scene.add_transform_controls("/gizmo")
-        for name in ("text", "number", "slider", "checkbox", "color", "vector"):
+        for name in ("text", "number", "slider", "checkbox", "vector"):
             getattr(self, name).on_update(self._recorder(name, lambda event: event.target.value))
         self.button.on_click(self._recorder("button", lambda event: event.client_id))
-        self.button.on_hold(callback_hz=20.0)(self._recorder("hold", lambda event: event.client_id))
         self.upload.on_upload(self._recorder("upload", lambda event: event.target.value))
         self.command.on_trigger(self._recorder("command", lambda event: event.client_id))
-        self.ball.on_click(self._recorder("click", lambda event: event.instance_index))
-        self.ball.on_drag("left")(self._recorder("drag", lambda event: (event.phase, event.end_position)))
         self.gizmo.on_update(self._recorder("gizmo", lambda event: tuple(event.target.position)))
-        scene.on_click()(self._recorder("scene click", lambda event: event.screen_pos))
 
     def _recorder(self, name: str, value: Callable[[Any], Any]) -> Callable[[Any], Any]:
         async def record(event: Any) -> None:
