@@ -9,7 +9,7 @@
 import { make, makeButton } from "../looks/dialog.js";
 import { editing, onEditing } from "./editing.js";
 import { isFree, swallow } from "../hands/keys.js";
-import { SVG } from "../body/overlay.js";
+import { makeSvg, set } from "../body/overlay.js";
 import { screen } from "../body/screen.js";
 import { kept, store } from "../files/storage.js";
 import { onUnderlay } from "../body/underlay.js";
@@ -174,7 +174,7 @@ export function addTracing() {
     row.scrollIntoView({ block: "nearest", inline: "start" }); // on a phone, the bar is longer than it shows
   });
 
-  const image = document.createElementNS(SVG, "image");
+  const image = makeSvg("image", "");
   image.setAttribute("preserveAspectRatio", "none");
   onUnderlay(({ on }, svg) => {
     if (!picture) {
@@ -182,13 +182,10 @@ export function addTracing() {
       return;
     }
     if (svg.firstChild !== image) svg.prepend(image);
-    if (image.getAttribute("href") !== picture.data) image.setAttribute("href", picture.data);
     const wide = picture.width * on.step;
     const high = wide * picture.ratio;
     const [x, y] = [on.x + picture.x * on.step - wide / 2, on.y - picture.y * on.step - high / 2];
-    for (const [name, value] of Object.entries({ x, y, width: wide, height: high, opacity: picture.opacity })) {
-      image.setAttribute(name, value.toFixed(2));
-    }
+    set(image, { href: picture.data, x, y, width: wide, height: high, opacity: picture.opacity });
   });
   listen(() => picture, put, () => {
     moving = false;
