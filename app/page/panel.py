@@ -26,7 +26,7 @@ from .controls import Controls
 from .edit.selection_panel import SelectionPanel
 from .looks import readouts
 from .measure.plot_list import PlotList
-from .play_panel import PlayPanel
+from .play_panel import LAST, PlayPanel
 from .scenes.lesson_panel import LessonPanel
 from .solver.solver_panel import SolverPanel
 from .viser.choice_box import ChoiceBox
@@ -39,9 +39,6 @@ FOREMOST = (
     "yield_force", "rest_angle", "template", "bend", "angular_stiffness", "linear_stiffness", "gravity",
 )  # fmt: skip
 """Settings that make most of a scene, in order; the first two that there is a use for stand at the top."""
-
-LAST = 1e6
-"""Order of what stands below the sliders, which come and go."""
 
 SOLVER_DIALS = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""

@@ -137,7 +137,7 @@ class Canvas:
             force: send even the smallest movement, so that a paused picture is exact.
         """
         sketch = self.sketch
-        if sketch is None or (self._is_drawn(picture) if force else self._is_still(picture)):
+        if sketch is None or self._is_drawn(picture, exactly=force):
             return False
         self._drawn = picture
         with self._client.atomic():
@@ -161,10 +161,9 @@ class Canvas:
         ghost = self._damaged.ghost_broken if self._damaged is not None else ()
         if ghost != picture.ghost_broken or broken_of(known) != broken_of(picture.damage):
             return False
-        if exactly or known is None or picture.damage is None or self.sketch is None:
+        if exactly or known is None or picture.damage is None:
             return known == picture.damage
-        pixel = 1.0 / (100.0 * self.sketch.mapping.scale)
-        return _near(known.set_lengths, picture.damage.set_lengths, STILL * pixel) and _near(
+        return _near(known.set_lengths, picture.damage.set_lengths, STILL * self._pixel) and _near(
             known.set_angles, picture.damage.set_angles, 0.5
         )
 
@@ -175,32 +174,26 @@ class Canvas:
         elif not wanted and "/body/ghost" in self._nodes:
             self._nodes.pop("/body/ghost").remove()
 
-    def _is_drawn(self, picture: Picture) -> bool:
-        """Whether exactly this was drawn last."""
-        drawn = self._drawn
-        if drawn is None or (drawn.ghost is None) != (picture.ghost is None):
-            return False
-        if not self._same_damage(picture, exactly=True):
-            return False
-        ghosts = picture.ghost is None or np.array_equal(drawn.ghost, picture.ghost)  # type: ignore[arg-type]
-        numbers, before = ((p.time, p.rest_length_scale, p.rest_angle_shift) for p in (picture, drawn))
-        return ghosts and numbers == before and np.array_equal(drawn.positions, picture.positions)
-
-    def _is_still(self, picture: Picture) -> bool:
+    def _is_drawn(self, picture: Picture, exactly: bool) -> bool:
+        """Whether this was drawn last, to what can be seen or exactly."""
         drawn, sketch = self._drawn, self.sketch
         if drawn is None or sketch is None or drawn.positions.shape != picture.positions.shape:
             return False
-        if (drawn.ghost is None) != (picture.ghost is None):
+        if (drawn.ghost is None) != (picture.ghost is None) or not self._same_damage(picture, exactly):
             return False
-        if not self._same_damage(picture, exactly=False):
-            return False
-        pixel = 1.0 / (100.0 * sketch.mapping.scale)  # the frame is 6 units, or 600 pixels, long
         moved = np.abs(picture.positions - drawn.positions).max(initial=0.0)
         if drawn.ghost is not None and picture.ghost is not None:
             moved = max(moved, np.abs(picture.ghost - drawn.ghost).max(initial=0.0))
         turned = abs(picture.rest_angle_shift - drawn.rest_angle_shift)
         grown = abs(picture.rest_length_scale / drawn.rest_length_scale - 1.0)
-        return bool(moved < STILL * pixel and turned < 0.5 and grown < 1e-3)
+        if exactly:
+            return picture.time == drawn.time and not (moved or turned or grown)
+        return bool(moved < STILL * self._pixel and turned < 0.5 and grown < 1e-3)
+
+    @property
+    def _pixel(self) -> float:
+        """A pixel of a frame that is 600 of them long, in px of the scene."""
+        return 1.0 / (100.0 * self.sketch.mapping.scale) if self.sketch is not None else 1.0
 
     def _clear(self) -> None:
         for node in self._nodes.values():

@@ -7,7 +7,7 @@ import { editing } from "./editing.js";
 import { sight } from "../body/overlay.js";
 import { jointAt, rounded, springAt } from "./pick.js";
 import { massAt } from "../hands/pointer.js";
-import { worldAt } from "../body/screen.js";
+import { wireNumber, worldAt } from "../body/screen.js";
 
 /**
  * @typedef {import("./pick.js").Place} Place
@@ -73,7 +73,7 @@ export function snapped(at, free) {
 export function world(at) {
   const seen = sight();
   const point = seen ? worldAt(at, seen.on) : { x: 0, y: 0 };
-  return [Number(point.x.toFixed(6)), Number(point.y.toFixed(6))];
+  return [wireNumber(point.x), wireNumber(point.y)];
 }
 
 /** The direction of a place from a mass, degrees anticlockwise. @param {number} mass @param {Place} at */

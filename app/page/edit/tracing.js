@@ -8,6 +8,7 @@
  */
 import { make, makeButton } from "../looks/dialog.js";
 import { editing, onEditing } from "./editing.js";
+import { ARROWS } from "../hands/key_table.js";
 import { isFree, swallow } from "../hands/keys.js";
 import { makeSvg, set } from "../body/overlay.js";
 import { screen } from "../body/screen.js";
@@ -22,8 +23,6 @@ const LONGEST = 1600;
 const MOST = 2_500_000;
 /** Width at first, and the range of the slider, in the world: a scene's frame is 6 wide. */
 const [FIRST, NARROWEST, WIDEST] = [5, 0.5, 30];
-/** @type {Record<string, [number, number]>} */
-const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 /** Milliseconds without a change after which it is stored. */
 const STORE_AFTER = 300;
 /** What does something else with the arrows. */
@@ -241,7 +240,7 @@ function listen(present, put, stop) {
   }
   window.addEventListener("keydown", (event) => {
     const now = present();
-    const way = MOVES[event.key];
+    const way = ARROWS[event.key];
     const { target } = event;
     if (!moving || !now || !isFree(event)) return;
     if (event.key === "Escape") {
