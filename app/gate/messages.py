@@ -6,8 +6,8 @@ reads exactly what was checked, however oddly the original bytes were put togeth
 
 The names and fields are those of viser 1.1.1; a test compares them with viser's own. Left out on purpose:
 share requests (they open a public tunnel), form messages (viser stores and repeats them to every tab),
-clicks and drags of the scene and buttons that are held (the script has its own), render and local storage
-answers (never asked for), and everything only a server sends.
+clicks and drags of the scene, buttons that are held and uploads (the script has its own), render and local
+storage answers (never asked for), and everything only a server sends.
 """
 
 import sys
@@ -19,15 +19,12 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta, Struct
 
-UPLOAD_PART_BYTES = 512 * 1024
-"""Size of every part of an upload but the last (viser 1.1.1, client/src/components/UploadButton.tsx)."""
-
 MAX_MESSAGE_BYTES = 64 * 1024
-"""Limit for any message but an upload part. A pose or a slider needs under 400 bytes; the rest is room for
-a long text pasted into a text field."""
+"""Limit for any message. A pose or a slider needs under 400 bytes; the rest is room for a part of a long
+text, and for one that is pasted into a text field."""
 
-MAX_FRAME_BYTES = UPLOAD_PART_BYTES + 4 * 1024
-"""Limit for whatever arrives: an upload part and its identifiers."""
+MAX_FRAME_BYTES = 2 * MAX_MESSAGE_BYTES
+"""Limit for whatever arrives; beyond it the connection is cut."""
 
 Reason = Literal[
     # Why a request was answered by the gate instead of viser.
@@ -43,8 +40,6 @@ Reason = Literal[
     "type",
     "content",
     "handle",
-    "upload",
-    "oversized upload",
     # Why a connection was cut.
     "frames",
 ]
@@ -117,22 +112,6 @@ class TransformControlsDragEndMessage(PageMessage):
     owner: _Name
 
 
-class FileTransferStartUpload(PageMessage):
-    source_component_uuid: _Name
-    transfer_uuid: _Name
-    filename: _Name
-    mime_type: _Name
-    part_count: _Count
-    size_bytes: _Count
-
-
-class FileTransferPart(PageMessage):
-    source_component_uuid: _Name
-    transfer_uuid: _Name
-    part_index: _Count
-    content: bytes
-
-
 class SoftrodMessage(PageMessage):
     """What the page's own script says: JSON, which `app.wire` reads and checks."""
 
@@ -154,7 +133,6 @@ class _Head(Struct):
 
 
 _any_message: msgspec.msgpack.Decoder[PageMessage] = msgspec.msgpack.Decoder(reduce(or_, PAGE_MESSAGES))
-_upload_part = msgspec.msgpack.Decoder(FileTransferPart)
 _head = msgspec.msgpack.Decoder(_Head)
 _encode = msgspec.msgpack.Encoder().encode
 
@@ -165,10 +143,7 @@ _UNREADABLE = (msgspec.MsgspecError, UnicodeDecodeError, RecursionError)
 def read(data: bytes) -> PageMessage:
     """Decode a message, or raise Refused saying why viser must not see it."""
     if len(data) > MAX_MESSAGE_BYTES:
-        try:
-            return _upload_part.decode(data)
-        except _UNREADABLE:
-            raise Refused("size") from None
+        raise Refused("size")
     try:
         return _any_message.decode(data)
     except _UNREADABLE:

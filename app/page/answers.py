@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import re
 import threading
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -20,6 +20,7 @@ from ..wire.to_page import Resumed
 from .controls import Controls
 from .edit.edits import Edits
 from .files import keeping
+from .files.files_panel import open_file
 from .files.sharing import Sharing
 from .scenes.gallery import Gallery
 from .scenes.shelf import Shelf
@@ -60,12 +61,12 @@ class Answers:
         for_others: Callable[[str], str],
         scenes: Shelf,
     ) -> None:
-        self._mail, self._shelf = mail, scenes
+        self._session, self._mail, self._shelf = session, mail, scenes
         self.sharing = Sharing(session, mail, notify, show, for_others)
         self.gallery = Gallery(session, mail, notify, scenes)
         self.edits = Edits(session, mail, notify)
         self._notify, self._resume = notify, resume
-        self._parts = {"resume": keeping.Parts(), "link": keeping.Parts(), "paste": keeping.Parts()}
+        self._parts: defaultdict[str, keeping.Parts] = defaultdict(keeping.Parts)
         self._line = InOrder()
 
     def ask(self, ask: from_page.Ask) -> None:
@@ -84,6 +85,9 @@ class Answers:
             return
         if part.kind == "link":
             self._line.submit(self.sharing.open, letters)
+        elif part.kind == "file":
+            if "files" in controls:
+                self._line.submit(open_file, self._session, self._notify, letters)
         elif part.kind == "paste":
             if "edit" in controls:
                 self._line.submit(self.edits.paste, letters)
@@ -111,7 +115,7 @@ class Answers:
 
 
 UNSENT = "It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses."
-_DONE = {"resume": "resumed", "link": "opened", "paste": "pasted"}
+_DONE = {"resume": "resumed", "link": "opened", "file": "opened", "paste": "pasted"}
 
 
 def unread(text: str) -> Notice:

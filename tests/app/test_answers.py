@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import base64
 import threading
+import zlib
 from pathlib import Path
 
 import pytest
@@ -116,3 +118,26 @@ def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
     answering = answers.Answers(page.session, page.letters, print, print, print, str, Shelf(owned=True))
     answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="), controls.ALL)
     assert page.letters.sent == [Resumed()]
+
+
+def test_a_file_is_opened_where_there_is_a_share_tab_and_a_broken_one_is_told() -> None:
+    page, told = Page(), threading.Event()
+    notices: list[Notice] = []
+
+    def notify(notice: Notice) -> None:
+        notices.append(notice)
+        told.set()
+
+    answering = answers.Answers(page.session, page.letters, notify, print, print, str, Shelf(owned=True))
+
+    def say(name: str, data: bytes) -> Part:
+        return Part("file", 1, 1, f"{name}:{base64.b64encode(zlib.compress(data)).decode()}")
+
+    answering.take(say("hidden.json", b"{"), controls.Controls(("play",)))
+    answering.take(say("rod%20one.json", files.encode_scene(sim.load_scene("rod"))), controls.ALL)
+    answering.take(say("b%C3%A4d.json", b"{"), controls.ALL)
+    assert told.wait(LIMIT)
+    page.session.drain()
+    assert page.session.scene.name == "rod"
+    assert [notice.title for notice in notices] == ["That did not work"]
+    assert notices[0].text.startswith("bäd.json: ")

@@ -69,7 +69,6 @@ HONEST: dict[str, tuple[Callable[[User], dict[str, Any]], tuple[str, Any]]] = {
     "gizmo": (gizmo, ("gizmo", (0.5, 1.0, 2.5))),
     "gizmo start": (lambda user: gizmo_end(user, "Start"), ("gizmo", (0.0, 0.0, 0.0))),
     "gizmo end": (lambda user: gizmo_end(user, "End"), ("gizmo", (0.0, 0.0, 0.0))),
-    "empty upload": (lambda user: user.upload_start(0), ("upload", viser.UploadedFile("scene.json", b""))),
 }
 HONEST_BY_CLIENT = {
     "button": lambda user: user.update(user.button, True),
@@ -158,7 +157,8 @@ HOSTILE: dict[str, tuple[str, Callable[[User], Any]]] = {
     "bytes": ("content", sets("text", b"x")),
     "nothing": ("content", sets("text", None)),
     "nested": ("content", sets("vector", [[0, 0], 0, 0])),
-    "value for an upload button": ("handle", sets("upload", "x")),
+    "upload": ("type", lambda user: {"type": "FileTransferStartUpload", "size_bytes": 10}),
+    "part of an upload": ("type", lambda user: {"type": "FileTransferPart", "content": b"x"}),
     "NaN in a camera": ("content", lambda user: {**CAMERA, "fov": NAN}),
     "infinity in a camera": ("content", lambda user: {**CAMERA, "position": [0, INF, 0]}),
     "short camera": ("content", lambda user: {**CAMERA, "position": [0, 1]}),
@@ -291,9 +291,8 @@ def test_shared_handles_are_within_reach_of_all(sandbox: Sandbox) -> None:
 def test_a_page_that_has_not_reported_its_camera_harms_nobody(sandbox: Sandbox) -> None:
     honest = sandbox.user()
     early = sandbox.page()
-    early.send(honest.upload_start(6_000_000), honest.update(honest.slider, 1.0), trigger(honest))
-    assert eventually(lambda: sandbox.server.gate.refused["handle"] == 2)
-    assert not sandbox.oversized
+    early.send(honest.update(honest.slider, 1.0), trigger(honest))
+    assert eventually(lambda: sandbox.server.gate.refused["handle"] == 1)
     assert honest.is_quiet()
 
 

@@ -7,8 +7,8 @@ unless a scene was read and found valid.
 from __future__ import annotations
 
 import html
+import urllib.parse
 from collections.abc import Callable
-from typing import Any
 
 import viser
 
@@ -21,6 +21,7 @@ from sim.store.places import as_utf8
 from ...session import commands, log
 from ...session.session import Notice, Session
 from ..scenes.shelf import Shelf
+from . import keeping
 
 ABOUT_LOGS = (
     '<div class="softrod-text">A log is all that was done since the start or the last reset; opened as a '
@@ -63,9 +64,7 @@ class FilesPanel:
         link = gui.add_button("Share by a link", icon=viser.Icon.LINK, color="gray")
         download = gui.add_button("Download as a file", icon=viser.Icon.DOWNLOAD, color="gray")
         save_log = gui.add_button("Save a log", icon=viser.Icon.HISTORY, color="gray")
-        upload = gui.add_upload_button(
-            "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json,.jsonl"
-        )
+        gui.add_button("Open a file", icon=viser.Icon.UPLOAD, color="gray")  # the script acts on it
         gui.add_html(ABOUT_LOGS)
         for button, action in (
             (save, self._save),
@@ -77,11 +76,6 @@ class FilesPanel:
             @button.on_click
             def _(_: object, action: Callable[[], None] = action) -> None:
                 self._try(action)
-
-        @upload.on_upload
-        def _(event: viser.GuiEvent[Any]) -> None:
-            file = upload.value
-            self._try(lambda: self._open_bytes(file.content, file.name))
 
     def build(self) -> None:
         """Offer the scene's name; what its user typed stays, until the scene has another one."""
@@ -120,16 +114,6 @@ class FilesPanel:
         name, data = self._session.scene.name, self._session.log_file()
         self._client.send_file_download(f"{name}-log.jsonl", data, save_immediately=True)
 
-    def _open_bytes(self, data: bytes, name: str) -> None:
-        try:
-            data = as_utf8(data)
-        except UnicodeError as error:
-            raise InputError(f"{name}: {error}") from None
-        if log.is_recorded(data):
-            self._session.post(commands.Replay(log.decode_log(data, name)))
-        else:
-            self._session.post(commands.Open(files.decode_scene(data, name)))
-
     def _confirm(self, question: str, verb: str, action: Callable[[], None]) -> None:
         with self._client.gui.add_modal("Are you sure?") as modal:
             self._client.gui.add_html(f'<div class="softrod-text">{html.escape(question)}</div>')
@@ -144,3 +128,25 @@ class FilesPanel:
         @no.on_click
         def _(_: object) -> None:
             modal.close()
+
+
+def open_file(session: Session, notify: Callable[[Notice], None], letters: str) -> None:
+    """Open a scene or a log that a page sends, or say why not.
+
+    Args:
+        session: of the page.
+        notify: tells the user something.
+        letters: the file's name as in an address, a colon, and the file as `keeping.unpacked` takes it.
+    """
+    quoted, _, packed = letters.partition(":")
+    name = urllib.parse.unquote(quoted)[:255]
+    try:
+        data = as_utf8(keeping.unpacked(packed))
+        if log.is_recorded(data):
+            session.post(commands.Replay(log.decode_log(data, name)))
+        else:
+            session.post(commands.Open(files.decode_scene(data, name)))
+    except (SceneError, InputError) as error:
+        notify(Notice("error", "That did not work", str(error)))
+    except ValueError as error:
+        notify(Notice("error", "That did not work", f"{name}: {error}"))
