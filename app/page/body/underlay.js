@@ -2,7 +2,7 @@
 /**
  * Behind the body: the grid, walls, how far contact reaches, what fills its loops, and the wind.
  */
-import { moving, standing, streaks } from "../../drawing/static/around.js";
+import { moving, standing, streaks } from "../../drawing/static/environment.js";
 import { LAYERS } from "../../drawing/static/looks.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "../../wire/channel.js";

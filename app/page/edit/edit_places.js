@@ -1,6 +1,6 @@
 // @ts-check
 /** Where things are for an edit: what is under the pointer, the nearest crossing of the grid, directions and distances. */
-import { gridStep } from "../../drawing/static/around.js";
+import { gridStep } from "../../drawing/static/environment.js";
 import { shown } from "../body/canvas.js";
 import { told } from "../../wire/channel.js";
 import { editing } from "./editing.js";
