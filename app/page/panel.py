@@ -183,10 +183,10 @@ class Panel:
     def _add_palette_commands(self) -> None:
         """The table of commands, for the command palette; the page's script acts on the keys themselves."""
         for name, row in COMMANDS.items():
-            if not row.palette or (row.needs and row.needs not in self._controls):
+            if not row.listed or (row.needs and row.needs not in self._controls):
                 continue
             keys = " or ".join(row.keys)
-            held = ", held" if row.where == "held" else ""
+            held = ", held" if row.held else ""
             command = self._client.gui.add_command(
                 row.label, description=f"key {keys}{held}" if keys else None
             )

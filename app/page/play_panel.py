@@ -84,12 +84,10 @@ class PlayPanel:
 
     def refresh_controls(self) -> None:
         """Show in the switch what keys or commands changed."""
-        if self._follow is not None and self._follow.value != self._session.follow:
+        if self._follow is not None:
             self._follow.value = self._session.follow
 
     def refresh_readouts(self) -> None:
         """Show the angle as it is now."""
         if self._readout is not None:
-            content = readouts.joint_table(self._session)
-            if self._readout.content != content:
-                self._readout.content = content
+            self._readout.content = readouts.joint_table(self._session)

@@ -222,7 +222,7 @@ class Tab:
         """Do a command of the table, if the page has the control that it needs."""
         row, session = COMMANDS[command], self._session
         does = row.does
-        if session is None or (row.needs and row.needs not in self._controls) or does == "elsewhere":
+        if session is None or (row.needs and row.needs not in self._controls) or does in ("edit", "own"):
             return
         if does == "page":
             self._mail.tell(Run(command=command))

@@ -150,10 +150,10 @@ class SelectionPanel:
             shown = {each.of: each for each in numbers_of(scene, selection)}
             for row in self._rows:
                 row.take(shown.get(row.of), another)
-            _set(self._proportions, "visible", any(each.note == "mixed" for each in shown.values()))
-            _set(self._holding, "visible", bool(selection.masses))
-            _set(folder, "label", described(selection))
-            _set(folder, "visible", True)
+            self._proportions.visible = any(each.note == "mixed" for each in shown.values())
+            self._holding.visible = bool(selection.masses)
+            folder.label = described(selection)
+            folder.visible = True
         for row in self._rows:
             row.show()
 
@@ -232,14 +232,14 @@ class _Row:
     def take(self, shown: Shown | None, another: bool) -> None:
         """Have other numbers to show, or none; of other parts, whatever is being typed."""
         self._shown = shown
-        _set(self._box, "visible", shown is not None)
+        self._box.visible = shown is not None
         if shown is None:
             return
-        _set(self._box, "label", f"{self.of.label} ({shown.note})" if shown.note else self.of.label)
+        self._box.label = f"{self.of.label} ({shown.note})" if shown.note else self.of.label
         if another:
             self._touched = -math.inf
             size = abs(shown.value)
-            _set(self._box, "step", 10.0 ** (math.floor(math.log10(size)) - 1) if size > 1e-6 else 0.1)
+            self._box.step = 10.0 ** (math.floor(math.log10(size)) - 1) if size > 1e-6 else 0.1
 
     def show(self) -> None:
         """Show what is set, if that is not what its user is just typing."""
@@ -248,8 +248,3 @@ class _Row:
         value = self._shown.value
         if time.monotonic() - self._touched >= TOUCHED and not alike(value, self._box.value):
             self._box.value = rounded(value)
-
-
-def _set(handle: Any, attribute: str, value: object) -> None:
-    if getattr(handle, attribute) != value:
-        setattr(handle, attribute, value)

@@ -39,6 +39,4 @@ class ChoiceBox:
 
     def show(self, scene: Scene) -> None:
         """Show what the scene has."""
-        label = self._choice.options[self._choice.read(scene)]
-        if self.handle.value != label:
-            self.handle.value = label
+        self.handle.value = self._choice.options[self._choice.read(scene)]

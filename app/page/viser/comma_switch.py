@@ -48,5 +48,4 @@ class CommaSwitch:
         """Choose, and show it everywhere."""
         self.on = on
         for switch in self._shown:
-            if switch.value != on:
-                switch.value = on
+            switch.value = on
