@@ -7,7 +7,6 @@ masses (canvas.js). A frame in which nothing moved by a tenth of a pixel is not 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,8 @@ from ...drawing.colors import palette
 from ...drawing.plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
 from ...drawing.shapes import meshes
 from ...drawing.sketch import Z_GIZMO, Floats, Sketch
+from ...session import commands
+from ...session.hand import GIZMO
 from ...session.session import Session
 from ...wire.carrier import Mail
 from ...wire.to_page import Damage, Frame, Plan
@@ -34,28 +35,20 @@ MAX_GIZMOS = 12
 _FLAT: dict[str, Any] = {"material": "toon3", "lod": "off", "cast_shadow": False, "receive_shadow": False}
 
 
-@dataclass(frozen=True)
-class Touch:
-    """What the user's hand did to a gizmo; positions in px."""
-
-    phase: str  # start, update, end
-    mass: int
-    x: float
-    y: float
-
-
 class Canvas:
     """The nodes of one page.
 
     Args:
         client: the page.
         mail: to its script.
-        on_touch: hears of gizmos that are dragged, on viser's event loop; it must not block.
+        post: hands on commands, as a gizmo is dragged, on viser's event loop; it must not block.
     """
 
-    def __init__(self, client: viser.ClientHandle, mail: Mail, on_touch: Callable[[Touch], None]) -> None:
+    def __init__(
+        self, client: viser.ClientHandle, mail: Mail, post: Callable[[commands.Command], None]
+    ) -> None:
         self._client, self._mail = client, mail
-        self._on_touch = on_touch
+        self._post = post
         self._nodes: dict[str, Any] = {}
         self._gizmos: list[tuple[int, viser.TransformControlsHandle]] = []
         self._built: tuple[Any, ...] = ()
@@ -80,14 +73,16 @@ class Canvas:
             rest_angles: (J,) degrees without the arrow keys' shift; None for the scene's own.
         """
         self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
-        shape = (scene.view, *self._kinds(sketch), *sketch.held.tolist())
+        kinds = self._kinds(sketch)
+        shape = (scene.view, kinds, *sketch.held.tolist())
         if rest_angles is None:
             rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])
         with self._client.atomic():
             if shape != self._built:
                 self._clear()
                 self._built = shape
-                self._add_nodes(sketch)
+                for name, mesh in kinds.items():
+                    self._add_empty(f"/body/{name}", mesh)
             plan = encode_plan(0, sketch, rest_angles)
             if self._plan is None or not np.array_equal(plan, self._plan):
                 self._plan = plan
@@ -96,28 +91,17 @@ class Canvas:
                 self._drawn = self._damaged = None
 
     @staticmethod
-    def _kinds(sketch: Sketch) -> tuple[Any, ...]:
-        """Which kinds of things there are to draw."""
-        return (
-            sketch.spring_shape if len(sketch.springs) else "",
-            sketch.yields,
-            len(sketch.joint_a) > 0,
-            len(sketch.pinned) > 0,
-            sketch.driven,
-        )
-
-    def _add_nodes(self, sketch: Sketch) -> None:
-        springs, yields, joints, pins, driven = self._kinds(sketch)
-        for name, mesh in (
-            ("springs", springs),
-            ("yielded", "bar" if yields else ""),
-            ("wedges", "slice" if joints else ""),
-            ("pins", "pin" if pins else ""),
-            ("ring", "ring" if driven is not None else ""),
-            ("masses", "disc"),
-        ):
-            if mesh:
-                self._add_empty(f"/body/{name}", mesh)
+    def _kinds(sketch: Sketch) -> dict[str, str]:
+        """The meshes of what there is to draw, by the names of their nodes."""
+        kinds = {
+            "springs": sketch.spring_shape if len(sketch.springs) else "",
+            "yielded": "bar" if sketch.yields else "",
+            "wedges": "slice" if len(sketch.joint_a) else "",
+            "pins": "pin" if len(sketch.pinned) else "",
+            "ring": "ring" if sketch.driven is not None else "",
+            "masses": "disc",
+        }
+        return {name: mesh for name, mesh in kinds.items() if mesh}
 
     def show_gizmos(self, on: bool) -> None:
         """Put up a gizmo at each held mass, or take them away."""
@@ -244,7 +228,12 @@ class Canvas:
                 return  # our own write
             self._gizmo_in_hand = None if event.phase == "end" else mass
             x, y = self.sketch.mapping.to_scene(*(float(c) for c in event.target.position[:2]))
-            self._on_touch(Touch(event.phase, mass, x, y))
+            if event.phase == "start":
+                self._post(commands.DragStart(mass, x, y, GIZMO))
+            elif event.phase == "update":
+                self._post(commands.DragTo(x, y, GIZMO))
+            else:
+                self._post(commands.DragEnd(GIZMO))
 
 
 def _near(before: tuple[float, ...], now: tuple[float, ...], most: float) -> bool:
