@@ -81,19 +81,16 @@ class _MixedNote:
     def __init__(self, gui: viser.GuiApi, place: _Place, sliders: list[SliderBox], order: float) -> None:
         self._gui, self._place, self._sliders, self._order = gui, place, sliders, order
         self._note: viser.GuiHtmlHandle | None = None
-        self._words = ""
 
     def show(self) -> None:
         """Say what is so now."""
         mixed = dict.fromkeys(mixed_words(box.setting) for box in self._sliders if box.mixed)
         words = " ".join(f"<b>mixed</b>: {each}." for each in mixed)
-        if words == self._words:
-            return
-        self._words = words
-        if self._note is None:
+        if self._note is None and words:
             with self._place:
                 self._note = self._gui.add_html("", order=self._order)
-        self._note.content = f'<div class="softrod-text">{words}</div>' if words else ""
+        if self._note is not None:
+            self._note.content = f'<div class="softrod-text">{words}</div>' if words else ""
 
     def remove(self) -> None:
         """Take it out of the page."""

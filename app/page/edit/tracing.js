@@ -37,24 +37,8 @@ let storing = 0;
 /** Whether the pointer and the arrows move it. */
 let moving = false;
 
-/** Whether what was stored is a picture as it was kept. @param {unknown} value @returns {value is Picture} */
-function isPicture(value) {
-  const found = /** @type {Record<string, unknown> | null} */ (value);
-  const numbers = ["x", "y", "width", "ratio", "opacity"];
-  return (
-    typeof found === "object" && found !== null && /^data:image\/(webp|png|jpeg);base64,/.test(String(found.data)) &&
-    numbers.every((name) => Number.isFinite(found[name]))
-  );
-}
-
-function restored() {
-  try {
-    const value = JSON.parse(kept(STORED) ?? "null");
-    return isPicture(value) ? value : null;
-  } catch {
-    return null;
-  }
-}
+/** What was stored. @returns {Picture | null} */
+const restored = () => JSON.parse(kept(STORED) || "null");
 
 /**
  * Reads a file as a picture, not larger than is needed.
@@ -186,7 +170,7 @@ export function addTracing() {
     const [x, y] = [on.x + picture.x * on.step - wide / 2, on.y - picture.y * on.step - high / 2];
     set(image, { href: picture.data, x, y, width: wide, height: high, opacity: picture.opacity });
   });
-  listen(() => picture, put, () => {
+  listen(put, () => {
     moving = false;
     show();
   });
@@ -212,18 +196,17 @@ function slider(text, low, high, moved) {
 /**
  * Moves it with the pointer and with arrows, until Esc.
  *
- * @param {() => Picture | null} present @param {(changes: Partial<Picture>) => void} put @param {() => void} stop
+ * @param {(changes: Partial<Picture>) => void} put @param {() => void} stop
  */
-function listen(present, put, stop) {
+function listen(put, stop) {
   /** @type {{id: number, x: number, y: number, from: {x: number, y: number}} | null} */
   let hold = null;
   window.addEventListener("pointerdown", (event) => {
-    const now = present();
     const { canvas } = viser() ?? {};
-    if (!moving || !now || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
+    if (!moving || !picture || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
     swallow(event);
     canvas.setPointerCapture(event.pointerId);
-    hold = { id: event.pointerId, x: event.clientX, y: event.clientY, from: { x: now.x, y: now.y } };
+    hold = { id: event.pointerId, x: event.clientX, y: event.clientY, from: { ...picture } };
   }, true);
   window.addEventListener("pointermove", (event) => {
     if (!hold || event.pointerId !== hold.id) return;
@@ -239,10 +222,9 @@ function listen(present, put, stop) {
     }, true);
   }
   window.addEventListener("keydown", (event) => {
-    const now = present();
     const way = ARROWS[event.key];
     const { target } = event;
-    if (!moving || !now || !isFree(event)) return;
+    if (!moving || !picture || !isFree(event)) return;
     if (event.key === "Escape") {
       swallow(event);
       stop();
@@ -252,6 +234,6 @@ function listen(present, put, stop) {
     if (target instanceof Element && target.matches(OWN_ARROWS)) return;
     swallow(event);
     const step = event.shiftKey ? FINE : STEP;
-    put({ x: now.x + way[0] * step, y: now.y + way[1] * step });
+    put({ x: picture.x + way[0] * step, y: picture.y + way[1] * step });
   }, true);
 }
