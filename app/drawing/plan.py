@@ -124,12 +124,12 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         turn_colors(sketch),
         sketch.ink_colors(),
     )
-    around: tuple[ArrayLike, ...] = ()
-    if sketch.around is not None:
-        around = _surroundings(sketch, sketch.around)
+    surroundings: tuple[ArrayLike, ...] = ()
+    if sketch.environment is not None:
+        surroundings = _surroundings(sketch, sketch.environment)
     elif len(sketch.loads):
-        around = [], [], [], []  # what a body does not have may be left out at the end only
-    return joined(*sections, *around, *([sketch.loads] if len(sketch.loads) else []))
+        surroundings = [], [], [], []  # what a body does not have may be left out at the end only
+    return joined(*sections, *surroundings, *([sketch.loads] if len(sketch.loads) else []))
 
 
 def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import re
 import threading
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -18,6 +18,7 @@ from ..wire import from_page
 from ..wire.to_page import Resumed
 from .edit.edits import Edits
 from .files import keeping
+from .files.files_panel import open_file
 from .files.sharing import Sharing
 from .page import Page
 from .scenes.gallery import Gallery
@@ -56,7 +57,7 @@ class Answers:
         self.sharing = Sharing(page, show, for_others)
         self.gallery = Gallery(page)
         self.edits = Edits(page.session, page.mail, page.notify)
-        self._parts = {"resume": keeping.Parts(), "link": keeping.Parts(), "paste": keeping.Parts()}
+        self._parts: defaultdict[str, keeping.Parts] = defaultdict(keeping.Parts)
         self._line = InOrder()
 
     def ask(self, ask: from_page.Ask) -> None:
@@ -70,6 +71,9 @@ class Answers:
             return
         if part.kind == "link":
             self._line.submit(self.sharing.open, letters)
+        elif part.kind == "file":
+            if "files" in self._page.controls:
+                self._line.submit(open_file, self._page.session, self._page.notify, letters)
         elif part.kind == "paste":
             if "edit" in self._page.controls:
                 self._line.submit(self.edits.paste, letters)
@@ -97,7 +101,7 @@ class Answers:
 
 
 UNSENT = "It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses."
-_DONE = {"resume": "resumed", "link": "opened", "paste": "pasted"}
+_DONE = {"resume": "resumed", "link": "opened", "file": "opened", "paste": "pasted"}
 
 
 def unread(text: str) -> Notice:

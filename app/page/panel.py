@@ -23,7 +23,7 @@ from ..wire.to_page import Hud
 from .edit.selection_panel import SelectionPanel
 from .looks import readouts
 from .page import Page
-from .play_panel import PlayPanel
+from .play_panel import LAST, PlayPanel
 from .scenes.lesson_panel import LessonPanel
 from .solver.solver_panel import SolverPanel
 from .viser.choice_box import ChoiceBox
@@ -36,9 +36,6 @@ FOREMOST = (
     "yield_force", "rest_angle", "template", "bend", "angular_stiffness", "linear_stiffness", "gravity",
 )  # fmt: skip
 """Settings that make most of a scene, in order; the first two that there is a use for stand at the top."""
-
-LAST = 1e6
-"""Order of what stands below the sliders, which come and go."""
 
 SOLVER_DIALS = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""
@@ -81,19 +78,16 @@ class _MixedNote:
     def __init__(self, gui: viser.GuiApi, place: _Place, sliders: list[SliderBox], order: float) -> None:
         self._gui, self._place, self._sliders, self._order = gui, place, sliders, order
         self._note: viser.GuiHtmlHandle | None = None
-        self._words = ""
 
     def show(self) -> None:
         """Say what is so now."""
         mixed = dict.fromkeys(mixed_words(box.setting) for box in self._sliders if box.mixed)
         words = " ".join(f"<b>mixed</b>: {each}." for each in mixed)
-        if words == self._words:
-            return
-        self._words = words
-        if self._note is None:
+        if self._note is None and words:
             with self._place:
                 self._note = self._gui.add_html("", order=self._order)
-        self._note.content = f'<div class="softrod-text">{words}</div>' if words else ""
+        if self._note is not None:
+            self._note.content = f'<div class="softrod-text">{words}</div>' if words else ""
 
     def remove(self) -> None:
         """Take it out of the page."""
@@ -164,10 +158,10 @@ class Panel:
     def _add_palette_commands(self) -> None:
         """The table of commands, for the command palette; the page's script acts on the keys themselves."""
         for name, row in COMMANDS.items():
-            if not row.palette or (row.needs and row.needs not in self._controls):
+            if not row.listed or (row.needs and row.needs not in self._controls):
                 continue
             keys = " or ".join(row.keys)
-            held = ", held" if row.where == "held" else ""
+            held = ", held" if row.held else ""
             about = f"key {keys}{held}" if keys else None
             add_command(self._client.gui, row.label, partial(self._page.perform, name), about)
 

@@ -28,7 +28,6 @@ from sim.scene.types import shown_name
 from ..drawing.plan import Picture, broken_of
 from ..drawing.sketch import WORLD_SIZE, Mapping
 from ..session import commands
-from ..session.hand import GIZMO
 from ..session.pacing import is_large
 from ..session.plots import Wish
 from ..session.session import Changed, Notice, Session
@@ -39,7 +38,7 @@ from ..wire.commands import COMMANDS, Look
 from ..wire.to_page import Keepsake, PageState, Resumed, Run
 from . import controls
 from .answers import Answers
-from .body.view import Canvas, Touch, picture_of
+from .body.view import Canvas, picture_of
 from .controls import Controls
 from .files import keeping, pasts
 from .files.export_panel import ExportPanel
@@ -155,7 +154,7 @@ class Tab:
         self._for_others = for_others
         self._first = scene = self._asked_scene(query) or scene
         self._mail = Mail(client)
-        self._view = Canvas(client, self._mail, self._touched)
+        self._view = Canvas(client, self._mail, self._post)
         listen(client, self.hear)
         self._asked_controls = self._checked(controls.of_query, query)
         self._scenes_controls = controls.ALL
@@ -219,7 +218,7 @@ class Tab:
         """Do a command of the table, if the page has the control that it needs."""
         row, session = COMMANDS[command], self._session
         does = row.does
-        if session is None or (row.needs and row.needs not in self._page.controls) or does == "elsewhere":
+        if session is None or (row.needs and row.needs not in self._page.controls) or does in ("edit", "own"):
             return
         if does == "page":
             self._mail.tell(Run(command=command))
@@ -241,15 +240,9 @@ class Tab:
         session = self._session
         return self._first if session is None else session.snapshot(session.scene.name, with_pose=True)
 
-    def _touched(self, touch: Touch) -> None:
-        if self._session is None:
-            return
-        if touch.phase == "start":
-            self._session.post(commands.DragStart(touch.mass, touch.x, touch.y, GIZMO))
-        elif touch.phase == "update":
-            self._session.post(commands.Point(touch.x, touch.y, GIZMO, late=True))
-        else:
-            self._session.post(commands.DragEnd(GIZMO))
+    def _post(self, command: commands.Command) -> None:
+        if self._session is not None:
+            self._session.post(command)
 
     # --------------------------------------------------------------------- the ticker's
     def frame(self, budget: float, beside: Submit) -> None:

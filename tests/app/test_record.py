@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from app.gate.uploads import MAX_UPLOAD_BYTES
+from app.page.files.keeping import MOST_BYTES
 from app.session import commands, log, record
 from app.session.hand import GIZMO
 from app.session.log import Check, Log, decode_log
@@ -197,7 +197,7 @@ def test_a_body_that_is_larger_than_a_log_does_not_start_it_anew_all_the_time(
 
 
 def test_a_page_can_open_the_longest_log_that_it_saves() -> None:
-    assert log.MAX_LOG_BYTES + 1_000_000 <= MAX_UPLOAD_BYTES
+    assert log.MAX_LOG_BYTES + 1_000_000 <= MOST_BYTES
 
 
 def test_a_log_says_where_it_was_made_and_not_whose(tmp_path: Path) -> None:

@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from rich.console import Console
-from sim.analysis.ensemble import Member, Track, marks, run_ensemble
 
 import sim
 from app.cli import main

@@ -6,7 +6,7 @@
  * @typedef {import("../../drawing/static/plan.js").Plan} Plan
  * @typedef {import("../../drawing/static/plan.js").Damage} Damage
  * @typedef {import("../../drawing/static/draw.js").Instances} Instances
- * @typedef {import("../../drawing/static/around.js").Screen} Screen
+ * @typedef {import("../../drawing/static/environment.js").Screen} Screen
  * @typedef {[number, number]} Part where an array begins in the data, bytes, and how many numbers it has
  * @typedef {object} About what the file says of its motion
  * @property {number} frames how many
@@ -27,7 +27,7 @@
  * @property {Part} low bytes of the differences, one number after the other, each through all frames
  * @property {Part} high
  */
-import { moving, standing, streaks } from "../../drawing/static/around.js";
+import { moving, standing, streaks } from "../../drawing/static/environment.js";
 import { loadArrows } from "../../drawing/static/arrow_shapes.js";
 import * as draw from "../../drawing/static/draw.js";
 import { ARROW, LAYERS } from "../../drawing/static/looks.js";

@@ -146,7 +146,8 @@ class SelectionPanel:
                 row.take(shown.get(row.of), another)
             self._proportions.visible = any(each.note == "mixed" for each in shown.values())
             self._holding.visible = bool(selection.masses)
-            folder.label, folder.visible = described(selection), True
+            folder.label = described(selection)
+            folder.visible = True
         for row in self._rows:
             row.show()
 

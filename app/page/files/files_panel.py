@@ -7,9 +7,9 @@ unless a scene was read and found valid.
 from __future__ import annotations
 
 import html
+import urllib.parse
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import viser
 
@@ -20,9 +20,10 @@ from sim.store import files
 from sim.store.places import as_utf8
 
 from ...session import commands, log
-from ...session.notices import Notice
+from ...session.session import Notice, Session
 from ..page import Page
 from ..viser.handlers import on_press
+from . import keeping
 
 ABOUT_LOGS = (
     '<div class="softrod-text">A log is all that was done since the start or the last reset; opened as a '
@@ -56,15 +57,8 @@ class FilesPanel:
             ("Save a log", viser.Icon.HISTORY, self._save_log),
         ):
             page.button(label, icon, partial(self._try, action), blocks=True)
-        upload = gui.add_upload_button(
-            "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json,.jsonl"
-        )
+        gui.add_button("Open a file", icon=viser.Icon.UPLOAD, color="gray")  # the script acts on it
         gui.add_html(ABOUT_LOGS)
-
-        @upload.on_upload
-        def _(event: viser.GuiEvent[Any]) -> None:
-            file = upload.value
-            self._try(lambda: self._open_bytes(file.content, file.name))
 
     def build(self) -> None:
         """Offer the scene's name; what its user typed stays, until the scene has another one."""
@@ -103,16 +97,6 @@ class FilesPanel:
         name, data = self._session.scene.name, self._session.log_file()
         self._client.send_file_download(f"{name}-log.jsonl", data, save_immediately=True)
 
-    def _open_bytes(self, data: bytes, name: str) -> None:
-        try:
-            data = as_utf8(data)
-        except UnicodeError as error:
-            raise InputError(f"{name}: {error}") from None
-        if log.is_recorded(data):
-            self._session.post(commands.Replay(log.decode_log(data, name)))
-        else:
-            self._session.post(commands.Open(files.decode_scene(data, name)))
-
     def _confirm(self, question: str, verb: str, action: Callable[[], None]) -> None:
         with self._client.gui.add_modal("Are you sure?") as modal:
             self._client.gui.add_html(f'<div class="softrod-text">{html.escape(question)}</div>')
@@ -125,3 +109,25 @@ class FilesPanel:
 
         on_press(yes, confirmed, blocks=True)
         on_press(no, modal.close)
+
+
+def open_file(session: Session, notify: Callable[[Notice], None], letters: str) -> None:
+    """Open a scene or a log that a page sends, or say why not.
+
+    Args:
+        session: of the page.
+        notify: tells the user something.
+        letters: the file's name as in an address, a colon, and the file as `keeping.unpacked` takes it.
+    """
+    quoted, _, packed = letters.partition(":")
+    name = urllib.parse.unquote(quoted)[:255]
+    try:
+        data = as_utf8(keeping.unpacked(packed))
+        if log.is_recorded(data):
+            session.post(commands.Replay(log.decode_log(data, name)))
+        else:
+            session.post(commands.Open(files.decode_scene(data, name)))
+    except (SceneError, InputError) as error:
+        notify(Notice("error", "That did not work", str(error)))
+    except ValueError as error:
+        notify(Notice("error", "That did not work", f"{name}: {error}"))
