@@ -6,6 +6,7 @@ Matplotlib is used. It is imported with the first picture, since it takes a whil
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -18,10 +19,10 @@ from sim import Scene
 from ..drawing.colors import palette
 from ..drawing.looks import ARROW, LAYERS
 from ..drawing.plan import Picture, broken_of
+from ..drawing.shapes import meshes
 from ..drawing.sketch import Floats, Sketch
 from . import around, instances
 from .instances import Instances
-from .outlines import outlines
 from .window import Window
 
 if TYPE_CHECKING:
@@ -227,7 +228,7 @@ class _Pen:
         count = len(parts.angles)
         if not count:
             return
-        shape = _area(list(outlines(mesh)))
+        shape = _area(meshes()[mesh].outlines)
         moves = self._moves(parts)
         paths, colors = [shape], parts.colors
         if together > 1:
@@ -287,7 +288,7 @@ class _Pen:
         context.restore()
 
 
-def _area(polygons: list[Floats]) -> Path:
+def _area(polygons: Sequence[Floats]) -> Path:
     """Closed polygons as one path."""
     from matplotlib.path import Path
 
