@@ -17,9 +17,11 @@ from tests.browser.driver import Desk
 
 SCRIPT = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
 CALM = """async () => {
+  // A hint, which is not judged, comes and goes for eight seconds.
   const moving = () => document.getAnimations().some(
-    (each) => each.playState === "running" && each.effect?.getComputedTiming().iterations !== Infinity);
-  for (let calm = 0; calm < 10; ) {
+    ({ playState, effect }) => playState === "running" && effect?.getComputedTiming().iterations !== Infinity
+      && !effect?.target?.matches(".softrod-hint"));
+  for (let calm = 0; calm < 5; ) {
     await new Promise(requestAnimationFrame);
     calm = moving() ? 0 : calm + 1;
   }
