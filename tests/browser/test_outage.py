@@ -23,7 +23,7 @@ WITHIN = 20.0
 """Seconds within which the page must have noticed; it is three, and more on a busy machine."""
 
 HURRY = 4
-"""What the times are divided by after which the page does something about silence; `tests/page` tests them."""
+"""By what the times are divided after which a page loses its patience; `tests/page` tests the times."""
 
 
 def hurry(context: BrowserContext) -> None:
