@@ -26,7 +26,7 @@ from .export.command import Export
 from .lessons import check_lesson
 from .linking import Link
 from .page.controls import of_scene
-from .session.log import Log
+from .session.log import Log, read_log
 
 DEFAULT_SCENE = "rope"
 
@@ -75,18 +75,18 @@ class Serve:
 
 @dataclass
 class Run:
-    """Simulate without a page, and write a table of positions; or replay a log that a page saved."""
+    """Simulate without a page, and write a table of positions; do what a log says, if one is given."""
 
     scene: Annotated[Positional[str], arg(metavar="SCENE")] = ""
     """A preset's name or a file's path; a recorded log has its own."""
     out: Path | None = None
-    """The table, FILE.csv or FILE.npz; a replay needs none."""
+    """The table, FILE.csv or FILE.npz; a log that a page recorded needs none."""
     steps: int | None = None
-    """Steps to do."""
+    """Steps to do; those of the log unless given."""
     duration: float | None = None
     """Seconds to simulate, instead of a number of steps."""
     inputs: Path | None = None
-    """A log of moves and keys, one JSON object a line, ordered by step; or one that a page recorded."""
+    """A log of what is done, one JSON object a line: one that a page recorded, or one written by hand."""
     every: int = 1
     """Write one row after each so many steps."""
     energy: bool = False
@@ -108,46 +108,38 @@ class Run:
         scene = scene_of(self.scene, self.settings) if self.scene else None
         if self.out is not None:
             headless.check_output(self.out)
-        entries = headless.read_log(self.inputs) if self.inputs is not None else []
         if self.every < 1:
             return fail("--every: it must be at least 1")
         if self.energy and self.record:
             return fail("--energy: with --record, energies are quantities, as energy.total")
-        if isinstance(entries, Log):
-            return self._replay(entries, scene)
-        if scene is None:
-            return fail("run: name a scene, or a recorded log with --inputs")
-        if self.out is None:
-            return fail("--out: name the table to write, FILE.csv or FILE.npz")
-        steps = self._steps(scene.integrator.dt)
-        if isinstance(steps, str):
-            return fail(steps)
-        recording, problem = headless.run(
-            scene, steps, entries, self.every, Console(stderr=True), self.energy, self.record
-        )
-        recording.write(self.out, self.csv_comma)
-        if problem is not None:
-            return fail(f"{problem}; {self.out} has the {len(recording)} rows before it")
-        return 0
-
-    def _replay(self, record: Log, scene: sim.Scene | None) -> int:
         if scene is None and self.settings:
             return fail("--set: a recorded log is replayed as it was; name the SCENE to change one")
-        if scene is not None and not headless.same_body(scene, record.scene):
+        if self.inputs is not None:
+            log = read_log(self.inputs, scene)
+        elif scene is not None:
+            log = Log("", scene)
+        else:
+            return fail("run: name a scene, or a recorded log with --inputs")
+        if scene is not None and not headless.same_body(scene, log.scene):
             return fail(f"{self.inputs}: the log was recorded with another scene than {self.scene}")
+        if self.out is None and not log.checks:
+            return fail("--out: name the table to write, FILE.csv or FILE.npz")
         steps = None
-        if self.steps is not None or self.duration is not None:
-            steps = self._steps(record.scene.integrator.dt)
+        if not log.entries or self.steps is not None or self.duration is not None:
+            steps = self._steps(log.scene.integrator.dt)
             if isinstance(steps, str):
                 return fail(steps)
-        recording, player = headless.replay(
-            record, steps, self.every, Console(stderr=True), self.energy, self.record
+        recording, player = headless.run(
+            log, steps, self.every, Console(stderr=True), self.energy, self.record
         )
         if self.out is not None:
             recording.write(self.out, self.csv_comma)
         if not player.agrees:
             return fail(f"{self.inputs}: {player.verdict}")
-        print(player.verdict)
+        if log.checks:
+            print(player.verdict)
+        elif (problem := player.simulation.divergence) is not None:
+            return fail(f"{problem}; {self.out} has the {len(recording)} rows before it")
         return 0
 
     def _steps(self, dt: float) -> int | str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
@@ -18,66 +18,12 @@ from sim.csv_text import csv_text
 from sim.errors import InputError
 from sim.motion.energy import ENERGY_FIELDS, EnergyBook
 from sim.store.files import write_atomically
-from sim.store.places import as_utf8, repeated_key
 
-from .session.log import Log, Step, decode_log, is_recorded
+from .session.log import Log, Step
 from .session.replay import Player
 
 LONG_RUN = 200_000
 """Steps from which on a run shows its progress."""
-
-
-class Move(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A held mass is put somewhere."""
-
-    mass: int
-    to: tuple[float, float]
-
-
-class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One line of an input log: what happens at the start of a step, before the forces.
-
-    Attributes:
-        step: steps done before it, from 0.
-        move: the mass and where it is put, or None.
-        keys: the set of keys held from this step on, or None for no change.
-    """
-
-    step: int
-    move: Move | None = None
-    keys: tuple[str, ...] | None = None
-
-
-def read_log(path: Path) -> list[Entry] | Log:
-    """The entries of an input log, one JSON object a line, in order of their steps; or a recorded log.
-
-    Raises:
-        InputError: the file cannot be read, or a line is not an entry; the sentence names the line.
-    """
-    try:
-        data = as_utf8(path.read_bytes())
-    except OSError as error:
-        raise InputError(f"{path}: the file cannot be read ({error.strerror or error})") from None
-    except UnicodeError as error:
-        raise InputError(f"{path}: {error}") from None
-    if is_recorded(data):
-        return decode_log(data, str(path))
-    lines = data.splitlines()
-    entries: list[Entry] = []
-    decoder = msgspec.json.Decoder(Entry)
-    for number, line in enumerate(lines, start=1):
-        if not line.strip():
-            continue
-        try:
-            entry = decoder.decode(line)
-        except msgspec.DecodeError as error:
-            raise InputError(f"{path}: line {number}: {error}") from None
-        if again := repeated_key(line):
-            raise InputError(f"{path}: line {number}: the key {again[0][:60]!r} stands twice in one object")
-        if entry.step < (entries[-1].step if entries else 0):
-            raise InputError(f"{path}: line {number}: step {entry.step} comes after a later step")
-        entries.append(entry)
-    return entries
 
 
 class Table(Protocol):
@@ -203,50 +149,6 @@ def check_output(path: Path) -> None:
 
 
 def run(
-    scene: sim.Scene,
-    steps: int,
-    entries: list[Entry],
-    every: int,
-    console: Console,
-    energy: bool = False,
-    names: Sequence[str] = (),
-) -> tuple[Table, str | None]:
-    """Simulate, and return the rows and why it stopped early (None if it did not).
-
-    Args:
-        scene: a valid scene.
-        steps: steps to do.
-        entries: inputs, in order of their steps.
-        every: rows are taken after each step that is a multiple of this.
-        console: for the progress bar of a long run.
-        energy: whether the rows have the energies.
-        names: quantities that the rows have instead of places.
-
-    Raises:
-        InputError: there would be no row, or there is no such quantity, or an input asks for what cannot be
-            done; the sentence names its step.
-    """
-    if every > steps:
-        raise InputError(f"--every: {every} is more than the run's {steps} steps, so no row would be written")
-    recording = new_table(scene, energy, names)
-    simulation = sim.Simulation(scene)
-    simulation.keep_books(energy or _are_energies(names))
-    with Progress(console=console, transient=True, disable=steps < LONG_RUN) as progress:
-        task = progress.add_task("simulating", total=steps)
-        for target in _stops(steps, entries, every):
-            while entries and entries[0].step == simulation.step_count:
-                _apply(entries[0], simulation)
-                entries = entries[1:]
-            simulation.step(target - simulation.step_count)
-            if simulation.divergence is not None:
-                return recording, str(simulation.divergence)
-            if target % every == 0:
-                recording.add(simulation)
-            progress.update(task, completed=target)
-    return recording, None
-
-
-def replay(
     record: Log,
     steps: int | None,
     every: int,
@@ -254,26 +156,43 @@ def replay(
     energy: bool = False,
     names: Sequence[str] = (),
 ) -> tuple[Table, Player]:
-    """Do again what a recorded log says, and return the rows, and how it compares.
+    """Do what a log says, go on from there, and return the rows, and how it compares with what was recorded.
 
     Args:
-        record: the log.
-        steps: steps after which it ends; None for all of the log.
-        every: a row is taken after each recorded frame in which a multiple of this many steps was passed.
-        console, energy, names: as for `run`.
+        record: the log; one without entries is its scene, left to itself.
+        steps: steps after which it ends, within the log or beyond; None for all of the log.
+        every: a row is taken after each multiple of this many steps, or after the call of the log in which
+            it was passed.
+        console: for the progress bar of a long run.
+        energy: whether the rows have the energies.
+        names: quantities that the rows have instead of places.
+
+    Returns:
+        The rows until the steps are done, or until the body runs away for good: where no check of a log says
+        that it is to. And what has done the log.
 
     Raises:
-        InputError: the log asks for what cannot be done; the sentence names its line.
+        InputError: there would be no row, or there is no such quantity, or the log asks for what cannot be
+            done; the sentence names its line.
     """
+    if steps is not None and every > steps:
+        raise InputError(f"--every: {every} is more than the run's {steps} steps, so no row would be written")
     recording = new_table(record.scene, energy, names)
     simulation = sim.Simulation(record.scene)
     player = Player(record, simulation, energy or _are_energies(names))
-    total = sum(entry.n * entry.times for entry in record.entries if isinstance(entry, Step))
-    due = every
+    in_log = sum(entry.n * entry.times for entry in record.entries if isinstance(entry, Step))
+    total, due = in_log if steps is None else steps, every
     with Progress(console=console, transient=True, disable=total < LONG_RUN) as progress:
-        task = progress.add_task("replaying", total=total)
-        while not player.ended and (steps is None or player.steps < steps):
-            player.do()
+        task = progress.add_task("simulating", total=total)
+        while steps is None or player.steps < steps:
+            if not player.ended:
+                player.do()
+            elif steps is not None:
+                player.steps += simulation.step(min(due, steps) - player.steps)
+            else:
+                break
+            if simulation.divergence is not None and (player.ended or not record.checks):
+                break
             if player.steps >= due:
                 recording.add(simulation)
                 due = player.steps - player.steps % every + every
@@ -285,26 +204,3 @@ def same_body(one: sim.Scene, other: sim.Scene) -> bool:
     """Whether two scenes differ in no more than their names, titles, descriptions and views."""
     plain = {"name": "scene", "title": "", "description": "", "view": sim.View()}
     return msgspec.structs.replace(one, **plain) == msgspec.structs.replace(other, **plain)
-
-
-def _stops(steps: int, entries: list[Entry], every: int) -> Iterator[int]:
-    """The steps, ascending, up to which the simulation can go in one call."""
-    inputs = sorted({entry.step for entry in entries if 0 < entry.step < steps})
-    rows = iter(range(every, steps + 1, every))
-    row = next(rows, None)
-    for stop in [*inputs, steps]:
-        while row is not None and row <= stop:
-            yield row
-            row = next(rows, None)
-        if stop % every:
-            yield stop
-
-
-def _apply(entry: Entry, simulation: sim.Simulation) -> None:
-    try:
-        if entry.move is not None:
-            simulation.move(entry.move.mass, entry.move.to)
-        if entry.keys is not None:
-            simulation.keys = entry.keys
-    except InputError as error:
-        raise InputError(f"inputs, step {entry.step}: {error}") from None

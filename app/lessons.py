@@ -5,8 +5,7 @@ from __future__ import annotations
 import sim
 from sim.errors import InputError
 from sim.methods.registry import METHODS
-from sim.settings import CHOICES, setting_of
-from sim.settings.lessons import scene_of_step
+from sim.settings import CHOICES, scene_of_step, setting_of
 
 from .session.ghost import REFERENCE
 from .session.plots import Plot, wish_of

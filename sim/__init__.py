@@ -33,6 +33,7 @@ from .scene.makers import (
     jelly,
     polygon,
     rod,
+    rope,
     tree,
     water_balloon,
 )
@@ -41,7 +42,6 @@ from .scene.recipes.plants import HairTuft, Tree
 from .scene.recipes.rods import Rod
 from .scene.recipes.sheets import Cloth, FlagPole, Jelly
 from .scene.recipes.trusses import Bridge, Girder
-from .scene.rope import rope
 from .scene.surroundings import Contact, Gas, Liquid, Wall, Wind
 from .scene.types import (
     Anchor,

@@ -13,22 +13,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sim import Moment, Scene, Simulation
-from sim.forces.air import WAVE_RATE
 from sim.forces.environment import Environment
-from sim.forces.fillings import FILLING_GAS
-from sim.forces.walls import WALL_NORMAL_Y
+from sim.forces.fillings import FillingRow
+from sim.scene.surroundings import STILL_AIR
 from sim.scene.types import Damage
-from sim.settings.environment import STILL_AIR
 
 from .colors import blend
 from .looks import YIELDED
 from .sketch import Floats, Sketch
-
-CLOCK_PERIOD = 1024.0
-"""Seconds after which the wall clock of the frames starts again: single precision has 0.1 ms there."""
-
-FRAME_HEAD, FRAME_TIME = 6, 2
-"""Numbers of a frame before the positions, and the index of the simulated time among them."""
 
 _STRAIN_SHADES = 32
 """Shades between a spring's colour at rest and its full colour, on either side."""
@@ -140,30 +132,15 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
     return joined(*sections, *around, *([sketch.loads] if len(sketch.loads) else []))
 
 
-def encode_frame(generation: int, wall: float, picture: Picture) -> NDArray[np.float32]:
+def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
     """Where the masses are.
 
     Args:
         generation: of the plan.
-        wall: seconds of any clock that runs evenly.
         picture: what is drawn.
     """
-    positions = picture.positions
-    head = (
-        generation,
-        wall % CLOCK_PERIOD,
-        picture.time,
-        picture.rest_length_scale,
-        picture.rest_angle_shift,
-        len(positions),
-    )
-    size = positions.size
-    frame = np.empty(len(head) + size * (1 if picture.ghost is None else 2), np.float32)
-    frame[: len(head)] = head
-    frame[len(head) : len(head) + size] = positions.ravel()
-    if picture.ghost is not None:
-        frame[len(head) + size :] = picture.ghost.ravel()
-    return frame
+    head = generation, picture.time, picture.rest_length_scale, picture.rest_angle_shift
+    return joined(head, picture.positions, *(() if picture.ghost is None else (picture.ghost,)))
 
 
 def encode_damage(generation: int, picture: Picture) -> NDArray[np.float32]:
@@ -192,11 +169,11 @@ def _surroundings(sketch: Sketch, environment: Environment) -> tuple[ArrayLike, 
     loops: list[float] = []
     fillings, air = environment.fillings, environment.air
     for filling, loop in zip(fillings.rows, fillings.loops(), strict=True):
-        loops += [filling[FILLING_GAS], len(loop), *loop]
+        loops += [FillingRow(*filling).is_gas, len(loop), *loop]
     blows = math.hypot(air.wind_x, air.wind_y) >= STILL_AIR
-    wind = (air.wind_x, air.wind_y, *air.waves[:, :WAVE_RATE].ravel()) if blows else ()
+    wind = (air.wind_x, air.wind_y, *air.waves[:, :-1].ravel()) if blows else ()
     return (
-        environment.walls.rows[:, : WALL_NORMAL_Y + 1],
+        environment.walls.rows[:, :4],  # points and normals
         loops,
         wind,
         [sketch.contact] if sketch.contact else (),

@@ -12,11 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim.body.damage import leaking
-from sim.forces.air import WAVE_RATE
-from sim.forces.fillings import FILLING_GAS
-from sim.forces.walls import WALL_NORMAL_Y
-from sim.settings.environment import STILL_AIR
+from sim.forces.fillings import FillingRow
+from sim.forces.limits import leaking
+from sim.scene.surroundings import STILL_AIR
 
 from ..drawing.looks import DENSE, HATCH, HEAD, PARTS, POINT, SIDE, STREAK, STREAKS, STROKE
 from ..drawing.sketch import Floats, Sketch
@@ -42,7 +40,7 @@ def walls(sketch: Sketch, window: Window) -> list[Wall]:
     """The scene's walls, each with the part of its surface that no other covers."""
     if sketch.around is None:
         return []
-    found = [_in_view(row, sketch, window) for row in sketch.around.walls.rows[:, : WALL_NORMAL_Y + 1]]
+    found = [_in_view(row, sketch, window) for row in sketch.around.walls.rows[:, :4]]
     return [
         wall._replace(surface=_uncovered(wall, [other for other in found if other is not wall]))
         for wall in found
@@ -105,8 +103,8 @@ def fillings(
     places = window.pixels(sketch.mapping.to_world(positions)[:, :2])
     loops = table.loops()
     left = set(leaking(loops, sketch.springs, np.array(broken, np.int64)))
-    kinds = table.rows[:, FILLING_GAS] == 1.0
-    return [(bool(kinds[k]), places[loop]) for k, loop in enumerate(loops) if k not in left]
+    kinds = [bool(FillingRow(*row).is_gas) for row in table.rows]
+    return [(kinds[k], places[loop]) for k, loop in enumerate(loops) if k not in left]
 
 
 def load_arrows(sketch: Sketch, positions: Floats, window: Window) -> tuple[Floats, Floats]:
@@ -190,7 +188,7 @@ def streaks(sketch: Sketch, time: float, window: Window) -> list[Floats]:
     lasting = STREAK * window.unit / (math.hypot(*wind) * scale * PARTS)
     points = [place + drift]
     for _ in range(PARTS):
-        place = place - lasting * _air(air.waves[:, :WAVE_RATE], wind, place)
+        place = place - lasting * _air(air.waves[:, :-1], wind, place)
         points.append(place + drift)
     flat = mapping.to_world(np.concatenate(points))[:, :2]
     lines = window.pixels(flat).reshape(PARTS + 1, -1, 2).swapaxes(0, 1)

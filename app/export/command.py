@@ -19,8 +19,7 @@ from sim.settings import apply_assignments
 from sim.store.files import write_atomically
 
 from ..command import CsvComma
-from ..headless import read_log
-from ..session.log import Log
+from ..session.log import read_log
 from .clip import LONGEST, SHORTEST, Clip, Shot
 
 PICTURE = 1280
@@ -136,8 +135,6 @@ class Export:
             scene = apply_assignments(sim.load_scene(self.scene), self.settings)
             return simulated(scene, seconds, self.after, console)
         record = read_log(self.inputs)
-        if not isinstance(record, Log):
-            raise InputError(f"{self.inputs}: this is no log that a page recorded")
         if self.scene or self.settings or self.after:
             raise InputError("export: a recorded log is shown as it was, without SCENE, --set and --after")
         moments, differs = replayed(record, console)

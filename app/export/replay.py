@@ -171,5 +171,5 @@ def _frames(shots: list[Shot]) -> list[NDArray[np.float32]]:
     for picture in (shot.picture for shot in shots):
         ghost = None if picture.ghost is None else rounded(picture.ghost)
         rough = replace(picture, positions=rounded(picture.positions), ghost=ghost)
-        frames.append(encode_frame(0, 0.0, rough))
+        frames.append(encode_frame(0, rough))
     return frames

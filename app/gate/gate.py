@@ -10,24 +10,17 @@ other clients cannot reach, and clamp every value, since the limits of a slider 
 """
 
 import asyncio
-import contextlib
 import dataclasses
 import functools
 import ipaddress
 import logging
-import socket
-import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from http import HTTPStatus
 from typing import Any
 
-import msgspec
 import viser
-import viser._messages
-import websockets.asyncio.server
-import zstandard
 from websockets.asyncio.server import Server, ServerConnection
 from websockets.frames import Frame, Opcode
 from websockets.http11 import Request, Response
@@ -62,16 +55,13 @@ from app.gate.messages import (
     is_alike,
 )
 
-# viser reads messages of the kinds that there are when the first one comes.
-from ..wire import carrier as _carrier  # noqa: F401
+# viser reads messages of the kinds that there are when the first one comes: it is imported before.
+from .. import viser_inside
 from . import messages as gate_messages
 from .replies import StaticFile, not_this_host, not_this_origin, respond, safety_headers
 from .uploads import Uploads
 
 __all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server", "page_addresses"]
-
-VISER_VERSION = "1.1.1"
-"""The version of viser whose inside the gate knows."""
 
 MAX_TABS = 64
 
@@ -113,16 +103,6 @@ class _Budget:
         return max(0.0, -self._left / self._rate)
 
 
-def _no_messages() -> bytes:
-    """A batch of no messages, as viser's page reads it (viser 1.1.1, infra, `_message_producer`)."""
-    inner = msgspec.msgpack.encode(
-        {"messages": (), "timestampSec": time.perf_counter(), "binaryBufferLengths": ()}
-    )
-    packed = zstandard.compress(inner, 1)
-    head = len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little")
-    return (head + packed).ljust(-(-(len(head) + len(packed)) // 8) * 8, b"\0")
-
-
 class Connection(ServerConnection):
     """A page's connection, from which viser receives only what the gate admits."""
 
@@ -152,7 +132,7 @@ class Connection(ServerConnection):
     async def _answer_beat(self) -> None:
         # What is on its way is a sign of life, too; to wait behind it would hold up the page's messages.
         if not self.transport.get_write_buffer_size():
-            await self.send(_no_messages())
+            await self.send(viser_inside.no_messages())
 
     def process_event(self, event: Event) -> None:
         """Cut the connection if it sends endless frames that are no messages."""
@@ -279,9 +259,7 @@ class Gate:
 
     def query_of(self, client_id: int) -> str:
         """The query with which a page connected, which may be anything; empty if it is gone."""
-        assert self._server is not None
-        connection = self._server._websock_server._live_connections.get(client_id)  # viser 1.1.1
-        request = getattr(connection, "request", None)
+        request = self._request_of(client_id)
         return request.path.partition("?")[2] if request is not None else ""
 
     def is_local(self, client_id: int) -> bool:
@@ -290,10 +268,13 @@ class Gate:
 
         Behind a proxy every connection comes from this machine, so that its address alone proves nothing.
         """
-        assert self._server is not None
-        connection = self._server._websock_server._live_connections.get(client_id)  # viser 1.1.1
-        request = getattr(connection, "request", None)
+        request = self._request_of(client_id)
         return self.loopback and request is not None and not any(map(request.headers.get_all, PROXY_HEADERS))
+
+    def _request_of(self, client_id: int) -> Request | None:
+        """The request by which a page connected; None if it is gone."""
+        assert self._server is not None
+        return getattr(viser_inside.connections(self._server).get(client_id), "request", None)
 
     def _is_own(self, host: str, connection: Connection) -> bool:
         # The address the request came in at is this machine's, whichever network it belongs to.
@@ -343,34 +324,28 @@ class Gate:
         try:
             self._uploads.start(tab, message)
         except Refused as refusal:
-            self._turn_away(tab, message)
-            if refusal.reason == "oversized upload" and tab.client is not None:
-                # By way of the event loop: an error in the callback must not close the connection.
-                tab.loop.call_soon(self._on_oversized, tab.client.client_id, message.filename)
+            if tab.client is not None:
+                viser_inside.free_upload_button(
+                    tab.client, message.source_component_uuid, message.transfer_uuid
+                )
+                if refusal.reason == "oversized upload":
+                    # By way of the event loop: an error in the callback must not close the connection.
+                    tab.loop.call_soon(self._on_oversized, tab.client.client_id, message.filename)
             raise
-
-    def _turn_away(self, tab: Connection, message: FileTransferStartUpload) -> None:
-        """Free the page's upload button, which waits for the parts to be acknowledged."""
-        if tab.client is None:
-            return
-        # viser 1.1.1: a finished transfer frees the button; its notification must not call it a success.
-        source, transfer = message.source_component_uuid, message.transfer_uuid
-        queue = tab.client.gui._websock_interface.queue_message
-        queue(viser._messages.FileTransferPartAck(source, transfer, transferred_bytes=0, total_bytes=0))
-        queue(viser._messages.RemoveNotificationMessage(f"upload-{transfer}"))
 
     def _input_handle(self, tab: Connection, uuid: str) -> Any:
         """The GUI element that a tab's message reaches: one of its own or one shared by all."""
         assert self._server is not None
         if tab.client is None:
-            # viser 1.1.1: nothing public links a connection and its client.
-            live = self._server._websock_server._live_connections
+            live = viser_inside.connections(self._server)
             clients = self._server.get_clients().items()
             tab.client = next((client for key, client in clients if live.get(key) is tab), None)
-        shared = self._server.gui._gui_input_handle_from_uuid.get(uuid)
-        if shared is not None or tab.client is None:
-            return shared
-        return tab.client.gui._gui_input_handle_from_uuid.get(uuid)
+        shared = viser_inside.input_handle(self._server, uuid)
+        return (
+            shared
+            if shared is not None or tab.client is None
+            else viser_inside.input_handle(tab.client, uuid)
+        )
 
 
 class GatedServer(viser.ViserServer):
@@ -379,9 +354,6 @@ class GatedServer(viser.ViserServer):
     def __init__(self, gate: Gate, host: str, port: int, label: str | None) -> None:
         self.gate = gate
         super().__init__(host=host, port=port, label=label, verbose=False)
-
-
-_replacing = threading.Lock()
 
 
 def open_server(
@@ -408,8 +380,8 @@ def open_server(
     Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place or an origin, a
     name or an address makes no sense.
     """
-    if viser.__version__ != VISER_VERSION:
-        raise GateError(f"viser {VISER_VERSION} is needed, but {viser.__version__} is installed.")
+    if viser.__version__ != viser_inside.VERSION:
+        raise GateError(f"viser {viser_inside.VERSION} is needed, but {viser.__version__} is installed.")
     embed = [origin(site) for site in embed]
     extra_hosts = [host_name(name) for name in extra_hosts]
     public = None if public_url is None else public_address(public_url)
@@ -419,48 +391,25 @@ def open_server(
     loopback = ipaddress.ip_address(address).is_loopback and not extra_hosts and public is None
     on_large = on_oversized or (lambda client_id, filename: None)
     gate = Gate(hosts, on_large, files or {}, embed, public, loopback)
-    # The server gets a duplicate of the socket. This one holds the port until then, and is closed whatever
-    # happens.
-    with listener, _in_front_of_viser(gate, listener) as calls:
+
+    def options_of(viser_answer: Callable[..., Response | None]) -> dict[str, Any]:
+        return {
+            # This one holds the port until then, and is closed whatever happens.
+            "sock": listener.dup(),
+            "process_request": functools.partial(gate.answer, viser_answer),
+            "create_connection": functools.partial(Connection, gate),
+            "max_size": MAX_FRAME_BYTES,
+            "max_queue": MAX_QUEUED_FRAMES,
+            "logger": _logger,
+        }
+
+    with listener, viser_inside.served_by(options_of) as calls:
         server = GatedServer(gate, host, port, label)
         if len(calls) != 1:
             server.stop()
             raise GateError("viser did not start its server by way of the gate.")
     gate.open(server)
     return server
-
-
-@contextlib.contextmanager
-def _in_front_of_viser(gate: Gate, listener: socket.socket) -> Iterator[list[Any]]:
-    """Lead viser's call of `serve` through the gate; yields the list of such calls.
-
-    websockets' own module is changed meanwhile, for want of another way in.
-    """
-    module: Any = websockets.asyncio.server
-    calls: list[Any] = []
-
-    def gated_serve(handler: Any, *address: Any, process_request: Any = None, **options: Any) -> Any:
-        if getattr(handler, "__module__", None) != "viser.infra._infra":  # viser 1.1.1
-            # Someone else's server, started by chance at this moment.
-            return real_serve(handler, *address, process_request=process_request, **options)
-        calls.append(address)
-        options |= {
-            "sock": listener.dup(),
-            "process_request": functools.partial(gate.answer, process_request),
-            "create_connection": functools.partial(Connection, gate),
-            "max_size": MAX_FRAME_BYTES,
-            "max_queue": MAX_QUEUED_FRAMES,
-            "logger": _logger,
-        }
-        return real_serve(handler, **options)
-
-    with _replacing:
-        real_serve = module.serve
-        module.serve = gated_serve
-        try:
-            yield calls
-        finally:
-            module.serve = real_serve
 
 
 class _NoHandshakeErrors(logging.Filter):

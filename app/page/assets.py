@@ -7,10 +7,9 @@ import hashlib
 from functools import cache
 from pathlib import Path
 
-import viser
-
 from ..drawing.looks import style_rules
 from ..gate.gate import PAGE_PATHS, GateError, StaticFile
+from ..viser_inside import PLACE, page_script
 
 _APP = Path(__file__).parents[1]
 _FOLDER = _APP / "page"
@@ -20,6 +19,7 @@ _TYPES = {".js": "text/javascript", ".svg": "image/svg+xml", ".webp": "image/web
 _FOREVER = "public, max-age=31536000, immutable"
 _STYLES = (
     "page.css",
+    "viser/viser.css",
     "body/overlay.css",
     "time/dock.css",
     "measure/tools.css",
@@ -31,10 +31,6 @@ _STYLES = (
     "looks/looks.css",
 )
 """Later ones win."""
-_ROOT = '<div id="root"></div>'
-_SCRIPT = "<script data-p="
-_ITSELF = "document.currentScript"
-"""How viser's script finds its data, which stand in its own element."""
 
 
 @cache
@@ -67,17 +63,10 @@ def _index(folder: str, scripts: list[str]) -> str:
     softrod's script has to be there before viser's begins, or it would miss the first messages. So viser's is
     not run as it stands; softrod's begins it.
     """
-    path = Path(viser.__file__).parent / "client" / "build" / "index.html"
     try:
-        text = path.read_text(encoding="utf-8")
-    except OSError as error:
-        raise GateError(f"viser's page cannot be read: {error}") from None
-    if any(text.count(part) != 1 for part in (_SCRIPT, _ITSELF, _ROOT)):
-        raise GateError("viser's page is not the one that softrod knows.")
-    begin = text.index(_SCRIPT)
-    script = text[begin : text.index("</script>", begin)].replace(
-        _ITSELF, 'document.querySelector("script[data-p]")'
-    )
+        script = page_script()
+    except (OSError, ValueError) as error:
+        raise GateError(f"viser's page cannot be used: {error}") from None
     styles = "\n".join(
         (
             style_rules('html[data-mantine-color-scheme="dark"]*'),
@@ -93,8 +82,8 @@ def _index(folder: str, scripts: list[str]) -> str:
             *(f'<link rel="modulepreload" href="{name}" />' for name in scripts),
             f"<style>{styles}</style></head><body>",
             (_FOLDER / "viser" / "loading.html").read_text(encoding="utf-8"),
-            _ROOT,
+            PLACE,
             f'<script type="module" src="{folder}page/main.js"></script>',
-            f'<script type="text/plain"{script.removeprefix("<script")}</script></body></html>',
+            f'<script type="text/plain"{script.removeprefix("<script")}</body></html>',
         )
     )

@@ -21,7 +21,7 @@ from ..session import commands
 from ..session.session import Notice, Session
 from ..wire.carrier import Mail
 from ..wire.commands import COMMANDS
-from ..wire.to_page import Hud, Role, Roles
+from ..wire.to_page import Hud
 from .controls import Controls
 from .edit.selection_panel import SelectionPanel
 from .looks import readouts
@@ -66,11 +66,6 @@ def set_theme(gui: viser.GuiApi, dark: bool) -> None:
     gui.configure_theme(
         dark_mode=dark, show_logo=False, show_share_button=False, brand_color=(red, green, blue)
     )
-
-
-def _id(handle: Any) -> str:
-    """The id that an element has in the page (viser 1.1.1 has no public name for it)."""
-    return handle._impl.uuid
 
 
 _Place = viser.GuiTabHandle | viser.GuiFolderHandle
@@ -124,7 +119,6 @@ class Panel:
     Attributes:
         lesson: the Lesson tab, if the scene has a lesson.
         plots: all lists of plots that the page has.
-        outlined: buttons that are not the first thing to press in their tab.
     """
 
     def __init__(
@@ -147,7 +141,6 @@ class Panel:
         self._notes: list[_MixedNote] = []
         self._templates: list[viser.GuiDropdownHandle[str]] = []
         self._choices: list[ChoiceBox] = []
-        self.outlined: list[Any] = []
         self._shown_revision = -1
         gui = client.gui
         gui.set_panel_label("softrod")
@@ -163,7 +156,6 @@ class Panel:
         self.plots: list[PlotList] = []
         self._play_tab = self._solver_tab = None
         self._play = self._solver = None
-        self._own_values: viser.GuiButtonHandle | None = None
         self.measure_tab: viser.GuiTabHandle | None = None
         self.files_tab: viser.GuiTabHandle | None = None
         if controls.in_panel or has_lesson:
@@ -181,14 +173,12 @@ class Panel:
             self._play_tab = tabs.add_tab("Play")
             with self._play_tab:
                 self._play = PlayPanel(self._client, self._session, self._perform, controls)
-            self.outlined += self._play.outlined
         if "measure" in controls or "tools" in controls:
             self.measure_tab = tabs.add_tab("Measure")
         if "solver" in controls:
             self._solver_tab = tabs.add_tab("Solver")
             with self._solver_tab:
                 self._solver = SolverPanel(self._client, self._session, self._notify)
-            self.outlined += self._solver.outlined
         if "files" in controls:
             self.files_tab = tabs.add_tab("Share")
 
@@ -267,8 +257,6 @@ class Panel:
             )
         # What is in the folder goes first.
         self._body += [own_values, folder]
-        self.outlined = [*(button for button in self.outlined if button is not self._own_values), own_values]
-        self._own_values = own_values
 
         @own_values.on_click
         async def _(_: object) -> None:
@@ -328,9 +316,8 @@ class Panel:
 
     def show_selection(self) -> None:
         """Show what is selected, if it may be edited."""
-        if self._selection is not None and self._selection.tick():
-            self.outlined += self._selection.outlined
-            self.tell_roles()
+        if self._selection is not None:
+            self._selection.tick()
 
     def show_help(self) -> None:
         """Open the help."""
@@ -372,14 +359,3 @@ class Panel:
             self._play.refresh_readouts()
         if self._solver is not None:
             self._solver.refresh_readouts()
-
-    def tell_roles(self) -> None:
-        """Say which controls look otherwise than viser draws them."""
-        anew = self._play.anew if self._play is not None else None
-        roles: dict[str, Role] = {
-            **{_id(slider_box.slider): "slider" for slider_box in self._sliders},
-            **{_id(slider_box.box): "number" for slider_box in self._sliders},
-            **{_id(button): "outlined" for button in self.outlined},
-            **({_id(anew): "beside"} if anew else {}),
-        }
-        self._mail.tell(Roles(roles=roles, time_bar="play" in self._controls))

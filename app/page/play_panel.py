@@ -26,10 +26,6 @@ class PlayPanel:
         session: its simulation.
         perform: does a command of the table.
         controls: which there are.
-
-    Attributes:
-        outlined: buttons that are not the first thing to press.
-        anew: the button that stands beside the chooser.
     """
 
     def __init__(
@@ -42,17 +38,17 @@ class PlayPanel:
         self._session = session
         self._perform = perform
         self._edits_texts = "edit" in controls
-        self.outlined: list[Any] = []
-        self.anew: Any = None
         self._chooser = self._about = self._follow = self._readout = self._pad = None
         gui = client.gui
         if "chooser" in controls:
             hint = "choose another scene (key O)"
-            self._chooser = gui.add_button("Scene", icon=viser.Icon.LAYOUT_GRID, hint=hint, order=1)
-            hint = "open this scene anew"
-            self.anew = gui.add_button("Open anew", icon=viser.Icon.REFRESH, hint=hint, order=1.5)
+            icon = viser.Icon.LAYOUT_GRID
+            self._chooser = gui.add_button("Scene", icon=icon, color="gray", hint=hint, order=1)
+            hint = "open this scene anew"  # it stands beside the chooser, see widgets.js
+            icon = viser.Icon.REFRESH
+            anew = gui.add_button("Open anew", icon=icon, color="gray", hint=hint, order=1.5)
             self._listen_to(self._chooser, "gallery")
-            self._listen_to(self.anew, "anew")
+            self._listen_to(anew, "anew")
         if "about" in controls:
             self._about = gui.add_html("", order=2)
         # Between them are the sliders that make most of the scene.
@@ -65,8 +61,6 @@ class PlayPanel:
             self._pad = gui.add_html(readouts.PAD, visible=False, order=LAST + 2)
 
     def _listen_to(self, button: viser.GuiButtonHandle, command: str) -> None:
-        self.outlined.append(button)
-
         @button.on_click
         async def _(_: object) -> None:
             self._perform(command)

@@ -32,9 +32,10 @@ from ..session.hand import GIZMO
 from ..session.pacing import is_large
 from ..session.plots import Wish
 from ..session.session import Changed, Notice, Session
+from ..viser_inside import element_id
 from ..wire import from_page
 from ..wire.carrier import Mail, listen
-from ..wire.commands import COMMANDS
+from ..wire.commands import COMMANDS, Look
 from ..wire.to_page import Keepsake, PageState, Resumed, Run, ShowMeasures
 from . import controls
 from .answers import Answers
@@ -64,10 +65,29 @@ SHELF_EVERY = 0.3
 RESTING_AFTER = 0.5
 """Seconds without a visible movement after which the body counts as at rest."""
 
-TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "solver", "tools", "view")
+TOLD_CONTROLS = ("chooser", "edit", "files", "help", "measure", "play", "solver", "tools", "view")
 """Controls of which the script is told whether they are there: it makes some, and commands need some."""
 
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
+
+
+def told_of_compiling(ready: int, of: int, busy_with: str, awaited: str) -> str:
+    """How far the compiler is, as the page says it; empty if all is ready.
+
+    Args:
+        ready: number of parts that are compiled.
+        of: number of all parts.
+        busy_with: what is being compiled.
+        awaited: the method that the body waits for, moved by NumPy meanwhile; empty if it does not wait.
+    """
+    if awaited:
+        text = f"moves by NumPy until {awaited} is compiled: {ready} of {of} parts ready"
+    elif ready < of:
+        text = f"preparing {busy_with}: {ready} of {of} parts ready"
+    else:
+        return ""
+    trouble = cache_trouble()
+    return f"{text}; {trouble}" if trouble else text
 
 
 class Submit(Protocol):
@@ -111,7 +131,9 @@ class Tab:
         self._requests: deque[Callable[[Session], None]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
         self._looks = keeping.PLAIN
-        self._commas = CommaSwitch(lambda on: self.hear(from_page.Switch("commas", on)))
+        self._commas = CommaSwitch(
+            lambda on: self._requests.append(lambda now: self._switch(now, "commas", on))
+        )
         self._before_lesson: BeforeLesson | None = None
         self._generation = -1
         self._page = secrets.token_hex(4)
@@ -135,8 +157,8 @@ class Tab:
         self._all_ready = False
         self._for_others = for_others
         self._first = scene = self._asked_scene(query) or scene
-        self._view = Canvas(client, self._touched)
         self._mail = Mail(client)
+        self._view = Canvas(client, self._mail, self._touched)
         listen(client, self.hear)
         self._asked_controls = self._checked(controls.of_query, query)
         self._controls = self._scenes_controls = controls.ALL
@@ -193,8 +215,6 @@ class Tab:
                 self._show_where_seen()
             case from_page.Pick(mass):
                 self._requests.append(lambda now: self._pick(now, mass))
-            case from_page.Switch(what, on):
-                self._requests.append(lambda now: self._switch(now, what, on))
             case from_page.BeginStep():
                 self._requests.append(lambda _: self._begin_step(said))
 
@@ -249,13 +269,13 @@ class Tab:
                 return
             done, self._under_way = self._under_way, None
             made = done.result()
-            session = session or self._begin(made)
         elif session is None:
             if is_large(self._first):
                 self._under_way = beside(Session, self._first, wait=False)
                 return
-            session = self._begin(Session(self._first, wait=False))
+            made = Session(self._first, wait=False)
         else:
+            made = session
             self._look_at_shelf(session.now())
             self._serve_requests(session)
             self._prepare(session)
@@ -264,8 +284,9 @@ class Tab:
                 return
             self._advance(session, budget)
         # All at once: viser 1.1.1 sets an `asyncio.Event` from this thread at every message, which raises if
-        # its event loop is just waking up from the one before.
+        # its event loop is just waking up from the one before. And no panel comes in parts.
         with self.client.atomic():
+            session = session or self._begin(made)
             self._send(session)
         self._keep(session)
 
@@ -294,16 +315,10 @@ class Tab:
         """What is made after the first picture has been sent."""
 
         def resume(kept: keeping.Kept) -> None:
-            # At once: a link that the page sends after it goes before it.
-            versions = pasts.of(kept.undo) if kept.undo else None
-            session.post(commands.Resume(bytes(kept.session), versions))
-            self._requests.append(lambda now: self._resume_looks(now, kept))
-            if kept.undo and versions is None:
-                text = "What was changed before the connection was lost can no longer be undone."
-                self.notify(Notice("info", "Undo begins anew", text))
+            self._requests.append(lambda now: self._resume(now, kept))
 
-        def show(scene: sim.Scene) -> None:
-            session.post(commands.Open(scene))
+        def show(scene: sim.Scene) -> None:  # by the same queue: a link comes after what the page had kept
+            self._requests.append(lambda now: now.post(commands.Open(scene)))
 
         self._answers = Answers(session, self._mail, self.notify, resume, show, self._for_others, self._shelf)
         self._controls = self._wanted_controls(session.scene)
@@ -354,17 +369,14 @@ class Tab:
                 with self._panel.measure_tab:
                     self._tools = ToolsPanel(self.client, session, self._mail)
                 self._tools.show_arrows(self._arrows_kept)
-                self._panel.outlined += self._tools.outlined
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
-                files = self._files = FilesPanel(
+                self._files = FilesPanel(
                     self.client, session, self.notify, lambda: self.perform("share"), self._shelf
                 )
-                take_home = ExportPanel(
+                ExportPanel(
                     self.client, session, lambda: self._looks.dark, self.perform, self.notify, self._commas
                 )
-            self._panel.outlined += [*files.outlined, *take_home.outlined]
-
         self._show_where_seen()
 
     def _prepare(self, session: Session) -> None:
@@ -377,14 +389,8 @@ class Tab:
             self._compiler.want(needed_by(method))
         ready, of = self._compiler.progress
         self._all_ready = ready == of
-        text = ""
-        if session.simulation.plain:
-            label = METHODS[method].label
-            text = f"moves by NumPy until {label} is compiled: {ready} of {of} parts ready"
-        elif ready < of:
-            text = f"preparing {self._compiler.busy_with}: {ready} of {of} parts ready"
-        if text and (trouble := cache_trouble()):
-            text = f"{text}; {trouble}"
+        label = METHODS[method].label if session.simulation.plain else ""
+        text = told_of_compiling(ready, of, self._compiler.busy_with, label)
         if text != session.preparing:
             session.preparing = text
             session.note(Changed.SETTINGS)
@@ -416,7 +422,6 @@ class Tab:
         if self._files is not None:
             self._files.build()
         self._show_lessons_things(session)
-        self._panel.tell_roles()
         if self._measure is not None:
             self._measure.build(dark)
         self._moved_at = session.now()
@@ -510,7 +515,7 @@ class Tab:
             controls=tuple(name for name in TOLD_CONTROLS if name in self._controls),
             gizmos=self._looks.gizmos,
             meter=self._looks.meter,
-            measuring=measures._id if measures is not None else "",
+            measuring=element_id(measures) if measures is not None else "",
             lesson=session.lesson_begun if session.scene.lesson else None,
         )
         self._mail.tell(state)
@@ -537,8 +542,16 @@ class Tab:
         wait = (time.thread_time() - began) / KEEP_SHARE
         self._keep_due = now + min(max(KEEP_EVERY, wait), KEEP_LATEST)
 
-    def _resume_looks(self, session: Session, kept: keeping.Kept) -> None:
-        """Have the page look as it did when that was kept, and keep what goes on from that."""
+    def _resume(self, session: Session, kept: keeping.Kept) -> None:
+        """Go on with what was kept, in this very frame, and keep what goes on from that.
+
+        The plots are remembered before the body comes: with it they are put up.
+        """
+        versions = pasts.of(kept.undo) if kept.undo else None
+        if kept.undo and versions is None:
+            text = "What was changed before the connection was lost can no longer be undone."
+            self.notify(Notice("info", "Undo begins anew", text))
+        session.post(commands.Resume(bytes(kept.session), versions))
         self._mail.tell(Resumed())
         self._kept = ()
         self._plots_kept = kept.plots
@@ -572,6 +585,11 @@ class Tab:
     def show_help(self) -> None:
         """Open the help."""
         self._panel.show_help()
+
+    def toggle(self, look: Look) -> None:
+        """Turn a look of the page on or off."""
+        if self._session is not None:
+            self._switch(self._session, look, not getattr(self._looks, look))
 
     def _switch(self, session: Session, what: str, on: bool) -> None:
         """Turn one of the looks on or off."""

@@ -1,7 +1,8 @@
-"""The file that a run is recorded in: one JSON object a line, a header and then what was done, in order.
+"""The file of what is done in a run, in order: one JSON object a line. A page records one; people write some.
 
 A log is about what was done to a `Simulation`, in its own steps. It knows no wall clock and no pointer, so a
-replay does not depend on how fast the machine is.
+replay does not depend on how fast the machine is. A recorded one begins with a header that has its scene; one
+that is written by hand may leave that out where the scene is named elsewhere.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import os
 import platform
 from dataclasses import dataclass, field
 from importlib import metadata
+from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
 
 import llvmlite.binding
@@ -27,6 +29,7 @@ from sim.scene.numbers import Angle, Vector
 from sim.scene.sentences import in_words
 from sim.scene.validate import consistent_pose, validate
 from sim.store.files import MAX_FILE_BYTES, decode_scene, encode_fields, fields_of
+from sim.store.places import as_utf8, repeated_key
 
 FORMAT, VERSION = "softrod-log", 1
 
@@ -37,6 +40,8 @@ can open what it has saved, as long as these take less than a megabyte."""
 _MOST_BYTES = MAX_LOG_BYTES + 4 * MAX_FILE_BYTES
 """Largest log that is read: its scene, and the scene and pose that it begins with, may each be as large as a
 scene file, and so may what comes last."""
+
+_EXAMPLE = '{"do": "move", "mass": 0, "to": [320, 180]} and then {"do": "step", "n": 1, "times": 100}'
 
 NOTED = 32
 """Masses, at most, whose positions are noted in a check."""
@@ -202,7 +207,7 @@ class Log:
     Attributes:
         source: what it is called in an error.
         scene: what it begins with.
-        machine: where it was recorded.
+        machine: where it was recorded; empty if it says nothing of that.
         entries: what was done.
         lines: the number of each entry's line.
         moments: what the entries `Restore` go back to, by the entry's index.
@@ -210,7 +215,7 @@ class Log:
 
     source: str
     scene: sim.Scene
-    machine: Machine
+    machine: Machine = field(default_factory=Machine)
     entries: list[Entry] = field(default_factory=list)
     lines: list[int] = field(default_factory=list)
     moments: dict[int, sim.Moment] = field(default_factory=dict)
@@ -314,7 +319,7 @@ def moment_of(entry: Restore, scene: sim.Scene) -> sim.Moment:
 
 
 def is_recorded(data: bytes) -> bool:
-    """Whether the bytes are a log in this format, and not a list of inputs."""
+    """Whether the bytes are a log with a header."""
     try:
         first = msgspec.json.decode(data.lstrip().split(b"\n", 1)[0])
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError):
@@ -322,12 +327,24 @@ def is_recorded(data: bytes) -> bool:
     return isinstance(first, dict) and first.get("format") == FORMAT
 
 
-def decode_log(data: bytes, source: str) -> Log:
+def read_log(path: Path, scene: sim.Scene | None = None) -> Log:
+    """The log in a file; arguments and errors as of `decode_log`, or the file cannot be read."""
+    try:
+        data = as_utf8(path.read_bytes())
+    except OSError as error:
+        raise InputError(f"{path}: the file cannot be read ({error.strerror or error})") from None
+    except UnicodeError as error:
+        raise InputError(f"{path}: {error}") from None
+    return decode_log(data, str(path), scene)
+
+
+def decode_log(data: bytes, source: str, scene: sim.Scene | None = None) -> Log:
     """The log in a file's bytes; nothing in it is trusted.
 
     Args:
         data: the whole file.
         source: what to call it in an error, usually the file's name.
+        scene: what a log without a header begins with; None where it must have one.
 
     Raises:
         InputError: one sentence that names the line.
@@ -335,16 +352,24 @@ def decode_log(data: bytes, source: str) -> Log:
     if len(data) > _MOST_BYTES:
         raise InputError(f"{source}: {len(data)} bytes are more than the {_MOST_BYTES} that a log may have")
     lines = [(i, line) for i, line in enumerate(data.splitlines(), start=1) if line.strip()]
-    number = lines[0][0] if lines else 1
+    number, line = lines[0] if lines else (1, b"")
     try:
-        header = msgspec.json.decode(lines[0][1] if lines else b"", type=Header)
-        if header.version > VERSION:
-            raise InputError(f"version {header.version} is newer than {VERSION}; a newer softrod can read it")
-        scene = decode_scene(bytes(header.scene), "scene", places=False)
-        log, present = Log(source, scene, header.machine), scene
+        if scene is None or is_recorded(line):
+            header = msgspec.json.decode(line, type=Header)
+            if header.version > VERSION:
+                raise InputError(
+                    f"version {header.version} is newer than {VERSION}; a newer softrod can read it"
+                )
+            scene, lines = decode_scene(bytes(header.scene), "scene", places=False), lines[1:]
+            log = Log(source, scene, header.machine)
+        else:
+            log = Log(source, scene)
+        present = scene
         decoder: Any = msgspec.json.Decoder(Entry)
-        for number, line in lines[1:]:
+        for number, line in lines:
             entry = decoder.decode(line)
+            if again := repeated_key(line):
+                raise InputError(f"the key {again[0][:60]!r} stands twice in one object")
             if isinstance(entry, Restore):
                 if entry.scene is not None:
                     present = decode_scene(msgspec.json.encode(entry.scene), "scene", places=False)
@@ -356,5 +381,8 @@ def decode_log(data: bytes, source: str) -> Log:
             log.entries.append(entry)
             log.lines.append(number)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError, SceneError, InputError) as error:
-        raise InputError(" ".join(f"{source}: line {number}: {in_words(str(error))}".split())) from None
+        reason = in_words(str(error))
+        if reason.startswith("the field `do` is missing"):
+            reason += f", which says what is done, as in {_EXAMPLE}"
+        raise InputError(" ".join(f"{source}: line {number}: {reason}".split())) from None
     return log

@@ -1,43 +1,35 @@
-"""How messages travel: each in one message of viser's own kind, which viser's page never sees.
-
-viser 1.1.1 leads every subclass of its `Message` to whoever registered for it, and a page's script takes this
-one out of the queue (`app/page/body/canvas.js`). Nothing public does: `_messages`, `_websock_connection`.
-"""
+"""How messages travel: each in one message of viser's own kind, see `app.viser_inside.SoftrodMessage`."""
 
 from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TypeVar
 
 import msgspec
 import viser
-import viser._messages
 
+from .. import viser_inside
+from ..viser_inside import SoftrodMessage
 from .from_page import FromPage, read
-from .to_page import State, ToPage
+from .to_page import Numbers, State, ToPage
 
 _encode = msgspec.json.Encoder().encode
 _numbers = itertools.count()
 
 
-@dataclass(init=False)
-class SoftrodMessage(viser._messages.Message, include_in_scene_serialization=False):
-    """Carries a message, JSON, either way."""
-
-    text: str
-
-    def __init__(self, text: str, key: str = "") -> None:
-        self.text = text
-        self._key = key
-
-    def redundancy_key(self) -> str:
-        """Of messages with the same key that wait to be sent, viser keeps the last one."""
-        return self._key
-
-
 _S = TypeVar("_S", bound=State)
+
+
+def encoded(message: ToPage) -> SoftrodMessage:
+    """A message as it travels; of states and numbers, the last one takes the place of those that wait."""
+    kind = type(message)
+    key = f"softrod-{kind.__name__ if isinstance(message, (State, Numbers)) else next(_numbers)}"
+    if not isinstance(message, Numbers):
+        return SoftrodMessage(_encode(message).decode(), key=key)
+    fields = msgspec.structs.asdict(message)
+    numbers = fields.pop("numbers")
+    return SoftrodMessage(_encode({"tell": kind.__struct_config__.tag, **fields}).decode(), numbers, key)
 
 
 class Mail:
@@ -57,26 +49,23 @@ class Mail:
             if self._told.get(type(message)) == message:
                 return
             self._told[type(message)] = message
-            key = f"softrod-{type(message).__name__}"
-        else:
-            key = f"softrod-{next(_numbers)}"
-        self.send(_encode(message).decode(), key)
+        self.send(encoded(message))
+
+    def send(self, message: SoftrodMessage) -> None:
+        """Hand a message to viser."""
+        viser_inside.send(self._client, message)
 
     def told(self, kind: type[_S]) -> _S | None:
         """The state of a kind that the page was told last."""
         state = self._told.get(kind)
         return state if isinstance(state, kind) else None
 
-    def send(self, text: str, key: str) -> None:
-        """Send JSON; it takes the place of what waits under the same key."""
-        self._client._websock_connection.queue_message(SoftrodMessage(text, key))
-
 
 def listen(client: viser.ClientHandle, heard: Callable[[FromPage], None]) -> None:
     """Have everything that a page says heard, on viser's event loop, where nothing may block."""
 
-    def take(_: int, message: SoftrodMessage) -> None:
-        if (said := read(message.text)) is not None:
+    def take(text: str) -> None:
+        if (said := read(text)) is not None:
             heard(said)
 
-    client._websock_connection.register_handler(SoftrodMessage, take)
+    viser_inside.listen(client, take)

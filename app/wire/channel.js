@@ -37,9 +37,9 @@ export function onTold(kind, reader) {
  * @param {import("../page/viser/viser.js").Message} message
  * @returns {boolean} whether it was for the script
  */
-export function hear({ type, text }) {
+export function hear({ type, text, numbers }) {
   if (type !== CARRIER) return false;
-  const message = JSON.parse(text);
+  const message = { ...JSON.parse(text), ...(numbers && { numbers }) };
   if (message.tell === "pageState") heard = message;
   for (const read of readers.get(message.tell) ?? []) read(message);
   return true;

@@ -15,6 +15,9 @@ from ..drawing.looks import ICONS
 from ..session import commands
 from ..session.session import Session
 
+Look = Literal["dark", "gizmos", "meter"]
+"""Looks of the page that are switches, see `keeping.Looks`."""
+
 
 class Page(Protocol):
     """What commands do beyond the session: `Tab` has it. All of it is called in the ticker's thread."""
@@ -25,6 +28,10 @@ class Page(Protocol):
 
     def show_help(self) -> None:
         """Open the help."""
+        ...
+
+    def toggle(self, look: Look) -> None:
+        """Turn a look of the page on or off."""
         ...
 
 
@@ -87,6 +94,10 @@ def _help(_: Session, page: Page) -> None:
     page.show_help()
 
 
+def _toggle(look: Look) -> Callable[[Session, Page], None]:
+    return lambda _, page: page.toggle(look)
+
+
 _HAND = (
     "M8 12V5.5a1.5 1.5 0 0 1 3 0V11m0-1V4.5a1.5 1.5 0 0 1 3 0V11m0-5a1.5 1.5 0 0 1 3 0v7c0 4-2 7-6 7-3 0-4-1"
     "-5.500-4l-2-3.500a1.500 1.500 0 0 1 2.500-1.500L8 14"
@@ -140,6 +151,14 @@ COMMANDS: dict[str, Row] = {
     "stopwatch": Row(
         "Stopwatch", "elsewhere", ("T", "L"),
         "start or stop the stopwatch, a lap, once it is on the canvas", palette=False, where="own",
+    ),
+    "dark": Row("Dark", _toggle("dark"), needs="view"),
+    "meter": Row(
+        "Stability bar", _toggle("meter"), hint="always, not only where the time step is near its limit",
+        needs="view",
+    ),
+    "gizmos": Row(
+        "Arrows at held masses", _toggle("gizmos"), hint="to drag them along one axis", needs="view"
     ),
     "picture": Row("Picture of the page (PNG)", "page", ("I",), "a picture of the page, as a file"),
     "energy": Row("Energy: follow it, or stop", _energy, needs="solver"),

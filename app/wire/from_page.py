@@ -98,13 +98,6 @@ class Visit(FromPage, frozen=True):
     """A slider was pressed, or a number box entered: what is changed from here on is another step of undo."""
 
 
-class Switch(FromPage, frozen=True):
-    """Turn a look of the page on or off, see `keeping.Looks`."""
-
-    what: Literal["dark", "gizmos", "meter", "commas"]
-    on: bool
-
-
 class Seen(FromPage, frozen=True):
     """In which tab somebody sees plots now; they are not sent otherwise."""
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
+import numpy as np
 from msgspec import Struct
 
 from sim.scene.lesson import Question
@@ -21,6 +20,12 @@ class State(ToPage, frozen=True, kw_only=True):
 
 class Event(ToPage, frozen=True, kw_only=True):
     """Something that happened: all of them arrive, in order."""
+
+
+class Numbers(ToPage, frozen=True, kw_only=True):
+    """Numbers of single precision, which travel beside the JSON: only the latest count."""
+
+    numbers: np.ndarray
 
 
 # ------------------------------------------------------------------------- states
@@ -95,18 +100,6 @@ class Hud(State, frozen=True, kw_only=True):
     html: str
 
 
-Role = Literal["slider", "number", "outlined", "beside"]
-"""A slider beside the number box that stands in place of its own; that box; a button that is drawn as an
-outline; and one that stands beside the control before it, as its icon."""
-
-
-class Roles(State, frozen=True, kw_only=True):
-    """Controls that look otherwise than viser draws them, by their ids; whether there is a bar of time."""
-
-    roles: dict[str, Role]
-    time_bar: bool
-
-
 class LessonStep(Struct, frozen=True):
     """What the script shows of a step, see `sim.scene.lesson.Step`."""
 
@@ -146,6 +139,29 @@ class Keepsake(State, frozen=True, kw_only=True):
     """What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON."""
 
     kept: str
+
+
+# ------------------------------------------------------------------------- numbers
+class Plan(Numbers, frozen=True, kw_only=True):
+    """What a body is made of, see `drawing.plan.encode_plan`."""
+
+
+class Frame(Numbers, frozen=True, kw_only=True):
+    """Where the masses are, see `drawing.plan.encode_frame`.
+
+    Attributes:
+        wall: when it was made, s of a clock that runs evenly.
+    """
+
+    wall: float
+
+
+class Damage(Numbers, frozen=True, kw_only=True):
+    """What has yielded and broken, see `drawing.plan.encode_damage`."""
+
+
+class Arrows(Numbers, frozen=True, kw_only=True):
+    """Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any."""
 
 
 # ------------------------------------------------------------------------- events

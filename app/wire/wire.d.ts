@@ -1,5 +1,5 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "gallery" | "anew" | "share" | "follow" | "plot" | "fit" | "larger" | "stopwatch" | "dark" | "meter" | "gizmos" | "picture" | "energy" | "foretell" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "body" | "lengths" | "angles" | "palette" | "ownBody" | "ownSolver" | "help";
 /** Commands that the page's script does. */
 export type PageCommand = "gallery" | "share" | "fit" | "larger" | "picture" | "edit";
 /** Do a command of the table, see `commands`. */
@@ -20,8 +20,6 @@ export type GoTo = { do: "goTo"; time: number };
 export type Speed = { do: "speed"; speed: number };
 /** A slider was pressed, or a number box entered: what is changed from here on is another step of undo. */
 export type Visit = { do: "visit" };
-/** Turn a look of the page on or off, see `keeping.Looks`. */
-export type Switch = { do: "switch"; what: "commas" | "dark" | "gizmos" | "meter"; on: boolean };
 /** In which tab somebody sees plots now; they are not sent otherwise. */
 export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
 /** The page goes to a step of the scene's lesson. */
@@ -62,7 +60,7 @@ export type Stroke = { do: "stroke"; points: [number, number][] };
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "mirror" | "pin" | "remove" | "rest" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Switch | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
+export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
@@ -75,8 +73,6 @@ export type PageState = { tell: "pageState"; page: string; scene: number; title:
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
-/** Controls that look otherwise than viser draws them, by their ids; whether there is a bar of time. */
-export type Roles = { tell: "roles"; roles: Record<string, "beside" | "number" | "outlined" | "slider">; time_bar: boolean };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; steps: LessonStep[] };
 /** What is selected. */
@@ -107,6 +103,14 @@ export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, st
 export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
-export type ToPage = PageState | Tools | Hud | Roles | Lesson | Selected | Versions | Keepsake | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link;
+/** What a body is made of, see `drawing.plan.encode_plan`. */
+export type Plan = { tell: "plan"; numbers: Float32Array };
+/** Where the masses are, see `drawing.plan.encode_frame`. */
+export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
+/** What has yielded and broken, see `drawing.plan.encode_damage`. */
+export type Damage = { tell: "damage"; numbers: Float32Array };
+/** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
+export type Arrows = { tell: "arrows"; numbers: Float32Array };
+export type ToPage = PageState | Tools | Hud | Lesson | Selected | Versions | Keepsake | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link | Plan | Frame | Damage | Arrows;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; hud: Hud; roles: Roles; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link };
+export type Told = { pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows };

@@ -298,8 +298,8 @@ class Resting:
 
     def overloads(self, q: Floats) -> list[str]:
         """What would break or yield at positions q and at rest, in a sentence for each way."""
-        strength, state, unit = self.tables.strength, self.state, self.scene.view.unit
-        if not strength.present:
+        limits, state, unit = self.tables.limits, self.state, self.scene.view.unit
+        if not limits.present:
             return []
         still = np.zeros(self.slots, complex)
         x = q[: self.slots] + 1j * q[self.slots :]
@@ -308,9 +308,9 @@ class Resting:
         force = np.abs(stiffness * np.hypot(*self.vectors(q)) - state.rest_tension[: self.tables.springs])
         torque = np.abs(Physics(self.tables, state).torques(x, still)) if joints.size else np.zeros(0)
         ways = (
-            ("spring", springs, "break", force, "strength", strength.breaking, ""),
-            ("spring", springs, "yield", force, "yield force", strength.yielding + state.hardened, ""),
-            ("joint", joints, "yield", torque, "yield torque", strength.bending, "²"),
+            ("spring", springs, "break", force, "strength", limits.breaking, ""),
+            ("spring", springs, "yield", force, "yield force", limits.yielding + state.hardened, ""),
+            ("joint", joints, "yield", torque, "yield torque", limits.bending, "²"),
         )
         sentences = []
         for part, order, verb, load, what, limit, power in ways:

@@ -17,6 +17,7 @@ from ..methods.limits import flip, undamped_step
 from ..methods.registry import METHODS
 from ..motion.stability import StabilityMeter, limit_at_start
 from ..physics import Physics
+from ..scene.columns import column, ends
 from ..scene.types import Scene, is_loaded
 from ..scene.validate import validate
 from .equilibrium import loaded_equilibrium
@@ -123,7 +124,7 @@ def tuning(scene: Scene) -> Tuning:
         fastest = _fastest(resting)
     methods = [name for name, method in METHODS.items() if method.limit and name != "stable_spring"]
     steps = {name: limit_at_start(scene, name).limit for name in methods}
-    springs, joints = softnesses(scene)
+    (springs, joints), numbers = softnesses(scene), Numbers.of(scene)
     return Tuning(
         slowest=slowest,
         elastic=elastic,
@@ -131,12 +132,28 @@ def tuning(scene: Scene) -> Tuning:
         sag=sag,
         sag_mass=sag_mass,
         stable_steps=steps,
-        springs=_alone(
-            [s.stiffness for s in scene.linear_springs], [s.damping for s in scene.linear_springs], springs
-        ),
-        joints=_alone(joint_stiffness(scene), [j.damping for j in scene.angular_springs], joints),
+        springs=_alone(numbers.stiffness, numbers.damping, springs),
+        joints=_alone(numbers.joint_stiffness, numbers.joint_damping, joints),
         notes=tuple(notes),
     )
+
+
+class Numbers(NamedTuple):
+    """Stiffness, kg/s², and damping, kg/s, of springs (S,) and joints (J,), in the order of the scene."""
+
+    stiffness: Floats
+    damping: Floats
+    joint_stiffness: Floats
+    joint_damping: Floats
+
+    @staticmethod
+    def of(scene: Scene) -> Numbers:
+        """Those of a scene."""
+        springs, joints = scene.linear_springs, scene.angular_springs
+        of_joints = np.array(joint_stiffness(scene), float)
+        return Numbers(
+            column(springs, "stiffness"), column(springs, "damping"), of_joints, column(joints, "damping")
+        )
 
 
 def softnesses(scene: Scene) -> tuple[Floats, Floats]:
@@ -161,8 +178,7 @@ def broken_parts(scene: Scene) -> tuple[Indices, Indices]:
     """The springs that are broken at the scene's start, and the joints that hold one of them."""
     damage = damage_of(scene)
     broken = np.array(damage.broken if damage is not None else (), np.int64)
-    joints = [(joint.a, joint.b) for joint in scene.angular_springs]
-    return broken, np.flatnonzero(np.isin(np.array(joints, np.int64).reshape(-1, 2), broken).any(1))
+    return broken, np.flatnonzero(np.isin(np.stack(ends(scene.angular_springs), 1), broken).any(1))
 
 
 def vibrations_at_rest(scene: Scene, count: int) -> tuple[Scene, Vibrations]:
@@ -192,10 +208,7 @@ class Dampers:
         # Its drag grows with the square of the speed: of small vibrations it takes nothing.
         del self._physics.terms["air friction"]
         self._mass = np.array([[m.mass] for m in scene.masses])
-        self.stiffness = np.array([s.stiffness for s in scene.linear_springs], float)
-        self.joint_stiffness = np.array(joint_stiffness(scene), float)
-        self.damping = np.array([s.damping for s in scene.linear_springs], float)
-        self.joint_damping = np.array([j.damping for j in scene.angular_springs], float)
+        self.numbers = Numbers.of(scene)
         self._broken, self._loose = broken_parts(scene)
         # Friction is in proportion to speeds only far below those at which things slip.
         slips = [wall.slip_speed for wall in scene.walls]
@@ -228,17 +241,16 @@ class Dampers:
         slow = self._creep / max(float(np.abs(w).max()), 1e-300)
         v = (slow * w).astype(complex)
         change = (physics.forces(x, -v) - physics.forces(x, v)) / (2.0 * slow)
-        power = max(
-            0.0, float((w.conj() * change).real.sum())
-        )  # of nothing but rounding it may be below zero
+        # Of nothing but rounding it may be below zero.
+        power = max(0.0, float((w.conj() * change).real.sum()))
         return power / (2.0 * omega * float((self._mass * shape**2).sum()))
 
     def hold(self, omega: float, shape: Floats) -> Hold:
         """What holds a vibration; arguments as of `ratio`."""
         unit, around = 2.0 / omega, self.ratio(omega, shape)
         return Hold(
-            self.ratio(omega, shape, springs=unit * self.stiffness) - around,
-            self.ratio(omega, shape, joints=unit * self.joint_stiffness) - around,
+            self.ratio(omega, shape, springs=unit * self.numbers.stiffness) - around,
+            self.ratio(omega, shape, joints=unit * self.numbers.joint_stiffness) - around,
             around,
         )
 
@@ -335,7 +347,7 @@ def _slowest(scene: Scene, notes: list[str]) -> tuple[Vibration | None, Vibratio
 
 
 def _vibration(dampers: Dampers, omega: float, shape: Floats) -> Vibration:
-    ratio = dampers.ratio(omega, shape, dampers.damping, dampers.joint_damping)
+    ratio = dampers.ratio(omega, shape, dampers.numbers.damping, dampers.numbers.joint_damping)
     return Vibration(omega / math.tau, ratio, shape)
 
 
@@ -354,9 +366,9 @@ def _fastest(scene: Scene) -> Vibration | None:
     return _vibration(Dampers(scene), omega, shape)
 
 
-def _alone(stiffness: list[float], damping: list[float], softness: Floats) -> Alone:
+def _alone(stiffness: Floats, damping: Floats, softness: Floats) -> Alone:
     """Of each part: with k and c as in `sim.methods.limits`, the limit is where dt² k + 2 dt c = 4."""
-    k, c = np.array(stiffness) * softness, np.array(damping) * softness
+    k, c = stiffness * softness, damping * softness
     omega = np.sqrt(k)
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.where(c > 0.0, c / (2.0 * omega), 0.0)

@@ -9,27 +9,7 @@ import numpy as np
 from ..kernels.core.tables import Body, Floats, Indices, Matrix
 from .system import slots_of
 
-_NONE, _NOWHERE = np.zeros(0), np.zeros(0, np.int64)
-NO_MATRIX = Matrix(
-    blocks=_NONE,
-    walk=_NOWHERE,
-    parent=_NOWHERE,
-    order=_NOWHERE,
-    row_start=_NOWHERE,
-    column=_NOWHERE,
-    diagonal=_NOWHERE,
-    slot=_NOWHERE,
-    spring_target=_NOWHERE,
-    joint_target=_NOWHERE,
-    loop_target=_NOWHERE,
-    borders=np.zeros((0, 0)),
-    corrections=np.zeros((0, 0)),
-    of_mass=_NOWHERE,
-    touching=_NONE,
-    touched=np.zeros((0, 0)),
-    krylov=np.zeros((0, 0)),
-    hessenberg=np.zeros((0, 0)),
-)
+NO_MATRIX = Matrix.empty()
 """An empty matrix, for methods that solve no linear systems."""
 
 

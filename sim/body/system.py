@@ -10,6 +10,7 @@ import numpy as np
 
 from ..forces.environment import new_environment
 from ..forces.joints import LAWS, NO_JOINTS
+from ..forces.limits import Limits, new_limits, without_broken
 from ..kernels.core.roots import LEAST
 from ..kernels.core.tables import (
     CONTROL_SCALE,
@@ -25,7 +26,6 @@ from ..kernels.core.tables import (
 from ..methods.registry import METHODS
 from ..scene.columns import column, ends
 from ..scene.types import Damage, Integrator, Scene, is_damageable, is_loaded, is_surrounded
-from .damage import NO_STRENGTH, new_strength, without_broken
 
 _SOFT_IN_TOLERANCES = 0.02
 """Softening length of springs under an adaptive method, in tolerances; see `Body.softening`."""
@@ -221,7 +221,7 @@ def new_state(system: System) -> State:
     body = system.body
     slots = slots_of(body)
     joints = max(body.joints, body.stiffness.size) + 1
-    damageable = body.strength.present
+    damageable = body.limits.present
     sizes = {
         "q": (2 * slots, 1),
         "v": (2 * slots, 1),
@@ -248,7 +248,7 @@ def refresh(body: Body, state: State) -> None:
     springs, joints = slice(body.springs), slice(1, body.joints + 1)
     state.rest_tension[springs] = body.stiffness[springs] * (body.rest_length[springs] * scale)
     angle = body.joint_rest + shift
-    if body.strength.present:
+    if body.limits.present:
         state.rest_tension[springs] += body.stiffness[springs] * state.set_length
         angle = angle + state.set_angle
     rest = np.radians(180.0 - (180.0 - angle) % 360.0)
@@ -387,7 +387,7 @@ def _body(
         more_spring=more_spring,
         more_spring_mass=more_spring_mass,
         more_spring_sign=more_spring_sign,
-        strength=new_strength(scene, spring_order, joint_order) if damageable else NO_STRENGTH,
+        limits=new_limits(scene, spring_order, joint_order) if damageable else Limits.empty(),
         environment=new_environment(
             scene,
             mass_index,

@@ -26,6 +26,7 @@ from numba import types
 
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
+from ..forces.limits import overstrained, settle
 from ..kernels.core.shared import (
     ACCELERATIONS,
     ACCUMULATE,
@@ -42,7 +43,6 @@ from ..kernels.energy.energies import energies
 from ..kernels.energy.work import accumulate_work
 from ..kernels.engine.jit import cache_folder, module_of
 from ..kernels.integrators.auto import next_turn
-from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from ..methods.registry import AUTO_METHODS, METHODS

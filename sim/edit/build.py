@@ -6,18 +6,21 @@ import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from statistics import median
+from typing import TypeVar
 
 import msgspec
 import numpy as np
 
 from ..errors import SceneError
 from ..motion.moment import Moment
-from ..scene.numbers import MAX_COORDINATE, MAX_MASSES, MAX_SPRINGS, Vector
+from ..scene.numbers import MAX_COORDINATE, Vector
 from ..scene.parts import Anchor, AngularSpring, LinearSpring, Mass
 from ..scene.recipes.assembly import wrapped
 from ..scene.types import Scene
 from ..scene.validate import SHORTEST
-from .edit import Edit, Map, Selection, added, counted, of_parts, refuse_missing, with_added, without
+from .edit import Edit, Map, Selection, counted, of_parts, refuse_missing, with_added, without
+
+P = TypeVar("P", Mass, LinearSpring, AngularSpring)
 
 NEW_MASS = Mass(position=(0.0, 0.0))
 NEW_SPRING = LinearSpring(a=0, b=1, stiffness=10_000.0, damping=20.0, rest_length=1.0)
@@ -37,14 +40,9 @@ def add_mass(scene: Scene, at: Vector, held: bool = False) -> Edit:
         SceneError: there are too many, or the place is out of range.
     """
     scene = of_parts(scene)
-    n = len(scene.masses)
-    if n >= MAX_MASSES:
-        raise SceneError(f"a scene has {MAX_MASSES} masses at most")
-    mass = msgspec.structs.replace(typical_mass(scene), position=place(at))
-    new = with_added(scene, masses=(mass,))
-    if held:
-        new = msgspec.structs.replace(new, anchors=(*scene.anchors, Anchor(mass=n)))
-    return Edit("mass added", new, masses=added(n, 1))
+    mass = msgspec.structs.replace(_typical(scene.masses, NEW_MASS, "mass", "radius"), position=place(at))
+    anchors = [Anchor(mass=len(scene.masses))] if held else []
+    return with_added("mass added", scene, masses=[mass], anchors=anchors)
 
 
 def add_springs(
@@ -67,7 +65,7 @@ def add_springs(
     scene = of_parts(scene)
     scale = scene.rest_length_scale if scale is None else scale
     taken = {(spring.a, spring.b) for spring in scene.linear_springs}
-    typical, springs = typical_spring(scene), []
+    typical, springs = _typical(scene.linear_springs, NEW_SPRING, "stiffness", "damping"), []
     for a, b in pairs:
         refuse_missing((a, b), len(scene.masses))
         if a == b or (a, b) in taken or (b, a) in taken:
@@ -84,11 +82,7 @@ def add_springs(
                 else f"masses {a} and {b} are too far apart for a spring: its rest length is 1e6 px at most"
             )
         springs.append(msgspec.structs.replace(typical, a=a, b=b, rest_length=length))
-    count = len(scene.linear_springs)
-    if count + len(springs) > MAX_SPRINGS:
-        raise SceneError(f"a scene has {MAX_SPRINGS} springs at most")
-    label = f"{counted(len(springs), 'spring')} added"
-    return Edit(label, with_added(scene, springs=springs), springs=added(count, len(springs)))
+    return with_added(f"{counted(len(springs), 'spring')} added", scene, springs=springs)
 
 
 def add_joints(
@@ -107,7 +101,8 @@ def add_joints(
     """
     scene = of_parts(scene)
     taken = {(joint.a, joint.b) for joint in scene.angular_springs}
-    typical, joints, springs = typical_joint(scene), [], scene.linear_springs
+    typical, joints = _typical(scene.angular_springs, NEW_JOINT, "stiffness", "damping"), []
+    springs = scene.linear_springs
     if stiffness is not None:
         typical = msgspec.structs.replace(typical, stiffness=stiffness)
     for (a, b), angle in zip(pairs, angles, strict=True):
@@ -118,11 +113,7 @@ def add_joints(
             continue
         taken.add((a, b))
         joints.append(msgspec.structs.replace(typical, a=a, b=b, rest_angle=in_turn(angle)))
-    count = len(scene.angular_springs)
-    if count + len(joints) > MAX_SPRINGS:
-        raise SceneError(f"a scene has {MAX_SPRINGS} angular springs at most")
-    label = f"{counted(len(joints), 'joint')} added"
-    return Edit(label, with_added(scene, joints=joints), joints=added(count, len(joints)))
+    return with_added(f"{counted(len(joints), 'joint')} added", scene, joints=joints)
 
 
 def extend(
@@ -221,40 +212,11 @@ def place(at: Vector) -> Vector:
     return x, y
 
 
-def typical_mass(scene: Scene) -> Mass:
-    """A mass as heavy and as large as the scene's."""
-    if not scene.masses:
-        return NEW_MASS
-    return Mass(
-        position=(0.0, 0.0),
-        mass=median(mass.mass for mass in scene.masses),
-        radius=median(mass.radius for mass in scene.masses),
-    )
-
-
-def typical_spring(scene: Scene) -> LinearSpring:
-    """A spring as stiff as the scene's."""
-    springs = scene.linear_springs
-    if not springs:
-        return NEW_SPRING
-    return msgspec.structs.replace(
-        NEW_SPRING,
-        stiffness=median(spring.stiffness for spring in springs),
-        damping=median(spring.damping for spring in springs),
-    )
-
-
-def typical_joint(scene: Scene) -> AngularSpring:
-    """An angular spring as stiff as the scene's."""
-    joints = scene.angular_springs
-    if not joints:
-        return NEW_JOINT
-    return AngularSpring(
-        a=0,
-        b=1,
-        stiffness=median(joint.stiffness for joint in joints),
-        damping=median(joint.damping for joint in joints),
-    )
+def _typical(parts: Sequence[P], new: P, *fields: str) -> P:
+    """A new part whose numbers in some fields are the medians of those that there are, if there are any."""
+    if not parts:
+        return new
+    return msgspec.structs.replace(new, **{f: median(getattr(part, f) for part in parts) for f in fields})
 
 
 def angle_between(scene: Scene, a: int, b: int, positions: Sequence[Vector]) -> float:

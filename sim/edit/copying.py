@@ -7,13 +7,13 @@ from collections.abc import Collection, Sequence
 import msgspec
 
 from ..errors import SceneError
-from ..scene.numbers import MAX_MASSES, MAX_SPRINGS, Vector
+from ..scene.numbers import Vector
 from ..scene.parts import Anchor, AngularSpring, LinearSpring, Mass
 from ..scene.sentences import in_words
 from ..scene.types import Scene
 from ..scene.validate import validate
 from .build import place
-from .edit import Edit, added, counted, of_parts, refuse_missing, with_added
+from .edit import Edit, Selection, counted, of_parts, refuse_missing, with_added, without
 
 MAX_FRAGMENT_BYTES = 2_000_000
 """Size of the largest text that is pasted."""
@@ -44,34 +44,18 @@ def copy(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> 
     refuse_missing(chosen, len(scene.masses))
     if not chosen:
         raise SceneError("nothing is selected that could be copied")
-    scene = of_parts(scene)
-    middle = [
-        (min(positions[i][k] for i in chosen) + max(positions[i][k] for i in chosen)) / 2.0 for k in (0, 1)
-    ]
-    at = {old: new for new, old in enumerate(chosen)}
-    replace = msgspec.structs.replace
-    kept = [s for s, spring in enumerate(scene.linear_springs) if spring.a in at and spring.b in at]
-    spring_at = {old: new for new, old in enumerate(kept)}
-    held = {anchor.mass for anchor in scene.anchors}
+    others = frozenset(range(len(scene.masses))).difference(chosen)
+    left, *_ = without(of_parts(scene), Selection(masses=others))
+    places = [positions[i] for i in chosen]
+    x, y = ((min(along) + max(along)) / 2.0 for along in zip(*places, strict=True))
     return Fragment(
         masses=tuple(
-            replace(
-                scene.masses[i],
-                position=(positions[i][0] - middle[0], positions[i][1] - middle[1]),
-                velocity=(0.0, 0.0),
-            )
-            for i in chosen
+            msgspec.structs.replace(mass, position=(at[0] - x, at[1] - y), velocity=(0.0, 0.0))
+            for mass, at in zip(left.masses, places, strict=True)
         ),
-        springs=tuple(
-            replace(spring, a=at[spring.a], b=at[spring.b])
-            for spring in (scene.linear_springs[s] for s in kept)
-        ),
-        joints=tuple(
-            replace(joint, a=spring_at[joint.a], b=spring_at[joint.b])
-            for joint in scene.angular_springs
-            if joint.a in spring_at and joint.b in spring_at
-        ),
-        held=tuple(at[i] for i in chosen if i in held),
+        springs=left.linear_springs,
+        joints=left.angular_springs,
+        held=tuple(sorted(anchor.mass for anchor in left.anchors)),
     )
 
 
@@ -84,14 +68,9 @@ def paste(scene: Scene, fragment: Fragment, at: Vector) -> Edit:
     scene = of_parts(scene)
     x, y = place(at)
     n, s = len(scene.masses), len(scene.linear_springs)
-    if n + len(fragment.masses) > MAX_MASSES:
-        raise SceneError(f"a scene has {MAX_MASSES} masses at most")
-    if s + len(fragment.springs) > MAX_SPRINGS:
-        raise SceneError(f"a scene has {MAX_SPRINGS} springs at most")
-    if len(scene.angular_springs) + len(fragment.joints) > MAX_SPRINGS:
-        raise SceneError(f"a scene has {MAX_SPRINGS} angular springs at most")
     replace = msgspec.structs.replace
-    new = with_added(
+    return with_added(
+        f"{counted(len(fragment.masses), 'mass')} pasted",
         scene,
         masses=[
             replace(mass, position=place((mass.position[0] + x, mass.position[1] + y)))
@@ -99,14 +78,7 @@ def paste(scene: Scene, fragment: Fragment, at: Vector) -> Edit:
         ],
         springs=[replace(spring, a=spring.a + n, b=spring.b + n) for spring in fragment.springs],
         joints=[replace(joint, a=joint.a + s, b=joint.b + s) for joint in fragment.joints],
-    )
-    new = replace(new, anchors=(*scene.anchors, *(Anchor(mass=n + i) for i in fragment.held)))
-    return Edit(
-        f"{counted(len(fragment.masses), 'mass')} pasted",
-        new,
-        added(n, len(fragment.masses)),
-        added(s, len(fragment.springs)),
-        added(len(scene.angular_springs), len(fragment.joints)),
+        anchors=[Anchor(mass=n + i) for i in fragment.held],
     )
 
 

@@ -5,18 +5,19 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.damage import leaking
 from ..body.system import joint_stiffness
 from ..errors import SceneError
+from ..forces.limits import leaking
 from ..motion.moment import Moment
 from ..scene.columns import ends
-from ..scene.parts import AngularSpring, LinearSpring, Mass
+from ..scene.numbers import MAX_MASSES, MAX_SPRINGS
+from ..scene.parts import Anchor, AngularSpring, LinearSpring, Mass
 from ..scene.types import Damage, Pose, Scene
 
 T = TypeVar("T")
@@ -111,13 +112,14 @@ def carried(edit: Edit, moment: Moment) -> Moment:
         rows[2:, held] = 0.0
         if edit.shift is not None:
             rows[:2] += edit.shift
-    return dataclasses.replace(moment, scene=scene, rows=rows, damage=_carried_damage(edit, moment.damage))
+    damage = _carried_damage(moment.damage, edit.springs, edit.joints)
+    return dataclasses.replace(moment, scene=scene, rows=rows, damage=damage)
 
 
-def _carried_damage(edit: Edit, damage: Damage | None) -> Damage | None:
+def _carried_damage(damage: Damage | None, springs: Map, joints: Map) -> Damage | None:
+    """What has yielded and broken of the springs and joints after an edit."""
     if damage is None:
         return None
-    springs, joints = edit.springs, edit.joints
     if springs is None:
         broken, lengths, hardened = damage.broken, damage.set_lengths, damage.hardened
     else:
@@ -191,39 +193,54 @@ def of_parts(scene: Scene) -> Scene:
 
 
 def with_added(
+    label: str,
     scene: Scene,
     masses: Sequence[Mass] = (),
     springs: Sequence[LinearSpring] = (),
     joints: Sequence[AngularSpring] = (),
-) -> Scene:
-    """A scene of parts with more parts, which come after those it has."""
-    pose = scene.pose
-    if pose is not None and (masses or springs or joints):
-        pose = _longer_pose(pose, masses, len(springs), len(joints))
-    return msgspec.structs.replace(
+    anchors: Sequence[Anchor] = (),
+) -> Edit:
+    """More parts for a scene of parts, which come after those it has.
+
+    Raises:
+        SceneError: there are too many.
+    """
+
+    def added(old: Sequence[object], new: Sequence[object], most: int, what: str) -> Map:
+        if len(old) + len(new) > most:
+            raise SceneError(f"a scene has {most} {what} at most")
+        return (*range(len(old)), *(-1,) * len(new)) if new else None
+
+    maps = (
+        added(scene.masses, masses, MAX_MASSES, "masses"),
+        added(scene.linear_springs, springs, MAX_SPRINGS, "springs"),
+        added(scene.angular_springs, joints, MAX_SPRINGS, "angular springs"),
+    )
+    every = (*scene.masses, *masses)
+    larger = msgspec.structs.replace(
         scene,
-        masses=(*scene.masses, *masses),
+        masses=every,
         linear_springs=(*scene.linear_springs, *springs),
         angular_springs=(*scene.angular_springs, *joints),
-        pose=pose,
+        anchors=(*scene.anchors, *anchors),
+        pose=_carried_pose(scene.pose, every, *maps),
     )
+    return Edit(label, larger, *maps)
 
 
-def _longer_pose(pose: Pose, masses: Sequence[Mass], springs: int, joints: int) -> Pose:
-    damage = pose.damage
-    if damage is not None:
-        nothing = (0.0,) * springs
-        damage = msgspec.structs.replace(
-            damage,
-            set_lengths=damage.set_lengths and damage.set_lengths + nothing,
-            hardened=damage.hardened and damage.hardened + nothing,
-            set_angles=damage.set_angles and damage.set_angles + (0.0,) * joints,
-        )
-    return Pose(
-        positions=(*pose.positions, *(mass.position for mass in masses)),
-        velocities=(*pose.velocities, *(mass.velocity for mass in masses)),
-        damage=damage,
-    )
+def _carried_pose(
+    pose: Pose | None, new: Sequence[Mass], masses: Map, springs: Map, joints: Map
+) -> Pose | None:
+    """A pose after an edit; `new` are the masses then, of which some may begin as they say."""
+    if pose is None:
+        return None
+    positions, velocities = pose.positions, pose.velocities
+    if masses is not None:
+        pairs = list(zip(masses, new, strict=True))
+        positions = tuple(positions[old] if old >= 0 else mass.position for old, mass in pairs)
+        velocities = tuple(velocities[old] if old >= 0 else mass.velocity for old, mass in pairs)
+    damage = _carried_damage(pose.damage, springs, joints)
+    return Pose(positions=positions, velocities=velocities, damage=damage)
 
 
 def without(scene: Scene, gone: Selection) -> tuple[Scene, Map, Map, Map]:
@@ -250,59 +267,39 @@ def without(scene: Scene, gone: Selection) -> tuple[Scene, Map, Map, Map]:
         for j, joint in enumerate(scene.angular_springs)
         if j not in gone.joints and joint.a in spring_at and joint.b in spring_at
     ]
+    maps = (
+        _map(masses, scene.masses),
+        _map(springs, scene.linear_springs),
+        _map(joints, scene.angular_springs),
+    )
     replace = msgspec.structs.replace
-    changes: dict[str, object] = {}
-    same = len(masses) == len(scene.masses), len(springs) == len(scene.linear_springs)
-    if not same[0]:
+    changes: dict[str, Any] = {}
+    if maps[0] is not None:
         changes["masses"] = tuple(scene.masses[i] for i in masses)
         changes["anchors"] = tuple(replace(a, mass=at[a.mass]) for a in scene.anchors if a.mass in at)
-    if scene.fillings and not (same[0] and same[1]):
+    if maps[0] is not None or maps[1] is not None:
+        changes["linear_springs"] = tuple(_renumbered(scene.linear_springs[s], at) for s in springs)
         removed = np.setdiff1d(np.arange(len(scene.linear_springs)), springs)
         loops = [np.array(filling.masses) for filling in scene.fillings]
-        empty = leaking(loops, np.stack(ends(scene.linear_springs), 1), removed)
+        empty = leaking(loops, np.stack(ends(scene.linear_springs), 1), removed) if loops else ()
         full = [f for k, f in enumerate(scene.fillings) if k not in empty]
         left = [(f, tuple(at[i] for i in f.masses if i in at)) for f in full]
         changes["fillings"] = tuple(replace(f, masses=loop) for f, loop in left if len(loop) >= 3)
-    if not (same[0] and same[1]):
-        changes["linear_springs"] = tuple(_renumbered(scene.linear_springs[s], at) for s in springs)
-    if len(joints) < len(scene.angular_springs) or not same[1]:
+    if maps[1] is not None or maps[2] is not None:
         changes["angular_springs"] = tuple(_renumbered(scene.angular_springs[j], spring_at) for j in joints)
-    maps = (
-        None if same[0] else tuple(masses),
-        None if same[1] else tuple(springs),
-        None if len(joints) == len(scene.angular_springs) else tuple(joints),
-    )
-    if scene.pose is not None and changes:
-        changes["pose"] = _shorter_pose(scene.pose, masses, springs, joints)
+    if changes:
+        changes["pose"] = _carried_pose(scene.pose, changes.get("masses", scene.masses), *maps)
     return replace(scene, **changes), *maps
+
+
+def _map(kept: list[int], parts: Sequence[object]) -> Map:
+    return tuple(kept) if len(kept) < len(parts) else None
 
 
 def _renumbered(part: Ended, at: dict[int, int]) -> Ended:
     """A part with the new numbers of what is at its ends; itself where these are as before."""
     a, b = at[part.a], at[part.b]
     return part if a == part.a and b == part.b else msgspec.structs.replace(part, a=a, b=b)
-
-
-def _shorter_pose(pose: Pose, masses: list[int], springs: list[int], joints: list[int]) -> Pose:
-    damage = pose.damage
-    if damage is not None:
-        broken = set(damage.broken)
-        damage = Damage(
-            broken=tuple(new for new, old in enumerate(springs) if old in broken),
-            set_lengths=_values(damage.set_lengths, springs),
-            hardened=_values(damage.hardened, springs),
-            set_angles=_values(damage.set_angles, joints),
-        )
-    return Pose(
-        positions=tuple(pose.positions[i] for i in masses),
-        velocities=tuple(pose.velocities[i] for i in masses),
-        damage=damage,
-    )
-
-
-def added(count: int, more: int) -> Map:
-    """Where parts were before others were put behind them."""
-    return (*range(count), *(-1,) * more) if more else None
 
 
 def changed(parts: Sequence[T], new: Iterable[tuple[int, T]]) -> tuple[T, ...]:

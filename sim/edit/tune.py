@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
-import msgspec
 import numpy as np
+from msgspec.structs import replace
 
-from ..analysis.tuning import MOST_VIBRATIONS, Dampers, Hold, broken_parts, softnesses, vibrations_at_rest
-from ..body.system import joint_stiffness, same_topology
+from ..analysis.tuning import (
+    MOST_VIBRATIONS,
+    Dampers,
+    Hold,
+    Numbers,
+    broken_parts,
+    softnesses,
+    vibrations_at_rest,
+)
+from ..body.system import same_topology
 from ..errors import InputError, SettingError
 from ..kernels.core.tables import Floats
 from ..methods.registry import METHODS
@@ -40,44 +48,21 @@ _LEAST_HOLD = 1e-6
 P = TypeVar("P", LinearSpring, AngularSpring)
 
 
-class _Numbers(NamedTuple):
-    """Stiffness and damping of springs (S,) and joints (J,)."""
-
-    stiffness: Floats
-    damping: Floats
-    joint_stiffness: Floats
-    joint_damping: Floats
-
-    @staticmethod
-    def of(scene: Scene) -> _Numbers:
-        springs, joints = scene.linear_springs, scene.angular_springs
-        return _Numbers(
-            np.array([s.stiffness for s in springs], float),
-            np.array([s.damping for s in springs], float),
-            np.array(joint_stiffness(scene), float),
-            np.array([j.damping for j in joints], float),
-        )
-
-    def put(self, scene: Scene) -> Scene:
-        """The scene with these numbers; parts whose numbers are the same stay the same objects."""
-        scene = of_parts(scene)
-        springs = tuple(
-            part if (part.stiffness, part.damping) == (k, c) else _with(part, k, c)
-            for part, k, c in zip(
-                scene.linear_springs, self.stiffness.tolist(), self.damping.tolist(), strict=True
-            )
-        )
-        joints = tuple(
-            part if (part.stiffness, part.damping) == (k, c) else _with(part, k, c)
-            for part, k, c in zip(
-                scene.angular_springs, self.joint_stiffness.tolist(), self.joint_damping.tolist(), strict=True
-            )
-        )
-        return msgspec.structs.replace(scene, linear_springs=springs, angular_springs=joints)
+def _with_numbers(scene: Scene, numbers: Numbers) -> Scene:
+    """The scene with these numbers; parts whose numbers are the same stay the same objects."""
+    scene = of_parts(scene)
+    return replace(
+        scene,
+        linear_springs=_tuned(scene.linear_springs, numbers.stiffness, numbers.damping),
+        angular_springs=_tuned(scene.angular_springs, numbers.joint_stiffness, numbers.joint_damping),
+    )
 
 
-def _with(part: P, stiffness: float, damping: float) -> P:
-    return msgspec.structs.replace(part, stiffness=stiffness, damping=damping)
+def _tuned(parts: tuple[P, ...], stiffness: Floats, damping: Floats) -> tuple[P, ...]:
+    return tuple(
+        part if (part.stiffness, part.damping) == (k, c) else replace(part, stiffness=k, damping=c)
+        for part, k, c in zip(parts, stiffness.tolist(), damping.tolist(), strict=True)
+    )
 
 
 def make_stable(scene: Scene, dt: float | None = None, method: Method | None = None) -> Scene:
@@ -110,11 +95,11 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
     """
     integrator = scene.integrator
     if dt is not None and dt != integrator.dt:
-        integrator = msgspec.structs.replace(integrator, dt=dt)
+        integrator = replace(integrator, dt=dt)
     if method is not None and method != integrator.method:
-        integrator = msgspec.structs.replace(integrator, method=method)
+        integrator = replace(integrator, method=method)
     if integrator is not scene.integrator:
-        scene = msgspec.structs.replace(scene, integrator=integrator)
+        scene = replace(scene, integrator=integrator)
     validate(scene)
     rule = METHODS[integrator.method].limit
     if rule is None or not is_limited(integrator.method):
@@ -122,16 +107,16 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
     calm = _is_calm(scene)
     if calm and _survives(scene):
         return scene
-    own, step = _Numbers.of(scene), integrator.dt
+    own, step = Numbers.of(scene), integrator.dt
     springs, joints = softnesses(scene)
-    asked = _Numbers(
+    asked = Numbers(
         step**2 * springs, rule.damping * step * springs, step**2 * joints, rule.damping * step * joints
     )
 
     def capped(cap: float) -> Scene:
         with np.errstate(divide="ignore"):
             limits = [cap / each for each in asked]
-        return _Numbers(*map(np.minimum, own, limits)).put(scene)
+        return _with_numbers(scene, Numbers(*map(np.minimum, own, limits)))
 
     loads = np.concatenate([of * number for of, number in zip(asked, own, strict=True)])
     high, low = float(loads.max(initial=0.0)), _SOFTEST
@@ -181,7 +166,7 @@ def damp_vibration(scene: Scene, mode: int | None = None, spring: int | None = N
     validate(scene)
     if spring is not None:
         return _with_damped(scene, (spring,))
-    own = _Numbers.of(scene)
+    own = Numbers.of(scene)
     if mode is not None and (isinstance(mode, bool) or not isinstance(mode, int) or mode < 0):
         raise InputError(f"damp_vibration: {mode} is not the number of a vibration, from 0")
     resting, found = vibrations_at_rest(scene, MOST_VIBRATIONS if mode is None else mode + 1)
@@ -191,11 +176,11 @@ def damp_vibration(scene: Scene, mode: int | None = None, spring: int | None = N
     for omega, shape in list(zip(found.frequencies.tolist(), found.shapes, strict=True))[mode or 0 :]:
         hold = dampers.hold(omega, shape)
         if hold.is_elastic or (mode is not None and max(hold.springs, hold.joints) > _LEAST_HOLD):
-            return _damped(own, dampers, omega, shape, hold).put(scene)
+            return _with_numbers(scene, _damped(own, dampers, omega, shape, hold))
     raise InputError("damp_vibration: springs and joints hold no such vibration, so they cannot damp it")
 
 
-def _damped(own: _Numbers, dampers: Dampers, omega: float, shape: Floats, hold: Hold) -> _Numbers:
+def _damped(own: Numbers, dampers: Dampers, omega: float, shape: Floats, hold: Hold) -> Numbers:
     """The numbers with which the damping ratio of a vibration is 1."""
     left = 1.0 - hold.around
     if not left > 0.0:
@@ -232,13 +217,14 @@ def as_far_as_stable(scene: Scene, damped: Scene) -> Scene:
     Raises:
         InputError: the time step is too long for the scene as it is.
     """
-    own, other = _Numbers.of(scene), _Numbers.of(damped)
+    own, other = Numbers.of(scene), Numbers.of(damped)
 
     def part(of_way: float) -> Scene:
-        return own._replace(
+        numbers = own._replace(
             damping=own.damping + of_way * (other.damping - own.damping),
             joint_damping=own.joint_damping + of_way * (other.joint_damping - own.joint_damping),
-        ).put(scene)
+        )
+        return _with_numbers(scene, numbers)
 
     if not is_limited(scene.integrator.method) or _is_calm(damped):
         return damped
@@ -265,15 +251,15 @@ def with_numbers_of(tuned: Scene, origin: Scene, scene: Scene, label: str) -> Ed
     Raises:
         SettingError: the scene has other parts, or other stiffnesses and dampings, than then.
     """
-    before, now = _Numbers.of(origin), _Numbers.of(scene)
+    before, now = Numbers.of(origin), Numbers.of(scene)
     same = same_topology(origin, scene) and all(map(np.array_equal, before, now))
     if not same:
         raise SettingError(f"{label}: the body was changed meanwhile, so that it is not that one any more")
-    return Edit(label, _Numbers.of(tuned).put(scene))
+    return Edit(label, _with_numbers(scene, Numbers.of(tuned)))
 
 
 def _with_damped(scene: Scene, springs: Collection[int]) -> Scene:
-    own, softness = _Numbers.of(scene), softnesses(scene)[0]
+    own, softness = Numbers.of(scene), softnesses(scene)[0]
     damping, broken = own.damping.copy(), broken_parts(scene)[0]
     for spring in springs:
         if isinstance(spring, bool) or not isinstance(spring, int) or not 0 <= spring < len(softness):
@@ -283,7 +269,7 @@ def _with_damped(scene: Scene, springs: Collection[int]) -> Scene:
         if not softness[spring] > 0.0:
             raise InputError(f"damp_vibration: both masses of spring {spring} are held, so it cannot vibrate")
         damping[spring] = 2.0 * math.sqrt(float(own.stiffness[spring] / softness[spring]))
-    return own._replace(damping=_allowed(damping)).put(scene)
+    return _with_numbers(scene, own._replace(damping=_allowed(damping)))
 
 
 def _allowed(damping: Floats) -> Floats:

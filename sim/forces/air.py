@@ -15,6 +15,7 @@ wind w (Kraichnan 1970, Taylor 1938).
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -42,20 +43,25 @@ class Air(Table):
     moves: bool  # there is wind, and friction for it to act by
     wind_x: float  # px/s, the mean wind
     wind_y: float
-    waves: Rows  # (K, 6), see the WAVE_ constants
+    waves: Rows  # (K, 6), a `Wave` each
 
 
-WAVE_X, WAVE_Y, WAVE_U, WAVE_V, WAVE_PHASE, WAVE_RATE = 0, 1, 2, 3, 4, 5
-"""In a row of `waves`: wave vector, 1/px, amplitude, px/s, phase at time zero, and its rate, 1/s."""
-WAVE_ROW = 6
-"""Length of a row of `waves`."""
+class Wave(NamedTuple):
+    """A wave of gusts."""
+
+    x: float  # 1/px, the wave vector
+    y: float
+    u: float  # px/s, the amplitude
+    v: float
+    phase: float  # at time zero
+    rate: float  # 1/s, of the phase
 
 
 def new_air(scene: Scene) -> Air:
     """The table of a valid scene."""
     wind = scene.wind if scene.air_friction > 0.0 else None
     x, y = wind.velocity if wind else (0.0, 0.0)
-    waves = _waves(wind) if wind else np.zeros((0, WAVE_ROW))
+    waves = _waves(wind) if wind else np.zeros((0, len(Wave._fields)))
     return read_only(
         Air(friction=scene.air_friction, moves=wind is not None, wind_x=x, wind_y=y, waves=waves)
     )
@@ -65,7 +71,7 @@ def _waves(wind: Wind) -> Floats:
     """(K, 6) waves whose energy falls with the wave number as in turbulence, by the power -5/3."""
     speed = math.hypot(*wind.velocity)
     if wind.turbulence * speed == 0.0:
-        return np.zeros((0, WAVE_ROW))
+        return np.zeros((0, len(Wave._fields)))
     rng = np.random.default_rng(wind.seed)
     octave = np.arange(_WAVES) * (_OCTAVES / (_WAVES - 1))
     number = np.asarray(math.tau / wind.length_scale * 2.0**octave, float)
@@ -79,16 +85,23 @@ def _waves(wind: Wind) -> Floats:
     return np.stack((x, y, u, v, phase, -(x * wind.velocity[0] + y * wind.velocity[1])), 1)
 
 
+@kernel(forceinline=True)
+def _wave(air, k):
+    """The k-th wave."""
+    row = air.waves[k]
+    return Wave(row[0], row[1], row[2], row[3], row[4], row[5])
+
+
 # ------------------------------------------------------------------------- the wind
 @kernel(fastmath=FAST)
 def wind_at(air, t, x, y):
     """The velocity of the air at a point and a time: u, v (px/s)."""
     u, v = air.wind_x, air.wind_y
     for k in range(air.waves.shape[0]):
-        wave = air.waves[k]
-        size = math.sin(wave[WAVE_X] * x + wave[WAVE_Y] * y + wave[WAVE_PHASE] + wave[WAVE_RATE] * t)
-        u += wave[WAVE_U] * size
-        v += wave[WAVE_V] * size
+        wave = _wave(air, k)
+        size = math.sin(wave.x * x + wave.y * y + wave.phase + wave.rate * t)
+        u += wave.u * size
+        v += wave.v * size
     return u, v
 
 
@@ -97,12 +110,12 @@ def wind_gradient_at(air, t, x, y):
     """Its derivatives by position: du/dx, du/dy, dv/dx, dv/dy (1/s)."""
     ux, uy, vx, vy = 0.0, 0.0, 0.0, 0.0
     for k in range(air.waves.shape[0]):
-        wave = air.waves[k]
-        slope = math.cos(wave[WAVE_X] * x + wave[WAVE_Y] * y + wave[WAVE_PHASE] + wave[WAVE_RATE] * t)
-        ux += wave[WAVE_U] * slope * wave[WAVE_X]
-        uy += wave[WAVE_U] * slope * wave[WAVE_Y]
-        vx += wave[WAVE_V] * slope * wave[WAVE_X]
-        vy += wave[WAVE_V] * slope * wave[WAVE_Y]
+        wave = _wave(air, k)
+        slope = math.cos(wave.x * x + wave.y * y + wave.phase + wave.rate * t)
+        ux += wave.u * slope * wave.x
+        uy += wave.u * slope * wave.y
+        vx += wave.v * slope * wave.x
+        vy += wave.v * slope * wave.y
     return ux, uy, vx, vy
 
 
@@ -110,8 +123,8 @@ def wind_gradient_at(air, t, x, y):
 @kernel(fastmath=FAST, noalias=True)
 def _add_wave(wave, t, x, y, u, v):
     """Add the velocity of the air in one wave at each mass."""
-    kx, ky, phase = wave[WAVE_X], wave[WAVE_Y], wave[WAVE_PHASE] + wave[WAVE_RATE] * t
-    along_x, along_y = wave[WAVE_U], wave[WAVE_V]
+    kx, ky, phase = wave.x, wave.y, wave.phase + wave.rate * t
+    along_x, along_y = wave.u, wave.v
     for i in range(x.size):
         s = sine(kx * x[i] + ky * y[i] + phase)
         u[i] += along_x * s
@@ -137,7 +150,7 @@ def _add_forces(body, state, scratch, q, v):
         u, w = scratch.tx[1:end], scratch.ty[1:end]
         u[:], w[:] = air.wind_x, air.wind_y
         for k in range(air.waves.shape[0]):
-            _add_wave(air.waves[k], t, x, y, u, w)
+            _add_wave(_wave(air, k), t, x, y, u, w)
         free = state.inverse_mass[1:end]
         _drag(air.friction, free, u, w, vx, vy, scratch.fx[1:end], scratch.fy[1:end])
 

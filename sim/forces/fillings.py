@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +24,7 @@ from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.table import Indices, Rows, Table
 from ..scene.surroundings import Gas, Liquid
 from ..scene.types import Scene
-from .term import Floats, Term, Vectors, read_only
+from .term import Term, Vectors, read_only
 
 SMALLEST = 0.01
 """Area of a gas, as a fraction of its own area, below which its pressure grows linearly."""
@@ -35,18 +36,20 @@ class Fillings(Table):
 
     start: Indices  # (L + 1,) where the masses of each loop start in `loop`
     loop: Indices  # (M,) slots of the masses of all loops, each in the order in which its area is positive
-    rows: Rows  # (L, 4), see the FILLING_ constants
+    rows: Rows  # (L, 4), a `FillingRow` each
 
     def loops(self) -> list[Indices]:
         """The slots of the masses of each loop; for Python only."""
         return [self.loop[a:b] for a, b in itertools.pairwise(self.start.tolist())]
 
 
-FILLING_GAS, FILLING_PRESSURE, FILLING_OUTSIDE, FILLING_AREA = 0, 1, 2, 3
-"""In a row: 1 for a gas and 0 for a liquid, its pressure or bulk modulus, the pressure outside, kg/s², and
-the area, px²."""
-FILLING_ROW = 4
-"""Length of a row."""
+class FillingRow(NamedTuple):
+    """A gas or a liquid."""
+
+    is_gas: float  # 1 for a gas, 0 for a liquid
+    strength: float  # kg/s², pressure of a gas at its own area, or bulk modulus of a liquid
+    outside: float  # kg/s², the pressure outside
+    area: float  # px², its own
 
 
 def new_fillings(scene: Scene, mass_index: Indices) -> Fillings:
@@ -62,19 +65,26 @@ def new_fillings(scene: Scene, mass_index: Indices) -> Fillings:
         Fillings(
             start=np.cumsum([0, *map(len, loops)]).astype(np.int64),
             loop=np.concatenate([np.zeros(0, np.int64), *loops]),
-            rows=np.array(rows, float).reshape(-1, FILLING_ROW),
+            rows=np.array(rows, float).reshape(-1, len(FillingRow._fields)),
         )
     )
 
 
-def _row(filling: Gas | Liquid, area: float) -> list[float]:
+def _row(filling: Gas | Liquid, area: float) -> FillingRow:
     size = filling.area if filling.area is not None else area
     if isinstance(filling, Liquid):
-        return [0.0, filling.bulk_modulus, 0.0, size]
+        return FillingRow(0.0, filling.bulk_modulus, 0.0, size)
     # A gas whose area is tiny is the same as one at the loop's own area. Below a hundredth of its area, its
     # pressure grows linearly, and no step could follow that within a hundredth of a tiny one.
     larger = max(size, area)
-    return [1.0, filling.pressure * (size / larger), filling.outside, larger]
+    return FillingRow(1.0, filling.pressure * (size / larger), filling.outside, larger)
+
+
+@kernel(forceinline=True)
+def filling_at(fillings, k):
+    """The k-th filling."""
+    row = fillings.rows[k]
+    return FillingRow(row[0], row[1], row[2], row[3])
 
 
 # ------------------------------------------------------------------------- force and energy
@@ -110,15 +120,15 @@ def area_of(fillings, k, q):
 @kernel(fastmath=FAST)
 def pressure_at(filling, area):
     """The pressure of a filling beyond that outside, kg/s², and its derivative by the area."""
-    size, strength = filling[FILLING_AREA], filling[FILLING_PRESSURE]
-    if filling[FILLING_GAS] == 0.0:
+    size, strength = filling.area, filling.strength
+    if filling.is_gas == 0.0:
         return strength * (1.0 - area / size), -strength / size
     least = SMALLEST * size
     if area > least:
         inside = strength * size / area
-        return inside - filling[FILLING_OUTSIDE], -inside / area
+        return inside - filling.outside, -inside / area
     return (
-        strength * size * (2.0 - area / least) / least - filling[FILLING_OUTSIDE],
+        strength * size * (2.0 - area / least) / least - filling.outside,
         -strength * size / (least * least),
     )
 
@@ -126,24 +136,22 @@ def pressure_at(filling, area):
 @kernel(fastmath=FAST)
 def _energy_at(filling, area):
     """The energy of a filling, kg px²/s², zero at its own area."""
-    size, strength = filling[FILLING_AREA], filling[FILLING_PRESSURE]
+    size, strength = filling.area, filling.strength
     off = area - size
-    if filling[FILLING_GAS] == 0.0:
+    if filling.is_gas == 0.0:
         return 0.5 * strength * off * off / size
     least = SMALLEST * size
     if area > least:
-        return filling[FILLING_OUTSIDE] * off - strength * size * math.log(area / size)
+        return filling.outside * off - strength * size * math.log(area / size)
     below = (area - least) / least
-    return filling[FILLING_OUTSIDE] * off - strength * size * (
-        math.log(SMALLEST) + below - 0.5 * below * below
-    )
+    return filling.outside * off - strength * size * (math.log(SMALLEST) + below - 0.5 * below * below)
 
 
 @kernel(fastmath=FAST)
 def _add_forces(body, state, scratch, q, v):
     fillings = body.environment.fillings
     for k in range(fillings.rows.shape[0]):
-        pressure, _ = pressure_at(fillings.rows[k], area_of(fillings, k, q))
+        pressure, _ = pressure_at(filling_at(fillings, k), area_of(fillings, k, q))
         for i in range(fillings.start[k], fillings.start[k + 1]):
             m = fillings.loop[i]
             dx, dy = area_by_mass(fillings, k, i, q)
@@ -155,7 +163,7 @@ def _add_forces(body, state, scratch, q, v):
 def _energy(body, state, q):
     fillings, energy = body.environment.fillings, 0.0
     for k in range(fillings.rows.shape[0]):
-        energy += _energy_at(fillings.rows[k], area_of(fillings, k, q))
+        energy += _energy_at(filling_at(fillings, k), area_of(fillings, k, q))
     return energy
 
 
@@ -172,7 +180,7 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
         return
     fillings, blocks = body.environment.fillings, matrix.blocks
     for k in range(fillings.rows.shape[0]):
-        pressure, _ = pressure_at(fillings.rows[k], area_of(fillings, k, q))
+        pressure, _ = pressure_at(filling_at(fillings, k), area_of(fillings, k, q))
         for i in range(fillings.start[k], fillings.start[k + 1]):
             before, after = 4 * matrix.loop_target[2 * i], 4 * matrix.loop_target[2 * i + 1]
             blocks[after + 1] += 0.5 * pressure
@@ -187,20 +195,20 @@ class FillingsTwin:
 
     def __init__(self, body: Body, _state: State) -> None:
         fillings = body.environment.fillings
-        self._loops = list(zip(fillings.loops(), fillings.rows, strict=True))
+        self._loops = list(zip(fillings.loops(), map(FillingRow._make, fillings.rows), strict=True))
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """See `Twin`."""
         total = np.zeros_like(x)
-        for loop, row in self._loops:
+        for loop, filling in self._loops:
             after, before = np.roll(x[loop], -1), np.roll(x[loop], 1)
             # The gradient of the area: half of the way from the mass before to the one after, turned.
-            np.add.at(total, loop, -0.5j * (after - before) * _pressure(row, polygon_area(x[loop])))
+            np.add.at(total, loop, -0.5j * (after - before) * _pressure(filling, polygon_area(x[loop])))
         return total
 
     def energy(self, x: Vectors) -> float:
         """See `Twin`."""
-        return sum(_energy_of(row, polygon_area(x[loop])) for loop, row in self._loops)
+        return sum(_energy_of(filling, polygon_area(x[loop])) for loop, filling in self._loops)
 
 
 def polygon_area(corners: NDArray[np.complex128]) -> float:
@@ -209,9 +217,9 @@ def polygon_area(corners: NDArray[np.complex128]) -> float:
     return 0.5 * float((off.conj() * np.roll(off, -1)).imag.sum())
 
 
-def _pressure(row: Floats, area: float) -> float:
+def _pressure(filling: FillingRow, area: float) -> float:
     """As `pressure_at`, kg/s²."""
-    is_gas, strength, outside, size = row
+    is_gas, strength, outside, size = filling
     if not is_gas:
         return strength * (1.0 - area / size)
     least = SMALLEST * size
@@ -219,9 +227,9 @@ def _pressure(row: Floats, area: float) -> float:
     return strength * inside - outside
 
 
-def _energy_of(row: Floats, area: float) -> float:
+def _energy_of(filling: FillingRow, area: float) -> float:
     """As `_energy_at`, kg px²/s²."""
-    is_gas, strength, outside, size = row
+    is_gas, strength, outside, size = filling
     if not is_gas:
         return 0.5 * strength * (area - size) ** 2 / size
     least = SMALLEST * size

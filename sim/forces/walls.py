@@ -8,6 +8,8 @@ at which it enters, and slowed along the wall, t = (-n.y, n.x), by friction. A h
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,34 +29,46 @@ _QUICKLY = 4.0
 class Walls(Table):
     """Read-only. W walls."""
 
-    rows: Rows  # (W, 8), see the WALL_ constants
+    rows: Rows  # (W, 8), a `WallRow` each
 
 
-WALL_X, WALL_Y, WALL_NORMAL_X, WALL_NORMAL_Y = 0, 1, 2, 3
-"""In a row: a point of the surface, px, and the unit vector to the free side."""
-WALL_HARDNESS, WALL_FRICTION, WALL_SLIP, WALL_DAMPING = 4, 5, 6, 7
-"""In a row: hardness, 1/(px s²), coefficient of friction, slip speed, px/s, and damping factor, s/px."""
-WALL_ROW = 8
-"""Length of a row."""
+class WallRow(NamedTuple):
+    """A wall."""
+
+    x: float  # px, a point of the surface
+    y: float
+    nx: float  # the unit vector to the free side
+    ny: float
+    hardness: float  # 1/(px s²)
+    friction: float  # coefficient
+    slip_speed: float  # px/s
+    damping: float  # factor, s/px
 
 
 def new_walls(scene: Scene) -> Walls:
     """The table of a valid scene."""
-    return read_only(Walls(rows=np.array([_row(wall) for wall in scene.walls], float).reshape(-1, WALL_ROW)))
+    rows = np.array([_row(wall) for wall in scene.walls], float).reshape(-1, len(WallRow._fields))
+    return read_only(Walls(rows=rows))
 
 
-def _row(wall: Wall) -> list[float]:
-    size = math.hypot(*wall.normal)
-    normal = [part / size for part in wall.normal]
+def _row(wall: Wall) -> WallRow:
+    nx, ny = (part / math.hypot(*wall.normal) for part in wall.normal)
     damping = damping_factor(wall.bounciness)
-    return [*wall.point, *normal, wall.hardness, wall.friction, wall.slip_speed, damping]
+    return WallRow(*wall.point, nx, ny, wall.hardness, wall.friction, wall.slip_speed, damping)
+
+
+@kernel(forceinline=True)
+def _wall(body, k):
+    """The k-th wall."""
+    row = body.environment.walls.rows[k]
+    return WallRow(row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7])
 
 
 # ------------------------------------------------------------------------- force and energy
 @kernel(forceinline=True, fastmath=FAST)
 def depth_in(wall, x, y):
     """How deep a point is inside a wall, px; negative outside."""
-    return (wall[WALL_X] - x) * wall[WALL_NORMAL_X] + (wall[WALL_Y] - y) * wall[WALL_NORMAL_Y]
+    return (wall.x - x) * wall.nx + (wall.y - y) * wall.ny
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -62,15 +76,15 @@ def _wall_push(wall, h, depth, vx, vy):
     """What a wall does to a mass of 1 kg inside it: (push, friction, elastic part of the push, speed along).
 
     Args:
-        wall: a row.
+        wall: the wall.
         h: `Environment.step`.
         depth: of the mass, px, positive.
         vx, vy: its velocity, px/s.
     """
-    nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]
+    nx, ny = wall.nx, wall.ny
     along = vy * nx - vx * ny
     push, friction, elastic = push_and_friction(
-        wall[WALL_HARDNESS], wall[WALL_DAMPING], wall[WALL_FRICTION], wall[WALL_SLIP],
+        wall.hardness, wall.damping, wall.friction, wall.slip_speed,
         h, 1.0, 1.0, depth, vx * nx + vy * ny, along,
     )  # fmt: skip
     return push, friction, elastic, along
@@ -81,14 +95,13 @@ def _add_forces(body, state, scratch, q, v):
     environment, rows, slots = body.environment, body.environment.walls.rows, q.size // 2
     fx, fy, free = scratch.fx, scratch.fy, state.inverse_mass
     for k in range(rows.shape[0]):
-        wall = rows[k]
-        nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]
+        wall = _wall(body, k)
         for i in range(1, body.masses + 1):
             depth = depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and free[i] > 0.0:
                 push, friction, _, _ = _wall_push(wall, environment.step, depth, v[i], v[slots + i])
-                fx[i] += environment.mass[i] * (push * nx + friction * ny)
-                fy[i] += environment.mass[i] * (push * ny - friction * nx)
+                fx[i] += environment.mass[i] * (push * wall.nx + friction * wall.ny)
+                fy[i] += environment.mass[i] * (push * wall.ny - friction * wall.nx)
 
 
 @kernel(fastmath=FAST)
@@ -96,11 +109,11 @@ def _energy(body, state, q):
     """The sum of m H d³ / 3."""
     environment, rows, slots, energy = body.environment, body.environment.walls.rows, q.size // 2, 0.0
     for k in range(rows.shape[0]):
-        wall = rows[k]
+        wall = _wall(body, k)
         for i in range(1, body.masses + 1):
             depth = depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and state.inverse_mass[i] > 0.0:
-                energy += environment.mass[i] * wall[WALL_HARDNESS] * depth * depth * depth / 3.0
+                energy += environment.mass[i] * wall.hardness * depth * depth * depth / 3.0
     return energy
 
 
@@ -111,15 +124,14 @@ def _add_power(body, state, balance, q, v, part):
     environment, rows, slots, power = body.environment, body.environment.walls.rows, q.size // 2, 0.0
     quick = balance.quick
     for k in range(rows.shape[0]):
-        wall = rows[k]
-        nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]
+        wall = _wall(body, k)
         for i in range(1, body.masses + 1):
             depth = depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and state.inverse_mass[i] > 0.0:
                 vx, vy = v[i], v[slots + i]
                 push, friction, elastic, along = _wall_push(wall, environment.step, depth, vx, vy)
                 rubbing = friction * along if quick.shape[0] == 0 or quick[k, i] == 0.0 else 0.0
-                power += environment.mass[i] * ((push - elastic) * (vx * nx + vy * ny) - rubbing)
+                power += environment.mass[i] * ((push - elastic) * (vx * wall.nx + vy * wall.ny) - rubbing)
     balance.work.walls += part * power
 
 
@@ -137,8 +149,8 @@ def mark_quick(body, inverse_mass, q0, q1, h, quick):
     """
     rows, slots, found = body.environment.walls.rows, q0.size // 2, False
     for k in range(rows.shape[0]):
-        wall = rows[k]
-        rate = h * wall[WALL_FRICTION] * wall[WALL_HARDNESS] / wall[WALL_SLIP]
+        wall = _wall(body, k)
+        rate = h * wall.friction * wall.hardness / wall.slip_speed
         for i in range(quick.shape[1]):
             quick[k, i] = 0.0
         for i in range(1, body.masses + 1):
@@ -159,15 +171,14 @@ def gather_others(body, q, v, a, part, quick):
     """
     environment, rows, slots = body.environment, body.environment.walls.rows, q.size // 2
     for k in range(rows.shape[0]):
-        wall = rows[k]
-        nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]
+        wall = _wall(body, k)
         for i in range(1, body.masses + 1):
             if quick[k, i] > 0.0:
                 x, y, vx, vy = q[i], q[slots + i], v[i], v[slots + i]
-                depth, along, friction = depth_in(wall, x, y), vy * nx - vx * ny, 0.0
+                depth, along, friction = depth_in(wall, x, y), vy * wall.nx - vx * wall.ny, 0.0
                 if depth > 0.0:
                     _, friction, _, _ = _wall_push(wall, environment.step, depth, vx, vy)
-                others = a[slots + i] * nx - a[i] * ny + friction
+                others = a[slots + i] * wall.nx - a[i] * wall.ny + friction
                 quick[k, slots + i] += part * environment.mass[i] * others * along
 
 
@@ -176,12 +187,11 @@ def work_of_quick(body, v0, v1, h, quick):
     """The work of friction on the masses of `mark_quick` in a step, which is negative, kg px²/s²."""
     environment, rows, slots, work = body.environment, body.environment.walls.rows, v0.size // 2, 0.0
     for k in range(rows.shape[0]):
-        wall = rows[k]
-        nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]
+        wall = _wall(body, k)
         for i in range(1, body.masses + 1):
             if quick[k, i] > 0.0:
-                first = v0[slots + i] * nx - v0[i] * ny
-                last = v1[slots + i] * nx - v1[i] * ny
+                first = v0[slots + i] * wall.nx - v0[i] * wall.ny
+                last = v1[slots + i] * wall.nx - v1[i] * wall.ny
                 kinetic = 0.5 * environment.mass[i] * (last * last - first * first)
                 work += kinetic - h * quick[k, slots + i]
     return work
@@ -201,12 +211,12 @@ def _wall_derivatives(wall, depth, vx, vy, definite):
     The push is that without the softening for explicit methods, which use no derivatives. With `definite`,
     friction along t, which is not symmetric, is left out of the first factors.
     """
-    nx, ny = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y]
-    friction, slip_speed = wall[WALL_FRICTION], wall[WALL_SLIP]
+    nx, ny = wall.nx, wall.ny
+    friction, slip_speed = wall.friction, wall.slip_speed
     push, _, _, along = _wall_push(wall, 0.0, depth, vx, vy)
     held = math.tanh(along / slip_speed)
     drag = friction * push * (1.0 - held * held) / slip_speed
-    by_depth, by_speed = push_slopes(wall[WALL_HARDNESS], wall[WALL_DAMPING], depth, vx * nx + vy * ny)
+    by_depth, by_speed = push_slopes(wall.hardness, wall.damping, depth, vx * nx + vy * ny)
     fx, fy = nx + friction * held * ny, ny - friction * held * nx
     if definite:
         fx, fy = nx, ny
@@ -224,7 +234,7 @@ def _wall_derivatives(wall, depth, vx, vy, definite):
 def _add_derivatives(body, state, matrix, q, v, g, definite):
     rows, mass, slots = body.environment.walls.rows, body.environment.mass, q.size // 2
     for k in range(rows.shape[0]):
-        wall = rows[k]
+        wall = _wall(body, k)
         for i in range(body.masses):
             m = matrix.order[i]
             depth = depth_in(wall, q[m], q[slots + m])
@@ -239,7 +249,7 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
 def _add_damping(body, state, q, v, z, factor, out):
     rows, mass, w, slots = body.environment.walls.rows, body.environment.mass, state.inverse_mass, q.size // 2
     for k in range(rows.shape[0]):
-        wall = rows[k]
+        wall = _wall(body, k)
         for m in range(1, body.masses + 1):
             depth = depth_in(wall, q[m], q[slots + m])
             if depth > 0.0 and w[m] > 0.0:
@@ -254,8 +264,8 @@ def _add_damping(body, state, q, v, z, factor, out):
 def _impact_time(body, state, q, v, a, h):
     rows, slots, shortest = body.environment.walls.rows, q.size // 2, math.inf
     for k in range(rows.shape[0]):
-        wall = rows[k]
-        nx, ny, hardness = wall[WALL_NORMAL_X], wall[WALL_NORMAL_Y], wall[WALL_HARDNESS]
+        wall = _wall(body, k)
+        nx, ny, hardness = wall.nx, wall.ny, wall.hardness
         for i in range(1, body.masses + 1):
             if state.inverse_mass[i] > 0.0:
                 depth = depth_in(wall, q[i], q[slots + i])
@@ -275,29 +285,27 @@ class WallsTwin:
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """See `Twin`; also on masses that are held."""
         total = np.zeros_like(x)
-        for row, depth, normal in self._depths(x):
-            _, _, _, _, hardness, friction, slip_speed, damping = row
+        for wall, depth, normal in self._depths(x):
             speed = v * normal.conjugate()  # real part: outwards, imaginary part: along the wall
             push, rubbing = pushes_and_frictions(
-                hardness, damping, friction, slip_speed, self._step, 1.0, 1.0, depth, speed
-            )
+                wall.hardness, wall.damping, wall.friction, wall.slip_speed,
+                self._step, 1.0, 1.0, depth, speed,
+            )  # fmt: skip
             total += self._mass * (push - 1j * rubbing) * normal
         return total
 
     def energy(self, x: Vectors) -> float:
         """See `Twin`; that of free masses."""
         mass = np.where(self._state.inverse_mass > 0.0, self._mass, 0.0)
-        return sum(
-            float((mass * row[WALL_HARDNESS] * depth**3).sum()) / 3.0 for row, depth, _ in self._depths(x)
-        )
+        return sum(float((mass * wall.hardness * depth**3).sum()) / 3.0 for wall, depth, _ in self._depths(x))
 
-    def _depths(self, x: Vectors) -> list[tuple[Floats, Floats, complex]]:
-        """Of each wall its row, how deep each mass is in it, px, or 0, and its normal."""
-        normals = [complex(row[WALL_NORMAL_X], row[WALL_NORMAL_Y]) for row in self._rows]
-        return [
-            (row, np.maximum(((complex(row[WALL_X], row[WALL_Y]) - x) * n.conjugate()).real, 0.0), n)
-            for row, n in zip(self._rows, normals, strict=True)
-        ]
+    def _depths(self, x: Vectors) -> Iterator[tuple[WallRow, Floats, complex]]:
+        """Each wall, how deep each mass is in it, px, or 0, and its normal."""
+        for row in self._rows:
+            wall = WallRow(*row)
+            normal = complex(wall.nx, wall.ny)
+            depth = ((complex(wall.x, wall.y) - x) * normal.conjugate()).real
+            yield wall, np.maximum(depth, 0.0), normal
 
 
 WALLS = Term(

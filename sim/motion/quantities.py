@@ -11,21 +11,20 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..body.system import System
 from ..errors import InputError
 from ..forces.all import WITH_ENERGY
 from ..forces.joints import SINE_LAWS
-from ..kernels.core.tables import CONTROL_SCALE
+from ..kernels.core.tables import CONTROL_SCALE, State
 from ..physics import LAWS, SHORTEST
 from ..scene.types import Scene
-from .energy import ENERGY_FIELDS
-
-if TYPE_CHECKING:
-    from .simulation import Simulation
+from .energy import ENERGY_FIELDS, EnergyBook
+from .stability import StabilityEstimate
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -37,6 +36,23 @@ _NAMED = {"kg m/s²": "N", "kg m²/s²": "J"}
 """Units that have a name, where lengths are in metres."""
 
 _NAME = re.compile(r"([a-z]+)(\d{1,9})?\.([a-z_]+)", re.ASCII)
+
+
+class Moving(Protocol):
+    """What is read of a body in motion; a `sim.Simulation` is one."""
+
+    @property
+    def tables(self) -> tuple[System, State]: ...
+    @property
+    def angles(self) -> Floats: ...
+    @property
+    def rest_angles(self) -> Floats: ...
+    @property
+    def time(self) -> float: ...
+    @property
+    def dt(self) -> float: ...
+    def energy(self) -> EnergyBook: ...
+    def stability(self) -> StabilityEstimate: ...
 
 
 @dataclass(frozen=True)
@@ -57,7 +73,7 @@ class Kind:
     what: str
     unit: str
     summary: str
-    values: Callable[[Simulation, Indices], Floats] = field(repr=False, compare=False)
+    values: Callable[[Moving, Indices], Floats] = field(repr=False, compare=False)
     vertical: bool = False
 
 
@@ -77,7 +93,7 @@ class Quantity:
     kind: Kind
     index: int
 
-    def read(self, simulation: Simulation) -> float:
+    def read(self, simulation: Moving) -> float:
         """Its present value.
 
         Raises:
@@ -123,14 +139,14 @@ def _sizes(vectors: Vectors) -> Floats:
     return np.hypot(vectors.real, vectors.imag)
 
 
-def _masses(simulation: Simulation, masses: Indices) -> tuple[Vectors, Vectors]:
+def _masses(simulation: Moving, masses: Indices) -> tuple[Vectors, Vectors]:
     """Positions and velocities of masses."""
     system, state = simulation.tables
     slots = system.mass_index[masses]
     return state.x[slots] + 1j * state.y[slots], state.vx[slots] + 1j * state.vy[slots]
 
 
-def _vectors(simulation: Simulation, rows: Indices) -> tuple[Vectors, Vectors]:
+def _vectors(simulation: Moving, rows: Indices) -> tuple[Vectors, Vectors]:
     """Vectors of the springs in rows of the tables, and their rates of change."""
     system, state = simulation.tables
     a, b = system.body.spring_a[rows], system.body.spring_b[rows]
@@ -138,39 +154,39 @@ def _vectors(simulation: Simulation, rows: Indices) -> tuple[Vectors, Vectors]:
     return along, state.vx[b] - state.vx[a] + 1j * (state.vy[b] - state.vy[a])
 
 
-def _spring_rows(simulation: Simulation, springs: Indices) -> Indices:
+def _spring_rows(simulation: Moving, springs: Indices) -> Indices:
     """Rows of springs in the tables."""
     order = simulation.tables[0].spring_order
     return np.flatnonzero(order == springs[0]) if springs.size == 1 else np.argsort(order)[springs]
 
 
-def _soft_square(simulation: Simulation, along: Vectors) -> Floats:
+def _soft_square(simulation: Moving, along: Vectors) -> Floats:
     """Squares of lengths as forces have them, px²."""
     return np.maximum(abs(along) ** 2 + simulation.tables[0].body.softening, SHORTEST**2)
 
 
-def _lengths(simulation: Simulation, springs: Indices) -> Floats:
+def _lengths(simulation: Moving, springs: Indices) -> Floats:
     return _sizes(_vectors(simulation, _spring_rows(simulation, springs))[0])
 
 
-def _elongations(simulation: Simulation, springs: Indices) -> Floats:
+def _elongations(simulation: Moving, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
     rest = system.body.rest_length[rows] * state.controls[CONTROL_SCALE]
-    if system.body.strength.present:
+    if system.body.limits.present:
         rest = rest + state.set_length[rows]
     return _lengths(simulation, springs) - rest
 
 
-def _tensions(simulation: Simulation, springs: Indices) -> Floats:
+def _tensions(simulation: Moving, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
     body, (along, rate) = system.body, _vectors(simulation, rows)
     square = _soft_square(simulation, along)
     damping = body.damping[rows] * (rate * along.conj()).real / square
     tension = (body.stiffness[rows] + damping - state.rest_tension[rows] / np.sqrt(square)) * abs(along)
-    return np.where(state.broken[rows] > 0.0, 0.0, tension) if body.strength.present else tension
+    return np.where(state.broken[rows] > 0.0, 0.0, tension) if body.limits.present else tension
 
 
-def _bending(simulation: Simulation, joints: Indices) -> Floats:
+def _bending(simulation: Moving, joints: Indices) -> Floats:
     """Rates at which angles grow, radians/s."""
     system, _ = simulation.tables
     rows, turning = system.joint_order[joints], []
@@ -180,7 +196,7 @@ def _bending(simulation: Simulation, joints: Indices) -> Floats:
     return turning[1] - turning[0]
 
 
-def _torques(simulation: Simulation, joints: Indices) -> Floats:
+def _torques(simulation: Moving, joints: Indices) -> Floats:
     system, state = simulation.tables
     body, rows = system.body, system.joint_order[joints]
     a, b = (_vectors(simulation, springs[rows])[0] for springs in (body.joint_a, body.joint_b))
@@ -192,11 +208,11 @@ def _torques(simulation: Simulation, joints: Indices) -> Floats:
     return body.torque_size[rows + 1] * torque + braking
 
 
-def _of_energy(name: str) -> Callable[[Simulation, Indices], Floats]:
+def _of_energy(name: str) -> Callable[[Moving, Indices], Floats]:
     return lambda simulation, _: np.array([getattr(simulation.energy(), name)])
 
 
-def _over_limit(simulation: Simulation, _: Indices) -> Floats:
+def _over_limit(simulation: Moving, _: Indices) -> Floats:
     return np.array([simulation.dt / simulation.stability().limit])
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +12,7 @@ from ..csv_text import csv_text
 from ..errors import InputError
 from ..scene.types import Scene
 from ..store.files import write_atomically
-from .quantities import Quantity, quantity
-
-if TYPE_CHECKING:
-    from .simulation import Simulation
+from .quantities import Moving, Quantity, quantity
 
 Floats = NDArray[np.float64]
 
@@ -61,7 +57,7 @@ class Recording:
         """(k,) simulated time, s."""
         return self._columns[0]
 
-    def add(self, simulation: Simulation) -> None:
+    def add(self, simulation: Moving) -> None:
         """Add a row for the present state."""
         values = (q.read(simulation) for q in self._quantities.values())
         self._rows.append((simulation.time, *values))

@@ -11,11 +11,11 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..body.damage import without_broken
 from ..body.stable_spring import clamp_stiffness
 from ..body.system import System, build_system, new_scratch, new_state, put_damage, refresh, same_topology
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, is_ready, needed_by
 from ..errors import InputError
+from ..forces.limits import without_broken
 from ..kernels.core.tables import CONTROL_SCALE, CONTROL_SHIFT, State
 from ..kernels.integrators import guard
 from ..methods.registry import METHODS
@@ -66,8 +66,6 @@ class Simulation:
         }
         self._keys: frozenset[str] = frozenset()
         self.divergence: Divergence | None = None
-        # The time, s, at which the method is to begin anew with the next step; None where it goes on.
-        self._begin_at: float | None = 0.0
         self._install(self._with_overrides(scene))
         self.reset()
 
@@ -118,7 +116,7 @@ class Simulation:
     def rest_angles(self) -> NDArray[np.float64]:
         """(J,) the present rest angle of each angular spring, in degrees in (-180, 180]."""
         angles = self._body.joint_rest + self._state.controls[CONTROL_SHIFT]
-        if self._body.strength.present:
+        if self._body.limits.present:
             angles = angles + self._state.set_angle
         return 180.0 - (180.0 - angles[self._system.joint_order]) % 360.0
 
@@ -162,12 +160,12 @@ class Simulation:
     @property
     def step_count(self) -> int:
         """Steps done since the start or the last reset."""
-        return self._steps
+        return self._stepper.steps
 
     @property
     def time(self) -> float:
         """Simulated time since the start or the last reset, s."""
-        return self._stepper.time if self._begin_at is None else self._begin_at
+        return self._stepper.time
 
     @property
     def plain(self) -> bool:
@@ -260,7 +258,7 @@ class Simulation:
         self._hands.leave(index)
         with self._by_hand():
             self._state.x[index], self._state.y[index] = x, y
-        self._invalidate()
+        self._stepper.begin_anew()
 
     def lead(self, mass: int, to: tuple[float, float]) -> None:
         """Lead a held mass somewhere: in a straight line, over all steps of the next call of `step`.
@@ -304,8 +302,9 @@ class Simulation:
     def take_compiled(self) -> bool:
         """Go on with the kernels of the method if they are ready by now; whether it does."""
         if self.plain and is_ready(self._needed):
-            self._invalidate()
+            time, steps = self.time, self.step_count
             self._stepper = self._new_stepper()  # the state is in the same arrays
+            self._stepper.begin(time, steps)
         return not self.plain
 
     def step(self, n: int = 1, attempts: int | None = None) -> int:
@@ -320,15 +319,11 @@ class Simulation:
             return 0
         if self.plain:
             self.take_compiled()
-        if self._begin_at is not None:
-            self._stepper.begin(self._begin_at)
-            self._begin_at = None
         outcome = self._go(n, attempts)
         self._look_at_tables()
-        self._steps += outcome.steps
         self._hands.settle()
         if outcome.what != guard.GOOD:
-            self.divergence = explain(self._scene, self._system, self._state, self._steps, outcome)
+            self.divergence = explain(self._scene, self._system, self._state, self.step_count, outcome)
         return outcome.steps
 
     def advance(self, seconds: float) -> int:
@@ -382,9 +377,9 @@ class Simulation:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
         pose = self._scene.pose
         self._adopt(self._system.start[:, self._system.mass_index - 1], pose.damage if pose else None)
-        self._steps, self._owed = 0, 0.0
+        self._owed = 0.0
         self._hands.clear()
-        self._restart(0.0)
+        self._restart(0.0, 0)
 
     def capture(self) -> Moment:
         """The present moment, to come back to; a mass in a hand is at rest in it, as if let go."""
@@ -392,7 +387,7 @@ class Simulation:
         rows = self._rows()
         if self._hands.grabbed:
             rows[2:, list(self._hands.grabbed)] = 0.0
-        return Moment(self._scene, scale, shift, rows, self.time, self._steps, self.damage)
+        return Moment(self._scene, scale, shift, rows, self.time, self.step_count, self.damage)
 
     def restore(self, moment: Moment) -> None:
         """Back to a moment of this scene, or of another: settings, rest lengths and angles, motion and time.
@@ -405,9 +400,10 @@ class Simulation:
         if moment.scene is not self._scene or self._lacks_room_for(moment.damage):
             self._install(moment.scene, moment.damage)
         self._adopt(moment.rows, moment.damage)
-        self._steps, self._owed = moment.step_count, 0.0
+        self._owed = 0.0
         self._hands.clear()
-        self._restart(moment.time, (moment.rest_length_scale, moment.rest_angle_shift))
+        controls = moment.rest_length_scale, moment.rest_angle_shift
+        self._restart(moment.time, moment.step_count, controls)
         if kept:
             self.keep_books(True)
 
@@ -422,10 +418,10 @@ class Simulation:
         if self._lacks_room_for(damage):
             self._install(self._scene, damage)
         self._adopt(rows, damage)
-        self._steps, self._owed = other._steps, other._owed
+        self._owed = other._owed
         self._hands.take_over(other._hands)
         self._keys = other._keys
-        self._restart(other.time)
+        self._restart(other.time, other.step_count)
         if shift is not None:
             free = self._state.inverse_mass[self._system.mass_index] > 0.0
             self._adopt(rows + np.where(free, shift, 0.0), damage)
@@ -442,14 +438,14 @@ class Simulation:
             self._install(scene)
             self.reset()
             return
-        time, rows, damage = self.time, self._rows(), self.damage
+        time, steps, rows, damage = self.time, self.step_count, self._rows(), self.damage
         hands, books = self._hands, self._books
         if books is not None:
             books.close()
         self._install(scene, damage)
         self._adopt(rows, damage)
         self._hands.take_over(hands)
-        self._restart(time)
+        self._restart(time, steps)
         # Where the kernels of the new method are still being compiled, there are no books for now.
         if books is not None and self.keep_books(True) and self._books is not None:
             self._books.take_over(books)
@@ -477,7 +473,7 @@ class Simulation:
 
     def _lacks_room_for(self, damage: Damage | None) -> bool:
         """Whether the tables are those of a body that can have no damage."""
-        return damage is not None and not self._body.strength.present
+        return damage is not None and not self._body.limits.present
 
     def _rows(self) -> NDArray[np.float64]:
         """(4, n) x, y, vx and vy of the scene's masses; a copy."""
@@ -493,7 +489,7 @@ class Simulation:
         state, index = self._state, self._system.mass_index
         state.q[:] = state.v[:] = 0.0  # the padding, too
         state.x[index], state.y[index], state.vx[index], state.vy[index] = rows
-        if self._body.strength.present:
+        if self._body.limits.present:
             put_damage(state, self._system, damage)
 
     def _read(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -531,7 +527,7 @@ class Simulation:
     @property
     def _needed(self) -> tuple[str, ...]:
         """Names of the compiled entry points without which NumPy moves the body."""
-        damage = FOR_DAMAGE if self._body.strength.present else ()
+        damage = FOR_DAMAGE if self._body.limits.present else ()
         return *needed_by(self.method), *damage
 
     def _new_stepper(self) -> Stepper:
@@ -542,18 +538,17 @@ class Simulation:
             solver = PlainSolver(scene, system, state)
         return Stepper(scene, system, state, solver)
 
-    def _restart(self, time: float, controls: tuple[float, float] | None = None) -> None:
-        """Begin from the state in the tables at a time, s.
+    def _restart(self, time: float, steps: int, controls: tuple[float, float] | None = None) -> None:
+        """Begin from the state in the tables at a time, s, after so many steps.
 
         `controls`: what keys did, rest length scale and degrees.
         """
-        self._begin_at = time
         self.divergence = None
-        self._stepper.forget()
+        self._stepper.begin(time, steps)
         # The scene as keys have made it, and the scale and the shift for which it was made.
         self._folded = (self._scene.rest_length_scale, 0.0), self._scene
         self._state.controls[:] = controls or self._folded[0]
-        if self._body.strength.present:
+        if self._body.limits.present:
             broken = self._state.broken
             system = self._whole
             if broken.any():
@@ -574,11 +569,7 @@ class Simulation:
     def _set_inverse_masses(self) -> None:
         """Say what forces do to each mass: nothing where it is held."""
         self._all_held = self._hands.set_inverse_masses(self._scene)
-        self._invalidate()
-
-    def _invalidate(self) -> None:
-        """Note that the state, or what acts on it, was changed: the method begins anew at the next step."""
-        self._begin_at = self.time
+        self._stepper.begin_anew()
 
     def _go(self, n: int, attempts: int | None) -> Outcome:
         limit = UNLIMITED if attempts is None else attempts

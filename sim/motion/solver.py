@@ -6,13 +6,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..body.damage import without_broken
 from ..body.sparsity import NO_MATRIX, clear_factors, new_matrix
 from ..body.system import System, refresh, slab
 from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, FOR_FALLBACK, fetch, is_ready, needed_by
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
 from ..forces.fillings import FillingsTwin
+from ..forces.limits import overstrained, settle, without_broken
 from ..kernels.core.shared import (
     ACCELERATIONS,
     ACCUMULATE,
@@ -54,7 +54,6 @@ from ..kernels.energy.work import accumulate_work
 from ..kernels.engine.addresses import address_of
 from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
-from ..kernels.integrators.damage import overstrained, settle
 from ..kernels.integrators.fallback import run_fallback
 from ..kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from ..methods.registry import AUTO_METHODS, METHODS
@@ -298,7 +297,7 @@ class Solver:
             self._take_in()
         costs = np.zeros(CHOICES) if self._costs is None else self._costs.copy()
         costs[list(self._missing)] = 0.0
-        damageable = self.system.body.strength.present
+        damageable = self.system.body.limits.present
         self._fetch(needed_by(info.name))
         self._fetch((*(FOR_FALLBACK if implicit else ()), *(FOR_DAMAGE if damageable else ())))
         self._problem = Problem(

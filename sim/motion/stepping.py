@@ -73,7 +73,12 @@ _HALTS = 16
 
 
 class Stepper:
-    """Runs a solver by whole time steps."""
+    """Runs a solver by whole time steps, and counts them.
+
+    Attributes:
+        solver: what moves the body.
+        steps: time steps done since the scene's start.
+    """
 
     def __init__(self, scene: Scene, system: System, state: State, solver: Solver | PlainSolver) -> None:
         self._dt, self._state = scene.integrator.dt, state
@@ -83,32 +88,45 @@ class Stepper:
         self._led: Targets = {}
         self._kept: Drive | None = None  # the drive of the last call, unless it had targets or hands
         self._presses = NO_PRESSES  # the keys in it
-        self._origin, self._done = 0.0, 0  # time of the last `begin`, s; steps since then
+        self.steps = 0
+        self._origin = (
+            0.0,
+            0,
+        )  # time, s, and steps at which the method began anew, or is to with the next step
+        self._begins = True
 
     @property
     def time(self) -> float:
         """Simulated time, s."""
-        return self.solver.time
+        return self._origin[0] if self._begins else self.solver.time
 
     def _after(self, steps: int) -> float:
         """The time after some more steps, s; the same to the last bit however they are grouped."""
-        return self._origin + (self._done + steps) * self._dt
+        time, begun = self._origin
+        return time + (self.steps - begun + steps) * self._dt
 
-    def begin(self, time: float) -> None:
-        """Start from the state in `state`, at a time (s)."""
-        self.solver.load(time)
-        self._origin, self._done = time, 0
+    def begin(self, time: float, steps: int) -> None:
+        """Go on from another state: the one in `state` at a time (s), after so many steps."""
+        self._origin, self.steps, self._begins = (time, steps), steps, True
+        self._led = {}
+
+    def begin_anew(self) -> None:
+        """Let the method begin anew with the next step: the state, or what acts on it, was changed."""
+        self._origin, self._begins = (self.time, self.steps), True
+
+    def _load(self) -> None:
+        """Let the method begin."""
+        self.solver.load(self.time)
+        self._begins = False
         if self._kept is not None and (self._kept.mass.size or self._kept.pressed):
             self._kept = None  # circles and keys start from where the masses are now
-
-    def forget(self) -> None:
-        """Forget which masses the last call has led: the state is another one."""
-        self._led = {}
 
     def step(
         self, steps: int, hands: Hands, presses: Presses, all_held: bool, attempts: int = UNLIMITED
     ) -> Outcome:
         """Advance by some time steps; by fewer if the attempts run out or the body runs away."""
+        if self._begins:
+            self._load()
         # A frame of a short body takes less than a microsecond, so what does not change is kept.
         solver, targets = self.solver, hands.targets
         until = self._after(steps)
@@ -137,7 +155,7 @@ class Stepper:
             self._put(targets)
         passed = time - self._after(0) + 4e-16 * abs(time)  # times are rounded
         done = int(passed / self._dt + 1e-6)
-        self._done += done
+        self.steps += done
         return Outcome(done) if what == guard.GOOD else Outcome(done, what, solver.index)
 
     def _drive(

@@ -1,4 +1,4 @@
-"""`rod(...)`, `box(...)` and the like: a scene with one body, from a few numbers."""
+"""`rope(...)`, `box(...)` and the like: a scene with one body, from a few numbers."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..errors import SceneError
 from .recipes.outlines import AirBalloon, Box, Polygon, WaterBalloon
 from .recipes.plants import HairTuft, Tree
 from .recipes.recipe import AnyRecipe
-from .recipes.rods import Rod
+from .recipes.rods import Rod, Rope
 from .recipes.sheets import Cloth, FlagPole, Jelly
 from .recipes.trusses import Bridge, Girder
 from .surroundings import Wall, Wind
@@ -27,22 +27,27 @@ _FLOOR = (Wall(point=(300.0, 500.0), normal=(0.0, -1.0)),)
 _FALLING: dict[str, Any] = {"gravity": (0.0, 1000.0), "air_friction": 0.0, "walls": _FLOOR}
 
 
-def _maker(recipe: type[AnyRecipe], **usual: Any) -> Callable[..., Scene]:
+def _maker(recipe: type[AnyRecipe], ordered: int = 0, **usual: Any) -> Callable[..., Scene]:
     """The function that makes scenes with a recipe.
 
     Args:
-        usual: what its scenes have where its caller says nothing else.
+        ordered: how many of the recipe's first numbers may be given without their names.
+        usual: what its scenes and their recipe have where its caller says nothing else.
     """
     name = str(recipe.__struct_config__.tag)
+    first = recipe.__struct_fields__[:ordered]
 
-    def make(**numbers: Any) -> Scene:
+    def make(*in_order: Any, **numbers: Any) -> Scene:
+        numbers = {"name": name, **usual, **dict(zip(first, in_order, strict=False)), **numbers}
+        if len(in_order) > ordered:
+            raise SceneError(f"{name}: numbers have names, but the first {ordered} need none")
         of_recipe = {field: numbers[field] for field in recipe.__struct_fields__ if field in numbers}
         others = {field: value for field, value in numbers.items() if field not in of_recipe}
         unknown = next((field for field in others if field not in _OF_SCENES), None)
         if unknown is not None:
             known = ", ".join((*recipe.__struct_fields__, *_OF_SCENES))
             raise SceneError(f"{unknown}: {name} has no such number; there are {known}")
-        return validate(Scene(**{"name": name, **usual, **others, "bodies": (recipe(**of_recipe),)}))
+        return validate(Scene(**others, bodies=(recipe(**of_recipe),)))
 
     make.__name__ = make.__qualname__ = name
     make.__doc__ = f"""A scene with one `sim.{recipe.__name__}`.
@@ -60,7 +65,11 @@ def _maker(recipe: type[AnyRecipe], **usual: Any) -> Callable[..., Scene]:
     defaults |= {field: of_scene[field].default for field in _OF_SCENES} | {"name": name} | usual
     make.__signature__ = inspect.Signature(  # type: ignore[attr-defined]
         [
-            inspect.Parameter(field, inspect.Parameter.KEYWORD_ONLY, default=d)
+            inspect.Parameter(
+                field,
+                inspect.Parameter.POSITIONAL_OR_KEYWORD if field in first else inspect.Parameter.KEYWORD_ONLY,
+                default=d,
+            )
             for field, d in defaults.items()
         ],
         return_annotation=Scene,
@@ -69,6 +78,18 @@ def _maker(recipe: type[AnyRecipe], **usual: Any) -> Callable[..., Scene]:
 
 
 _KEYS = ArrowKeys()
+
+rope = _maker(
+    Rope,
+    ordered=2,
+    start=(300.0, 150.0),
+    direction=(0.0, 1.0),
+    driven=0,
+    gravity=(0.0, 2000.0),
+    air_friction=0.002,
+    arrow_keys=_KEYS,
+)
+"""Its defaults are the tutorial's constants."""
 
 rod = _maker(Rod, gravity=(0.0, 1000.0), air_friction=0.002, arrow_keys=_KEYS)
 box = _maker(Box, gravity=(0.0, 1000.0), air_friction=0.002, arrow_keys=_KEYS)
@@ -89,3 +110,23 @@ cloth = _maker(Cloth, gravity=(0.0, 1000.0), air_friction=0.0005)
 girder = _maker(Girder, gravity=(0.0, 1000.0))
 jelly = _maker(Jelly, **_FALLING)
 bridge = _maker(Bridge, gravity=(0.0, 1000.0))
+
+
+def fine_rope(masses: int, **changes: Any) -> Scene:
+    """The tutorial's rope of twelve masses, divided more finely; horizontal, held at its left end.
+
+    Length, weight, drag and stiffness of the rope as a whole stay the same. `changes` are arguments of
+    `rope`.
+    """
+    finer = (masses - 1) / 11.0
+    numbers = {
+        "start": (100.0, 100.0),
+        "direction": (1.0, 0.0),
+        "driven": None,
+        "mass": 12.0 / masses,
+        "stiffness": 1e4 * finer,
+        "damping": 40.0 * finer,
+        "angular_stiffness": 1e4 * finer**3,
+        "air_friction": 0.002 * 12.0 / masses,
+    }
+    return rope(masses, **(numbers | changes))

@@ -10,6 +10,9 @@ from msgspec import Meta
 from .numbers import Index, Length, Speed, Vector, bounded
 
 Pressure = Annotated[float, bounded(0.0, 1e9, "kg/s²", "Pressure")]
+STILL_AIR = 1e-6
+"""px/s below which there is no wind."""
+
 Area = Annotated[float, bounded(1e-6, 1e12, "px²", "An area")]
 
 

@@ -15,36 +15,11 @@ from msgspec import Meta
 from .columns import has_any
 from .lesson import Lesson
 from .numbers import Angle, Coordinate, Force, Index, Name, Speed, Vector, bounded, of_python
-from .parts import Anchor, AngularSpring, Circle, LinearSpring, Mass
-from .recipes.recipe import AnyRecipe, Rope, expand
+from .parts import Anchor, AngularSpring, LinearSpring, Mass
+from .parts import Circle as Circle
+from .recipes.recipe import AnyRecipe, expand
+from .recipes.recipe import Rope as Rope
 from .surroundings import Contact, Gas, Liquid, Wall, Wind
-
-__all__ = [
-    "BODY_FIELDS",
-    "FORMAT_VERSION",
-    "Anchor",
-    "AngularSpring",
-    "AnyRecipe",
-    "ArrowKeys",
-    "Circle",
-    "ForceLaw",
-    "Integrator",
-    "Lesson",
-    "LinearSpring",
-    "Mass",
-    "Method",
-    "Pose",
-    "Readout",
-    "Rope",
-    "Scene",
-    "Template",
-    "View",
-    "is_damageable",
-    "is_loaded",
-    "is_surrounded",
-    "rebuilt",
-    "shown_name",
-]
 
 FORMAT_VERSION = 3
 """Version of the file format that this release writes; older files are read, newer ones are refused."""

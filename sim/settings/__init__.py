@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, get_args
+from typing import get_args
 
 import msgspec
 
@@ -18,25 +18,14 @@ from ..body.system import joint_stiffness
 from ..errors import SceneError, SettingError
 from ..forces.joints import LAWS
 from ..methods.registry import METHODS
-from ..scene.columns import column, has_any
+from ..scene.columns import has_any
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
 from ..scene.surroundings import Contact, Gas, Liquid, Wall, Wind
 from ..scene.types import AngularSpring, ForceLaw, Integrator, LinearSpring, Rope, Scene, Template, rebuilt
-from ..scene.validate import number_range, validate
-from .environment import (
-    are_different,
-    differ_of,
-    largest_of,
-    of_contact,
-    scaled_of,
-    wind_direction,
-    wind_speed,
-    with_contact,
-    with_turbulence,
-    with_wind,
-)
-from .recipes import Setting, keys_of_recipe, recipe_settings, scaled, turned
+from ..scene.validate import validate
+from .numbers import Access, at, largest, replaced, wind_direction, wind_speed, with_wind
+from .recipes import Setting, keys_of_recipe, recipe_settings, turned
 
 TEMPLATES: tuple[int, ...] = get_args(Template)
 """The tutorial's eight rest angles, degrees."""
@@ -141,6 +130,27 @@ def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
     return scene
 
 
+def scene_of_step(scene: Scene, number: int) -> Scene:
+    """The scene with what a step of its lesson sets.
+
+    Args:
+        scene: one with a lesson.
+        number: of the step, counted from 0.
+
+    Raises:
+        SettingError: there is no such step, or something that it sets cannot be set; names the field.
+    """
+    steps = scene.lesson.steps if scene.lesson else ()
+    if not 0 <= number < len(steps):
+        raise SettingError(f"lesson.steps: step {number} does not exist")
+    for i, assignment in enumerate(steps[number].settings):
+        try:
+            scene = apply_assignments(scene, (assignment,))
+        except SettingError as error:
+            raise SettingError(f"lesson.steps[{number}].settings[{i}]: {error}") from None
+    return scene
+
+
 def shift_rest_angles(scene: Scene, degrees: float) -> Scene:
     """The scene with every rest angle shifted by some degrees (|degrees| <= 360), wrapped into (-180, 180].
 
@@ -157,30 +167,6 @@ def shift_rest_angles(scene: Scene, degrees: float) -> Scene:
 
 
 # ------------------------------------------------------------------------- reading and writing
-def _largest(field: str, springs: str) -> Callable[[Scene], float]:
-    return lambda scene: float(column(getattr(scene, springs), field).max(initial=0.0))
-
-
-def _differ(field: str, springs: str) -> Callable[[Scene], bool]:
-    return lambda scene: are_different(column(getattr(scene, springs), field))
-
-
-def _scaled(field: str, springs: str) -> Callable[[Scene, float], Scene]:
-    """Set the largest to the value and scale the others in proportion; if all were zero, set all."""
-
-    def write(scene: Scene, value: float) -> Scene:
-        old = _largest(field, springs)(scene)
-        if scene.bodies:
-            return scaled(scene, springs, field, value, old)
-        changed = tuple(
-            msgspec.structs.replace(s, **{field: value * (getattr(s, field) / old) if old else value})
-            for s in getattr(scene, springs)
-        )
-        return msgspec.structs.replace(scene, **{springs: changed})
-
-    return write
-
-
 def _read_rest_angle(scene: Scene) -> float:
     return scene.angular_springs[0].rest_angle if scene.angular_springs else 0.0
 
@@ -231,18 +217,6 @@ def _write_template(scene: Scene, value: float) -> Scene:
     return msgspec.structs.replace(scene, template=template)
 
 
-def _replace(field: str) -> Callable[[Scene, Any], Scene]:
-    return lambda scene, value: msgspec.structs.replace(scene, **{field: value})
-
-
-def _of_integrator(field: str) -> Callable[[Scene, Any], Scene]:
-    def write(scene: Scene, value: Any) -> Scene:
-        integrator = msgspec.structs.replace(scene.integrator, **{field: value})
-        return msgspec.structs.replace(scene, integrator=integrator)
-
-    return write
-
-
 # ------------------------------------------------------------------------- when they apply
 def moves(scene: Scene) -> bool:
     """Whether any mass is free."""
@@ -290,122 +264,101 @@ def _setting(
     key: str,
     label: str,
     slider: tuple[float, float],
-    bounds: tuple[float, float, str],
-    read: Callable[[Scene], float],
-    write: Callable[[Scene, float], Scene],
+    access: Access,
     applies: Callable[[Scene], bool],
-    differs: Callable[[Scene], bool] = lambda _: False,
     **rest: bool,
 ) -> Setting:
-    low, high, unit = bounds
+    low, high, unit, read, write, differs = access
     return Setting(key, label, unit, low, high, slider, read, write, applies, **rest, differs=differs)
 
 
 _ALL = (
     _setting(
-        "linear_stiffness", "Linear stiffness", (100.0, 1e6), number_range(LinearSpring, "stiffness"),
-        _largest("stiffness", "linear_springs"), _scaled("stiffness", "linear_springs"),
-        _has_springs, _differ("stiffness", "linear_springs"), logarithmic=True,
+        "linear_stiffness", "Linear stiffness", (100.0, 1e6),
+        largest(LinearSpring, "linear_springs", "stiffness"), _has_springs, logarithmic=True,
     ),
     _setting(
-        "linear_damping", "Linear damping", (0.0, 200.0), number_range(LinearSpring, "damping"),
-        _largest("damping", "linear_springs"), _scaled("damping", "linear_springs"), _has_springs,
-        _differ("damping", "linear_springs"),
+        "linear_damping", "Linear damping", (0.0, 200.0),
+        largest(LinearSpring, "linear_springs", "damping"), _has_springs,
     ),
     _setting(
-        "angular_stiffness", "Angular stiffness", (10.0, 1e6), number_range(AngularSpring, "stiffness"),
-        _largest("stiffness", "angular_springs"),
-        _scaled("stiffness", "angular_springs"), _has_joints, _differ("stiffness", "angular_springs"),
+        "angular_stiffness", "Angular stiffness", (10.0, 1e6),
+        largest(AngularSpring, "angular_springs", "stiffness"), _has_joints, logarithmic=True,
+    ),
+    _setting(
+        "angular_damping", "Angular damping", (0.0, 200.0),
+        largest(AngularSpring, "angular_springs", "damping"), _has_joints,
+    ),
+    _setting(
+        "rest_length_scale", "Rest length", (0.1, 4.0), at(Scene, "rest_length_scale"), _has_springs,
         logarithmic=True,
     ),
     _setting(
-        "angular_damping", "Angular damping", (0.0, 200.0), number_range(AngularSpring, "damping"),
-        _largest("damping", "angular_springs"), _scaled("damping", "angular_springs"),
-        _has_joints, _differ("damping", "angular_springs"),
+        "rest_angle", "Rest angle", (-180.0, 180.0),
+        largest(AngularSpring, "angular_springs", "rest_angle")._replace(
+            read=_read_rest_angle, write=_write_rest_angle
+        ),
+        _has_rest_angle,
     ),
     _setting(
-        "rest_length_scale", "Rest length", (0.1, 4.0), number_range(Scene, "rest_length_scale"),
-        lambda scene: scene.rest_length_scale, _replace("rest_length_scale"), _has_springs, logarithmic=True,
-    ),
-    _setting(
-        "rest_angle", "Rest angle", (-180.0, 180.0), number_range(AngularSpring, "rest_angle"),
-        _read_rest_angle, _write_rest_angle, _has_rest_angle, _differ("rest_angle", "angular_springs"),
-    ),
-    _setting(
-        "template", "Template", (-180.0, 180.0), (-180.0, 180.0, "°"),
-        lambda scene: float(scene.template or 0), _write_template,
+        "template", "Template", (-180.0, 180.0),
+        Access(-180.0, 180.0, "°", lambda scene: float(scene.template or 0), _write_template),
         lambda scene: _has_joints(scene) and scene.template is not None, integer=True,
     ),
     _setting(
-        "gravity", "Gravity", (0.0, 5000.0), (-1e6, 1e6, "px/s²"), _read_gravity, _write_gravity, moves,
+        "gravity", "Gravity", (0.0, 5000.0), Access(-1e6, 1e6, "px/s²", _read_gravity, _write_gravity), moves,
+    ),
+    _setting("air_friction", "Air friction", (0.0, 0.05), at(Scene, "air_friction"), moves),
+    _setting(
+        "wind_speed", "Wind speed", (0.0, 3000.0),
+        Access(
+            0.0, 1e6, "px/s", wind_speed, lambda scene, speed: with_wind(scene, speed, wind_direction(scene))
+        ),
+        _has_wind,
     ),
     _setting(
-        "air_friction", "Air friction", (0.0, 0.05), number_range(Scene, "air_friction"),
-        lambda scene: scene.air_friction, _replace("air_friction"), moves,
+        "wind_direction", "Wind direction", (-180.0, 180.0),
+        Access(
+            -180.0, 180.0, "°", wind_direction, lambda scene, turn: with_wind(scene, wind_speed(scene), turn)
+        ),
+        _has_wind,
+    ),
+    _setting("turbulence", "Turbulence", (0.0, 1.0), at(Wind, "wind.turbulence"), _has_wind),
+    _setting(
+        "wall_friction", "Friction of walls", (0.0, 2.0), largest(Wall, "walls", "friction"), _has_walls
     ),
     _setting(
-        "wind_speed", "Wind speed", (0.0, 3000.0), (0.0, 1e6, "px/s"), wind_speed,
-        lambda scene, speed: with_wind(scene, speed, wind_direction(scene)), _has_wind,
+        "bounciness", "Bounciness of walls", (0.0, 1.0), largest(Wall, "walls", "bounciness"), _has_walls
     ),
     _setting(
-        "wind_direction", "Wind direction", (-180.0, 180.0), (-180.0, 180.0, "°"), wind_direction,
-        lambda scene, angle: with_wind(scene, wind_speed(scene), angle), _has_wind,
+        "contact_distance", "Contact distance", (0.0, 40.0), at(Contact, "contact.distance"), _has_contact
     ),
     _setting(
-        "turbulence", "Turbulence", (0.0, 1.0), number_range(Wind, "turbulence"),
-        lambda scene: scene.wind.turbulence if scene.wind else 0.0, with_turbulence, _has_wind,
+        "contact_stiffness", "Contact stiffness", (10.0, 1e5), at(Contact, "contact.stiffness"), _has_contact,
+        logarithmic=True,
     ),
     _setting(
-        "wall_friction", "Friction of walls", (0.0, 2.0), number_range(Wall, "friction"),
-        largest_of("walls", Wall, "friction"), scaled_of("walls", Wall, "friction"), _has_walls,
-        differ_of("walls", Wall, "friction"),
+        "contact_friction", "Contact friction", (0.0, 2.0), at(Contact, "contact.friction"), _has_contact
     ),
     _setting(
-        "bounciness", "Bounciness of walls", (0.0, 1.0), number_range(Wall, "bounciness"),
-        largest_of("walls", Wall, "bounciness"), scaled_of("walls", Wall, "bounciness"), _has_walls,
-        differ_of("walls", Wall, "bounciness"),
+        "gas_pressure", "Gas pressure", (1.0, 1e4), largest(Gas, "fillings", "pressure"), _has_filling(Gas),
+        logarithmic=True,
     ),
     _setting(
-        "contact_distance", "Contact distance", (0.0, 40.0), number_range(Contact, "distance"),
-        of_contact("distance"), with_contact("distance"), _has_contact,
+        "liquid_stiffness", "Liquid stiffness", (10.0, 1e6), largest(Liquid, "fillings", "bulk_modulus"),
+        _has_filling(Liquid), logarithmic=True,
     ),
     _setting(
-        "contact_stiffness", "Contact stiffness", (10.0, 1e5), number_range(Contact, "stiffness"),
-        of_contact("stiffness"), with_contact("stiffness"), _has_contact, logarithmic=True,
+        "strength", "Strength of springs", (100.0, 1e6), largest(LinearSpring, "linear_springs", "strength"),
+        _has_limit("strength"), logarithmic=True,
     ),
     _setting(
-        "contact_friction", "Contact friction", (0.0, 2.0), number_range(Contact, "friction"),
-        of_contact("friction"), with_contact("friction"), _has_contact,
+        "yield_force", "Yield force", (100.0, 1e6), largest(LinearSpring, "linear_springs", "yield_force"),
+        _has_limit("yield_force"), logarithmic=True,
     ),
+    _setting("dt", "Time step", (1e-4, 0.01), at(Integrator, "integrator.dt"), moves, logarithmic=True),
     _setting(
-        "gas_pressure", "Gas pressure", (1.0, 1e4), number_range(Gas, "pressure"),
-        largest_of("fillings", Gas, "pressure"), scaled_of("fillings", Gas, "pressure"),
-        _has_filling(Gas), differ_of("fillings", Gas, "pressure"), logarithmic=True,
-    ),
-    _setting(
-        "liquid_stiffness", "Liquid stiffness", (10.0, 1e6), number_range(Liquid, "bulk_modulus"),
-        largest_of("fillings", Liquid, "bulk_modulus"), scaled_of("fillings", Liquid, "bulk_modulus"),
-        _has_filling(Liquid), differ_of("fillings", Liquid, "bulk_modulus"), logarithmic=True,
-    ),
-    _setting(
-        "strength", "Strength of springs", (100.0, 1e6), number_range(LinearSpring, "strength"),
-        largest_of("linear_springs", LinearSpring, "strength"),
-        scaled_of("linear_springs", LinearSpring, "strength"), _has_limit("strength"),
-        _differ("strength", "linear_springs"), logarithmic=True,
-    ),
-    _setting(
-        "yield_force", "Yield force", (100.0, 1e6), number_range(LinearSpring, "yield_force"),
-        largest_of("linear_springs", LinearSpring, "yield_force"),
-        scaled_of("linear_springs", LinearSpring, "yield_force"), _has_limit("yield_force"),
-        _differ("yield_force", "linear_springs"), logarithmic=True,
-    ),
-    _setting(
-        "dt", "Time step", (1e-4, 0.01), number_range(Integrator, "dt"),
-        lambda scene: scene.integrator.dt, _of_integrator("dt"), moves, logarithmic=True,
-    ),
-    _setting(
-        "tolerance", "Tolerance", (1e-6, 10.0), number_range(Integrator, "tolerance"),
-        lambda scene: scene.integrator.tolerance, _of_integrator("tolerance"),
+        "tolerance", "Tolerance", (1e-6, 10.0), at(Integrator, "integrator.tolerance"),
         lambda scene: moves(scene) and METHODS[scene.integrator.method].adaptive, logarithmic=True,
     ),
 )  # fmt: skip
@@ -419,7 +372,7 @@ CHOICES: dict[str, Choice] = {
         "Force law",
         {name: law.label for name, law in LAWS.items()},
         lambda scene: scene.force_law,
-        _replace("force_law"),
+        replaced("force_law"),
         _has_joints,
     ),
     "method": Choice(
@@ -427,7 +380,7 @@ CHOICES: dict[str, Choice] = {
         "Integrator",
         {name: method.label for name, method in METHODS.items()},
         lambda scene: scene.integrator.method,
-        _of_integrator("method"),
+        replaced("integrator.method"),
         moves,
     ),
 }

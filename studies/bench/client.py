@@ -17,7 +17,8 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
 
-from app.page.body.view import FRAME
+FRAME_TIME, FRAME_PLACES = 2, 6
+"""Where the time and the places are among the numbers of a frame, see `drawing.plan.encode_frame`."""
 
 CAMERA: dict[str, Any] = {
     "type": "ViewerCameraMessage",
@@ -43,6 +44,11 @@ def options_of(address: str) -> dict[str, Any]:
     }
 
 
+def is_frame(message: dict[str, Any]) -> bool:
+    """Whether a message says where the masses are."""
+    return str(message.get("text", "")).startswith('{"tell":"frame"')
+
+
 class Decoder:
     """Reads and writes viser's messages."""
 
@@ -51,20 +57,19 @@ class Decoder:
         self.encode = msgspec.msgpack.Encoder().encode
 
     def decode(self, data: bytes) -> list[dict[str, Any]]:
-        """The messages of a frame, with softrod's arrays in place."""
+        """The messages of a batch, with the numbers of softrod's frames in place."""
         # viser 1.1.1, infra/_infra.py: two lengths, compressed msgpack, then raw arrays.
         size = int.from_bytes(data[8:16], "little")
         payload = msgspec.msgpack.decode(self._unpack.decompress(data[16 : 16 + size]))
         messages: list[dict[str, Any]] = payload["messages"]
         lengths: list[int] = payload.get("binaryBufferLengths") or []
         for message in messages:
-            updates = message.get("updates", {})
-            if message.get("name") == FRAME and "points" in updates:
-                index: int = updates["points"]["__binary_index"]
+            if is_frame(message):
+                index: int = message["numbers"]["__binary_index"]
                 # Each array begins at a multiple of eight bytes.
                 before = sum(-(-length // 8) * 8 for length in lengths[:index])
                 start = -(-(16 + size) // 8) * 8 + before
-                updates["points"] = np.frombuffer(data, np.float32, lengths[index] // 4, start)
+                message["numbers"] = np.frombuffer(data, np.float32, lengths[index] // 4, start)
         return messages
 
 

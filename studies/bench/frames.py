@@ -17,7 +17,7 @@ from rich.table import Table
 
 import sim
 from sim import Integrator, Scene
-from sim.scene.rope import fine_rope
+from sim.scene.makers import fine_rope
 from sim.scene.types import Circle, Method
 
 SIZES = (12, 100, 1000, 3000, 10_000)

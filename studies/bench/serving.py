@@ -16,10 +16,8 @@ from rich.console import Console
 from rich.table import Table
 
 import sim
-from app.drawing.plan import FRAME_HEAD, FRAME_TIME
-from app.page.body.view import FRAME
 
-from .client import Page
+from .client import FRAME_PLACES, FRAME_TIME, Page, is_frame
 
 NODE = "/body/masses"
 
@@ -72,19 +70,15 @@ def _is_node(message: dict[str, Any]) -> bool:
 
 def _moves(message: dict[str, Any]) -> bool:
     """Whether the masses are told to be elsewhere: by softrod, or by bare viser."""
-    updates = message.get("updates", {})
-    return message.get("name") in (NODE, FRAME) and ("points" in updates or "batched_positions" in updates)
+    node = message.get("name") == NODE and "batched_positions" in message.get("updates", {})
+    return node or is_frame(message)
 
 
 def _runs(message: dict[str, Any]) -> bool:
     """Whether simulated time has passed: in a picture, or of a body that is told to be at rest."""
     if is_frame(message):
-        return float(message["updates"]["points"][FRAME_TIME]) > 0.0
+        return float(message["numbers"][FRAME_TIME]) > 0.0
     return 'data-rest="1"' in str(message.get("updates", {}).get("content", ""))
-
-
-def is_frame(message: dict[str, Any]) -> bool:
-    return message.get("name") == FRAME and "points" in message.get("updates", {})
 
 
 def _start(kind: str, shown: str | int, cache: str) -> dict[str, float]:
@@ -173,7 +167,7 @@ def _latencies(masses: int, count: int, cache: str) -> list[float]:
         )
         page.read_for(4.0)
         number = 0
-        driven = slice(FRAME_HEAD, FRAME_HEAD + 2)  # the first mass, x and y
+        driven = slice(FRAME_PLACES, FRAME_PLACES + 2)  # the first mass, x and y
 
         def say(text: str) -> None:
             nonlocal number
@@ -191,10 +185,10 @@ def _latencies(masses: int, count: int, cache: str) -> list[float]:
         result = []
         for i in range(count):
             page.read_for(0.03 + 0.01 * (i % 4))
-            before = page.wait_for(is_frame)["updates"]["points"][driven]
+            before = page.wait_for(is_frame)["numbers"][driven]
             began = time.perf_counter()
             say(f"at|{0.5 * (i % 2):.6f},1.000000")
-            page.wait_for(lambda m: is_frame(m) and (m["updates"]["points"][driven] != before).any())  # noqa: B023
+            page.wait_for(lambda m: is_frame(m) and (m["numbers"][driven] != before).any())  # noqa: B023
             result.append(time.perf_counter() - began)
         return result
 

@@ -16,12 +16,11 @@ from rich.table import Table
 from websockets.asyncio.client import connect
 
 import sim
-from app.drawing.plan import FRAME_TIME
 from sim import Scene
 from sim.store.files import encode_scene
 
-from .client import CAMERA, Decoder, options_of
-from .serving import Served, is_frame, served, warm
+from .client import CAMERA, FRAME_TIME, Decoder, is_frame, options_of
+from .serving import Served, served, warm
 
 MASSES = 200
 SETTLE, SPAN = 4.0, 6.0
@@ -108,7 +107,7 @@ async def _visit(
             for message in decoder.decode(data):
                 if is_frame(message):
                     visitor.arrivals.append(time.monotonic())
-                    visitor.times.append(float(message["updates"]["points"][FRAME_TIME]))
+                    visitor.times.append(float(message["numbers"][FRAME_TIME]))
                 elif message.get("type") == "GuiTextMessage" and message["props"]["label"] == "softrod":
                     channel = message["uuid"]
                 elif 'data-playing="0"' in str(message.get("updates", {}).get("content", "")):

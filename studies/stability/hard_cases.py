@@ -10,7 +10,7 @@ import numpy as np
 
 import sim
 from sim import Integrator, Pose, Scene, Simulation
-from sim.scene.rope import fine_rope
+from sim.scene.makers import fine_rope
 from sim.scene.types import ForceLaw
 
 REPLACE = msgspec.structs.replace

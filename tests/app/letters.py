@@ -9,10 +9,12 @@ from unittest.mock import MagicMock
 
 import msgspec
 
+from app.viser_inside import SoftrodMessage
 from app.wire.carrier import Mail
-from app.wire.to_page import MESSAGES, ToPage
+from app.wire.from_page import leaves
+from app.wire.to_page import Event, State, ToPage
 
-_decoder: Any = msgspec.json.Decoder(reduce(or_, MESSAGES))
+_decoder: Any = msgspec.json.Decoder(reduce(or_, (*leaves(State), *leaves(Event))))
 _T = TypeVar("_T", bound=ToPage)
 
 
@@ -20,7 +22,7 @@ class Letters(Mail):
     """Keeps what would be sent.
 
     Attributes:
-        sent: all of it, as it arrives.
+        sent: all of it, as it arrives; of numbers, the message that carries them.
         keys: of the messages; with the same key, a later one takes the place of an earlier one that waits.
     """
 
@@ -29,9 +31,9 @@ class Letters(Mail):
         self.sent: list[Any] = []
         self.keys: list[str] = []
 
-    def send(self, text: str, key: str) -> None:
-        self.sent.append(_decoder.decode(text))
-        self.keys.append(key)
+    def send(self, message: SoftrodMessage) -> None:
+        self.sent.append(_decoder.decode(message.text) if message.numbers is None else message)
+        self.keys.append(message.redundancy_key())
 
     def last(self, kind: type[_T]) -> _T:
         """The last message of a kind."""

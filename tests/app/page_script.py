@@ -33,7 +33,7 @@ def drawn(scene: Scene, picture: Picture) -> dict[str, Any]:
     plan = encode_plan(1, sketch_of(scene), rest)
     arrays = {
         "plan": plan,
-        "frame": encode_frame(1, 0.0, picture),
+        "frame": encode_frame(1, picture),
         "damage": encode_damage(1, picture),
     }
     line = json.dumps({name: array.tolist() for name, array in arrays.items()})

@@ -11,7 +11,6 @@ import subprocess
 import sys
 import urllib.request
 from pathlib import Path
-from types import SimpleNamespace
 
 import msgspec
 import numpy as np
@@ -19,9 +18,9 @@ import platformdirs
 import pytest
 
 import sim
-from app import headless
 from app.cli import main
-from app.page.tab import Tab
+from app.page.tab import told_of_compiling
+from app.session.log import Keys, read_log
 from sim.compiling.compiler import EntryPoint
 from sim.errors import InputError
 
@@ -94,10 +93,12 @@ def test_tables_have_decimal_commas_if_they_are_to(
 def test_run_replays_moves_and_keys(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log, out = tmp_path / "log.jsonl", tmp_path / "out.npz"
     lines = [
-        {"step": 0, "move": {"mass": 0, "to": [310.0, 170.0]}},
-        {"step": 10, "keys": ["up", "right"]},
-        {"step": 25, "keys": []},
-        {"step": 25, "move": {"mass": 0, "to": [350.0, 190.0]}},
+        {"do": "move", "mass": 0, "to": [310.0, 170.0]},
+        {"do": "step", "n": 1, "times": 10},
+        {"do": "keys", "held": ["up", "right"]},
+        {"do": "step", "n": 1, "times": 15},
+        {"do": "keys", "held": []},
+        {"do": "move", "mass": 0, "to": [350.0, 190.0]},
     ]
     log.write_text("\n".join(map(json.dumps, lines)))
     result = softrod_here(capsys, "run", "tutorial-3.3", "--duration", "0.1", "--inputs", log, "--out", out)
@@ -148,7 +149,7 @@ def test_a_runaway_keeps_its_good_rows_and_says_why(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     log, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
-    log.write_text('{"step": 0, "move": {"mass": 0, "to": [400, 150]}}\n')
+    log.write_text('{"do": "move", "mass": 0, "to": [400, 150]}\n')
     words = ("run", "tutorial-3.3", "--steps", "5000", "--inputs", log, "--out", out)
     refused(
         softrod_here(capsys, *words, "--set", "angular_stiffness=60000"),
@@ -163,14 +164,18 @@ def test_a_runaway_keeps_its_good_rows_and_says_why(
 @pytest.mark.parametrize(
     ("line", "fragment"),
     [
-        ('{"step": 0, "move": {"mass": 3, "to": [0, 0]}}', "mass 3 is not held"),
-        ('{"step": 0, "move": {"mass": 99, "to": [0, 0]}}', "mass 99 does not exist"),
-        ('{"step": 0, "move": {"mass": 0, "to": [1e300, 0]}}', "not within"),
-        ('{"step": 0, "keys": ["enter"]}', "'enter' is not one of"),
-        ('{"step": 0, "keys": "up"}', "line 1"),
+        ('{"do": "move", "mass": 3, "to": [0, 0]}', "line 1: mass 3 is not held"),
+        ('\n{"do": "move", "mass": 99, "to": [0, 0]}', "line 2: mass 99 does not exist"),
+        ('{"do": "move", "mass": 0, "to": [1e300, 0]}', "line 1"),
+        ('{"do": "keys", "held": ["enter"]}', "'enter'"),
+        ('{"do": "keys", "held": "up"}', "line 1"),
         ("nonsense", "line 1"),
-        ('{"step": 5}\n{"step": 4}', "line 2: step 4 comes after a later step"),
-        ('{"step": -1}', "line 1"),
+        ("[]", "line 1"),
+        (
+            '{"step": 0, "move": {"mass": 0, "to": [0, 0]}}',
+            "line 1: the field `do` is missing, which says what",
+        ),
+        ('{"do": "step", "n": -1}', "line 1"),
     ],
 )
 def test_bad_inputs_are_refused(
@@ -257,17 +262,33 @@ def test_letters_that_the_terminal_lacks_are_no_error(
 
 
 def test_inputs_of_other_programs(tmp_path: Path) -> None:
-    line = '{"step": 3, "keys": ["left"]}'
-    path = tmp_path / "inputs.jsonl"
+    line = '{"do": "keys", "held": ["left"]}'
+    path, scene = tmp_path / "inputs.jsonl", sim.rope()
     for mark, encoding in ((b"\xef\xbb\xbf", "utf-8"), (b"\xff\xfe", "utf-16-le")):
         path.write_bytes(mark + f"{line}\r\n{line}\r\n".encode(encoding))
-        assert headless.read_log(path) == [headless.Entry(step=3, keys=("left",))] * 2
-    path.write_bytes(b'\n{"step": 3, "keys": [], "step": 4}')
-    with pytest.raises(InputError, match=r"line 2: the key 'step' stands twice"):
-        headless.read_log(path)
-    path.write_bytes(b'{"step": 3}\n{"keys": ["\xe4"]}')
+        assert read_log(path, scene).entries == [Keys(held=("left",))] * 2
+    path.write_bytes(b'\n{"do": "keys", "held": [], "do": "keys"}')
+    with pytest.raises(InputError, match=r"line 2: the key 'do' stands twice"):
+        read_log(path, scene)
+    path.write_bytes(b'{"do": "step", "n": 3}\n{"do": "keys", "held": ["\xe4"]}')
     with pytest.raises(InputError, match=r"inputs.jsonl: line 2: the text is not in UTF-8"):
-        headless.read_log(path)
+        read_log(path, scene)
+
+
+def test_a_log_that_was_written_by_hand_needs_a_scene_and_ends_where_it_ends(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    log, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
+    log.write_text('{"do": "step", "n": 1, "times": 7}\n{"do": "step", "n": 5}')
+    words = ("--inputs", log, "--out", out, "--every", "3")
+    refused(softrod_here(capsys, "run", *words), "line 1")
+    result = softrod_here(capsys, "run", "ring", *words)
+    assert (result.returncode, result.stdout) == (0, "")
+    # The last five steps are one call.
+    assert [row[0] for row in rows_of(out)[1:]] == ["3", "6", "12"]
+    assert softrod_here(capsys, "run", "ring", *words, "--steps", "20").returncode == 0
+    assert [row[0] for row in rows_of(out)[1:]] == ["3", "6", "12", "15", "18"]
+    refused(softrod_here(capsys, "run", "ring", "--inputs", log), "--out")
 
 
 def test_a_cache_folder_that_cannot_be_written_is_said_once(
@@ -282,13 +303,8 @@ def test_a_cache_folder_that_cannot_be_written_is_said_once(
     assert result.stderr == f"softrod: the solver is {trouble}\n"
     assert softrod_here(capsys, "check", tmp_path / "file").stderr.count("anew") == 0
     # The page says it in the line that tells how far the compiler is.
-    page = SimpleNamespace(_all_ready=False, _wanted="", _compiler=None)
-    page._compiler = SimpleNamespace(progress=(3, 19), want=list, busy_with="forces")
-    session = SimpleNamespace(
-        simulation=SimpleNamespace(method="auto", plain=False), preparing="", revision=0
-    )
-    Tab._prepare(page, session)  # type: ignore[arg-type]
-    assert session.preparing == f"preparing forces: 3 of 19 parts ready; {trouble}"
+    assert told_of_compiling(3, 19, "forces", "") == f"preparing forces: 3 of 19 parts ready; {trouble}"
+    assert told_of_compiling(19, 19, "", "") == ""
 
 
 def test_check_notes_a_tolerance_that_is_coarse_for_its_body(

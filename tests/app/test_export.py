@@ -20,7 +20,7 @@ from PIL import Image
 
 import sim
 from app.cli import main
-from app.drawing.plan import FRAME_HEAD, FRAME_TIME, Picture
+from app.drawing.plan import Picture
 from app.export import film, model, replay
 from app.export.bundle import BundleError, bundle
 from app.export.clip import Clip, Shot
@@ -123,17 +123,23 @@ def test_a_long_or_large_film_has_fewer_frames(monkeypatch: pytest.MonkeyPatch) 
 
 
 # ------------------------------------------------------------------------- replays
-def parts(text: str) -> tuple[dict, list[np.ndarray]]:
-    """What a replay's script is told, and its frames."""
+def sections(numbers: np.ndarray) -> list[np.ndarray]:
+    """Arrays that stand one after the other, each after its length."""
+    found = []
+    while len(numbers):
+        found.append(numbers[1 : 1 + int(numbers[0])])
+        numbers = numbers[1 + int(numbers[0]) :]
+    return found
+
+
+def parts(text: str) -> tuple[dict, list[tuple[float, np.ndarray]]]:
+    """What a replay's script is told, and the time and the places, px, of each of its frames."""
     about = json.loads(re.search(r'id="about">(.*?)</script>', text)[1])  # type: ignore[index]
     data = json.loads(re.search(r'id="data">(.*?)</script>', text)[1])  # type: ignore[index]
-    numbers = np.frombuffer(zlib.decompress(base64.b64decode(data)), np.float32)
-    arrays = []
-    while len(numbers):
-        arrays.append(numbers[1 : 1 + int(numbers[0])])
-        numbers = numbers[1 + int(numbers[0]) :]
+    arrays = sections(np.frombuffer(zlib.decompress(base64.b64decode(data)), np.float32))
     assert len(arrays) == 2 * len(about["plans"]) + len(about["damages"]) + about["frames"]
-    return about, arrays[-about["frames"] :]
+    frames = map(sections, arrays[-about["frames"] :])
+    return about, [(float(head[1]), positions.reshape(-1, 2)) for head, positions in frames]
 
 
 def test_a_replay_has_every_pose_to_a_hundredth_of_a_pixel() -> None:
@@ -142,9 +148,8 @@ def test_a_replay_has_every_pose_to_a_hundredth_of_a_pixel() -> None:
     assert len(text) < 100_000
     _, frames = parts(text)
     assert len(frames) == 61
-    for frame, shot in zip(frames, shots, strict=True):
-        assert frame[FRAME_TIME] == pytest.approx(shot.picture.time)
-        positions = frame[FRAME_HEAD:].reshape(-1, 2)
+    for (time, positions), shot in zip(frames, shots, strict=True):
+        assert time == pytest.approx(shot.picture.time)
         assert positions == pytest.approx(shot.picture.positions, abs=0.01)
 
 
@@ -299,7 +304,7 @@ def test_the_command_shows_a_recorded_log(tmp_path: Path, capsys: pytest.Capture
     out = tmp_path / "rope.html"
     assert export("--inputs", log, "--html", out, "--seconds", 0.3) == 0
     _, frames = parts(out.read_text())
-    assert frames[-1][FRAME_TIME] == pytest.approx(session.simulation.time)
+    assert frames[-1][0] == pytest.approx(session.simulation.time)
     assert "differs" not in capsys.readouterr().err
     assert export("ring", "--inputs", log, "--html", out) == 1
 

@@ -12,7 +12,7 @@ from app.server.ticker import LONGEST_FRAME, next_frame
 from app.session import commands
 from app.session.pacing import HEAVY_UNIT, Pacer, is_large
 from app.session.session import FRAME, Session
-from app.wire.from_page import Perform, Switch
+from app.wire.from_page import Perform
 from app.wire.to_page import PageState
 from sim.motion.solver import SolverStats
 from studies.bench.tabs import cloth
@@ -35,7 +35,7 @@ def test_others_go_on_and_pause_is_answered_while_a_step_takes_its_time(
         with stage.page() as other:
             light = stage.new_tab(known)
             session = session_of(heavy)
-            say(one, Perform("plot"), Switch("gizmos", True))
+            say(one, Perform("plot"), Perform("gizmos"))
             eventually(lambda: told(heavy).gizmos)
             begun, go_on = threading.Event(), threading.Event()
             tick = Session.tick

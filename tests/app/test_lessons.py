@@ -22,7 +22,7 @@ from app.wire.from_page import BeginStep, read
 from app.wire.to_page import Lesson as LessonState
 from app.wire.to_page import LessonStep
 from sim.scene.lesson import Lesson, Question, Step
-from sim.settings.lessons import scene_of_step
+from sim.settings import scene_of_step
 from sim.store.files import decode_scene, encode_scene
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage

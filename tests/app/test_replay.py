@@ -117,7 +117,7 @@ def test_the_energy_of_a_replay_is_followed_from_its_beginning() -> None:
     page.frames(20, commands.DragEnd(), commands.KeepBooks(True))
     page.frames(20, commands.KeepBooks(False))
     recorded = decode_log(log_of(page), "log")
-    recording, player = headless.replay(recorded, None, 10, Console(quiet=True), energy=True)
+    recording, player = headless.run(recorded, None, 10, Console(quiet=True), energy=True)
     assert player.agrees
     assert isinstance(recording, headless.PositionTable)
     assert recording.energies

@@ -20,7 +20,6 @@ from rich.console import Console
 import sim
 from app.gate.gate import open_server
 from app.page import tab as tab_module
-from app.page.body.view import FRAME
 from app.page.files import keeping
 from app.page.scenes import owner
 from app.page.tab import Tab
@@ -29,12 +28,13 @@ from app.server.serve import _tell_addresses, serving
 from app.server.ticker import Ticker
 from app.session import commands
 from app.session.commands import DragStart, Open
+from app.session.plots import Wish
 from app.session.session import Session
-from app.wire.from_page import FromPage, OpenScene, Part, Perform, Switch
+from app.wire.from_page import FromPage, OpenScene, Part, Perform
 from app.wire.to_page import Hud
 from sim.compiling.compiler import ENTRY_POINTS, EntryPoint
 from sim.store.link import pack_scene
-from studies.bench.client import Page
+from studies.bench.client import FRAME_PLACES, Page, is_frame
 
 PATIENCE = 30.0
 
@@ -91,11 +91,7 @@ def nodes(messages: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:
 
 
 def drawn_nodes(tab: Tab) -> set[str]:
-    return {name for name in tab._view._nodes if not name.startswith("/softrod/")}
-
-
-def is_frame(message: dict[str, Any]) -> bool:
-    return message.get("name") == FRAME and "points" in message.get("updates", {})
+    return set(tab._view._nodes)
 
 
 def say(page: Page, *messages: FromPage | str) -> None:
@@ -112,7 +108,7 @@ def test_one_node_per_kind(stage: Stage) -> None:
         eventually(lambda: "/body/springs" in tab._view._nodes)
         assert drawn_nodes(tab) == {"/body/springs", "/body/wedges", "/body/ring", "/body/masses"}
         assert not tab._view._gizmos
-        tab.hear(Switch("gizmos", True))
+        tab.hear(Perform("gizmos"))
         eventually(lambda: len(tab._view._gizmos) == 1)
         page.read_for(0.1)
 
@@ -139,14 +135,16 @@ def test_masses_on_the_wire_are_where_the_solver_has_them(stage: Stage) -> None:
         frames: list[np.ndarray] = []
         deadline = time.monotonic() + 0.5
         while time.monotonic() < deadline:
-            frames += [m["updates"]["points"] for m in page.receive(0.1) if is_frame(m)]
+            frames += [m["numbers"] for m in page.receive(0.1) if is_frame(m)]
         positions = session_of(tab).simulation.positions
-        assert frames[-1][-positions.size :] == pytest.approx(positions.ravel(), abs=1e-3)
+        assert frames[-1][FRAME_PLACES : FRAME_PLACES + positions.size] == pytest.approx(
+            positions.ravel(), abs=1e-3
+        )
 
 
-def kept_letters(session: Session) -> str:
+def kept_letters(session: Session, plots: tuple[Wish, ...] = ()) -> str:
     """What a page's script gives back of what it kept of a session."""
-    kept = keeping.encode(session.keepsake(), keeping.Looks(dark=True))
+    kept = keeping.encode(session.keepsake(), keeping.Looks(dark=True), plots)
     return base64.b64encode(zlib.compress(kept)).decode()
 
 
@@ -157,11 +155,33 @@ def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest
     with stage.page() as page:
         tab = stage.new_tab(set())
         say(page, Part("resume", 1, 1, letters), Part("link", 1, 1, link))
-        eventually(lambda: session_of(tab).scene.name == "box")
+        eventually(lambda: len(tab._requests) == 2)
         monkeypatch.setattr(Tab, "_serve_requests", serve)
         eventually(lambda: tab._looks.dark)  # the page looks as it did
+        eventually(lambda: session_of(tab).scene.name == "box")
         eventually(lambda: not session_of(tab)._queue)
         assert session_of(tab).scene.name == "box"
+
+
+def test_what_the_page_kept_brings_its_plots_whenever_it_comes(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    letters = kept_letters(Session(sim.load_scene("rod")), (Wish(("joint0.angle",)),))
+    prepare, said = Tab._prepare, []
+
+    def prepare_later(tab: Tab, session: Session) -> None:
+        if not said:  # in the middle of a frame
+            said.append(tab)
+            tab.hear(Part("resume", 1, 1, letters))
+        prepare(tab, session)
+
+    with stage.page() as page:
+        tab = stage.new_tab(set())
+        monkeypatch.setattr(Tab, "_prepare", prepare_later)
+        eventually(lambda: tab._looks.dark and session_of(tab).scene.name == "rod")
+        page.read_for(0.1)
+        assert tab._measure is not None
+        assert len(tab._measure.plots) == 1
 
 
 def test_another_scene_is_kept_at_once_however_long_the_last_keepsake_took(

@@ -16,6 +16,16 @@ def rules() -> list[tuple[str, str]]:
     return [rule for text in texts for rule in re.findall(r"([^{}]+)\{([^{}]*)", text)]
 
 
+def test_only_one_folder_knows_what_viser_calls_its_widgets() -> None:
+    folder = Path(app.page.__file__).parent
+    for path in (path for kind in ("css", "js", "py") for path in folder.glob(f"**/*.{kind}")):
+        if "viser" not in path.relative_to(folder).parts:
+            found = re.search(
+                r"mantine-[A-Z]\w+|tabler-icon|data-dock|__viser", path.read_text(encoding="utf-8")
+            )
+            assert found is None, f"{path}: {found and found[0]}"
+
+
 def test_no_style_has_the_browser_search_the_whole_page() -> None:
     """With `:has` on what is always there, every change of a text restyled all of it, 5 ms each time."""
     assert SHEETS

@@ -10,6 +10,7 @@ import pytest
 import sim
 from app.drawing.plan import Picture
 from app.page.body.view import STILL, Canvas
+from tests.app.letters import Letters
 
 
 @pytest.fixture
@@ -20,7 +21,7 @@ def scene() -> sim.Scene:
 @pytest.fixture
 def view(scene: sim.Scene) -> Canvas:
     """A view that was just drawn, of a page that is none."""
-    view = Canvas(MagicMock(), lambda touch: None)
+    view = Canvas(MagicMock(), Letters(), lambda touch: None)
     view.build(scene, dark=False)
     assert view.draw(start(scene), 0.0)
     return view
@@ -60,7 +61,7 @@ def test_a_turn_of_half_a_degree_is_sent(view: Canvas, scene: sim.Scene) -> None
 def test_a_body_that_is_another_one_only_by_its_numbers_keeps_its_nodes() -> None:
     scene = sim.rope(12)
     client = MagicMock()
-    view = Canvas(client, lambda touch: None)
+    view = Canvas(client, Letters(), lambda touch: None)
     view.build(scene, dark=False)
     added = client.scene.add_batched_meshes_simple.call_count
     for key, value in (("masses", 13), ("rest_angle", 20.0)):

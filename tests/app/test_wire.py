@@ -7,9 +7,8 @@ import re
 from collections import deque
 from typing import Any
 
-import msgspec
+import numpy as np
 import pytest
-import viser._messages
 from msgspec import inspect
 
 from app.drawing.sketch import Mapping
@@ -17,7 +16,6 @@ from app.page import controls
 from app.page.tab import TOLD_CONTROLS, Tab
 from app.session import commands
 from app.wire import from_page, to_page
-from app.wire.carrier import SoftrodMessage
 from app.wire.commands import COMMANDS, key_lines
 from app.wire.from_page import read
 from app.wire.to_page import OfferGallery, ShelfChanged, Tools
@@ -35,7 +33,6 @@ SAID = {
     '{"do":"pick","mass":3}': from_page.Pick(3),
     '{"do":"goTo","time":12.5}': from_page.GoTo(12.5),
     '{"do":"speed","speed":0.125}': from_page.Speed(0.125),
-    '{"do":"switch","what":"dark","on":true}': from_page.Switch("dark", True),
     '{"do":"seen","tab":""}': from_page.Seen(""),
 }
 
@@ -102,12 +99,21 @@ def test_of_states_the_latest_counts_and_events_all_arrive() -> None:
     assert letters.sent[:2] == [Tools(chosen=1), Tools(chosen=2)], "what has not changed is not told again"
     assert letters.keys[0] == letters.keys[1]
     assert len(set(letters.keys)) == len(letters.keys) - 1
-    assert SoftrodMessage("a", "k").redundancy_key() == SoftrodMessage("b", "k").redundancy_key()
     assert letters.told(Tools) == Tools(chosen=2)
 
 
-def test_every_message_is_a_state_or_an_event() -> None:
-    assert all(issubclass(kind, to_page.State | to_page.Event) for kind in to_page.MESSAGES)
+def test_every_message_is_a_state_an_event_or_numbers() -> None:
+    kinds = to_page.State | to_page.Event | to_page.Numbers
+    assert all(issubclass(kind, kinds) for kind in to_page.MESSAGES)
+
+
+def test_numbers_are_told_each_time_and_the_latest_count() -> None:
+    letters, numbers = Letters(), np.array([1.0, 2.0], np.float32)
+    for wall in (12.25, 12.25):
+        letters.tell(to_page.Frame(numbers=numbers, wall=wall))
+    assert [message.text for message in letters.sent] == ['{"tell":"frame","wall":12.25}'] * 2
+    assert all(message.numbers is numbers for message in letters.sent)
+    assert letters.keys[0] == letters.keys[1]
     for kind in (*from_page.MESSAGES, *to_page.MESSAGES):
         assert kind.__doc__, f"{kind.__name__} does not say what it is"
 
@@ -183,10 +189,3 @@ def test_a_command_is_done_by_whom_the_table_says_and_needs_its_control() -> Non
             assert len(done) == offered, name
     assert {row.needs for row in COMMANDS.values()} <= {"", *TOLD_CONTROLS}
     assert set(TOLD_CONTROLS) <= set(controls.PARTS)
-
-
-def test_viser_leads_what_a_page_says_to_who_listens() -> None:
-    message = viser._messages.Message.deserialize(
-        msgspec.msgpack.encode({"type": "SoftrodMessage", "text": "{}"})
-    )
-    assert message == SoftrodMessage("{}")

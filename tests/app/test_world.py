@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import replace
 from functools import partial
@@ -15,7 +16,7 @@ import sim
 from app.drawing.colors import sent
 from app.drawing.looks import YIELDED
 from app.drawing.plan import Picture, encode_plan, yielded_of
-from app.page.body.view import DAMAGE, Canvas
+from app.page.body.view import Canvas
 from app.page.looks import readouts
 from app.session import commands
 from app.session.history import History
@@ -26,6 +27,7 @@ from sim.motion.energy import ENERGY_FIELDS
 from sim.motion.stability import StabilityEstimate
 from sim.scene.surroundings import Contact, Wall
 from sim.scene.types import Damage
+from tests.app.letters import Letters
 from tests.app.page_script import drawn, sketch_of
 from tests.app.pages import SessionPage
 from tests.app.worlds import GUSTS, balloon, chain_under_load
@@ -145,7 +147,7 @@ def test_only_a_scene_whose_springs_can_yield_has_a_node_for_marks() -> None:
     for yields in (None, 100.0):
         scene, client = chain_under_load(), MagicMock()
         springs = tuple(msgspec.structs.replace(s, yield_force=yields) for s in scene.linear_springs)
-        Canvas(client, lambda touch: None).build(
+        Canvas(client, Letters(), lambda touch: None).build(
             msgspec.structs.replace(scene, linear_springs=springs), dark=False
         )
         names = [call.args[0] for call in client.scene.add_batched_meshes_simple.call_args_list]
@@ -163,20 +165,20 @@ def test_colours_and_wedges_go_by_the_present_rest_lengths_and_angles() -> None:
     assert (drawn(scene, Picture(places))["springs"]["colors"][2] == sent(colors.pulled)).all()
 
 
-def told(client: MagicMock) -> list[str]:
-    """The nodes that carry arrays."""
-    return [call.args[0] for call in client.scene.add_point_cloud.call_args_list]
+def told(letters: Letters) -> list[str]:
+    """What the page was told of by numbers."""
+    return [json.loads(message.text)["tell"] for message in letters.sent]
 
 
 def test_damage_is_sent_when_it_changes_and_only_then() -> None:
-    scene, client = chain_under_load(), MagicMock()
-    view = Canvas(client, lambda touch: None)
+    scene, letters = chain_under_load(), Letters()
+    view = Canvas(MagicMock(), letters, lambda touch: None)
     view.build(scene, dark=False)
     still = Picture.at_start(scene)
     assert view.draw(still, 0.0)
-    assert DAMAGE not in told(client)
+    assert told(letters) == ["plan", "frame"]
     assert view.draw(replace(still, damage=HURT), 0.0)
-    assert DAMAGE in told(client)
+    assert told(letters)[2:] == ["damage", "frame"]
     assert not view.draw(replace(still, damage=HURT), 0.0)
     # A little more is not seen, but by those who look closely.
     more = msgspec.structs.replace(HURT, set_lengths=(0.0, 0.0, 30.05, 0.0))

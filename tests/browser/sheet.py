@@ -13,7 +13,6 @@ from playwright.sync_api import Browser, sync_playwright
 import sim
 from app.server.serve import serving
 from app.session import commands
-from app.wire.from_page import Switch
 from tests.browser.conftest import FLAGS, browser_path
 from tests.browser.driver import Desk, Served
 
@@ -83,7 +82,7 @@ def sheet(browser: Browser, dark: bool) -> Image.Image:
         desk = Desk(Served(f"http://127.0.0.1:{server.get_port()}", ticker), context)
         desk.open()
         if dark:
-            desk.tab.hear(Switch("dark", True))
+            desk.tab.perform("dark")
         for i, (name, seconds) in enumerate(TIMES.items()):
             image = tile(desk, name, seconds)
             x, y = i % COLUMNS * width, i // COLUMNS * height

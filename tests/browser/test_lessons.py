@@ -10,8 +10,7 @@ import sim
 from app.session import commands
 from app.session.notices import Notice
 from sim.scene.lesson import Lesson, Step
-from sim.settings import CHOICES, setting_of
-from sim.settings.lessons import scene_of_step
+from sim.settings import CHOICES, scene_of_step, setting_of
 from sim.store.files import built_in_folder
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk

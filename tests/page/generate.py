@@ -41,7 +41,7 @@ def typescript(kind: inspect.Type) -> str:
             return f"Record<{typescript(key)}, {typescript(value)}>"
     names: dict[type, str] = {
         inspect.IntType: "number", inspect.FloatType: "number", inspect.StrType: "string",
-        inspect.BoolType: "boolean", inspect.NoneType: "null",
+        inspect.BoolType: "boolean", inspect.NoneType: "null", inspect.CustomType: "Float32Array",
     }  # fmt: skip
     return names[type(kind)]
 
@@ -165,6 +165,7 @@ def messages_list() -> str:
         for title, kinds in (
             ("What a page says (`app/wire/from_page.py`)", from_page.MESSAGES),
             ("States that a page is told (`app/wire/to_page.py`)", from_page.leaves(to_page.State)),
+            ("Numbers that a page is told", from_page.leaves(to_page.Numbers)),
             ("Events that a page is told", from_page.leaves(to_page.Event)),
         )
     )

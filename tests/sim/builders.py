@@ -11,7 +11,7 @@ import numpy as np
 
 import sim
 from sim import Anchor, AngularSpring, Integrator, LinearSpring, Mass, Pose, Scene
-from sim.scene.rope import fine_rope
+from sim.scene.makers import fine_rope
 from sim.scene.types import Circle, ForceLaw, Method
 from sim.store.files import built_in_folder
 

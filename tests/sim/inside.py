@@ -46,7 +46,6 @@ def general(simulation: Simulation) -> Simulation:
     body = simulation._body.replaced(chain=False, ring=False)
     simulation._body = body
     simulation._system = dataclasses.replace(simulation._system, body=body)
-    simulation._invalidate()
     simulation._stepper = simulation._new_stepper()
     return simulation
 
@@ -57,7 +56,7 @@ def put(simulation: Simulation, positions: Points, velocities: Points | None = N
     state.x[index], state.y[index] = positions.T
     if velocities is not None:
         state.vx[index], state.vy[index] = velocities.T
-    simulation._invalidate()
+    simulation._stepper.begin_anew()
 
 
 def spring_forces(simulation: Simulation) -> Points:

@@ -11,8 +11,8 @@ import pytest
 
 import sim
 from sim import Integrator, LinearSpring, Mass, Pose, Scene, Simulation
-from sim.body.damage import leaking
 from sim.body.system import build_system, start_of
+from sim.forces.limits import leaking
 from sim.methods.registry import METHODS
 from sim.physics import Physics
 from sim.scene.types import Damage, Method

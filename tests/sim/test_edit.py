@@ -14,7 +14,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from sim.edit import copying
 from sim.edit.build import add_joints, add_mass, add_springs, extend, pin, positions_of, remove
 from sim.edit.copying import copy, decode, encode, paste
 from sim.edit.edit import Edit, Selection, carried, inverse, of_parts
@@ -314,10 +313,10 @@ def test_a_copy_that_is_too_much_is_refused(monkeypatch: pytest.MonkeyPatch) -> 
     assert joints > springs
     fragment = copy(scene, range(4), starts(scene))
     for most, what in ((2 * springs - 1, "9 springs"), (2 * joints - 1, f"{2 * joints - 1} angular springs")):
-        monkeypatch.setattr(copying, "MAX_SPRINGS", most)
+        monkeypatch.setattr("sim.edit.edit.MAX_SPRINGS", most)
         with pytest.raises(SceneError, match=what):
             paste(scene, fragment, (500.0, 500.0))
-    monkeypatch.setattr(copying, "MAX_SPRINGS", 2 * joints)
+    monkeypatch.setattr("sim.edit.edit.MAX_SPRINGS", 2 * joints)
     validate(paste(scene, fragment, (500.0, 500.0)).scene)
 
 

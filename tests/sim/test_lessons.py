@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 import sim
-from sim.settings import apply_assignments
-from sim.settings.lessons import scene_of_step
+from sim.settings import apply_assignments, scene_of_step
 from sim.store.files import built_in_folder
 
 NAMES = sorted(path.stem for path in (built_in_folder() / "lessons").glob("*.json"))

@@ -101,7 +101,7 @@ def test_a_step_of_last_resort_keeps_within_bounds() -> None:
     )
     simulation = Simulation(scene)
     stepper = simulation._stepper
-    stepper.begin(0.0)
+    solver_of(simulation).load(0.0)
     solver_of(simulation).fall_back(0.005, stepper._driver.drive(0.0, 0.005, {}))
     assert simulation.positions[0, 1] == 1e6
     assert np.abs(simulation.positions).max() <= 1e6

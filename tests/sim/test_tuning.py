@@ -347,7 +347,12 @@ def test_another_vibration_can_be_damped() -> None:
     resting, found = module.vibrations_at_rest(made, 2)
     dampers = module.Dampers(resting)
     ratios = [
-        dampers.ratio(float(found.frequencies[k]), found.shapes[k], dampers.damping, dampers.joint_damping)
+        dampers.ratio(
+            float(found.frequencies[k]),
+            found.shapes[k],
+            dampers.numbers.damping,
+            dampers.numbers.joint_damping,
+        )
         for k in (0, 1)
     ]
     assert ratios[1] == pytest.approx(1.0, rel=1e-6)

@@ -4,11 +4,6 @@
  * are (frames), and what has yielded and broken of it (damage) when that changes. All are written by plan.py.
  */
 
-/** Numbers at the beginning of a frame, before the positions. */
-const FRAME_HEAD = 6;
-/** Seconds after which a frame's wall clock starts again at 0. */
-export const CLOCK_PERIOD = 1024;
-
 /**
  * @typedef {object} Plan
  * @property {number} generation which body this is; frames carry the same number
@@ -97,7 +92,6 @@ export const UNHARMED = readDamage(new Float32Array([1, -1]));
 /**
  * @typedef {object} Frame
  * @property {number} generation of the body
- * @property {number} wall when it was made, seconds on the server's clock, modulo CLOCK_PERIOD
  * @property {number} time simulated seconds
  * @property {number} lengthScale factor of all rest lengths
  * @property {number} angleShift degrees added to all rest angles
@@ -106,17 +100,14 @@ export const UNHARMED = readDamage(new Float32Array([1, -1]));
  */
 
 /**
- * @param {Float32Array} data
+ * @param {Float32Array} data sections, each after its length
  * @returns {Frame}
  */
 export function readFrame(data) {
-  const [generation, wall, time, lengthScale, angleShift, masses] = data;
-  const end = FRAME_HEAD + 2 * masses;
-  return {
-    generation, wall, time, lengthScale, angleShift,
-    positions: data.subarray(FRAME_HEAD, end),
-    ghost: data.length >= end + 2 * masses && masses > 0 ? data.subarray(end, end + 2 * masses) : null,
-  };
+  const take = sections(data);
+  const [generation, time, lengthScale, angleShift] = take();
+  const [positions, ghost] = [take(), take()];
+  return { generation, time, lengthScale, angleShift, positions, ghost: ghost.length ? ghost : null };
 }
 
 /**

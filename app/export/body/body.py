@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 import sim
-from sim.body.damage import leaking
 from sim.body.stable_spring import clamp_stiffness
 from sim.body.system import System, build_system, joint_stiffness
 from sim.errors import InputError
+from sim.forces.limits import leaking
 from sim.motion.driving import offset
 from sim.scene.types import Circle
 

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * Draws the body: takes the plan, the frames and the damage out of viser's queue, and puts in what they mean for its
- * nodes.
+ * Draws the body: puts into viser's queue what the plan, the frames and the damage mean for its nodes, and takes out
+ * what is softrod's.
  *
  * @typedef {import("../viser/viser.js").Message} Message
  * @typedef {import("../viser/viser.js").Viser} Viser
@@ -11,12 +11,9 @@
  */
 import * as draw from "../../drawing/static/draw.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "../../drawing/static/plan.js";
-import { hear } from "../../wire/channel.js";
+import { hear, onTold } from "../../wire/channel.js";
 import { Glide } from "./glide.js";
 
-const PLAN = "/softrod/plan";
-const FRAME = "/softrod/frame";
-const DAMAGE = "/softrod/damage";
 const BODY = "/body/";
 
 const state = {
@@ -45,17 +42,6 @@ const listeners = [];
 let asked = false;
 /** Whether the picture that is shown stays. */
 let held = false;
-
-/** Who takes the arrays of other nodes that only carry some. @type {Map<string, (data: Float32Array | null) => void>} */
-const carriers = new Map();
-
-/**
- * Has the arrays of a node that only carries some taken; null when the node goes.
- *
- * @param {string} name of the node
- * @param {(data: Float32Array | null) => void} take
- */
-export const carry = (name, take) => carriers.set(name, take);
 
 /** What is shown now. */
 export const shown = () => state;
@@ -128,21 +114,24 @@ function put(name, instances) {
   pass({ type: "SceneNodeUpdateMessage", name: node, owner: owners.get(node), updates });
 }
 
-/** Takes a plan, a frame or damage, if a message has one. @param {string} name @param {Float32Array | undefined} data */
-function take(name, data) {
-  if (!data) return;
-  if (name === PLAN) {
-    state.plan = readPlan(data);
+/** Begins to take what is told of the body. */
+function listen() {
+  onTold("plan", ({ numbers }) => {
+    state.plan = readPlan(numbers);
     colors.clear();
-  } else if (name === DAMAGE) {
-    state.damage = readDamage(data);
+    ask();
+  });
+  onTold("damage", ({ numbers }) => {
+    state.damage = readDamage(numbers);
     glide.last = null; // the picture that is shown is no longer right
-  } else {
-    const frame = readFrame(data);
-    glide.take(frame, seconds());
+    ask();
+  });
+  onTold("frame", ({ numbers, wall }) => {
+    const frame = readFrame(numbers);
+    glide.take(frame, wall, seconds());
     for (const taker of takers) taker(frame);
-  }
-  ask();
+    ask();
+  });
 }
 
 /** Notes which nodes of the body there are. @param {Message} message */
@@ -162,23 +151,14 @@ function note({ type, name = "", owner, props }) {
  */
 export function drawBody(viser) {
   page = viser;
-  /** @param {Message} message */
-  const sort = (message) => {
-    const { type, name = "", props, updates } = message;
-    const carried = carriers.get(name);
-    if (name === PLAN || name === FRAME || name === DAMAGE) {
-      take(name, props?.points ?? updates?.points);
-    } else if (carried) {
-      const data = props?.points ?? updates?.points ?? null;
-      if (data || type === "RemoveSceneNodeMessage") carried(data);
-    } else if (!hear(message)) {
+  listen();
+  const queue = viser.messageQueue;
+  queue.push = (...messages) => {
+    for (const message of messages) {
+      if (hear(message)) continue;
       note(message);
       pass(message);
     }
-  };
-  const queue = viser.messageQueue;
-  queue.push = (...messages) => {
-    messages.forEach(sort);
     return queue.length;
   };
 }

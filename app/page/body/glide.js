@@ -8,7 +8,7 @@
  *
  * @typedef {import("../../drawing/static/plan.js").Frame} Frame
  */
-import { between, CLOCK_PERIOD } from "../../drawing/static/plan.js";
+import { between } from "../../drawing/static/plan.js";
 
 /** Seconds that a picture waits at most for the frame after it. */
 const LONGEST_WAIT = 0.05;
@@ -19,7 +19,7 @@ const HURRY = 0.5;
 /** Seconds behind from which on it does not pay to catch up: the picture leaps. */
 const TOO_LATE = 0.5;
 
-/** @typedef {Frame & {at: number}} Timed a frame with its time on the unwrapped clock */
+/** @typedef {Frame & {at: number}} Timed a frame with its time on the server's clock */
 
 export class Glide {
   constructor() {
@@ -41,12 +41,11 @@ export class Glide {
    * Takes a frame that came.
    *
    * @param {Frame} frame
+   * @param {number} at when it was made, seconds of the server's clock
    * @param {number} now seconds of the screen's clock
    */
-  take(frame, now) {
+  take(frame, at, now) {
     let before = this.frames.at(-1);
-    let at = frame.wall;
-    if (before) at += CLOCK_PERIOD * Math.round((before.at - at) / CLOCK_PERIOD);
     // Another body, or another server: nothing of the one before is of any use.
     if (before && (before.generation !== frame.generation || at < before.at)) {
       if (at < before.at) this.ahead = -Infinity;

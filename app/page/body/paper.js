@@ -7,6 +7,7 @@ import { told } from "../../wire/channel.js";
 import { make } from "../looks/dialog.js";
 import { frameMarks } from "./overlay.js";
 import { timeNow } from "../time/transport.js";
+import { CHARTS } from "../viser/widgets.js";
 
 /** The words of the lesson's present step, but none of its buttons. */
 function lessonWords() {
@@ -21,7 +22,7 @@ function lessonWords() {
 /** Pictures of the plots that are open, each with its title and what is read off it. */
 function plots() {
   const all = make("div", "softrod-paper-plots");
-  const parts = document.querySelectorAll(".softrod-plot-title, .uplot canvas, svg.softrod-phase, .softrod-reading");
+  const parts = document.querySelectorAll(`.softrod-plot-title, ${CHARTS}, svg.softrod-phase, .softrod-reading`);
   for (const part of parts) {
     if (part.matches(".softrod-plot-title")) all.append(make("figure", ""));
     const copy = part instanceof HTMLCanvasElement ? make("img", "") : part.cloneNode(true);

@@ -1,7 +1,7 @@
-"""One page's picture: the viser nodes of its scene, which belong to that page alone.
+"""One page's picture: the viser nodes of its scene, which belong to that page alone, and what fills them.
 
 The nodes are empty: the page's script fills them in from the plan of the body and the positions of its
-masses. A frame in which nothing moved by a tenth of a pixel is not sent.
+masses (canvas.js). A frame in which nothing moved by a tenth of a pixel is not sent.
 """
 
 from __future__ import annotations
@@ -21,16 +21,14 @@ from ...drawing.plan import Picture, broken_of, encode_damage, encode_frame, enc
 from ...drawing.shapes import meshes
 from ...drawing.sketch import Z_GIZMO, Floats, Sketch
 from ...session.session import Session
+from ...wire.carrier import Mail
+from ...wire.to_page import Damage, Frame, Plan
 
 STILL = 0.1
 """Movement (in pixels of a 600 pixel high frame) below which a picture counts as unchanged."""
 
 MAX_GIZMOS = 12
 """Gizmos are one node each; held masses beyond so many are dragged by themselves."""
-
-PLAN, FRAME = "/softrod/plan", "/softrod/frame"
-DAMAGE = "/softrod/damage"
-"""Nodes that only carry arrays to the page's script (canvas.js)."""
 
 # Ambient light only and no shadows: every mesh shows its own colour, and software rendering is twice as fast.
 _FLAT: dict[str, Any] = {"material": "toon3", "lod": "off", "cast_shadow": False, "receive_shadow": False}
@@ -51,11 +49,12 @@ class Canvas:
 
     Args:
         client: the page.
+        mail: to its script.
         on_touch: hears of gizmos that are dragged, on viser's event loop; it must not block.
     """
 
-    def __init__(self, client: viser.ClientHandle, on_touch: Callable[[Touch], None]) -> None:
-        self._client = client
+    def __init__(self, client: viser.ClientHandle, mail: Mail, on_touch: Callable[[Touch], None]) -> None:
+        self._client, self._mail = client, mail
         self._on_touch = on_touch
         self._nodes: dict[str, Any] = {}
         self._gizmos: list[tuple[int, viser.TransformControlsHandle]] = []
@@ -93,7 +92,7 @@ class Canvas:
             if self._plan is None or not np.array_equal(plan, self._plan):
                 self._plan = plan
                 self._plan_number += 1
-                self._nodes[PLAN].points = encode_plan(self._plan_number, sketch, rest_angles)
+                self._mail.tell(Plan(numbers=encode_plan(self._plan_number, sketch, rest_angles)))
                 self._drawn = self._damaged = None
 
     @staticmethod
@@ -108,10 +107,6 @@ class Canvas:
         )
 
     def _add_nodes(self, sketch: Sketch) -> None:
-        # The page's script takes these for itself; viser never sees them.
-        for name in (PLAN, FRAME):
-            self._add_carrier(name)
-        self._plan = None
         springs, yields, joints, pins, driven = self._kinds(sketch)
         for name, mesh in (
             ("springs", springs),
@@ -148,8 +143,9 @@ class Canvas:
         with self._client.atomic():
             self._show_ghost(picture.ghost is not None)
             if not self._same_damage(picture, exactly=force):
-                self._show_damage(picture)
-            self._nodes[FRAME].points = encode_frame(self._plan_number, now, picture)
+                self._damaged = picture
+                self._mail.tell(Damage(numbers=encode_damage(self._plan_number, picture)))
+            self._mail.tell(Frame(numbers=encode_frame(self._plan_number, picture), wall=round(now, 4)))
             for mass, gizmo in self._gizmos:
                 # While a gizmo is dragged it belongs to the pointer.
                 if mass != self._gizmo_in_hand:
@@ -159,19 +155,6 @@ class Canvas:
         return True
 
     # --------------------------------------------------------------------- inside
-    def _add_carrier(self, name: str) -> None:
-        """A node that only carries an array."""
-        self._nodes[name] = self._client.scene.add_point_cloud(
-            name, np.zeros((1, 3)), (0, 0, 0), precision="float32", visible=False
-        )
-
-    def _show_damage(self, picture: Picture) -> None:
-        """Tell the page what has yielded and broken."""
-        self._damaged = picture
-        if DAMAGE not in self._nodes:
-            self._add_carrier(DAMAGE)
-        self._nodes[DAMAGE].points = encode_damage(self._plan_number, picture)
-
     def _same_damage(self, picture: Picture, exactly: bool) -> bool:
         """Whether the page knows what has yielded and broken, to what can be seen or exactly."""
         known = self._damaged.damage if self._damaged is not None else None

@@ -111,9 +111,6 @@ class SelectionPanel:
         client: the page.
         session: its simulation.
         tell: tells the user something.
-
-    Attributes:
-        outlined: buttons that are not the first thing to press.
     """
 
     def __init__(
@@ -128,30 +125,23 @@ class SelectionPanel:
         self._due = -math.inf
         self._folder: viser.GuiFolderHandle | None = None
         self._rows: list[_Row] = []
-        self.outlined: list[Any] = []
 
     # --------------------------------------------------------------------- the ticker's
-    def tick(self) -> bool:
-        """Show what is selected, if that has changed, and its numbers as they are now.
-
-        Returns:
-            whether the folder was made just now.
-        """
+    def tick(self) -> None:
+        """Show what is selected, if that has changed, and its numbers as they are now."""
         selection, now = self._session.selection, self._session.now()
         another = selection is not self._selection
         if not another and (now < self._due or not any(selection)):
-            return False
+            return
         self._due, self._selection = now + EVERY, selection
         if self._folder is None and not any(selection):
-            return False
+            return
         with self._client.atomic():
-            made = self._folder is None
             folder = self._folder = self._folder or self._make_folder()
             if any(selection):
                 self._show(folder, selection, another)
             else:
                 folder.visible = False
-        return made
 
     def _show(self, folder: viser.GuiFolderHandle, selection: Selection, another: bool) -> None:
         scene = self._session.scene
@@ -186,7 +176,6 @@ class SelectionPanel:
                 hint="rest lengths and rest angles become the present ones",
             )
             delete = gui.add_button("Delete", icon=viser.Icon.TRASH, color="gray")
-        self.outlined = [rest, delete]
 
         @self._holding.on_click
         async def _(event: viser.GuiEvent[Any]) -> None:

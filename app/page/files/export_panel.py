@@ -60,9 +60,6 @@ class ExportPanel:
         perform: does a command of the table.
         notify: tells the user something.
         commas: whether tables have decimal commas.
-
-    Attributes:
-        outlined: buttons that are not the first thing to press.
     """
 
     def __init__(
@@ -92,7 +89,6 @@ class ExportPanel:
         programs = gui.add_button_group("Body as", tuple(_PROGRAMS))
         commas.add(gui)
         self._progress = gui.add_progress_bar(0.0, visible=False)
-        self.outlined = [picture, gif, replay_file, model]
 
         @picture.on_click
         async def _(_: object) -> None:

@@ -37,9 +37,6 @@ class FilesPanel:
         notify: tells the user something.
         share: has the page offer a link to the scene.
         shelf: the page's scenes.
-
-    Attributes:
-        outlined: buttons that are not the first thing to press.
     """
 
     def __init__(
@@ -70,7 +67,6 @@ class FilesPanel:
             "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json,.jsonl"
         )
         gui.add_html(ABOUT_LOGS)
-        self.outlined = [link, download, save_log, upload]
         for button, action in (
             (save, self._save),
             (link, share),

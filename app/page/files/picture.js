@@ -13,6 +13,7 @@ import { told } from "../../wire/channel.js";
 import { SVG } from "../body/overlay.js";
 import { timeNow } from "../time/transport.js";
 import { viser } from "../viser/viser.js";
+import { PANEL } from "../viser/widgets.js";
 
 /** Pixels of a picture for a pixel of the page, at least. */
 const FINE = 2;
@@ -22,7 +23,7 @@ const SETTLED = 3;
 const LARGEST = 8192;
 const LAYERS = ':is(svg, canvas)[class*="softrod-"]';
 /** What is part of a control, not of the picture. */
-const CONTROLS = "button, [role=tabpanel], .softrod-dock, .mantine-Paper-root";
+const CONTROLS = `button, [role=tabpanel], .softrod-dock, ${PANEL}`;
 /** What of an element's style comes from style sheets, which a picture does not have. */
 const STYLES = [
   "display", "visibility", "opacity", "fill", "fill-opacity", "fill-rule", "stroke", "stroke-opacity", "stroke-width",

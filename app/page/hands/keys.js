@@ -4,6 +4,7 @@ import { onTold, send, told } from "../../wire/channel.js";
 import { commandOf } from "./key_table.js";
 import { perform } from "../../wire/perform.js";
 import { nextStep } from "../time/transport.js";
+import { NUMBER_BOX } from "../viser/widgets.js";
 
 /** @typedef {import("../../wire/wire.js").Keys["held"][number]} Key */
 /** @type {Record<string, Key>} */
@@ -59,7 +60,7 @@ function isTaken({ target, code, key }) {
 function isSpaceFree({ target, ctrlKey, metaKey, altKey }) {
   if (ctrlKey || metaKey || altKey || dialogIsOpen() || menuIsOpen()) return false;
   if (!(target instanceof Element)) return true;
-  if (target.matches(".mantine-NumberInput-root input")) return true; // no number has a space
+  if (target.matches(`${NUMBER_BOX} input`)) return true; // no number has a space
   if (target.matches('[aria-haspopup="listbox"]')) return byPointer && target.ariaExpanded !== "true";
   if (target.matches(TEXTS)) return false;
   return byPointer || !target.matches(PRESSED);

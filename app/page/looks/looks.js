@@ -2,6 +2,7 @@
 /** How the page looks: projector mode, and where buttons have room for words and for their lists. */
 import { kept, store } from "../files/storage.js";
 import { viser } from "../viser/viser.js";
+import { frameOf, panelAt } from "../viser/widgets.js";
 
 const NAME = "softrod-projector";
 /** Pixels of a window for which the panel has its usual size; in larger ones it grows with them. */
@@ -28,9 +29,6 @@ export function keepInView(list) {
   list.style.translate = `0 ${Math.max(0, EDGE - list.getBoundingClientRect().top)}px`;
 }
 
-/** Whether the page is dark. */
-export const isDark = () => root().dataset.mantineColorScheme === "dark";
-
 /** Whether projector mode is on. */
 export const isProjector = () => root().classList.contains(NAME);
 
@@ -50,10 +48,10 @@ const enlarge = () => root().style.setProperty("--softrod-larger", larger().toFi
 /** viser leaves room for the panel beside the canvas by the width that this would have without being larger. */
 function keepRoom() {
   if (!root().classList.contains(NAME)) return;
-  viser()?.canvas?.closest("[data-dock-root] > div")?.setAttribute("data-softrod", "canvas");
+  const { canvas } = viser() ?? {};
+  if (canvas) frameOf(canvas)?.setAttribute("data-softrod", "canvas");
   for (const side of ["left", "right"]) {
-    const panel = document.querySelector(`[data-dock-region="${side}"]`);
-    const width = panel ? panel.getBoundingClientRect().width : 0;
+    const width = panelAt(side)?.getBoundingClientRect().width ?? 0;
     root().style.setProperty(`--softrod-room-${side}`, `${width}px`);
   }
 }

@@ -1,40 +1,30 @@
 // @ts-check
 /** The View menu over the bar of time: how the page looks, and the help. */
-import { has, onTold, send, told } from "../../wire/channel.js";
+import { has, onTold, told } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { make, makeButton } from "./dialog.js";
-import { hasWords, isDark, isProjector, keepInView } from "./looks.js";
+import { hasWords, isProjector, keepInView } from "./looks.js";
 import { onSight } from "../body/overlay.js";
 import { perform } from "../../wire/perform.js";
+import { isDark } from "../viser/widgets.js";
 
 const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 3 0 0 1 0-6z";
 
 /**
  * @typedef {object} Entry
- * @property {string} label
- * @property {string} [key] that does the same
- * @property {string} [hint]
+ * @property {import("../../wire/wire.js").CommandName} name of the command
  * @property {"view" | "help"} part of the controls of a page without which it is left out
  * @property {() => boolean} [on] of a switch
- * @property {() => void} press
  */
-
-/** @param {"gizmos" | "meter"} what as the server tells it @returns {Pick<Entry, "on" | "press">} */
-const toldSwitch = (what) => ({
-  on: () => told()[what] ?? false,
-  press: () => send({ do: "switch", what, on: !told()[what] }),
-});
-/** @param {import("../../wire/wire.js").CommandName} name @returns {Pick<Entry, "label" | "key" | "press">} */
-const command = (name) => ({ label: COMMANDS[name].label, key: COMMANDS[name].shown, press: () => perform(name) });
 
 /** @type {Entry[]} */
 const ENTRIES = [
-  { label: "Dark", part: "view", on: isDark, press: () => send({ do: "switch", what: "dark", on: !isDark() }) },
-  { ...command("larger"), part: "view", on: isProjector },
-  { label: "Stability bar", hint: "always, not only where the time step is near its limit", part: "view", ...toldSwitch("meter") },
-  { label: "Arrows at held masses", hint: "to drag them along one axis", part: "view", ...toldSwitch("gizmos") },
-  { ...command("fit"), part: "view" },
-  { ...command("help"), part: "help" },
+  { name: "dark", part: "view", on: isDark },
+  { name: "larger", part: "view", on: isProjector },
+  { name: "meter", part: "view", on: () => told().meter ?? false },
+  { name: "gizmos", part: "view", on: () => told().gizmos ?? false },
+  { name: "fit", part: "view" },
+  { name: "help", part: "help" },
 ];
 
 /** Puts up the button and its menu. */
@@ -56,14 +46,15 @@ export function addMenu() {
     const item = makeButton("", () => {
       const byKeys = item.matches(":focus-visible");
       open(false);
-      entry.press();
+      perform(entry.name);
       // The keys are the body's again, unless somebody goes by keys.
       if (byKeys) lid.focus();
     }, "");
-    item.append(make("span", "softrod-menu-mark"), make("span", "", entry.label), make("kbd", "", entry.key ?? ""));
+    const { label, hint = "", shown: key = "" } = COMMANDS[entry.name];
+    item.append(make("span", "softrod-menu-mark"), make("span", "", label), make("kbd", "", key));
     item.setAttribute("role", entry.on ? "menuitemcheckbox" : "menuitem");
     item.tabIndex = -1;
-    if (entry.hint) item.title = entry.hint;
+    item.title = hint;
     list.append(item);
     return { entry, item };
   });

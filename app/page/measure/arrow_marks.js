@@ -2,11 +2,9 @@
 /** Draws the arrows of forces, velocities and torques over the body, with what their lengths stand for. */
 import { arrow } from "../../drawing/static/arrow_shapes.js";
 import * as arrows from "./arrows.js";
-import { carry } from "../body/canvas.js";
-import { told } from "../../wire/channel.js";
+import { onTold, told } from "../../wire/channel.js";
 import { onSight, putUp, redrawMarks, SVG } from "../body/overlay.js";
 
-const CARRIER = "/softrod/arrows";
 /** Pixels of the longest arrow: a part of the canvas, within bounds. */
 const [PART, LEAST, MOST] = [0.17, 52, 110];
 /** Pixels between the end of the sample and the edge, and between two lines of text, in heights of the text. */
@@ -118,9 +116,8 @@ export function addArrows() {
     if (settling) again = setTimeout(redrawMarks, AGAIN);
   };
 
-  carry(CARRIER, (data) => {
-    // Without data the node is gone: nothing is to be drawn.
-    if (data) series.take(arrows.readArrows(data));
+  onTold("arrows", ({ numbers }) => {
+    if (numbers.length) series.take(arrows.readArrows(numbers));
     else series.kept = [];
     redrawMarks();
   });

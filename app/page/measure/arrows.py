@@ -7,7 +7,6 @@ from collections.abc import Set
 from typing import Any
 
 import numpy as np
-import viser
 from numpy.typing import NDArray
 
 from sim import Scene, Simulation
@@ -15,9 +14,8 @@ from sim import Scene, Simulation
 from ...drawing.plan import joined
 from ...drawing.sketch import Floats
 from ...session.session import Session
-
-ARROWS = "/softrod/arrows"
-"""The node that only carries the numbers to the page's script (arrows.js)."""
+from ...wire import to_page
+from ...wire.carrier import Mail
 
 KINDS = ("forces", "velocities", "torques")
 
@@ -37,12 +35,11 @@ class Arrows:
     """What one page is told of forces, velocities and torques.
 
     Args:
-        client: the page.
+        mail: to the page's script.
     """
 
-    def __init__(self, client: viser.ClientHandle) -> None:
-        self._client = client
-        self._node: Any = None
+    def __init__(self, mail: Mail) -> None:
+        self._mail = mail
         self._sent: tuple[tuple[Any, ...], list[Floats]] | None = None
         self._due = 0.0
         self._least = -1, (0.0, 0.0, 0.0)  # of the plan with that number
@@ -75,17 +72,14 @@ class Arrows:
                 return
         self._sent = about, numbers
         self._due = now + EVERY - 1e-3
-        if self._node is None:
-            self._node = self._client.scene.add_point_cloud(
-                ARROWS, np.zeros((1, 3)), (0, 0, 0), precision="float32", visible=False
-            )
-        self._node.points = encode(plan, simulation.time, least, sorted(held), numbers)
+        told = encode(plan, simulation.time, least, sorted(held), numbers)
+        self._mail.tell(to_page.Arrows(numbers=told))
 
     def clear(self) -> None:
         """Take the numbers out of the page."""
-        if self._node is not None:
-            self._node.remove()
-            self._node = self._sent = None
+        if self._sent is not None:
+            self._sent = None
+            self._mail.tell(to_page.Arrows(numbers=np.zeros(0, np.float32)))
 
 
 def _numbers(simulation: Simulation, kinds: Set[str]) -> list[Floats]:

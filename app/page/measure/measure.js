@@ -4,6 +4,7 @@
  * whether anybody sees the plots, which are not sent otherwise.
  */
 import { onTold, send, told } from "../../wire/channel.js";
+import { tabOf } from "../viser/widgets.js";
 
 /** Milliseconds between two looks whether plots can be seen. */
 const LOOK_EVERY = 250;
@@ -19,8 +20,7 @@ export function showMeasures() {
   onTold("showMeasures", () => {
     const { measuring = "" } = told();
     const count = titles().length;
-    // By its id: its words may be translated. The panel beside the canvas has it, and that of a phone at the end of another.
-    const tab = measuring && document.querySelector(`[data-dock-tab="${measuring}"], [role=tab][id$="-tab-${measuring}"]`);
+    const tab = measuring && tabOf(measuring);
     if (!(tab instanceof HTMLElement)) return;
     // The panel beside the canvas hears of no click, that of a phone of nothing else.
     tab.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true }));

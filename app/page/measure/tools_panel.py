@@ -37,15 +37,12 @@ class ToolsPanel:
         client: the page.
         session: its simulation.
         mail: to the page's script.
-
-    Attributes:
-        outlined: buttons that are not the first thing to press.
     """
 
     def __init__(self, client: viser.ClientHandle, session: Session, mail: Mail) -> None:
         self._session, self._mail = session, mail
         self._asked: deque[tuple[str, Any]] = deque(maxlen=100)
-        self._arrows = Arrows(client)
+        self._arrows = Arrows(mail)
         self._kinds: frozenset[str] = frozenset()
         self._chosen: int | None = None
         self._traced: tuple[int, ...] = ()
@@ -70,7 +67,6 @@ class ToolsPanel:
             "Length of a trace", tuple(LENGTHS), initial_value="5 s", order=LAST + 3
         )
         clear = gui.add_button("Clear the traces", icon=viser.Icon.ERASER, color="gray", order=LAST + 4)
-        self.outlined = [clear]
 
         for kind, switch in self._switches.items():
             self._listen(switch, kind)

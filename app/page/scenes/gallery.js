@@ -7,7 +7,7 @@
  */
 import { onTold, send } from "../../wire/channel.js";
 import { make, makeButton, makeDialog } from "../looks/dialog.js";
-import { isDark } from "../looks/looks.js";
+import { isDark } from "../viser/widgets.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
 /** The preset with which one builds a body of one's own. */

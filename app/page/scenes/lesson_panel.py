@@ -12,7 +12,7 @@ import viser
 
 from sim.errors import SettingError
 from sim.scene.lesson import Lesson, Step
-from sim.settings.lessons import scene_of_step
+from sim.settings import scene_of_step
 
 from ...session import commands
 from ...session.notices import Notice

@@ -34,9 +34,6 @@ class SolverPanel:
         client: the page.
         session: its simulation.
         notify: tells the user something.
-
-    Attributes:
-        outlined: buttons that are not the first thing to press.
     """
 
     def __init__(
@@ -63,7 +60,6 @@ class SolverPanel:
         )
         self._growth = gui.add_html("", order=LAST + 1.4)
         self._tuning = TuningPanel(client, session, notify, LAST + 1.5)
-        self.outlined = [self._own_values, *self._tuning.outlined]
         self._other = gui.add_dropdown(
             "Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()), order=LAST + 2
         )

@@ -95,9 +95,6 @@ class TuningPanel:
         session: its simulation.
         notify: tells the user something.
         order: of the first of them in the tab; the others come within 1 of it.
-
-    Attributes:
-        outlined: buttons that are not the first thing to press.
     """
 
     def __init__(
@@ -134,7 +131,6 @@ class TuningPanel:
             visible=False,
             order=order + 0.3,
         )
-        self.outlined = [self._stable, self._damp]
 
         @self._on.on_update
         async def _(event: viser.GuiEvent[Any]) -> None:

@@ -3,7 +3,7 @@
 import { FRACTIONS, SPEEDS } from "../../drawing/static/looks.js";
 import { awaySince } from "../away.js";
 import { onPicture, shown } from "../body/canvas.js";
-import { onTold, send, told } from "../../wire/channel.js";
+import { has, onTold, send, told } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { withKey } from "../hands/key_table.js";
 import { perform } from "../../wire/perform.js";
@@ -183,7 +183,10 @@ export function addTransport() {
   };
   onPicture(show);
   setInterval(() => told().rest && show(), CLOCK_EVERY);
-  onTold("pageState", show);
+  onTold("pageState", () => {
+    document.documentElement.toggleAttribute("data-softrod-no-time", !has("play"));
+    show();
+  });
 }
 
 /**

@@ -7,11 +7,10 @@
  * it had been typed at once.
  */
 import { send } from "../../wire/channel.js";
+import { NUMBER_BOX, SLIDER } from "./widgets.js";
 
 /** Milliseconds without a key after which what was typed is set. */
 const PAUSE = 2000;
-/** Controls that change a number. */
-const CONTROL = ".mantine-Slider-root, .mantine-NumberInput-root";
 /** Letters of a text that cannot be read, as far as they are told. */
 const TOLD = 40;
 
@@ -43,7 +42,7 @@ export const plainText = (number) => number.toLocaleString("en-US", { useGroupin
 
 /** @param {EventTarget | null} target @returns {HTMLInputElement | null} */
 const boxOf = (target) =>
-  target instanceof HTMLInputElement && target.closest(".mantine-NumberInput-root") ? target : null;
+  target instanceof HTMLInputElement && target.closest(NUMBER_BOX) ? target : null;
 
 const native = () =>
   /** @type {{get(): string, set(text: string): void}} */ (
@@ -179,13 +178,13 @@ export function mindNumbers() {
   );
   document.addEventListener("focusout", settle, true);
   document.addEventListener("focusin", ({ target }) => {
-    if (target instanceof Element && target.closest(CONTROL)) visit();
+    if (target instanceof Element && target.closest(`${SLIDER}, ${NUMBER_BOX}`)) visit();
   });
   document.addEventListener(
     "pointerdown",
     ({ target }) => {
       if (draft && target !== draft.box) settle();
-      if (target instanceof Element && target.closest(".mantine-Slider-root")) visit();
+      if (target instanceof Element && target.closest(SLIDER)) visit();
     },
     true,
   );

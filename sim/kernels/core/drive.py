@@ -25,12 +25,12 @@ def refresh(body, state):
     shift = state.controls[CONTROL_SHIFT]
     for s in range(body.springs):
         state.rest_tension[s] = body.stiffness[s] * (body.rest_length[s] * scale)
-    if body.strength.present:
+    if body.limits.present:
         for s in range(body.springs):
             state.rest_tension[s] += body.stiffness[s] * state.set_length[s]
     for j in range(body.joints):
         degrees = wrap(body.joint_rest[j] + shift)
-        if body.strength.present:
+        if body.limits.present:
             degrees = wrap(degrees + state.set_angle[j])
         rest = math.radians(degrees)
         state.torque_cos[j + 1] = body.joint_stiffness[j] * math.cos(rest)

@@ -27,7 +27,7 @@ SOLVE = types.void(Body.numba_type, Matrix.numba_type, FLOATS)
 RESISTANCE = types.void(Body.numba_type, State.numba_type, FLOATS, FLOATS, FLOATS, _F8, FLOATS)
 APART = types.boolean(Body.numba_type, FLOATS, FLOATS)
 OVERSTRAINED = types.boolean(Problem.numba_type, FLOATS, _F8)
-SETTLE = types.void(Problem.numba_type, FLOATS)
+SETTLE = types.boolean(Problem.numba_type, FLOATS)
 """This and the seven above: signatures of the kernels that are called through their addresses."""
 
 
@@ -117,6 +117,5 @@ def within_strength(problem, q, tolerance):
 
 @kernel(inline="always")
 def settle(problem, q):
-    """`integrators.damage.settle`, after a step that has led to positions q."""
-    if problem.settle != 0:
-        _call_settle(problem.settle, problem, q)
+    """`forces.limits.settle`, after a step that has led to positions q."""
+    return problem.settle != 0 and _call_settle(problem.settle, problem, q)

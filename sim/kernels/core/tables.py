@@ -10,13 +10,13 @@ padded likewise. A padding mass never moves, and a padding spring exerts no forc
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ..engine.table import Floats, Indices, Record, Rows, Table
-from .strength import Strength
 
-Environment = Any
-"""`forces.environment.Environment`, whose parts are on the pages about forces: these need the tables here."""
+if TYPE_CHECKING:  # the pages about forces need the tables here
+    from ...forces.environment import Environment
+    from ...forces.limits import Limits
 
 
 class Body(Table):
@@ -67,7 +67,7 @@ class Body(Table):
     more_spring_mass: Indices  # the slot of the mass that it acts on,
     more_spring_sign: Floats  # and the sign
     environment: Environment  # what else acts on the masses; see there
-    strength: Strength  # what springs and joints bear; see there
+    limits: Limits  # what springs and joints bear; see there
 
 
 class State(Table):

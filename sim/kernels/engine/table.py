@@ -135,6 +135,12 @@ class _Block:
         """The address of the block."""
         return self.__dict__["_address"]
 
+    @classmethod
+    def empty(cls) -> Self:
+        """A table whose arrays have no elements and whose numbers are zero."""
+        kinds = ((name, field.dtype, field.dimensions) for name, field in cls.fields.items())
+        return cls(**{name: 0 if kind is None else np.zeros((0,) * axes, kind) for name, kind, axes in kinds})
+
     def replaced(self, **changes: Any) -> Self:
         """A copy of the table with other values in some fields; arrays are not copied."""
         return type(self)(**{name: changes.get(name, getattr(self, name)) for name in self.fields})

@@ -14,7 +14,7 @@ from ..core.drive import lead_to, set_controls
 from ..core.shared import accelerate, accumulate, no_tunnelling, settle, within_strength
 from ..core.tables import CONTROL_SCALE, CONTROL_SHIFT
 from ..engine.jit import kernel
-from .guard import GOOD, state_ok
+from .guard import CHANGED, GOOD, state_ok
 from .steps import (
     WORTH_SHORTENING,
     ensure_acceleration,
@@ -125,7 +125,8 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             # Swap the arrays instead of copying them.
             old, new = new, old
             swaps += 1
-        settle(problem, old.q)
+        if settle(problem, old.q):
+            run.what, run.current = CHANGED, False
         steps += trial.count
         t, is_whole = trial.end, fixed == 0.0 or trial.end == fixed_time(problem, number + trial.count)
         number += trial.count if is_whole else 0

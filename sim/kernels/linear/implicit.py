@@ -14,7 +14,7 @@ once.
 from __future__ import annotations
 
 from ...forces.all import add_damping
-from ...forces.fillings import area_by_mass, area_of, pressure_at
+from ...forces.fillings import area_by_mass, area_of, filling_at, pressure_at
 from ...forces.joints import add_joint_damping
 from ...forces.springs import add_spring_damping
 from ..engine.jit import FAST, kernel
@@ -72,7 +72,7 @@ def _border(body, state, matrix, q):
     for k in range(count):
         gradient, solved = borders[k], borders[count + k]
         gradient[:], solved[:] = 0.0, 0.0
-        _, slope = pressure_at(fillings.rows[k], area_of(fillings, k, q))
+        _, slope = pressure_at(filling_at(fillings, k), area_of(fillings, k, q))
         for i in range(fillings.start[k], fillings.start[k + 1]):
             m = fillings.loop[i]
             dx, dy = area_by_mass(fillings, k, i, q)

@@ -20,7 +20,7 @@ from ..numbers import (
     Vector,
     bounded,
 )
-from ..parts import Anchor, AngularSpring, LinearSpring, Mass
+from ..parts import Anchor, AngularSpring, Circle, LinearSpring, Mass
 from ..surroundings import Gas, Liquid
 
 Size = Annotated[float, bounded(1e-3, 1e6, "px", "A length")]
@@ -138,30 +138,40 @@ class Assembly:
         return len(self._linear) - 1
 
     def joint(self, a: int, b: int, rest_angle: float, body: Jointed, stiffness: float | None = None) -> None:
-        """Add an angular spring between two linear ones; the body's bend is added to the rest angle.
+        """Add an angular spring between two linear ones; the body's bend is added to the rest angle."""
+        self.add_joint(
+            AngularSpring(
+                a=a,
+                b=b,
+                stiffness=body.angular_stiffness if stiffness is None else stiffness,
+                damping=body.angular_damping,
+                rest_angle=wrapped(rest_angle + body.bend),
+            )
+        )
+
+    def add_joint(self, joint: AngularSpring) -> None:
+        """Add an angular spring as it is.
 
         Raises:
             TooLarge: there are `MAX_SPRINGS` already.
         """
         if len(self._angular) == MAX_SPRINGS:
             raise TooLarge(f"more than {MAX_SPRINGS} angular springs")
-        angle = AngularSpring(
-            a=a,
-            b=b,
-            stiffness=body.angular_stiffness if stiffness is None else stiffness,
-            damping=body.angular_damping,
-            rest_angle=wrapped(rest_angle + body.bend),
-        )
-        self._angular.append(angle)
+        self._angular.append(joint)
 
     def fill(self, filling: Gas | Liquid) -> None:
         """Add a filling."""
         self._fillings.append(filling)
 
-    def hold(self, held: tuple[int, ...], driven: int | None) -> None:
-        """Hold some masses and the driven one, as far as there are such: a recipe may get fewer masses."""
+    def hold(self, held: tuple[int, ...], driven: int | None, circle: Circle | None = None) -> None:
+        """Hold some masses and the driven one, as far as there are such: a recipe may get fewer masses.
+
+        `circle` is the motion of mass 0.
+        """
         every = {i for i in (*held, *([] if driven is None else [driven])) if i < len(self._masses)}
-        self._anchors += [Anchor(mass=i, driven=i == driven) for i in sorted(every)]
+        self._anchors += [
+            Anchor(mass=i, driven=i == driven, circle=None if i else circle) for i in sorted(every)
+        ]
 
     def distance(self, a: int, b: int) -> float:
         """Distance of two masses, px."""

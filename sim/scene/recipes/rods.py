@@ -6,7 +6,7 @@ import math
 from typing import Annotated
 
 from ..numbers import MAX_MASSES, Angle, Damping, Index, Kilograms, Radius, Stiffness, Vector, bounded
-from ..parts import Anchor, AngularSpring, Circle, LinearSpring, Mass
+from ..parts import AngularSpring, Circle
 from .assembly import Assembly, Jointed, Parts, Recipe
 
 
@@ -56,40 +56,19 @@ class Rope(Recipe, frozen=True, kw_only=True):
         dx, dy = self.direction
         norm = math.hypot(dx, dy)
         dx, dy = dx / norm, dy / norm
-        masses = tuple(
-            Mass(
-                position=(
-                    self.start[0] + spacing * (i + self.offset) * dx,
-                    self.start[1] + spacing * (i + self.offset) * dy,
-                ),
-                mass=self.mass,
-                radius=self.radius,
+        body = Assembly()
+        for i in range(n):
+            along = spacing * (i + self.offset)
+            body.mass((self.start[0] + along * dx, self.start[1] + along * dy), self.mass, self.radius)
+        for i in range(n - 1):
+            body.spring(i, i + 1, self.stiffness, self.damping, spacing)
+        for j in range(n - 2 if self.joints else 0):
+            angle, stiffness, damping = self.rest_angle, self.angular_stiffness, self.angular_damping
+            body.add_joint(
+                AngularSpring(a=j, b=j + 1, stiffness=stiffness, damping=damping, rest_angle=angle)
             )
-            for i in range(n)
-        )
-        linear = tuple(
-            LinearSpring(a=s, b=s + 1, stiffness=self.stiffness, damping=self.damping, rest_length=spacing)
-            for s in range(n - 1)
-        )
-        angular = tuple(
-            AngularSpring(
-                a=j,
-                b=j + 1,
-                stiffness=self.angular_stiffness,
-                damping=self.angular_damping,
-                rest_angle=self.rest_angle,
-            )
-            for j in range(n - 2 if self.joints else 0)
-        )
-        # A recipe with fewer masses keeps the anchors whose masses still exist.
-        held = {i for i in self.held if i < n}
-        if self.driven is not None and self.driven < n:
-            held.add(self.driven)
-        anchors = tuple(
-            Anchor(mass=i, driven=i == self.driven, circle=self.circle if i == 0 else None)
-            for i in sorted(held)
-        )
-        return Parts(masses, linear, angular, anchors, ())
+        body.hold(self.held, self.driven, self.circle)
+        return body.parts()
 
 
 class Rod(Jointed, frozen=True, kw_only=True):

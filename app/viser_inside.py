@@ -1,0 +1,149 @@
+"""All that uses viser's inside, for want of a public way: an upgrade of viser is a review of this module.
+
+It was written for the version below, which is pinned; `tests/app/test_viser_inside.py` fails where viser has
+become another one. What the page's script uses of viser's page is in `app/page/viser`, and the messages that
+viser's page may send are in `app/gate/messages.py`.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import viser
+import viser._messages
+import websockets.asyncio.server
+import zstandard
+from numpy.typing import NDArray
+
+VERSION = "1.1.1"
+"""The version of viser that this module was written for."""
+
+
+# ------------------------------------------------------------------------- messages
+@dataclass(init=False)
+class SoftrodMessage(viser._messages.Message, include_in_scene_serialization=False):
+    """Carries a message of `app.wire`, JSON, either way, and numbers to the page.
+
+    viser leads every subclass of its `Message` to whoever registered for it. viser's page never sees this
+    one: the script takes it out of the queue.
+    """
+
+    text: str
+    numbers: NDArray[np.float32] | None
+
+    def __init__(self, text: str, numbers: NDArray[np.float32] | None = None, key: str = "") -> None:
+        self.text, self.numbers, self._key = text, numbers, key
+
+    def redundancy_key(self) -> str:
+        """Of messages with the same key that wait to be sent, viser keeps the last one."""
+        return self._key
+
+
+def send(client: viser.ClientHandle, message: SoftrodMessage) -> None:
+    """Send a page a message; any thread may."""
+    client._websock_connection.queue_message(message)
+
+
+def listen(client: viser.ClientHandle, heard: Callable[[str], None]) -> None:
+    """Have the text of every message from a page's script heard, on viser's event loop."""
+    client._websock_connection.register_handler(SoftrodMessage, lambda _, message: heard(message.text))
+
+
+def no_messages() -> bytes:
+    """A batch of no messages, as viser's page reads it (`viser.infra._infra._message_producer`)."""
+    inner = msgspec.msgpack.encode(
+        {"messages": (), "timestampSec": time.perf_counter(), "binaryBufferLengths": ()}
+    )
+    packed = zstandard.compress(inner, 1)
+    head = len(inner).to_bytes(8, "little") + len(packed).to_bytes(8, "little")
+    return (head + packed).ljust(-(-(len(head) + len(packed)) // 8) * 8, b"\0")
+
+
+# ------------------------------------------------------------------------- the panel
+def element_id(handle: viser.GuiInputHandle[Any] | viser.GuiTabHandle) -> str:
+    """The id that an element of the panel has in the page."""
+    return handle._id if isinstance(handle, viser.GuiTabHandle) else handle._impl.uuid
+
+
+def input_handle(owner: viser.ViserServer | viser.ClientHandle, uuid: str) -> Any:
+    """The element of a panel that a page may set, by its id; None if there is none."""
+    return owner.gui._gui_input_handle_from_uuid.get(uuid)
+
+
+def free_upload_button(client: viser.ClientHandle, button: str, transfer: str) -> None:
+    """End an upload that is not taken: the button waits for the parts to be acknowledged.
+
+    Its notification must not call that a success.
+    """
+    queue = client.gui._websock_interface.queue_message
+    queue(viser._messages.FileTransferPartAck(button, transfer, transferred_bytes=0, total_bytes=0))
+    queue(viser._messages.RemoveNotificationMessage(f"upload-{transfer}"))
+
+
+# ------------------------------------------------------------------------- connections
+def connections(server: viser.ViserServer) -> dict[int, Any]:
+    """The connections of the pages that are there, by the ids of their clients."""
+    return server._websock_server._live_connections
+
+
+_replacing = threading.Lock()
+
+
+@contextlib.contextmanager
+def served_by(options_of: Callable[[Any], dict[str, Any]]) -> Iterator[list[Any]]:
+    """Give viser's call of `websockets.serve` other options; yields the list of such calls.
+
+    websockets' own module is changed meanwhile.
+
+    Args:
+        options_of: the options, from what viser answers to requests by.
+    """
+    module: Any = websockets.asyncio.server
+    calls: list[Any] = []
+
+    def serve(handler: Any, *address: Any, process_request: Any = None, **options: Any) -> Any:
+        if getattr(handler, "__module__", None) != "viser.infra._infra":
+            # Someone else's server, started by chance at this moment.
+            return real_serve(handler, *address, process_request=process_request, **options)
+        calls.append(address)
+        return real_serve(handler, **(options | options_of(process_request)))
+
+    with _replacing:
+        real_serve = module.serve
+        module.serve = serve
+        try:
+            yield calls
+        finally:
+            module.serve = real_serve
+
+
+# ------------------------------------------------------------------------- the page
+PLACE = '<div id="root"></div>'
+"""Where viser's page is built."""
+
+
+def page_script() -> str:
+    """The one script of viser's page, which holds all of it, with its element.
+
+    It is made to find its data, which stand in that element, also where another one runs it.
+
+    Raises:
+        OSError: it cannot be read.
+        ValueError: it is not as it is known here.
+    """
+    path = Path(viser.__file__).parent / "client" / "build" / "index.html"
+    text = path.read_text(encoding="utf-8")
+    begin, itself = "<script data-p=", "document.currentScript"
+    if any(text.count(part) != 1 for part in (begin, itself, PLACE)):
+        raise ValueError("viser's page is not the one that softrod knows.")
+    at = text.index(begin)
+    script = text[at : text.index("</script>", at)] + "</script>"
+    return script.replace(itself, 'document.querySelector("script[data-p]")')

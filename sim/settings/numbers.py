@@ -1,0 +1,126 @@
+"""Where the numbers of a scene's settings are: how each is read and written, and its range."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import msgspec
+import numpy as np
+
+from ..scene.columns import column
+from ..scene.surroundings import STILL_AIR
+from ..scene.types import AngularSpring, LinearSpring, Scene
+from ..scene.validate import number_range
+from .recipes import scaled
+
+ROUNDING = 1e-9
+"""Part of a number by which others may differ from it and still count as equal."""
+
+
+class Access(NamedTuple):
+    """How a number of a scene is read and written, and its range; the attributes are as of `Setting`."""
+
+    low: float
+    high: float
+    unit: str
+    read: Callable[[Scene], float]
+    write: Callable[[Scene, float], Scene]
+    differs: Callable[[Scene], bool] = lambda _: False
+
+
+def replaced(path: str) -> Callable[[Scene, Any], Scene]:
+    """What writes a field of a scene, or of a part that it has, as in "gravity" or "wind.turbulence"."""
+    *part, field = path.split(".")
+
+    def write(scene: Scene, value: Any) -> Scene:
+        owner = msgspec.structs.replace(getattr(scene, part[0]) if part else scene, **{field: value})
+        return msgspec.structs.replace(scene, **{part[0]: owner}) if part else owner
+
+    return write
+
+
+def at(kind: type, path: str) -> Access:
+    """The number at a path, see `replaced`; it reads 0 where the scene has no such part.
+
+    Args:
+        kind: of the part, or of the scene.
+        path: to the number.
+    """
+    *part, field = path.split(".")
+
+    def read(scene: Scene) -> float:
+        owner = getattr(scene, part[0]) if part else scene
+        return 0.0 if owner is None else getattr(owner, field)
+
+    return Access(*number_range(kind, field), read, replaced(path))
+
+
+def largest(kind: type, parts: str, field: str) -> Access:
+    """The largest of a number of all parts of a kind that have it; the others keep their proportions to it.
+
+    Args:
+        kind: of the parts; there may be others among them.
+        parts: the field of the scene that has them.
+        field: the number.
+    """
+    are_springs = kind in (LinearSpring, AngularSpring)
+
+    def values(scene: Scene) -> np.ndarray:
+        every = getattr(scene, parts)
+        if are_springs:
+            found = column(every, field)
+        else:
+            found = np.array([getattr(part, field) for part in every if isinstance(part, kind)], float)
+        return found[~np.isnan(found)]
+
+    def read(scene: Scene) -> float:
+        return float(values(scene).max(initial=0.0))
+
+    def write(scene: Scene, value: float) -> Scene:
+        """If all were zero, all are set."""
+        old = read(scene)
+        if are_springs and scene.bodies:
+            return scaled(scene, parts, field, value, old)
+
+        def changed(part: Any) -> Any:
+            number = getattr(part, field) if isinstance(part, kind) else None
+            if number is None:
+                return part
+            return msgspec.structs.replace(part, **{field: value * (number / old) if old else value})
+
+        return msgspec.structs.replace(scene, **{parts: tuple(map(changed, getattr(scene, parts)))})
+
+    def differ(scene: Scene) -> bool:
+        """By more than they do after being scaled."""
+        found = values(scene)
+        return found.size > 1 and float(np.ptp(found)) > ROUNDING * float(np.abs(found).max())
+
+    return Access(*number_range(kind, field), read, write, differ)
+
+
+# ------------------------------------------------------------------------- wind
+def wind_speed(scene: Scene) -> float:
+    """px/s; 0 without wind."""
+    speed = math.hypot(*scene.wind.velocity) if scene.wind else 0.0
+    return _neat(speed) if speed >= STILL_AIR else 0.0
+
+
+def wind_direction(scene: Scene) -> float:
+    """The direction to which it blows on the screen: degrees, 0 to the right, 90 upwards."""
+    x, y = scene.wind.velocity if scene.wind else (0.0, 0.0)
+    return _neat(math.degrees(math.atan2(-y if scene.view.y_down else y, x))) + 0.0  # without a sign of zero
+
+
+def with_wind(scene: Scene, speed: float, direction: float) -> Scene:
+    """The scene, which has wind, with one of another speed, px/s, and direction, degrees."""
+    angle = math.radians(direction if not scene.view.y_down else -direction)
+    # A little is left of it, so that its direction is kept.
+    size = speed if speed >= STILL_AIR else 0.5 * STILL_AIR
+    return replaced("wind.velocity")(scene, (size * math.cos(angle), size * math.sin(angle)))
+
+
+def _neat(value: float) -> float:
+    """A number without the rounding of what it was made from."""
+    return float(f"{value:.12g}")

@@ -1,0 +1,100 @@
+"""What `app.viser_inside` uses is as it was; where one of these fails, viser has become another one."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from typing import TypeVar
+
+import msgspec
+import numpy as np
+import pytest
+import viser
+import viser._messages
+import zstandard
+
+from app import viser_inside
+from app.gate.gate import GatedServer, open_server
+from app.viser_inside import SoftrodMessage
+from studies.bench.client import Page
+
+T = TypeVar("T")
+
+
+def eventually(condition: Callable[[], T | None]) -> T:
+    """What the condition gives once it gives something."""
+    deadline = time.monotonic() + 30.0
+    while not (result := condition()):
+        assert time.monotonic() < deadline, "it never happened"
+        time.sleep(0.01)
+    return result
+
+
+@pytest.fixture(scope="module")
+def server() -> Iterator[GatedServer]:
+    server = open_server("127.0.0.1", 0)
+    yield server
+    server.stop()
+
+
+def test_the_version_is_the_one_that_it_was_written_for() -> None:
+    assert viser.__version__ == viser_inside.VERSION
+
+
+def test_viser_leads_what_a_page_says_to_who_listens() -> None:
+    message = viser._messages.Message.deserialize(
+        msgspec.msgpack.encode({"type": "SoftrodMessage", "text": "{}"})
+    )
+    assert message == SoftrodMessage("{}")
+
+
+def test_numbers_travel_beside_the_text_and_the_last_of_a_key_counts() -> None:
+    numbers, buffers = np.array([1.0, 2.0], np.float32), []
+    fields = SoftrodMessage("{}", numbers).as_serializable_dict(buffers)
+    assert fields == {
+        "type": "SoftrodMessage",
+        "text": "{}",
+        "numbers": {"__binary_index": 0, "dtype": "<f4"},
+    }
+    assert bytes(buffers[0]) == numbers.tobytes()
+    assert SoftrodMessage("a", key="k").redundancy_key() == SoftrodMessage("b", key="k").redundancy_key()
+
+
+def test_a_page_is_heard_told_and_known_by_its_connection(server: GatedServer) -> None:
+    heard: list[str] = []
+    server.on_client_connect(lambda client: viser_inside.listen(client, heard.append))
+    with Page(server.get_port()) as page:
+        client = eventually(lambda: next(iter(server.get_clients().values()), None))
+        assert viser_inside.connections(server)[client.client_id].request.path == "/"
+        page.send({"type": "SoftrodMessage", "text": "hello"})
+        eventually(lambda: heard == ["hello"])
+        viser_inside.send(client, SoftrodMessage("good day"))
+        page.wait_for(lambda message: message.get("text") == "good day")
+        slider = client.gui.add_slider("Length", 0.0, 1.0, 0.1, 0.5)
+        tab = client.gui.add_tab_group().add_tab("Tab")
+        uuid = viser_inside.element_id(slider)
+        assert viser_inside.input_handle(client, uuid) is slider
+        assert viser_inside.input_handle(server, uuid) is None
+        group = page.wait_for(lambda message: "_tab_container_ids" in str(message))
+        assert viser_inside.element_id(tab) in str(group)
+        viser_inside.free_upload_button(client, uuid, "transfer")
+        assert (
+            page.wait_for(lambda message: message["type"] == "FileTransferPartAck")["transfer_uuid"]
+            == "transfer"
+        )
+        page.wait_for(lambda message: message["type"] == "RemoveNotificationMessage")
+
+
+def test_a_batch_of_no_messages_is_one_for_viser() -> None:
+    data = viser_inside.no_messages()
+    size, packed = (int.from_bytes(data[at : at + 8], "little") for at in (0, 8))
+    inner = zstandard.decompress(data[16 : 16 + packed])
+    assert len(inner) == size
+    assert msgspec.msgpack.decode(inner)["messages"] == []
+
+
+def test_the_script_of_the_page_is_found() -> None:
+    script = viser_inside.page_script()
+    assert script.startswith("<script data-p=")
+    assert script.endswith("</script>")
+    assert 'document.querySelector("script[data-p]")' in script
