@@ -175,9 +175,15 @@ def _joints(body: Body) -> dict[str, Sequence[Any]]:
         "damping": body.joint_damping,
         "rest_angle": body.rest_angle,
     }
-    columns = {"a": a, "b": b, **{name: values.tolist() for name, values in numbers.items()}}
+    columns: dict[str, Sequence[Any]] = {
+        "a": a,
+        "b": b,
+        **{name: values.tolist() for name, values in numbers.items()},
+    }
     torques = [joint.yield_torque for joint in body.scene.angular_springs]
-    return columns | ({"yield_torque": torques} if any(t is not None for t in torques) else {})
+    if any(torque is not None for torque in torques):
+        columns["yield_torque"] = torques
+    return columns
 
 
 def _settings(body: Body) -> dict[str, Any]:
