@@ -33,8 +33,6 @@ FLAGS = (
     "--ignore-gpu-blocklist",
     # The picture is put together without WebGL, whose every pixel costs when the processor draws it.
     "--disable-gpu-compositing",
-    # A page lives for seconds: most of what would be optimised for later is wasted.
-    "--js-flags=--no-maglev --no-turbofan",
 )
 DESKTOP = (880, 580)
 """Size of the pages of most tests: large enough for all controls, and quick to draw in software."""
