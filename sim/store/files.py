@@ -84,8 +84,12 @@ def encode_scene(scene: Scene) -> bytes:
         SceneError: the scene is not valid.
     """
     validate(scene)
-    text = msgspec.json.format(encode_fields(fields_of(scene)), indent=2) + b"\n"
-    return _TEXT_OR_NUMBERS.sub(_on_one_line, text)
+    return indented_json(encode_fields(fields_of(scene)))
+
+
+def indented_json(data: bytes) -> bytes:
+    """JSON with a line for each field; an array of numbers is on one line."""
+    return _TEXT_OR_NUMBERS.sub(_on_one_line, msgspec.json.format(data, indent=2) + b"\n")
 
 
 def fields_of(scene: Scene) -> dict[str, Any]:
