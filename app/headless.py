@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
@@ -16,8 +15,8 @@ from rich.progress import Progress
 import sim
 from sim.csv_text import csv_text
 from sim.errors import InputError
-from sim.motion.energy import ENERGY_FIELDS, EnergyBook
-from sim.store.files import write_atomically
+from sim.motion.energy import ENERGY_FIELDS
+from sim.store.files import write_file
 
 from .session.log import Log, Step
 from .session.replay import Player
@@ -50,31 +49,27 @@ class QuantityTable(sim.Recording):
     def write(self, path: Path, decimal_comma: bool = False) -> None:
         """As `Table` says; in NPZ, there is an array `time`, and one for each quantity by its name."""
         if path.suffix == ".npz":
-            _write(path, _npz(time=self.time, **{name: self[name] for name in self.units}))
+            write_file(path, _npz(time=self.time, **{name: self[name] for name in self.units}))
         else:
             self.to_csv(path, decimal_comma)
 
 
-@dataclass
 class PositionTable:
     """A table of the places of all masses, and of the energies if they are asked for."""
 
-    masses: int
-    steps: list[int] = field(default_factory=list)
-    times: list[float] = field(default_factory=list)
-    positions: list[np.ndarray] = field(default_factory=list)
-    energies: list[EnergyBook] | None = None
+    def __init__(self, masses: int, energy: bool) -> None:
+        self._masses, self._energies = masses, ENERGY_FIELDS if energy else ()
+        self._rows: list[tuple[float, ...]] = []
 
     def __len__(self) -> int:
-        return len(self.steps)
+        return len(self._rows)
 
     def add(self, simulation: sim.Simulation) -> None:
         """As `Table` says."""
-        if self.energies is not None:
-            self.energies.append(simulation.energy())
-        self.steps.append(simulation.step_count)
-        self.times.append(simulation.time)
-        self.positions.append(simulation.positions)
+        book = simulation.energy() if self._energies else None
+        energies = (getattr(book, name) for name in self._energies)
+        places = simulation.positions.ravel().tolist()
+        self._rows.append((simulation.step_count, simulation.time, *energies, *places))
 
     def write(self, path: Path, decimal_comma: bool = False) -> None:
         """Write as CSV (17 significant digits) or NPZ (`step`, `time`, `positions` of shape (rows, n, 2)).
@@ -84,27 +79,15 @@ class PositionTable:
         Raises:
             InputError: the ending is neither, or the file cannot be written.
         """
-        positions = np.array(self.positions).reshape(len(self.steps), self.masses, 2)
+        names = ("step", "time", *self._energies)
         if path.suffix == ".npz":
-            books = self.energies or ()
-            energies = {
-                name: np.array([getattr(book, name) for book in books])
-                for name in (ENERGY_FIELDS if self.energies is not None else ())
-            }
-            steps, times = np.array(self.steps), np.array(self.times)
-            _write(path, _npz(step=steps, time=times, positions=positions, **energies))
+            columns = {name: np.array([row[i] for row in self._rows]) for i, name in enumerate(names)}
+            places = np.array([row[len(names) :] for row in self._rows])
+            write_file(path, _npz(**columns, positions=places.reshape(len(self._rows), self._masses, 2)))
         else:
-            _write(path, self._csv(positions, decimal_comma).encode())
-
-    def _csv(self, positions: np.ndarray, decimal_comma: bool) -> str:
-        names = ENERGY_FIELDS if self.energies is not None else ()
-        axes = [f"{axis}{i}" for i in range(self.masses) for axis in "xy"]
-        table: list[list[object]] = [["step", "time", *names, *axes]]
-        flat = positions.reshape(len(self.steps), 2 * self.masses)
-        for i, (step, time, row) in enumerate(zip(self.steps, self.times, flat, strict=True)):
-            energies = [getattr(self.energies[i], name) for name in names] if self.energies else []
-            table.append([step, time, *energies, *row])
-        return csv_text(table, decimal_comma, "{:.17g}".format)
+            axes = (f"{axis}{i}" for i in range(self._masses) for axis in "xy")
+            table = [(*names, *axes), *self._rows]
+            write_file(path, csv_text(table, decimal_comma, "{:.17g}".format).encode())
 
 
 def new_table(scene: sim.Scene, energy: bool, names: Sequence[str]) -> Table:
@@ -115,7 +98,7 @@ def new_table(scene: sim.Scene, energy: bool, names: Sequence[str]) -> Table:
     """
     if names:
         return QuantityTable(scene, names)
-    return PositionTable(len(scene.masses), energies=[] if energy else None)
+    return PositionTable(len(scene.masses), energy)
 
 
 def _are_energies(names: Sequence[str]) -> bool:
@@ -127,13 +110,6 @@ def _npz(**arrays: np.ndarray) -> bytes:
     data = io.BytesIO()
     np.savez(data, allow_pickle=False, **arrays)
     return data.getvalue()
-
-
-def _write(path: Path, content: bytes) -> None:
-    try:
-        write_atomically(path, content)
-    except OSError as error:
-        raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
 
 
 def check_output(path: Path) -> None:

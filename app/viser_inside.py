@@ -78,16 +78,6 @@ def input_handle(owner: viser.ViserServer | viser.ClientHandle, uuid: str) -> An
     return owner.gui._gui_input_handle_from_uuid.get(uuid)
 
 
-def free_upload_button(client: viser.ClientHandle, button: str, transfer: str) -> None:
-    """End an upload that is not taken: the button waits for the parts to be acknowledged.
-
-    Its notification must not call that a success.
-    """
-    queue = client.gui._websock_interface.queue_message
-    queue(viser._messages.FileTransferPartAck(button, transfer, transferred_bytes=0, total_bytes=0))
-    queue(viser._messages.RemoveNotificationMessage(f"upload-{transfer}"))
-
-
 # ------------------------------------------------------------------------- connections
 def connections(server: viser.ViserServer) -> dict[int, Any]:
     """The connections of the pages that are there, by the ids of their clients."""

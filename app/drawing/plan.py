@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sim import Scene, Simulation
+from sim import Moment, Scene, Simulation
 from sim.forces.environment import Environment
 from sim.forces.fillings import FillingRow
 from sim.scene.surroundings import STILL_AIR
@@ -54,16 +54,16 @@ class Picture:
 
     @staticmethod
     def of(
-        simulation: Simulation, ghost: Floats | None = None, ghost_damage: Damage | None = None
+        body: Simulation | Moment, ghost: Floats | None = None, ghost_damage: Damage | None = None
     ) -> Picture:
-        """The present state, and where the masses of a second body are, and what is broken of it."""
+        """A body as it is or was, and where the masses of a second one are, and what is broken of it."""
         return Picture(
-            simulation.positions,
-            simulation.time,
-            simulation.rest_length_scale,
-            simulation.rest_angle_shift,
+            body.positions,
+            body.time,
+            body.rest_length_scale,
+            body.rest_angle_shift,
             ghost,
-            simulation.damage,
+            body.damage,
             broken_of(ghost_damage),
         )
 
@@ -124,12 +124,12 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         turn_colors(sketch),
         sketch.ink_colors(),
     )
-    around: tuple[ArrayLike, ...] = ()
-    if sketch.around is not None:
-        around = _surroundings(sketch, sketch.around)
+    surroundings: tuple[ArrayLike, ...] = ()
+    if sketch.environment is not None:
+        surroundings = _surroundings(sketch, sketch.environment)
     elif len(sketch.loads):
-        around = [], [], [], []  # what a body does not have may be left out at the end only
-    return joined(*sections, *around, *([sketch.loads] if len(sketch.loads) else []))
+        surroundings = [], [], [], []  # what a body does not have may be left out at the end only
+    return joined(*sections, *surroundings, *([sketch.loads] if len(sketch.loads) else []))
 
 
 def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:

@@ -10,10 +10,18 @@ import numpy as np
 
 
 class Mesh(NamedTuple):
-    """Vertices (V, 3) and triangles (F, 3) of a flat mesh; every triangle faces the viewer at +z."""
+    """A flat mesh.
+
+    Attributes:
+        vertices: (V, 3).
+        faces: (F, 3) triangles; every one faces the viewer at +z.
+        outlines: (k, 2) corners of each closed line around it, for programs that fill polygons by the rule
+            that is called nonzero: the wire of a coil crosses itself.
+    """
 
     vertices: np.ndarray
     faces: np.ndarray
+    outlines: tuple[np.ndarray, ...]
 
 
 @cache
@@ -22,49 +30,30 @@ def meshes() -> dict[str, Mesh]:
     return {name: make() for name, make in _MAKERS.items()}
 
 
-def _flat(points: np.ndarray, faces: np.ndarray) -> Mesh:
-    """A mesh in the plane z = 0 (or near it), every face turned to the viewer at +z."""
-    vertices = np.column_stack((points, np.zeros(len(points)))) if points.shape[1] == 2 else points
-    one, two = (vertices[faces[:, k]] - vertices[faces[:, 0]] for k in (1, 2))
-    away = one[:, 0] * two[:, 1] < one[:, 1] * two[:, 0]
-    return Mesh(vertices, np.where(away[:, None], faces[:, ::-1], faces))
+def convex(*polygons: np.ndarray) -> Mesh:
+    """A mesh of convex polygons, (k, 2) corners each, anticlockwise; each becomes a fan of triangles."""
+    fans, start = [], 0
+    for polygon in polygons:
+        k = np.arange(1, len(polygon) - 1)
+        fans.append(start + np.column_stack((0 * k, k, k + 1)))
+        start += len(polygon)
+    corners = np.concatenate(polygons)
+    return Mesh(np.column_stack((corners, np.zeros(len(corners)))), np.concatenate(fans), polygons)
 
 
-def _disc(corners: int = 36) -> Mesh:
-    """A disc of radius 1."""
+def _circle(corners: int, radius: float = 1.0) -> np.ndarray:
     t = np.linspace(0.0, 2.0 * np.pi, corners, endpoint=False)
-    rim = np.arange(corners)
-    faces = np.column_stack((np.zeros(corners, int), 1 + rim, 1 + (rim + 1) % corners))
-    return _flat(np.vstack(([[0.0, 0.0]], np.column_stack((np.cos(t), np.sin(t))))), faces)
+    return radius * np.column_stack((np.cos(t), np.sin(t)))
 
 
 def _ring(inner: float = 0.82, corners: int = 48) -> Mesh:
     """A ring of outer radius 1."""
-    t = np.linspace(0.0, 2.0 * np.pi, corners, endpoint=False)
-    edge = np.column_stack((np.cos(t), np.sin(t)))
+    lines = _circle(corners, inner), _circle(corners)
+    vertices = np.column_stack((np.concatenate(lines), np.zeros(2 * corners)))
     i = np.arange(corners)
     j = (i + 1) % corners
     faces = np.vstack((np.column_stack((i, corners + i, corners + j)), np.column_stack((i, corners + j, j))))
-    return _flat(np.vstack((edge * inner, edge)), faces)
-
-
-def _bar() -> Mesh:
-    """A bar from (0, 0) to (1, 0), of width 1."""
-    points = np.array([[0.0, -0.5], [1.0, -0.5], [1.0, 0.5], [0.0, 0.5]])
-    return _flat(points, np.array([[0, 1, 2], [0, 2, 3]]))
-
-
-def _slice() -> Mesh:
-    """A thin triangle with its tip at (0, 0) and its base, of width 1, at x = 1."""
-    return _flat(np.array([[0.0, 0.0], [1.0, -0.5], [1.0, 0.5]]), np.array([[0, 1, 2]]))
-
-
-def _pin() -> Mesh:
-    """A support: a triangle with its tip at (0, 0), on a base plate below."""
-    points = np.array(
-        [[0.0, 0.0], [-0.7, -1.15], [0.7, -1.15], [-1.0, -1.15], [1.0, -1.15], [1.0, -1.35], [-1.0, -1.35]]
-    )
-    return _flat(points, np.array([[0, 1, 2], [3, 4, 5], [3, 5, 6]]))
+    return Mesh(vertices, faces, (lines[0][::-1], lines[1]))
 
 
 def _coil(turns: int, slimness: float) -> Mesh:
@@ -94,18 +83,27 @@ def _coil(turns: int, slimness: float) -> Mesh:
     n = len(path)
     i = np.arange(n - 1)
     faces = np.vstack((np.column_stack((i, i + n, i + 1)), np.column_stack((i + 1, i + n, i + n + 1))))
-    return _flat(np.vstack((left, right)), faces)
+    vertices = np.vstack((left, right))
+    # In a tight turn, triangles of the ribbon are turned over.
+    one, two = (vertices[faces[:, k]] - vertices[faces[:, 0]] for k in (1, 2))
+    away = one[:, 0] * two[:, 1] < one[:, 1] * two[:, 0]
+    faces = np.where(away[:, None], faces[:, ::-1], faces)
+    return Mesh(vertices, faces, (np.vstack((right, left[::-1]))[:, :2],))
 
 
 COILS = {"coil": 3.3, "coil of slim springs": 7.0, "coil of very slim springs": 16.0}
 """Coils by their slimness: one scene is drawn with one of them."""
 
+_BAR = np.array([[0.0, -0.5], [1.0, -0.5], [1.0, 0.5], [0.0, 0.5]])
+_SLICE = np.array([[0.0, 0.0], [1.0, -0.5], [1.0, 0.5]])
+_SUPPORT = np.array([[0.0, 0.0], [-0.7, -1.15], [0.7, -1.15]])
+_BASE = np.array([[-1.0, -1.35], [1.0, -1.35], [1.0, -1.15], [-1.0, -1.15]])
 
 _MAKERS: dict[str, Callable[[], Mesh]] = {
-    "disc": _disc,
+    "disc": partial(convex, _circle(36)),  # of radius 1
     "ring": _ring,
-    "bar": _bar,
-    "slice": _slice,
-    "pin": _pin,
+    "bar": partial(convex, _BAR),  # from (0, 0) to (1, 0), of width 1
+    "slice": partial(convex, _SLICE),  # of a wedge: its tip at (0, 0), its base of width 1 at x = 1
+    "pin": partial(convex, _SUPPORT, _BASE),  # a support: its tip at (0, 0), on a plate
     **{name: partial(_coil, round(3 + 0.75 * slimness), slimness) for name, slimness in COILS.items()},
 }

@@ -92,7 +92,7 @@ class Sketch:
         bars: whether springs are bars instead of coils.
         yields: whether any spring can yield.
         radius: (n,) of each mass in the world.
-        around: the table of what surrounds the body, its masses by their index; None where nothing does.
+        environment: the table of what surrounds the body, its masses by their index; None where nothing does.
         contact: px, the distance at which contact begins; 0 where there is none.
         loads: (k, 3) of each constant force which mass it acts on, and its arrow in the world.
     """
@@ -121,11 +121,11 @@ class Sketch:
         leaves = (ends_b[:, :1] == ends_a).any(1)
         self.joint_mass = np.where(leaves, ends_b[:, 0], ends_b[:, 1])
         self.joint_sense = np.where(leaves, 1.0, -1.0)
-        self.around = None
+        self.environment = None
         if is_surrounded(scene):
             # Of contact, nothing but its distance is drawn.
             drawn = msgspec.structs.replace(scene, contact=None)
-            self.around = new_environment(drawn, np.arange(n), self.springs, n)
+            self.environment = new_environment(drawn, np.arange(n), self.springs, n)
         self.contact = scene.contact.distance if scene.contact else 0.0
         self.loads = _load_arrows(scene, mapping)
         self.thickness = self._spring_thickness()

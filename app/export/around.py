@@ -1,4 +1,4 @@
-"""What surrounds a body in a picture, as lines and polygons in pixels; as `app/drawing/static/around.js`
+"""What surrounds a body in a picture, as lines and polygons in pixels; as `app/drawing/static/environment.js`
 has it in a page.
 
 Points are (k, 2) arrays, y downwards. Distances that are pixels in the page go by `Window.unit`.
@@ -38,9 +38,9 @@ class Wall(NamedTuple):
 
 def walls(sketch: Sketch, window: Window) -> list[Wall]:
     """The scene's walls, each with the part of its surface that no other covers."""
-    if sketch.around is None:
+    if sketch.environment is None:
         return []
-    found = [_in_view(row, sketch, window) for row in sketch.around.walls.rows[:, :4]]
+    found = [_in_view(row, sketch, window) for row in sketch.environment.walls.rows[:, :4]]
     return [
         wall._replace(surface=_uncovered(wall, [other for other in found if other is not wall]))
         for wall in found
@@ -97,7 +97,7 @@ def fillings(
     sketch: Sketch, positions: Floats, broken: Sequence[int], window: Window
 ) -> list[tuple[bool, Floats]]:
     """Of each filling that has not got out whether it is a gas, and the polygon of its loop."""
-    table = sketch.around.fillings if sketch.around is not None else None
+    table = sketch.environment.fillings if sketch.environment is not None else None
     if table is None or not len(table.rows):
         return []
     places = window.pixels(sketch.mapping.to_world(positions)[:, :2])
@@ -171,7 +171,7 @@ def streaks(sketch: Sketch, time: float, window: Window) -> list[Floats]:
         time: simulated seconds.
         window: of the picture.
     """
-    air = sketch.around.air if sketch.around is not None else None
+    air = sketch.environment.air if sketch.environment is not None else None
     if air is None or math.hypot(air.wind_x, air.wind_y) < STILL_AIR:
         return []
     mapping, scale = sketch.mapping, sketch.mapping.scale * window.step

@@ -12,7 +12,7 @@ import sim
 from sim.errors import InputError
 from sim.motion.moment import Moment
 
-from ..drawing.plan import Picture, broken_of
+from ..drawing.plan import Picture
 from ..drawing.sketch import Floats
 
 SHORTEST = 0.2
@@ -37,16 +37,8 @@ class Shot:
     @staticmethod
     def of(moment: Moment, ghost: Moment | None = None) -> Shot:
         """A moment of a body, and one of a second body at the same time."""
-        picture = Picture(
-            np.array(moment.positions),
-            moment.time,
-            moment.rest_length_scale,
-            moment.rest_angle_shift,
-            None if ghost is None else np.array(ghost.positions),
-            moment.damage,
-            broken_of(ghost.damage) if ghost is not None else (),
-        )
-        return Shot(moment.scene, picture)
+        other = (ghost.positions, ghost.damage) if ghost is not None else (None, None)
+        return Shot(moment.scene, Picture.of(moment, *other))
 
 
 class Clip:

@@ -16,7 +16,7 @@ from tyro.conf import Positional, UseAppendAction, arg
 import sim
 from sim.errors import InputError
 from sim.settings import apply_assignments
-from sim.store.files import write_atomically
+from sim.store.files import write_file
 
 from ..command import CsvComma
 from ..session.log import read_log
@@ -87,10 +87,7 @@ class Export:
         makers = self._makers(moments, size)
         for kind, path in outputs.items():
             data = makers[kind]()
-            try:
-                write_atomically(path, data)
-            except OSError as error:
-                raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+            write_file(path, data)
             print(f"{path}: {len(data) / 1000:.0f} kB")
         return 0
 

@@ -17,11 +17,10 @@ from sim.scene.types import shown_name
 
 from ..drawing.colors import linear, plain
 from ..drawing.plan import Picture
-from ..drawing.shapes import COILS, meshes
+from ..drawing.shapes import COILS, Mesh, convex, meshes
 from ..drawing.sketch import Floats, Sketch
 from . import around, instances
 from .instances import Instances
-from .outlines import outlines
 from .window import Window
 
 if TYPE_CHECKING:
@@ -92,7 +91,7 @@ def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trim
     found = {"masses": _copies(_ball(sketch.many), balls, sketch.radius)}
     pins = instances.pins(sketch, picture)
     if len(pins.angles):
-        found["supports"] = _copies(_plate("pin"), pins, _PLATE * pins.widths)
+        found["supports"] = _copies(_plate(meshes()["pin"]), pins, _PLATE * pins.widths)
     if len(sketch.springs):
         springs = instances.springs(sketch, picture)
         solid = _rod() if sketch.bars else _coil(sketch.spring_shape)
@@ -102,7 +101,7 @@ def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trim
         # The wedge of a joint at its rest angle is nothing.
         seen = wedges.some(wedges.widths > 1e-6)
         if len(seen.angles):
-            found["wedges"] = _copies(_plate("slice"), seen, _PLATE * seen.lengths)
+            found["wedges"] = _copies(_plate(meshes()["slice"]), seen, _PLATE * seen.lengths)
     if walls := _walls(sketch, scene):
         found["walls"] = walls
     return {name: mesh for name, mesh in found.items() if len(mesh.faces)}
@@ -143,7 +142,10 @@ def _ball(many: bool) -> Solid:
 
 def _rod() -> Solid:
     """A bar from (0, 0) to (1, 0), 1 thick."""
-    return _tube(np.array(((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))), 0.5, 1.0)
+    from trimesh.creation import cylinder
+
+    rod = cylinder(0.5, sections=_SIDES, segment=((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)))
+    return np.array(rod.vertices), np.array(rod.faces)
 
 
 def _coil(shape: str) -> Solid:
@@ -154,55 +156,36 @@ def _coil(shape: str) -> Solid:
     t = np.linspace(0.0, turns, turns * _SAMPLES + 1)
     swell = np.clip(np.minimum(t, turns - t) / 0.5, 0.0, 1.0)
     angle = 2.0 * np.pi * t
-    along = lead + (1.0 - 2.0 * lead) * t / turns
-    wire = np.column_stack((along, swell * np.sin(angle), swell * np.cos(angle)))
-    path = np.vstack(((0.0, 0.0, 0.0), wire, (1.0, 0.0, 0.0)))
-    return _tube(path, _WIRE, slimness)
-
-
-def _tube(path: Floats, radius: float, slimness: float) -> Solid:
-    """A tube around a path, whose x is `slimness` times as long in the end."""
+    out = np.column_stack((np.zeros(len(t)), np.sin(angle), np.cos(angle)))
+    wire = swell[:, None] * out
+    wire[:, 0] = lead + (1.0 - 2.0 * lead) * t / turns
+    # Where it is mostly drawn, the wire is round.
     stretch = np.array((slimness, 1.0, 1.0))
-    path = path * stretch
+    path = np.vstack(((0.0, 0.0, 0.0), wire, (1.0, 0.0, 0.0))) * stretch
     along = np.gradient(path, axis=0)
     along /= np.linalg.norm(along, axis=1, keepdims=True)
-    # A direction that turns with the path without twisting: from the one before, without its part along.
-    normals = np.empty_like(path)
-    last = np.array((0.0, 0.0, 1.0)) if abs(along[0, 2]) < 0.9 else np.array((0.0, 1.0, 0.0))
-    for i, direction in enumerate(along):
-        last = last - (last @ direction) * direction
-        last = last / np.linalg.norm(last)
-        normals[i] = last
-    others = np.cross(along, normals)
+    # Across the wire: away from the axis of the coil, and perpendicular to that.
+    one = np.vstack((out[0], out, out[-1]))
+    one -= (one * along).sum(1, keepdims=True) * along
+    one /= np.linalg.norm(one, axis=1, keepdims=True)
+    other = np.cross(along, one)
     turn = np.arange(_SIDES) * 2.0 * np.pi / _SIDES
-    rim = np.cos(turn)[:, None] * normals[:, None] + np.sin(turn)[:, None] * others[:, None]
-    vertices = (path[:, None] + radius * rim).reshape(-1, 3) / stretch
+    rim = np.cos(turn)[:, None] * one[:, None] + np.sin(turn)[:, None] * other[:, None]
+    vertices = (path[:, None] + _WIRE * rim).reshape(-1, 3) / stretch
     i, j = np.meshgrid(np.arange(len(path) - 1), np.arange(_SIDES), indexing="ij")
     a, b = i * _SIDES + j, i * _SIDES + (j + 1) % _SIDES
     sides = np.concatenate((np.stack((a, b, b + _SIDES), -1), np.stack((a, b + _SIDES, a + _SIDES), -1)))
-    fan = np.column_stack((np.zeros(_SIDES - 2, int), np.arange(1, _SIDES - 1), np.arange(2, _SIDES)))
-    end = len(vertices) - _SIDES
-    return vertices, np.concatenate((sides.reshape(-1, 3), fan[:, ::-1], fan + end))
+    end = convex(np.zeros((_SIDES, 2))).faces
+    last = len(vertices) - _SIDES
+    return vertices, np.concatenate((sides.reshape(-1, 3), end[:, ::-1], end + last))
 
 
-def _plate(name: str) -> Solid:
-    """A flat mesh of `app.drawing.shapes`, 1 thick, halfway to either side."""
-    mesh = meshes()[name]
-    return _thick(mesh.vertices[:, :2], mesh.faces, outlines(name))
+def _plate(mesh: Mesh) -> Solid:
+    """A flat mesh, 1 thick, halfway to either side."""
+    from trimesh.creation import extrude_triangulation
 
-
-def _thick(flat: Floats, faces: NDArray[np.int64], lines: tuple[Floats, ...]) -> Solid:
-    vertices = [np.column_stack((flat, np.full(len(flat), z))) for z in (0.5, -0.5)]
-    every = [faces, faces[:, ::-1] + len(flat)]
-    start = 2 * len(flat)
-    for line in lines:
-        n, k = len(line), np.arange(len(line))
-        vertices += [np.column_stack((line, np.full(n, z))) for z in (0.5, -0.5)]
-        after = (k + 1) % n
-        every.append(start + np.column_stack((k, n + k, n + after)))
-        every.append(start + np.column_stack((k, n + after, after)))
-        start += 2 * n
-    return np.concatenate(vertices), np.concatenate(every)
+    plate = extrude_triangulation(mesh.vertices[:, :2], mesh.faces, 1.0, process=False)
+    return np.array(plate.vertices) - (0.0, 0.0, 0.5), np.array(plate.faces)
 
 
 def _walls(sketch: Sketch, scene: sim.Scene) -> Trimesh | None:
@@ -214,12 +197,10 @@ def _walls(sketch: Sketch, scene: sim.Scene) -> Trimesh | None:
     depth = 4.0 * float(np.median(sketch.radius))
     found: list[Trimesh] = []
     for wall in around.walls(sketch, window):
-        n = len(wall.corners)
-        if n < 3:
+        if len(wall.corners) < 3:
             continue
         corners = ((wall.corners - origin) / (window.step, -window.step))[::-1]
-        fan = np.column_stack((np.zeros(n - 2, int), np.arange(1, n - 1), np.arange(2, n)))
-        vertices, faces = _thick(corners, fan, (corners,))
+        vertices, faces = _plate(convex(corners))
         color = plain(np.tile(sketch.palette.line, (len(vertices), 1)))
         found.append(_colored(vertices * (1.0, 1.0, depth), faces, color))
     if not found:

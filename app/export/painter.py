@@ -6,6 +6,7 @@ Matplotlib is used. It is imported with the first picture, since it takes a whil
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -18,10 +19,10 @@ from sim import Scene
 from ..drawing.colors import palette
 from ..drawing.looks import ARROW, LAYERS
 from ..drawing.plan import Picture, broken_of
+from ..drawing.shapes import meshes
 from ..drawing.sketch import Floats, Sketch
 from . import around, instances
 from .instances import Instances
-from .outlines import outlines
 from .window import Window
 
 if TYPE_CHECKING:
@@ -92,8 +93,7 @@ class Painter:
         if sketch.yields:
             pen.stamp("bar", instances.yielded(sketch, picture))
         if len(self._rest_angles):
-            wedges = instances.wedges(sketch, picture, self._rest_angles)
-            pen.stamp("slice", wedges, together=sketch.slices)
+            pen.stamp("slice", instances.wedges(sketch, picture, self._rest_angles))
         pen.stamp("ring", instances.ring(sketch, picture))
         pen.stamp("disc", instances.masses(sketch, picture))
         if picture.ghost is not None and np.isfinite(picture.ghost).all():
@@ -213,55 +213,42 @@ class _Pen:
             width = max(width * self._window.unit, 1.0 if crisp else 0.0)
             self._draw(_strokes(lines), color, opacity, width, crisp, round_ends)
 
-    def stamp(self, mesh: str, parts: Instances, together: int = 1) -> None:
-        """Fill copies of a mesh, in their order.
+    def stamp(self, mesh: str, parts: Instances) -> None:
+        """Fill copies of a mesh, in their order; those of one colour that follow each other are one area,
+        without seams.
 
         Args:
             mesh: its name, see `app.drawing.shapes`.
             parts: the copies.
-            together: how many that follow each other are one area of one colour, without seams.
         """
         from matplotlib.path import Path
         from matplotlib.transforms import IdentityTransform
 
-        count = len(parts.angles)
-        if not count:
+        if not len(parts.angles):
             return
-        shape = _area(list(outlines(mesh)))
-        moves = self._moves(parts)
-        paths, colors = [shape], parts.colors
-        if together > 1:
-            mesh_corners = np.asarray(shape.vertices, float)
-            corners = np.einsum("kij,cj->kci", moves[:, :2, :2], mesh_corners) + moves[:, None, :2, 2]
-            corners = corners.reshape(count // together, -1, 2)
-            codes = np.tile(shape.codes, together)  # type: ignore[arg-type]
-            paths = [Path(vertices, codes) for vertices in corners]
-            moves, colors = np.zeros((0, 3, 3)), colors[::together]
-        faces = np.column_stack((colors / 255.0, np.ones(len(colors))))
+        shape = _area(meshes()[mesh].outlines)
+        x, y = np.asarray(shape.vertices, float).T
+        along, across = x * parts.lengths[:, None], y * parts.widths[:, None]
+        cosine, sine = np.cos(parts.angles)[:, None], np.sin(parts.angles)[:, None]
+        turned = np.stack((along * cosine - across * sine, along * sine + across * cosine), axis=-1)
+        corners = self._window.pixels(parts.places[:, None] + turned)
+        corners[..., 1] = self._window.size[1] - corners[..., 1]  # the renderer's y grows upwards
+        corners = np.clip(corners, -_GROUND, _GROUND)
+        starts = np.flatnonzero(np.any(np.diff(parts.colors, axis=0, prepend=-1), axis=1))
+        paths = [
+            Path(some.reshape(-1, 2), np.tile(shape.codes, len(some)))  # type: ignore[arg-type]
+            for some in np.split(corners, starts[1:])
+        ]
+        faces = np.column_stack((parts.colors[starts] / 255.0, np.ones(len(starts))))
         context, same = self._renderer.new_gc(), IdentityTransform()
         for i in range(0, len(faces), TOGETHER):
-            part = slice(i, i + TOGETHER)
-            some: Any = paths[part] if together > 1 else paths
-            offsets = np.zeros((len(faces[part]), 2))  # there are as many copies as offsets
+            some, inks = paths[i : i + TOGETHER], faces[i : i + TOGETHER]
+            offsets = np.zeros((len(some), 2))  # there are as many copies as offsets
             self._renderer.draw_path_collection(
-                context, same, some, moves[part], offsets, same, faces[part], np.zeros((0, 4)), [], [],
+                context, same, some, np.zeros((0, 3, 3)), offsets, same, inks, np.zeros((0, 4)), [], [],
                 [True], [], "screen",
             )  # fmt: skip
         context.restore()
-
-    def _moves(self, parts: Instances) -> Floats:
-        """(k, 3, 3) from a mesh to the renderer's pixels, whose y grows upwards."""
-        cosine, sine = np.cos(parts.angles), np.sin(parts.angles)
-        step = self._window.step
-        moves = np.zeros((len(parts.angles), 3, 3))
-        moves[:, 0, 0], moves[:, 0, 1] = step * parts.lengths * cosine, -step * parts.widths * sine
-        moves[:, 1, 0], moves[:, 1, 1] = step * parts.lengths * sine, step * parts.widths * cosine
-        moves[:, :2, 2] = self._upwards(self._window.pixels(parts.places))
-        moves[:, 2, 2] = 1.0
-        return np.clip(moves, -_GROUND, _GROUND)
-
-    def _upwards(self, points: Floats) -> Floats:
-        return np.column_stack((points[:, 0], self._window.size[1] - points[:, 1]))
 
     def _draw(
         self,
@@ -287,7 +274,7 @@ class _Pen:
         context.restore()
 
 
-def _area(polygons: list[Floats]) -> Path:
+def _area(polygons: Sequence[Floats]) -> Path:
     """Closed polygons as one path."""
     from matplotlib.path import Path
 

@@ -11,31 +11,32 @@ import hashlib
 import html
 import json
 import zlib
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 import sim
 from sim.scene.types import shown_name
 
 from ..drawing.looks import FRACTIONS, ICONS, SPEEDS, style_rules
-from ..drawing.plan import encode_damage, encode_plan
-from ..drawing.sketch import Sketch
+from ..drawing.plan import encode_damage, encode_frame, encode_plan, joined
+from ..drawing.shapes import meshes
+from ..drawing.sketch import Floats, Sketch
 from .bundle import bundle
 from .clip import Clip, Shot
-from .outlines import outlines
-from .window import MARGIN, bounds
+from .window import bounds
 
 RATE = 60.0
 """Frames a second; fewer of a large body."""
 
-MOST_NUMBERS = 1_500_000
-"""Coordinates in a file, two bytes each before they are packed."""
+MOST_NUMBERS = 1_200_000
+"""Coordinates in a file."""
 
-STEPS = 65535
-"""Steps of a coordinate between the least and the greatest of a clip."""
+STEPS = 65536
+"""To how many steps at least positions are kept between the least and the greatest coordinate of a clip."""
 
 _FOLDER = Path(__file__).parent / "static"
 _MESHES = ("disc", "ring", "pin", "bar", "slice")
@@ -116,113 +117,59 @@ def _safe(value: object) -> str:
     return json.dumps(value, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
 
 
-class _Store:
-    """Arrays one after the other, each at a multiple of four bytes."""
-
-    def __init__(self) -> None:
-        self._bytes = bytearray()
-
-    def add(self, array: NDArray[np.float32] | NDArray[np.uint8]) -> tuple[int, int]:
-        """Where it begins, and how many numbers it has."""
-        at = len(self._bytes)
-        self._bytes += np.ascontiguousarray(array).tobytes()
-        self._bytes += bytes(-len(self._bytes) % 4)
-        return at, array.size
-
-    def packed(self) -> str:
-        return base64.b64encode(zlib.compress(bytes(self._bytes), 9)).decode()
-
-
 def _described(clip: Clip) -> tuple[dict[str, object], str]:
-    """What the script is told, see static/replay.js, and the arrays."""
-    store, scene = _Store(), clip.scene
-    masses = len(scene.masses)
-    second = any(shot.picture.ghost is not None for shot in clip.shots)
-    numbers = masses * (4 if second else 2)
+    """What the script is told, see static/replay.js, and arrays as pages get them: plans, damages, frames."""
+    scene = clip.scene
+    bodies = 2 if any(shot.picture.ghost is not None for shot in clip.shots) else 1
     interval = 1.0 / RATE
-    while clip.count(interval) * numbers > MOST_NUMBERS and clip.count(interval) > 2:
+    while clip.count(interval) * 2 * bodies * len(scene.masses) > MOST_NUMBERS and clip.count(interval) > 2:
         interval *= 1.25
     shots = list(clip.at(interval))
-    rows = np.array([_row(shot, second) for shot in shots])
-    least, quantum, differences = _quantised(rows)
+    plans: dict[int, list[NDArray[np.float32]]] = {}
+    damages: dict[int, NDArray[np.float32]] = {}
+    for number, (shot, before) in enumerate(zip(shots, [None, *shots], strict=False)):
+        if before is None or shot.scene is not before.scene:
+            plans[number] = _plans(shot.scene)
+        damage = encode_damage(0, shot.picture)
+        if before is None or not np.array_equal(damage, encode_damage(0, before.picture)):
+            damages[number] = damage
     sketch = Sketch.plain(scene)
-    meshes = (*_MESHES, sketch.spring_shape)
+    shapes = {
+        name: [line.round(4).ravel().tolist() for line in meshes()[name].outlines]
+        for name in (*_MESHES, sketch.spring_shape)
+    }
     xmin, ymin, xmax, ymax = scene.view.frame
-    left, right, low, high = bounds(sketch, scene.view.frame, clip.places())
-    middle, half = ((left + right) / 2.0, (low + high) / 2.0), MARGIN / 2.0
-    heads = [
-        (p.rest_length_scale, p.rest_angle_shift, p.ghost is not None) for p in (s.picture for s in shots)
-    ]
     about = {
         "frames": len(shots),
         "interval": interval,
-        "start": shots[0].picture.time,
-        "numbers": numbers,
-        "masses": masses,
         "size": max(xmax - xmin, ymax - ymin),
-        "box": [
-            middle[0] - half * (right - left),
-            middle[0] + half * (right - left),
-            middle[1] - half * (high - low),
-            middle[1] + half * (high - low),
-        ],
-        "least": least,
-        "quantum": quantum,
+        "box": bounds(sketch, scene.view.frame, clip.places()),
         "springs": sketch.spring_shape,
-        "meshes": {mesh: [line.round(4).ravel().tolist() for line in outlines(mesh)] for mesh in meshes},
-        "plans": _plans(shots, store),
-        "damages": _damages(shots, store),
-        "heads": store.add(_floats(heads)),
-        "low": store.add((differences & 0xFF).astype(np.uint8)),
-        "high": store.add((differences >> 8).astype(np.uint8)),
+        "meshes": shapes,
+        "plans": list(plans),
+        "damages": list(damages),
     }
-    return about, store.packed()
+    arrays = joined(*(plan for both in plans.values() for plan in both), *damages.values(), *_frames(shots))
+    return about, base64.b64encode(zlib.compress(arrays.tobytes(), 9)).decode()
 
 
-def _floats(values: ArrayLike) -> NDArray[np.float32]:
-    return np.asarray(values, np.float32)
+def _plans(scene: sim.Scene) -> list[NDArray[np.float32]]:
+    """The plan of a body on white and on dark paper."""
+    rest = np.array([joint.rest_angle for joint in scene.angular_springs])
+    return [encode_plan(0, Sketch.plain(scene, dark), rest) for dark in (False, True)]
 
 
-def _row(shot: Shot, second: bool) -> NDArray[np.float64]:
-    """(k,) coordinates of a moment; a second body that is not there lies where the first one does."""
-    positions, ghost = shot.picture.positions, shot.picture.ghost
-    if not second:
-        return positions.ravel()
-    return np.concatenate((positions.ravel(), (positions if ghost is None else ghost).ravel()))
+def _frames(shots: list[Shot]) -> list[NDArray[np.float32]]:
+    """Frames in which positions have no more digits than can be seen, so that they take less when packed."""
+    places = np.concatenate([shot.picture.positions for shot in shots])
+    quantum = 2.0 ** np.floor(np.log2(max(float(np.ptp(places, axis=0).max()), 1e-9) / STEPS))
 
+    def rounded(positions: Floats) -> Floats:
+        return np.round(positions / quantum) * quantum
 
-def _quantised(rows: NDArray[np.float64]) -> tuple[list[float], list[float], NDArray[np.uint16]]:
-    """Least x and y, px, px of a step, and (k, frames) differences from frame to frame, modulo 65536."""
-    least = [float(rows[:, axis::2].min()) for axis in (0, 1)]
-    most = [float(rows[:, axis::2].max()) for axis in (0, 1)]
-    quantum = [max(high - low, 1e-9) / STEPS for low, high in zip(least, most, strict=True)]
-    axes = rows.shape[1] // 2
-    steps = np.rint((rows - np.tile(least, axes)) / np.tile(quantum, axes)).astype(np.int64)
-    differences = np.diff(steps, axis=0, prepend=0) % 65536
-    return least, quantum, differences.astype(np.uint16).T
-
-
-def _plans(shots: list[Shot], store: _Store) -> list[dict[str, object]]:
-    """Of each scene, in the order of the frames, its plans on white and on dark paper."""
-    found: list[dict[str, object]] = []
-    scene: sim.Scene | None = None
-    for number, shot in enumerate(shots):
-        if shot.scene is scene:
-            continue
-        scene = shot.scene
-        rest = np.array([joint.rest_angle for joint in scene.angular_springs])
-        light, dark = (store.add(encode_plan(0, Sketch.plain(scene, night), rest)) for night in (False, True))
-        found.append({"from": number, "light": light, "dark": dark})
-    return found
-
-
-def _damages(shots: list[Shot], store: _Store) -> list[dict[str, object]]:
-    """Each change of what has yielded and broken."""
-    found: list[dict[str, object]] = []
-    last: NDArray[np.float32] | None = None
-    for number, shot in enumerate(shots):
-        damage = encode_damage(0, shot.picture)
-        if last is None or not np.array_equal(damage, last):
-            found.append({"from": number, "at": store.add(damage)})
-            last = damage
-    return found
+    frames = []
+    for picture in (shot.picture for shot in shots):
+        ghost = None if picture.ghost is None else rounded(picture.ghost)
+        rough = replace(picture, positions=rounded(picture.positions), ghost=ghost)
+        frames.append(encode_frame(0, rough))
+    return frames

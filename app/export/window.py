@@ -78,11 +78,11 @@ def bounds(
 
 def _show_walls(low: Floats, high: Floats, sketch: Sketch) -> None:
     """Makes room for the surfaces of walls that would be just beyond the edge, as camera.js does."""
-    if sketch.around is None:
+    if sketch.environment is None:
         return
     size = float((high - low).max())
     mapping = sketch.mapping
-    for px, py, nx, ny in sketch.around.walls.rows[:, :4]:
+    for px, py, nx, ny in sketch.environment.walls.rows[:, :4]:
         point = mapping.to_world(np.array([[px, py]]))[0, :2]
         normal = np.array((nx, ny * mapping.flip))
         # From the surface to the nearest corner.

@@ -46,10 +46,7 @@ from app.gate.address import (
 from app.gate.messages import (
     BEAT,
     MAX_FRAME_BYTES,
-    FileTransferPart,
-    FileTransferStartUpload,
     GuiUpdateMessage,
-    PageMessage,
     Reason,
     Refused,
     is_alike,
@@ -59,7 +56,6 @@ from app.gate.messages import (
 from .. import viser_inside
 from . import messages as gate_messages
 from .replies import StaticFile, not_this_host, not_this_origin, respond, safety_headers
-from .uploads import Uploads
 
 __all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server", "page_addresses"]
 
@@ -73,11 +69,11 @@ MESSAGE_BURST = 2000.0
 BYTES_PER_MESSAGE = 64 * 1024
 
 # Pings, pongs and continuation frames never reach recv(), where messages are paced. A browser sends one
-# pong every 20 s, and cuts an upload part into a handful of frames.
+# pong every 20 s, and may cut a message into a handful of frames.
 EXTRA_FRAMES_PER_SECOND = 200.0
 EXTRA_FRAME_BURST = 2000.0
 
-# Frames that wait for viser in memory; four upload parts of half a mebibyte keep an upload going.
+# Frames that wait for viser in memory.
 MAX_QUEUED_FRAMES = 4
 
 PAGE_PATHS = ("/", "/index.html", "/s")
@@ -165,7 +161,6 @@ class Gate:
     def __init__(
         self,
         hosts: frozenset[str],
-        on_oversized: Callable[[int, str], None],
         files: Mapping[str, StaticFile],
         embed: Sequence[str] = (),
         public: Public | None = None,
@@ -177,10 +172,8 @@ class Gate:
         self._files = files
         self._headers = safety_headers(embed)
         self._hosts = hosts
-        self._on_oversized = on_oversized
         self._server: viser.ViserServer | None = None
         self._tabs: set[Connection] = set()
-        self._uploads = Uploads()
 
     def open(self, server: viser.ViserServer) -> None:
         """Begin to admit; until now every request is refused."""
@@ -291,7 +284,6 @@ class Gate:
     def forget(self, tab: Connection) -> None:
         """Drop everything held for a tab that is gone."""
         self._tabs.discard(tab)
-        self._uploads.forget(tab)
 
     def admit(self, tab: Connection, data: str | bytes) -> bytes | None:
         """Return the message for viser to read, or None if it must not see it."""
@@ -299,39 +291,14 @@ class Gate:
             if isinstance(data, str):
                 raise Refused("text")
             message = gate_messages.read(data)
-            self._check(tab, message)
+            if isinstance(message, GuiUpdateMessage):
+                handle = self._input_handle(tab, message.uuid)
+                if handle is None or not is_alike(handle.value, message.updates.value):
+                    raise Refused("handle")
         except Refused as refusal:
             self.refused[refusal.reason] += 1
             return None
         return gate_messages.write(message)
-
-    def _check(self, tab: Connection, message: PageMessage) -> None:
-        match message:
-            case GuiUpdateMessage():
-                handle = self._input_handle(tab, message.uuid)
-                if handle is None or not is_alike(handle.value, message.updates.value):
-                    raise Refused("handle")
-            case FileTransferStartUpload():
-                self._start_upload(tab, message)
-            case FileTransferPart():
-                self._uploads.take_part(tab, message)
-
-    def _start_upload(self, tab: Connection, message: FileTransferStartUpload) -> None:
-        # viser would store an upload as the value of any handle: a slider's, say.
-        handle = self._input_handle(tab, message.source_component_uuid)
-        if not isinstance(handle, viser.GuiUploadButtonHandle):
-            raise Refused("handle")
-        try:
-            self._uploads.start(tab, message)
-        except Refused as refusal:
-            if tab.client is not None:
-                viser_inside.free_upload_button(
-                    tab.client, message.source_component_uuid, message.transfer_uuid
-                )
-                if refusal.reason == "oversized upload":
-                    # By way of the event loop: an error in the callback must not close the connection.
-                    tab.loop.call_soon(self._on_oversized, tab.client.client_id, message.filename)
-            raise
 
     def _input_handle(self, tab: Connection, uuid: str) -> Any:
         """The GUI element that a tab's message reaches: one of its own or one shared by all."""
@@ -361,7 +328,6 @@ def open_server(
     port: int,
     *,
     label: str | None = None,
-    on_oversized: Callable[[int, str], None] | None = None,
     extra_hosts: Sequence[str] = (),
     files: Mapping[str, StaticFile] | None = None,
     embed: Sequence[str] = (),
@@ -369,8 +335,6 @@ def open_server(
 ) -> GatedServer:
     """Serve viser's page on `host` and `port` (0 for any free port) behind the gate.
 
-    `on_oversized` is called on the event loop, where it must not block, with the client id and the file
-    name when a page tries to upload too large a file; the name is the browser's, so show it as plain text.
     `extra_hosts` are further names the page is reached by, with their port if it is not `port`
     (``"localhost:9000"`` for a forwarded one). `files` are served by their paths, before viser's own.
     `embed` are the origins of the sites that may show the page in a frame (``"https://school.example"``).
@@ -389,8 +353,7 @@ def open_server(
     address, port = listener.getsockname()[:2]
     hosts = own_authorities(address, host, port, extra_hosts)
     loopback = ipaddress.ip_address(address).is_loopback and not extra_hosts and public is None
-    on_large = on_oversized or (lambda client_id, filename: None)
-    gate = Gate(hosts, on_large, files or {}, embed, public, loopback)
+    gate = Gate(hosts, files or {}, embed, public, loopback)
 
     def options_of(viser_answer: Callable[..., Response | None]) -> dict[str, Any]:
         return {

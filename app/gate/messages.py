@@ -6,25 +6,25 @@ reads exactly what was checked, however oddly the original bytes were put togeth
 
 The names and fields are those of viser 1.1.1; a test compares them with viser's own. Left out on purpose:
 share requests (they open a public tunnel), form messages (viser stores and repeats them to every tab),
-render and local storage answers (never asked for), and everything only a server sends.
+clicks and drags of the scene, buttons that are held and uploads (the script has its own), render and local
+storage answers (never asked for), and everything only a server sends.
 """
 
 import sys
+from functools import reduce
 from numbers import Real
+from operator import or_
 from typing import Annotated, Any, Literal
 
 import msgspec
 from msgspec import Meta, Struct
 
-UPLOAD_PART_BYTES = 512 * 1024
-"""Size of every part of an upload but the last (viser 1.1.1, client/src/components/UploadButton.tsx)."""
-
 MAX_MESSAGE_BYTES = 64 * 1024
-"""Limit for any message but an upload part. A pose or a slider needs under 400 bytes; the rest is room for
-a long text pasted into a text field."""
+"""Limit for any message. A pose or a slider needs under 400 bytes; the rest is room for a part of a long
+text, and for one that is pasted into a text field."""
 
-MAX_FRAME_BYTES = UPLOAD_PART_BYTES + 4 * 1024
-"""Limit for whatever arrives: an upload part and its identifiers."""
+MAX_FRAME_BYTES = 2 * MAX_MESSAGE_BYTES
+"""Limit for whatever arrives; beyond it the connection is cut."""
 
 Reason = Literal[
     # Why a request was answered by the gate instead of viser.
@@ -40,8 +40,6 @@ Reason = Literal[
     "type",
     "content",
     "handle",
-    "upload",
-    "oversized upload",
     # Why a connection was cut.
     "frames",
 ]
@@ -57,18 +55,13 @@ class Refused(Exception):
 
 # Bounds are the cheapest way to refuse NaN and infinity: no comparison with NaN holds.
 _Number = Annotated[float, Meta(ge=-sys.float_info.max, le=sys.float_info.max)]
-_Vector2 = tuple[_Number, _Number]
 _Vector3 = tuple[_Number, _Number, _Number]
 _Quaternion = tuple[_Number, _Number, _Number, _Number]
 _Count = Annotated[int, Meta(ge=0)]
 _Name = Annotated[str, Meta(max_length=255)]
-_Modifier = (
-    Literal["cmd/ctrl", "alt", "shift", "cmd/ctrl+alt", "cmd/ctrl+shift", "alt+shift", "cmd/ctrl+alt+shift"]
-    | None
-)
 
-Value = bool | int | _Number | str | Annotated[list[bool | int | _Number], Meta(max_length=64)]
-"""What a GUI element may be set to. No element of a list is a string: viser would turn "nan" into a NaN."""
+Value = bool | int | _Number | str
+"""What an element of the panel may be set to; none of softrod's is a vector or a colour."""
 
 
 class PageMessage(Struct, forbid_unknown_fields=True, tag_field="type", tag=True):
@@ -98,50 +91,8 @@ class GuiUpdateMessage(PageMessage):
     updates: ValueUpdate
 
 
-class GuiButtonHoldMessage(PageMessage):
-    uuid: _Name
-    frequency: _Number
-
-
 class CommandTriggerMessage(PageMessage):
     uuid: _Name
-
-
-class ScenePointerMessage(PageMessage):
-    event_type: Literal["click", "rect-select"]
-    ray_origin: _Vector3 | None
-    ray_direction: _Vector3 | None
-    screen_pos: Annotated[tuple[_Vector2, ...], Meta(max_length=2)]
-    modifier: _Modifier
-
-    def __post_init__(self) -> None:
-        has_ray = self.ray_origin is not None and self.ray_direction is not None
-        is_click = self.event_type == "click"
-        if has_ray != is_click or len(self.screen_pos) != (1 if is_click else 2):
-            raise ValueError("a click has a ray and one position, a rectangle two positions")
-
-
-class SceneNodeClickMessage(PageMessage):
-    name: _Name
-    instance_index: _Count | None
-    ray_origin: _Vector3
-    ray_direction: _Vector3
-    screen_pos: _Vector2
-    modifier: _Modifier
-    owner: _Name
-
-
-class SceneNodeDragMessage(PageMessage):
-    phase: Literal["start", "update", "end"]
-    name: _Name
-    instance_index: _Count | None
-    start_position: _Vector3
-    start_screen_pos: _Vector2
-    end_position: _Vector3
-    end_screen_pos: _Vector2
-    button: Literal["left", "middle", "right"]
-    modifier: _Modifier
-    owner: _Name
 
 
 class TransformControlsUpdateMessage(PageMessage):
@@ -159,22 +110,6 @@ class TransformControlsDragStartMessage(PageMessage):
 class TransformControlsDragEndMessage(PageMessage):
     name: _Name
     owner: _Name
-
-
-class FileTransferStartUpload(PageMessage):
-    source_component_uuid: _Name
-    transfer_uuid: _Name
-    filename: _Name
-    mime_type: _Name
-    part_count: _Count
-    size_bytes: _Count
-
-
-class FileTransferPart(PageMessage):
-    source_component_uuid: _Name
-    transfer_uuid: _Name
-    part_index: _Count
-    content: bytes
 
 
 class SoftrodMessage(PageMessage):
@@ -197,23 +132,7 @@ class _Head(Struct):
     type: str
 
 
-_any_message = msgspec.msgpack.Decoder(
-    ViewerCameraMessage
-    | GuiUpdateMessage
-    | GuiButtonHoldMessage
-    | CommandTriggerMessage
-    | ScenePointerMessage
-    | SceneNodeClickMessage
-    | SceneNodeDragMessage
-    | TransformControlsUpdateMessage
-    | TransformControlsDragStartMessage
-    | TransformControlsDragEndMessage
-    | FileTransferStartUpload
-    | FileTransferPart
-    | SoftrodMessage
-    | BeatMessage
-)
-_upload_part = msgspec.msgpack.Decoder(FileTransferPart)
+_any_message: msgspec.msgpack.Decoder[PageMessage] = msgspec.msgpack.Decoder(reduce(or_, PAGE_MESSAGES))
 _head = msgspec.msgpack.Decoder(_Head)
 _encode = msgspec.msgpack.Encoder().encode
 
@@ -224,10 +143,7 @@ _UNREADABLE = (msgspec.MsgspecError, UnicodeDecodeError, RecursionError)
 def read(data: bytes) -> PageMessage:
     """Decode a message, or raise Refused saying why viser must not see it."""
     if len(data) > MAX_MESSAGE_BYTES:
-        try:
-            return _upload_part.decode(data)
-        except _UNREADABLE:
-            raise Refused("size") from None
+        raise Refused("size")
     try:
         return _any_message.decode(data)
     except _UNREADABLE:
@@ -254,12 +170,6 @@ def is_alike(current: Any, new: Any) -> bool:
             return isinstance(new, (int, float)) and not isinstance(new, bool)
         case str():
             return isinstance(new, str)
-        case tuple():
-            return (
-                isinstance(new, list)
-                and len(new) == len(current)
-                and all(is_alike(old, element) for old, element in zip(current, new, strict=True))
-            )
     return False
 
 

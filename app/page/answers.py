@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import re
 import threading
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -13,16 +13,15 @@ from typing import Any
 
 from sim.scene.types import Scene
 
-from ..session.session import Notice, Session
+from ..session.notices import Notice
 from ..wire import from_page
-from ..wire.carrier import Mail
 from ..wire.to_page import Resumed
-from .controls import Controls
 from .edit.edits import Edits
 from .files import keeping
+from .files.files_panel import open_file
 from .files.sharing import Sharing
+from .page import Page
 from .scenes.gallery import Gallery
-from .scenes.shelf import Shelf
 
 _log = logging.getLogger(__name__)
 
@@ -38,13 +37,10 @@ class Answers:
     """Answers one page's script, one request after the other: what was asked for last is answered last.
 
     Args:
-        session: the page's simulation.
-        mail: to the page's script.
-        notify: tells the user something.
+        page: whose script asks.
         resume: goes on with what the page had kept.
         show: opens the scene of a link, after what the page had kept.
         for_others: the address by which others reach the page, from that by which it was reached itself.
-        scenes: those of the page.
 
     Attributes:
         sharing, gallery, edits: what it asks about.
@@ -52,56 +48,50 @@ class Answers:
 
     def __init__(
         self,
-        session: Session,
-        mail: Mail,
-        notify: Callable[[Notice], None],
+        page: Page,
         resume: Callable[[keeping.Kept], None],
         show: Callable[[Scene], None],
         for_others: Callable[[str], str],
-        scenes: Shelf,
     ) -> None:
-        self._mail, self._shelf = mail, scenes
-        self.sharing = Sharing(session, mail, notify, show, for_others)
-        self.gallery = Gallery(session, mail, notify, scenes)
-        self.edits = Edits(session, mail, notify)
-        self._notify, self._resume = notify, resume
-        self._parts = {"resume": keeping.Parts(), "link": keeping.Parts(), "paste": keeping.Parts()}
+        self._page, self._resume = page, resume
+        self.sharing = Sharing(page, show, for_others)
+        self.gallery = Gallery(page)
+        self.edits = Edits(page.session, page.mail, page.notify)
+        self._parts: defaultdict[str, keeping.Parts] = defaultdict(keeping.Parts)
         self._line = InOrder()
 
     def ask(self, ask: from_page.Ask) -> None:
         """Have a question answered after those before it."""
         self._line.submit(self._answer, ask)
 
-    def take(self, part: from_page.Part, controls: Controls) -> None:
-        """Put together what comes in parts, and do what is to be done with it.
-
-        Args:
-            part: the next one.
-            controls: those of the page.
-        """
+    def take(self, part: from_page.Part) -> None:
+        """Put together what comes in parts, of which this is the next, and do what is to be done with it."""
         letters = self._parts[part.kind].add(part.number, part.of, part.letters)
         if letters is None:
             return
         if part.kind == "link":
             self._line.submit(self.sharing.open, letters)
+        elif part.kind == "file":
+            if "files" in self._page.controls:
+                self._line.submit(open_file, self._page.session, self._page.notify, letters)
         elif part.kind == "paste":
-            if "edit" in controls:
+            if "edit" in self._page.controls:
                 self._line.submit(self.edits.paste, letters)
         elif kept := keeping.decode(letters):
             self._resume(kept)
         else:
-            self._mail.tell(Resumed())  # as far as it can be
+            self._page.mail.tell(Resumed())  # as far as it can be
 
     def _answer(self, ask: from_page.Ask) -> None:
         match ask:
             case from_page.Share():
                 self.sharing.share(ask)
             case from_page.Who():
-                self._shelf.introduce(ask)
+                self._page.shelf.introduce(ask)
             case from_page.Unread(text):
-                self._notify(unread(text))
+                self._page.notify(unread(text))
             case from_page.Unsent(what):
-                self._notify(Notice("error", f"That cannot be {_DONE[what]}", UNSENT))
+                self._page.notify(Notice("error", f"That cannot be {_DONE[what]}", UNSENT))
             case from_page.ListScenes():
                 self.gallery.list(ask)
             case from_page.OpenScene():
@@ -111,7 +101,7 @@ class Answers:
 
 
 UNSENT = "It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses."
-_DONE = {"resume": "resumed", "link": "opened", "paste": "pasted"}
+_DONE = {"resume": "resumed", "link": "opened", "file": "opened", "paste": "pasted"}
 
 
 def unread(text: str) -> Notice:

@@ -23,6 +23,7 @@ import { hasKept, keepOnlyOf, resume } from "./files/keep.js";
 import { listenToKeys } from "./hands/keys.js";
 import { addLesson } from "./scenes/lesson.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "./files/links.js";
+import { listenToOpenFile } from "./files/open_file.js";
 import { addLoads } from "./body/load_marks.js";
 import { beginViser, canDraw, complain, endLoading } from "./viser/loading.js";
 import { restoreLooks } from "./looks/looks.js";
@@ -87,6 +88,7 @@ whenViser((viser) => {
   listenToPointer();
   resume(openLink);
   listenToLinks();
+  listenToOpenFile();
   restoreLooks();
   addTransport();
   addShareDialog();

@@ -7,7 +7,7 @@ events have no client, and are ignored, so that nothing loops.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import viser
@@ -18,19 +18,16 @@ from sim.settings import CHOICES, TEMPLATES, Setting, settings_of
 
 from ..drawing.colors import palette
 from ..session import commands
-from ..session.session import Notice, Session
-from ..wire.carrier import Mail
 from ..wire.commands import COMMANDS
 from ..wire.to_page import Hud
-from .controls import Controls
 from .edit.selection_panel import SelectionPanel
 from .looks import readouts
-from .measure.plot_list import PlotList
-from .play_panel import PlayPanel
+from .page import Page
+from .play_panel import LAST, PlayPanel
 from .scenes.lesson_panel import LessonPanel
 from .solver.solver_panel import SolverPanel
 from .viser.choice_box import ChoiceBox
-from .viser.comma_switch import CommaSwitch
+from .viser.handlers import add_command, on_change, on_press
 from .viser.slider_box import SliderBox, mixed_words
 
 PANEL_WIDTH = 348
@@ -39,9 +36,6 @@ FOREMOST = (
     "yield_force", "rest_angle", "template", "bend", "angular_stiffness", "linear_stiffness", "gravity",
 )  # fmt: skip
 """Settings that make most of a scene, in order; the first two that there is a use for stand at the top."""
-
-LAST = 1e6
-"""Order of what stands below the sliders, which come and go."""
 
 SOLVER_DIALS = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""
@@ -84,19 +78,16 @@ class _MixedNote:
     def __init__(self, gui: viser.GuiApi, place: _Place, sliders: list[SliderBox], order: float) -> None:
         self._gui, self._place, self._sliders, self._order = gui, place, sliders, order
         self._note: viser.GuiHtmlHandle | None = None
-        self._words = ""
 
     def show(self) -> None:
         """Say what is so now."""
         mixed = dict.fromkeys(mixed_words(box.setting) for box in self._sliders if box.mixed)
         words = " ".join(f"<b>mixed</b>: {each}." for each in mixed)
-        if words == self._words:
-            return
-        self._words = words
-        if self._note is None:
+        if self._note is None and words:
             with self._place:
                 self._note = self._gui.add_html("", order=self._order)
-        self._note.content = f'<div class="softrod-text">{words}</div>' if words else ""
+        if self._note is not None:
+            self._note.content = f'<div class="softrod-text">{words}</div>' if words else ""
 
     def remove(self) -> None:
         """Take it out of the page."""
@@ -108,33 +99,15 @@ class Panel:
     """The controls of one page, for the scene that it shows.
 
     Args:
-        client: the page.
-        session: its simulation.
-        mail: to the page's script.
-        perform: does a command of the table.
-        notify: tells the user something.
-        controls: which there are; what there is not is not made.
-        commas: whether tables have decimal commas.
+        page: whose panel it is.
 
     Attributes:
         lesson: the Lesson tab, if the scene has a lesson.
-        plots: all lists of plots that the page has.
     """
 
-    def __init__(
-        self,
-        client: viser.ClientHandle,
-        session: Session,
-        mail: Mail,
-        perform: Callable[[str], None],
-        notify: Callable[[Notice], None],
-        controls: Controls,
-        commas: CommaSwitch,
-    ) -> None:
-        self._controls = controls
-        self._client = client
-        self._session = session
-        self._mail, self._perform, self._notify = mail, perform, notify
+    def __init__(self, page: Page) -> None:
+        self._page, self._client, self._session = page, page.client, page.session
+        self._controls = controls = page.controls
         self._sliders: list[SliderBox] = []
         self._body: list[Any] = []
         self._shown: tuple[list[Setting], tuple[str, ...]] | None = None
@@ -142,18 +115,17 @@ class Panel:
         self._templates: list[viser.GuiDropdownHandle[str]] = []
         self._choices: list[ChoiceBox] = []
         self._shown_revision = -1
-        gui = client.gui
+        gui = page.client.gui
         gui.set_panel_label("softrod")
         gui.main_panel.dock_right()
         gui.main_panel.set_width(PANEL_WIDTH)
-        has_lesson = session.scene.lesson is not None
+        has_lesson = page.session.scene.lesson is not None
         if not (controls.in_panel or has_lesson):
             gui.main_panel.minimize()
         self._selection: SelectionPanel | None = None
         if "edit" in controls:
-            self._selection = SelectionPanel(client, session, notify)
+            self._selection = SelectionPanel(page)
         self.lesson: LessonPanel | None = None
-        self.plots: list[PlotList] = []
         self._play_tab = self._solver_tab = None
         self._play = self._solver = None
         self.measure_tab: viser.GuiTabHandle | None = None
@@ -162,7 +134,7 @@ class Panel:
             tabs = gui.add_tab_group()
             if has_lesson:
                 tab = tabs.add_tab("Lesson")
-                self.lesson = LessonPanel(client, tab, session, mail, notify, commas, self.plots)
+                self.lesson = LessonPanel(page, tab)
             self._build_tabs(tabs)
         self._add_palette_commands()
 
@@ -172,13 +144,13 @@ class Panel:
         if controls.in_play_tab:
             self._play_tab = tabs.add_tab("Play")
             with self._play_tab:
-                self._play = PlayPanel(self._client, self._session, self._perform, controls)
+                self._play = PlayPanel(self._page)
         if "measure" in controls or "tools" in controls:
             self.measure_tab = tabs.add_tab("Measure")
         if "solver" in controls:
             self._solver_tab = tabs.add_tab("Solver")
             with self._solver_tab:
-                self._solver = SolverPanel(self._client, self._session, self._notify)
+                self._solver = SolverPanel(self._page)
         if "files" in controls:
             self.files_tab = tabs.add_tab("Share")
 
@@ -186,17 +158,12 @@ class Panel:
     def _add_palette_commands(self) -> None:
         """The table of commands, for the command palette; the page's script acts on the keys themselves."""
         for name, row in COMMANDS.items():
-            if not row.palette or (row.needs and row.needs not in self._controls):
+            if not row.listed or (row.needs and row.needs not in self._controls):
                 continue
             keys = " or ".join(row.keys)
-            held = ", held" if row.where == "held" else ""
-            command = self._client.gui.add_command(
-                row.label, description=f"key {keys}{held}" if keys else None
-            )
-
-            @command.on_trigger
-            async def _(_: object, name: str = name) -> None:
-                self._perform(name)
+            held = ", held" if row.held else ""
+            about = f"key {keys}{held}" if keys else None
+            add_command(self._client.gui, row.label, partial(self._page.perform, name), about)
 
     # --------------------------------------------------------------------- what a scene needs
     def build(self) -> None:
@@ -229,7 +196,7 @@ class Panel:
             self._add_controls(self.lesson.tab, [known[key] for key in of_lesson if key in known])
             with self.lesson.tab:
                 for order, key in enumerate((key for key in of_lesson if key in CHOICES), start=30):
-                    choice = ChoiceBox(self._client, self._session, key, order)
+                    choice = ChoiceBox(self._page, key, order)
                     self._choices.append(choice)
                     self._body.append(choice.handle)
         foremost = self._foremost(applicable)
@@ -252,15 +219,14 @@ class Panel:
             folder = gui.add_folder("All numbers", order=LAST + 3)
         with folder:
             self._add_sliders(folder, others)
-            own_values = gui.add_button(
-                "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST
+            own_values = self._page.button(
+                "Scene's own values",
+                viser.Icon.RESTORE,
+                lambda: self._session.post(commands.OwnValues("body")),
+                order=LAST,
             )
         # What is in the folder goes first.
         self._body += [own_values, folder]
-
-        @own_values.on_click
-        async def _(_: object) -> None:
-            self._session.post(commands.OwnValues("body"))
 
     def _foremost(self, applicable: list[Setting]) -> list[Setting]:
         """The settings of the Play tab: those that are named, or those that make most of the scene."""
@@ -292,7 +258,7 @@ class Panel:
             self._session.post(commands.SetValue(setting.key, round(value) if setting.integer else value))
 
         value = setting.read(self._session.scene)
-        slider_box = SliderBox(self._client, setting, value, post, self._notify, order)
+        slider_box = SliderBox(self._client, setting, value, post, self._page.notify, order)
         self._sliders.append(slider_box)
         self._body += [slider_box.slider, slider_box.box]
 
@@ -302,10 +268,11 @@ class Panel:
         self._templates.append(choice)
         self._body.append(choice)
 
-        @choice.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None and choice.value in names:
+        def choose() -> None:
+            if choice.value in names:
                 self._session.post(commands.SetValue("template", float(choice.value.rstrip("°"))))
+
+        on_change(choice, choose)
 
     # --------------------------------------------------------------------- what changes
     @property
@@ -323,11 +290,7 @@ class Panel:
         """Open the help."""
         with self._client.gui.add_modal("How to use softrod") as modal:
             self._client.gui.add_html(readouts.help_html())
-            close = self._client.gui.add_button("Close")
-
-        @close.on_click
-        async def _(_: object) -> None:
-            modal.close()
+            on_press(self._client.gui.add_button("Close"), modal.close)
 
     def refresh_controls(self) -> None:
         """Show in the controls what keys, commands or other controls changed."""
@@ -347,14 +310,14 @@ class Panel:
             choice.show(scene)
         template = f"{scene.template}°"
         for templates in self._templates:
-            if scene.template is not None and templates.value != template:
+            if scene.template is not None:
                 templates.value = template
 
-    def refresh_readouts(self, dark: bool, at_rest: bool, meter: bool) -> None:
-        """Show the clock, the angle and the rates as they are now; with `meter`, always that of stability."""
-        session = self._session
-        colors = palette(session.scene.view.colors, dark)
-        self._mail.tell(Hud(html=readouts.hud(session, colors, at_rest, meter)))
+    def refresh_readouts(self, at_rest: bool) -> None:
+        """Show the clock, the angle and the rates as they are now."""
+        session, looks = self._session, self._page.looks
+        colors = palette(session.scene.view.colors, looks.dark)
+        self._page.mail.tell(Hud(html=readouts.hud(session, colors, at_rest, looks.meter)))
         if self._play is not None:
             self._play.refresh_readouts()
         if self._solver is not None:

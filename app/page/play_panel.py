@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from functools import partial
 
 import viser
 
 from sim.scene.types import Scene, shown_name
 
 from ..session import commands
-from ..session.session import Session
-from .controls import Controls
 from .looks import readouts
+from .page import Page
+from .viser.handlers import on_change
 
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""
@@ -22,54 +21,32 @@ class PlayPanel:
     """The controls of one page's Play tab; made inside the tab.
 
     Args:
-        client: the page.
-        session: its simulation.
-        perform: does a command of the table.
-        controls: which there are.
+        page: whose body is played with.
     """
 
-    def __init__(
-        self,
-        client: viser.ClientHandle,
-        session: Session,
-        perform: Callable[[str], None],
-        controls: Controls,
-    ) -> None:
-        self._session = session
-        self._perform = perform
+    def __init__(self, page: Page) -> None:
+        self._session = session = page.session
+        controls, gui = page.controls, page.client.gui
         self._edits_texts = "edit" in controls
         self._chooser = self._about = self._follow = self._readout = self._pad = None
-        gui = client.gui
         if "chooser" in controls:
             hint = "choose another scene (key O)"
-            icon = viser.Icon.LAYOUT_GRID
-            self._chooser = gui.add_button("Scene", icon=icon, color="gray", hint=hint, order=1)
+            icon, press = viser.Icon.LAYOUT_GRID, partial(page.perform, "gallery")
+            self._chooser = page.button("Scene", icon, press, hint=hint, order=1)
             hint = "open this scene anew"  # it stands beside the chooser, see widgets.js
-            icon = viser.Icon.REFRESH
-            anew = gui.add_button("Open anew", icon=icon, color="gray", hint=hint, order=1.5)
-            self._listen_to(self._chooser, "gallery")
-            self._listen_to(anew, "anew")
+            press = partial(page.perform, "anew")
+            page.button("Open anew", viser.Icon.REFRESH, press, hint=hint, order=1.5)
         if "about" in controls:
             self._about = gui.add_html("", order=2)
         # Between them are the sliders that make most of the scene.
         if "follow" in controls:
-            self._follow = gui.add_checkbox("Follow pointer", initial_value=False, hint="key F", order=LAST)
-            self._listen_to_switch(self._follow)
+            follow = gui.add_checkbox("Follow pointer", initial_value=False, hint="key F", order=LAST)
+            on_change(follow, lambda: session.post(commands.Follow(follow.value)))
+            self._follow = follow
         if "angle" in controls:
             self._readout = gui.add_html("", order=LAST + 1)
         if "keys" in controls:
             self._pad = gui.add_html(readouts.PAD, visible=False, order=LAST + 2)
-
-    def _listen_to(self, button: viser.GuiButtonHandle, command: str) -> None:
-        @button.on_click
-        async def _(_: object) -> None:
-            self._perform(command)
-
-    def _listen_to_switch(self, follow: viser.GuiCheckboxHandle) -> None:
-        @follow.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                self._session.post(commands.Follow(bool(follow.value)))
 
     def build(self, scene: Scene) -> None:
         """Show what the scene has."""
@@ -84,12 +61,10 @@ class PlayPanel:
 
     def refresh_controls(self) -> None:
         """Show in the switch what keys or commands changed."""
-        if self._follow is not None and self._follow.value != self._session.follow:
+        if self._follow is not None:
             self._follow.value = self._session.follow
 
     def refresh_readouts(self) -> None:
         """Show the angle as it is now."""
         if self._readout is not None:
-            content = readouts.joint_table(self._session)
-            if self._readout.content != content:
-                self._readout.content = content
+            self._readout.content = readouts.joint_table(self._session)

@@ -29,7 +29,6 @@ from sim.scene.types import shown_name
 from ..drawing.plan import Picture, broken_of
 from ..drawing.sketch import WORLD_SIZE, Mapping
 from ..session import commands
-from ..session.hand import GIZMO
 from ..session.pacing import is_large
 from ..session.plots import Wish
 from ..session.session import Changed, Notice, Session
@@ -37,10 +36,10 @@ from ..viser_inside import element_id
 from ..wire import from_page
 from ..wire.carrier import Mail, listen
 from ..wire.commands import COMMANDS, Look
-from ..wire.to_page import Keepsake, PageState, Resumed, Run, ShowMeasures
+from ..wire.to_page import Keepsake, PageState, Resumed, Run
 from . import controls
 from .answers import Answers
-from .body.view import Canvas, Touch, picture_of
+from .body.view import Canvas, picture_of
 from .classroom.role import Role
 from .controls import Controls
 from .files import keeping, pasts
@@ -50,6 +49,7 @@ from .looks import readouts
 from .measure.measure_panel import MeasurePanel
 from .measure.tools_panel import ToolsPanel
 from .opening import asked_scene
+from .page import Page
 from .panel import Panel, set_theme
 from .scenes.shelf import Shelf
 from .viser.comma_switch import CommaSwitch
@@ -141,13 +141,9 @@ class Tab:
         self._compiler = compiler
         self._requests: deque[Callable[[Session], None]] = deque(maxlen=100)
         self._notices: deque[Notice] = deque(maxlen=100)
-        self._looks = keeping.PLAIN
-        self._commas = CommaSwitch(
-            lambda on: self._requests.append(lambda now: self._switch(now, "commas", on))
-        )
         self._before_lesson: BeforeLesson | None = None
         self._generation = -1
-        self._page = secrets.token_hex(4)
+        self._number = secrets.token_hex(4)
         self._seen: from_page.Seen | None = None
         self._planned = -1
         self._kept: tuple[Any, ...] = ()
@@ -169,12 +165,12 @@ class Tab:
         self._for_others = for_others
         self._first = scene = self._asked_scene(query) or scene
         self._mail = Mail(client)
-        self._view = Canvas(client, self._mail, self._touched)
+        self._view = Canvas(client, self._mail, self._post)
         self._role = role_of(self._mail)
         self._front: Front | None = None
         listen(client, self.hear)
         self._asked_controls = self._checked(controls.of_query, query)
-        self._controls = self._scenes_controls = controls.ALL
+        self._scenes_controls = controls.ALL
         self._named_controls: tuple[str, ...] | None = None
         self._plots_kept: tuple[Wish, ...] = ()
         self._arrows_kept: frozenset[str] = frozenset()
@@ -184,7 +180,7 @@ class Tab:
         self._session: Session | None = None
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
-        self._view.build(scene, self._looks.dark)
+        self._view.build(scene, keeping.PLAIN.dark)
         self._view.draw(Picture.at_start(scene), time.monotonic())
 
     def leave(self) -> None:
@@ -205,8 +201,8 @@ class Tab:
             return
         match said:
             case from_page.At(hands):
-                points = tuple(commands.Point(*self._mapping.to_scene(x, y), hand) for hand, x, y in hands)
-                session.post(points[0] if len(points) == 1 else commands.Points(points))
+                for hand, x, y in hands:
+                    session.post(commands.Point(*self._mapping.to_scene(x, y), hand))
             case from_page.Grab(hand, mass, x, y):
                 session.post(commands.DragStart(mass, *self._mapping.to_scene(x, y), hand))
             case from_page.Drop(hand):
@@ -222,7 +218,7 @@ class Tab:
             case from_page.Perform(command):
                 self.perform(command)
             case from_page.Part():
-                self._answers.take(said, self._controls)
+                self._answers.take(said)
             case from_page.Ask():
                 self._answers.ask(said)
                 if role is not None and isinstance(said, from_page.Who):
@@ -231,7 +227,7 @@ class Tab:
                 if role is not None:
                     self._requests.append(lambda now: role.hear(said, now))
             case from_page.Edit():
-                if "edit" in self._controls:
+                if "edit" in self._page.controls:
                     self._answers.edits.do(said)
             case from_page.Seen():
                 self._seen = said
@@ -245,7 +241,7 @@ class Tab:
         """Do a command of the table, if the page has the control that it needs."""
         row, session = COMMANDS[command], self._session
         does = row.does
-        if session is None or (row.needs and row.needs not in self._controls) or does == "elsewhere":
+        if session is None or (row.needs and row.needs not in self._page.controls) or does in ("edit", "own"):
             return
         if does == "page":
             self._mail.tell(Run(command=command))
@@ -267,15 +263,9 @@ class Tab:
         session = self._session
         return self._first if session is None else session.snapshot(session.scene.name, with_pose=True)
 
-    def _touched(self, touch: Touch) -> None:
-        if self._session is None:
-            return
-        if touch.phase == "start":
-            self._session.post(commands.DragStart(touch.mass, touch.x, touch.y, GIZMO))
-        elif touch.phase == "update":
-            self._session.post(commands.DragTo(touch.x, touch.y, GIZMO))
-        else:
-            self._session.post(commands.DragEnd(GIZMO))
+    def _post(self, command: commands.Command) -> None:
+        if self._session is not None:
+            self._session.post(command)
 
     # --------------------------------------------------------------------- the ticker's
     def frame(self, budget: float, beside: Submit) -> None:
@@ -331,7 +321,7 @@ class Tab:
             another = before is None or (before.opening, before.revision) != (front.opening, front.revision)
             if another:
                 self._mapping = Mapping.of(front.scene)
-                self._view.build(front.scene, self._looks.dark, front.rest_angles)
+                self._view.build(front.scene, self._page.looks.dark, front.rest_angles)
             self._view.draw(front.picture, session.now(), force=another or not front.playing)
             self._mail.tell(self._state_of_front(front))
             self._tell(session)
@@ -342,7 +332,7 @@ class Tab:
         scene = front.scene
         width, height = world_size(scene)
         return PageState(
-            page=self._page,
+            page=self._number,
             scene=-1 - front.opening,  # no number of one that the page itself opens
             title=shown_name(scene),
             width=width,
@@ -364,7 +354,7 @@ class Tab:
             self._measure.tick()
         self._show(session)
         self._panel.show_selection()
-        if "edit" in self._controls:
+        if "edit" in self._page.controls:
             self._answers.edits.tell()
         self._tell(session)
 
@@ -382,8 +372,12 @@ class Tab:
         def show(scene: sim.Scene) -> None:  # by the same queue: a link comes after what the page had kept
             self._requests.append(lambda now: now.post(commands.Open(scene)))
 
-        self._answers = Answers(session, self._mail, self.notify, resume, show, self._for_others, self._shelf)
-        self._controls = self._wanted_controls(session.scene)
+        commas = CommaSwitch(lambda on: self._requests.append(lambda now: self._switch(now, "commas", on)))
+        self._page = Page(
+            self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
+            controls=self._wanted_controls(session.scene),
+        )  # fmt: skip
+        self._answers = Answers(self._page, resume, show, self._for_others)
         self._make_panel(session)
         self._session = session
         return session
@@ -417,30 +411,22 @@ class Tab:
 
     def _make_panel(self, session: Session) -> None:
         """The panel, with the controls that there are."""
-        self._panel = Panel(
-            self.client, session, self._mail, self.perform, self.notify, self._controls, self._commas
-        )
+        page = self._page
+        self._panel = Panel(page)
         self._has_lesson = session.scene.lesson is not None
         self._measure = self._tools = self._files = None
         if self._panel.measure_tab is not None:
-            if "measure" in self._controls:
-                tab, lists = self._panel.measure_tab, self._panel.plots
-                self._measure = MeasurePanel(
-                    self.client, tab, session, self.notify, self._commas, lists, self._turn_to_measures
-                )
+            if "measure" in page.controls:
+                self._measure = MeasurePanel(page, self._panel.measure_tab)
                 self._measure.plots.remember(self._plots_kept)
-            if "tools" in self._controls:
+            if "tools" in page.controls:
                 with self._panel.measure_tab:
-                    self._tools = ToolsPanel(self.client, session, self._mail)
+                    self._tools = ToolsPanel(page)
                 self._tools.show_arrows(self._arrows_kept)
         if self._panel.files_tab is not None:
             with self._panel.files_tab:
-                self._files = FilesPanel(
-                    self.client, session, self.notify, lambda: self.perform("share"), self._shelf
-                )
-                ExportPanel(
-                    self.client, session, lambda: self._looks.dark, self.perform, self.notify, self._commas
-                )
+                self._files = FilesPanel(page)
+                ExportPanel(page)
         self._show_where_seen()
 
     def _prepare(self, session: Session) -> None:
@@ -462,24 +448,23 @@ class Tab:
     def _rebuild(self, session: Session) -> None:
         """Another body: other nodes and other controls."""
         self._plan(session)
-        self._view.show_gizmos(self._looks.gizmos)
+        self._view.show_gizmos(self._page.looks.gizmos)
         wanted, has_lesson = self._wanted_controls(session.scene), session.scene.lesson is not None
         if has_lesson and self._before_lesson is None:
             self._before_lesson = self._switched_on(session)
-        if (wanted, has_lesson) != (self._controls, self._has_lesson):
-            if (wanted.in_panel or has_lesson) and not (self._controls.in_panel or self._has_lesson):
+        if (wanted, has_lesson) != (self._page.controls, self._has_lesson):
+            if (wanted.in_panel or has_lesson) and not (self._page.controls.in_panel or self._has_lesson):
                 self.client.gui.main_panel.expand()
-            self._controls = wanted
+            self._page.controls = wanted
             if self._measure is not None:
                 self._plots_kept = self._measure.plots.wishes
             if self._tools is not None:
                 self._arrows_kept = self._tools.leave()
             self.client.gui.reset()
-            self._commas.clear()
+            self._page.clear()
             self._make_panel(session)
-        dark = self._looks.dark
         if self._panel.lesson is not None:
-            self._panel.lesson.build(dark)
+            self._panel.lesson.build()
         self._panel.build()
         if self._tools is not None:
             self._tools.build()
@@ -487,7 +472,7 @@ class Tab:
             self._files.build()
         self._show_lessons_things(session)
         if self._measure is not None:
-            self._measure.build(dark)
+            self._measure.build()
         self._moved_at = session.now()
         self._generation = session.generation
 
@@ -524,7 +509,7 @@ class Tab:
         damage = simulation.damage
         if damage is not None and damage.set_angles:
             rest_angles = rest_angles - np.array(damage.set_angles)  # of which the page is told apart
-        self._view.build(session.scene, self._looks.dark, rest_angles)
+        self._view.build(session.scene, self._page.looks.dark, rest_angles)
 
     def _show(self, session: Session) -> None:
         """Send the picture, the texts and the controls, as far as they changed."""
@@ -545,10 +530,10 @@ class Tab:
         still = at_rest and self._was_at_rest and not self._panel.unsettled
         if changed or (now >= self._readouts_due and not still):
             self._readouts_due = now + READOUTS_EVERY
-            self._was_at_rest = at_rest and not session.is_looking
+            self._was_at_rest = at_rest and not session.stability_watch.is_looking
             with self.client.atomic():
                 self._panel.refresh_controls()
-                self._panel.refresh_readouts(self._looks.dark, at_rest, self._looks.meter)
+                self._panel.refresh_readouts(at_rest)
 
     def _set_state(self, playing: bool) -> None:
         """Tell the page's script how things are."""
@@ -558,7 +543,7 @@ class Tab:
         width, height = world_size(session.scene)
         scrubbed, measures = history.scrubbed, self._panel.measure_tab
         state = PageState(
-            page=self._page,
+            page=self._number,
             scene=session.openings,
             title=shown_name(session.scene),
             width=width,
@@ -576,9 +561,9 @@ class Tab:
             future=session.old_future is not None,
             follow=session.follow,
             broken=self._broken,
-            controls=tuple(name for name in TOLD_CONTROLS if name in self._controls),
-            gizmos=self._looks.gizmos,
-            meter=self._looks.meter,
+            controls=tuple(name for name in TOLD_CONTROLS if name in self._page.controls),
+            gizmos=self._page.looks.gizmos,
+            meter=self._page.looks.meter,
             measuring=element_id(measures) if measures is not None else "",
             lesson=session.lesson_begun if session.scene.lesson else None,
         )
@@ -587,7 +572,7 @@ class Tab:
     def _keep(self, session: Session) -> None:
         """Have the browser keep what it needs to come back to here."""
         now, plots = session.now(), self._measure.plots.wishes if self._measure is not None else ()
-        state = (session.revision, self._looks, plots, session.simulation.time)
+        state = (session.revision, self._page.looks, plots, session.simulation.time)
         # At rest only the clock goes on: that is not worth a message.
         resting = self._was_at_rest and state[:-1] == self._kept[:-1]
         # Another scene, and one that was saved under another name, is kept at once.
@@ -601,7 +586,7 @@ class Tab:
             pasts.keep(undo, session.versions)
         made = session.keepsake()
         if self._role is None or not self._role.keep(made):
-            self._mail.tell(Keepsake(kept=keeping.encode(made, self._looks, plots, undo).decode()))
+            self._mail.tell(Keepsake(kept=keeping.encode(made, self._page.looks, plots, undo).decode()))
         self._kept = state
         self._kept_scene = scene
         wait = (time.thread_time() - began) / KEEP_SHARE
@@ -636,8 +621,7 @@ class Tab:
             self._answers.gallery.changed()
 
     def _serve_requests(self, session: Session) -> None:
-        if self._tools is not None:
-            self._tools.tick()
+        self._page.serve()
         while self._requests:
             self._requests.popleft()(session)
 
@@ -654,11 +638,11 @@ class Tab:
     def toggle(self, look: Look) -> None:
         """Turn a look of the page on or off."""
         if self._session is not None:
-            self._switch(self._session, look, not getattr(self._looks, look))
+            self._switch(self._session, look, not getattr(self._page.looks, look))
 
     def _switch(self, session: Session, what: str, on: bool) -> None:
         """Turn one of the looks on or off."""
-        self._looks = msgspec.structs.replace(self._looks, **{what: on})
+        self._page.looks = msgspec.structs.replace(self._page.looks, **{what: on})
         session.note(Changed.SETTINGS)
         if what == "dark":
             set_theme(self.client.gui, dark=on)
@@ -666,7 +650,7 @@ class Tab:
         elif what == "gizmos":
             self._view.show_gizmos(on)
         elif what == "commas":
-            self._commas.show(on)
+            self._page.commas.show(on)
 
     def _pick(self, session: Session, mass: int) -> None:
         """A mass was clicked: it is chosen for all that is measured."""
@@ -693,11 +677,8 @@ class Tab:
         if self._panel.lesson is not None:
             self._panel.lesson.plots.looked_at = self._seen.tab == "lesson"
 
-    def _turn_to_measures(self) -> None:
-        self._mail.tell(ShowMeasures())
-
     def _say_not_found(self, why: str) -> None:
-        if "chooser" in self._controls:
+        if "chooser" in self._page.controls:
             self._answers.gallery.offer(why)
         else:
             self.notify(Notice("error", "That address has no scene", why))

@@ -37,7 +37,6 @@ from ..page.classroom.roles import (
 from ..page.panel import set_theme
 from ..page.scenes import owner
 from ..page.tab import Tab
-from ..session.session import Notice
 from ..wire.carrier import Mail
 from .ticker import Ticker
 
@@ -89,13 +88,6 @@ def serving(
 
     ticker = Ticker(make_tab)
 
-    def oversized(client_id: int, name: str) -> None:
-        tab = ticker.tabs.get(client_id)
-        if tab is not None:
-            tab.notify(
-                Notice("error", "That file is too large", f"{name}: a scene or a log has at most 5 MB here.")
-            )
-
     # A page can go away in the middle of a frame; the rest of that frame has nobody to go to.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     with _viser_is_quiet():
@@ -103,7 +95,6 @@ def serving(
             host,
             port,
             label="softrod",
-            on_oversized=oversized,
             extra_hosts=allow_hosts,
             files=page_files(),
             embed=embed,

@@ -20,6 +20,7 @@ from sim.scene.types import shown_name
 from sim.settings import CHOICES, settings_of
 
 from ..drawing.looks import SPEEDS
+from . import log
 from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME
 from .log import Log
@@ -48,27 +49,21 @@ class HoldKeys(Command):
 
 @dataclass(frozen=True)
 class Point(Command):
-    """Where a hand's pointer is; used while it has a mass, and that of hand 0 while something follows."""
+    """Where a hand's pointer is; used while it has a mass, and that of hand 0 while something follows.
+
+    Attributes:
+        late: whether the next report comes later than the next frame, as of viser's own drags.
+    """
 
     x: float
     y: float
     hand: int = 0
+    late: bool = False
 
     def apply(self, session: Session, at: float) -> None:
         # What follows the pointer must not disturb a moment that was gone back to.
         if session.hands.is_full(self.hand) or not session.history.scrubbed:
-            session.hands.point(self.hand, self.x, self.y, at + FRAME)
-
-
-@dataclass(frozen=True)
-class Points(Command):
-    """Where the pointers of several hands are."""
-
-    points: tuple[Point, ...]
-
-    def apply(self, session: Session, at: float) -> None:
-        for point in self.points:
-            point.apply(session, at)
+            session.hands.point(self.hand, self.x, self.y, at + (DRAG_EVENT if self.late else FRAME))
 
 
 @dataclass(frozen=True)
@@ -101,18 +96,6 @@ class DragStart(Command):
 
 
 @dataclass(frozen=True)
-class DragTo(Command):
-    """As `Point`, from whom the next report comes later."""
-
-    x: float
-    y: float
-    hand: int = 0
-
-    def apply(self, session: Session, at: float) -> None:
-        session.hands.point(self.hand, self.x, self.y, at + DRAG_EVENT)
-
-
-@dataclass(frozen=True)
 class DragEnd(Command):
     """A hand let go of its mass."""
 
@@ -136,7 +119,8 @@ class SetValue(Command):
         if setting is None or not math.isfinite(self.value):
             return
         value = min(max(self.value, setting.low), setting.high)
-        session.change(lambda: session.recorder.set_value(self.key, value), setting.label, self.key)
+        act = log.Set(key=self.key, value=value)
+        session.change(lambda: session.recorder.do(act), setting.label, self.key)
 
 
 @dataclass(frozen=True)
@@ -158,11 +142,12 @@ class SetChoice(Command):
 
     def apply(self, session: Session, at: float) -> None:
         label = CHOICES[self.key].label if self.key in CHOICES else self.key
-        session.change(lambda: session.recorder.set_choice(self.key, self.value), label)
-        if self.key == "method" and session.books:
+        act = log.Choose(key=self.key, value=self.value)
+        session.change(lambda: session.recorder.do(act), label)
+        if self.key == "method" and session.follows_energy:
             # What is left over is the error of one method, not of two.
-            session.recorder.keep_books(False)
-            session.recorder.keep_books(True)
+            session.recorder.do(log.FollowEnergy(on=False))
+            session.recorder.do(log.FollowEnergy(on=True))
 
 
 @dataclass(frozen=True)
@@ -213,7 +198,7 @@ class Foretell(Command):
 
 
 @dataclass(frozen=True)
-class KeepBooks(Command):
+class FollowEnergy(Command):
     """Whether the energy is to be followed."""
 
     on: bool
@@ -221,8 +206,8 @@ class KeepBooks(Command):
     changes = Changed.SETTINGS
 
     def apply(self, session: Session, at: float) -> None:
-        session.books = self.on
-        session.recorder.keep_books(self.on)
+        session.follows_energy = self.on
+        session.recorder.do(log.FollowEnergy(on=self.on))
 
 
 @dataclass(frozen=True)
@@ -329,11 +314,16 @@ class Open(Command):
     def apply(self, session: Session, at: float) -> None:
         # What stopped the clock was the other body's.
         stopped = session.simulation.divergence is not None or session.waits
+        # The first step of a lesson is no other scene than the one that has just been opened.
+        begins = self.begun and not session.lesson_begun
         before = session.simulation.capture()
         session.open(self.scene)
         session.lesson_begun = self.begun
         opened = session.simulation.capture()
-        session.versions.add_leap(f"opening {shown_name(self.scene)}", before, opened)
+        if begins:
+            session.versions.amend_leap(opened)
+        else:
+            session.versions.add_leap(f"opening {shown_name(self.scene)}", before, opened)
         if stopped or self.waits:
             session.play(not self.waits)
         session.waits = self.waits

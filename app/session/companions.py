@@ -1,69 +1,17 @@
-"""What goes along with the body of a session: what its members have in common, and all of them together."""
+"""All that goes along with the body of a session."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
 
 import sim
 
+from .companion import Companion
 from .ghost import Ghost
-from .history import Beside, History
+from .history import History
 from .shadow import Foresight
-
-
-class Companion(Protocol):
-    """What goes along with a session's body, in the time that this leaves of a frame.
-
-    Attributes:
-        span: simulated seconds of its past that it needs to go back.
-        unit_cost: seconds of a step that it tries, on average.
-    """
-
-    span: float
-    unit_cost: float
-
-    @property
-    def bodies(self) -> Sequence[sim.Simulation]:
-        """Its own bodies, to which the same is done by hand."""
-        ...
-
-    def is_ready(self, simulation: sim.Simulation) -> bool:
-        """Whether it may go on; when its method has just become ready, it begins with the body."""
-        ...
-
-    def begin(self, simulation: sim.Simulation) -> None:
-        """Begin where the body is, as for another motion."""
-        ...
-
-    def adapt(self, simulation: sim.Simulation) -> None:
-        """Go on after the body's settings have changed."""
-        ...
-
-    def capture(self) -> Beside | None:
-        """What there is to come back to, if anything."""
-        ...
-
-    def go_back(self, past: Sequence[tuple[float, Any]], simulation: sim.Simulation) -> None:
-        """Be as at a moment that the body has gone to.
-
-        Args:
-            past: what was kept of the `span` until that moment, with the times, s; empty if nothing was.
-            simulation: the body.
-        """
-        ...
-
-    def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
-        """Go on by what the body has just done.
-
-        Args:
-            simulation: the body.
-            steps: time steps that it has done.
-            budget: seconds of computing that this may take.
-        """
-        ...
 
 
 @dataclass
@@ -89,7 +37,7 @@ class Companions:
         """Those of all of them."""
         return [body for one in self for body in one.bodies]
 
-    def capture(self) -> Mapping[str, Beside]:
+    def capture(self) -> Mapping[str, object]:
         """What there is to come back to, by name."""
         return {name: kept for name, one in self._named() if (kept := one.capture()) is not None}
 

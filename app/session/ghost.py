@@ -13,8 +13,8 @@ import sim
 from sim.methods.registry import METHODS
 from sim.settings import CHOICES, SETTINGS, set_choice
 
-from .history import sharing, size_of
-from .pacing import attempts_within, smoothed
+from .companion import Companion
+from .pacing import attempts_within
 
 REFERENCE = "reference"
 """Instead of a method: `auto` at a tolerance at which it stands for the exact motion."""
@@ -39,17 +39,9 @@ class GhostMoment(NamedTuple):
     owed: float
     worst: float
 
-    def size(self, before: GhostMoment | None) -> int:
-        """See `Beside`."""
-        return size_of(self.moment, before.moment if before else None)
 
-    def sharing(self, before: GhostMoment | None) -> GhostMoment:
-        """See `Beside`."""
-        return self._replace(moment=sharing(self.moment, before.moment if before else None))
-
-
-class Ghost:
-    """The second body of a session, a `Companion`.
+class Ghost(Companion):
+    """The second body of a session.
 
     It has the time that the first body leaves of a frame. Where that does not suffice it is late, and catches
     up later.
@@ -64,20 +56,16 @@ class Ghost:
 
     Attributes:
         simulation: the body.
-        cost: seconds of computing in the last frames, on average.
-        unit_cost: seconds of a step that it tries, on average.
         distance: largest distance between a mass and its counterpart, px, when it was last not late.
         worst: the largest that it has been.
     """
-
-    span = 0.0
 
     def __init__(
         self, simulation: sim.Simulation, method: str, law: str, finer: int = 1, wait: bool = True
     ) -> None:
         self.method, self.law, self.finer = method, law, finer
         self.simulation = sim.Simulation(self.variant(simulation.scene), wait=wait)
-        self.cost = self.unit_cost = 0.0
+        super().__init__((self.simulation,))
         self._start(simulation)
 
     def variant(self, scene: sim.Scene) -> sim.Scene:
@@ -99,24 +87,6 @@ class Ghost:
         if self.law and CHOICES["force_law"].applies(scene):
             scene = set_choice(scene, "force_law", self.law)
         return scene
-
-    @property
-    def waits(self) -> bool:
-        """Whether its method is still being compiled; by NumPy, it would say nothing of that method."""
-        return self.simulation.plain
-
-    @property
-    def bodies(self) -> tuple[sim.Simulation]:
-        """Its body."""
-        return (self.simulation,)
-
-    def is_ready(self, simulation: sim.Simulation) -> bool:
-        """See `Companion`."""
-        if not self.waits:
-            return True
-        if self.simulation.take_compiled():
-            self.begin(simulation)
-        return False
 
     def adapt(self, simulation: sim.Simulation) -> None:
         """See `Companion`."""
@@ -146,26 +116,16 @@ class Ghost:
         self._compare(simulation)
 
     def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
-        """Go on by as much time as the first body has just done, and measure how far apart they are.
-
-        Args:
-            simulation: the first body.
-            steps: time steps that it has done.
-            budget: seconds of computing that this may take.
-        """
+        """Go on by as much time as the first body has just done, and measure how far apart they are."""
         own = self.simulation
         attempts = attempts_within(budget, self.unit_cost)
         self._owed += steps * simulation.dt
         began = time.perf_counter()
         done = own.step(int(self._owed / own.dt + 1e-6), attempts)
-        took = time.perf_counter() - began
+        self._count(time.perf_counter() - began)
         self._owed -= done * own.dt
         if abs(self._owed) < 0.5 * own.dt:
             self._owed = 0.0  # but for rounding
-        self.cost += 0.1 * (took - self.cost)
-        stats = own.stats()
-        if tried := stats.steps + stats.rejected:
-            self.unit_cost = smoothed(self.unit_cost, took / tried)
         self._compare(simulation)
 
     def _compare(self, simulation: sim.Simulation) -> None:

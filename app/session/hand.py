@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import sim
 from sim.errors import InputError
-from sim.motion.divergence import FARTHEST
+from sim.scene.numbers import MAX_COORDINATE
 
-from .record import Recorder
+from . import log
 
 FRAME = 1.0 / 60.0
 """Seconds of a frame."""
@@ -23,8 +23,6 @@ MOST_HANDS = 10
 
 GIZMO = MOST_HANDS
 """Number of the hand that leads a mass by its gizmo, which may keep to an axis."""
-
-Body = Recorder | sim.Simulation
 
 
 @dataclass
@@ -50,12 +48,18 @@ class PointerHands:
     """The pointers of a page, each with a mass in its hand, and the one that a mass follows without a button.
 
     Args:
-        bodies: the body, and others that are to do the same.
+        body: the body as it is now.
+        do: does something to it, and to those that are to do the same.
         clock: wall time, s.
     """
 
-    def __init__(self, bodies: Callable[[], list[Body]], clock: Callable[[], float]) -> None:
-        self._bodies, self._clock = bodies, clock
+    def __init__(
+        self,
+        body: Callable[[], sim.Simulation],
+        do: Callable[[log.Act], None],
+        clock: Callable[[], float],
+    ) -> None:
+        self._body, self._do, self._clock = body, do, clock
         self._hands: dict[int, _Hand] = {}
         self._followed: _Pointer | None = None
         self._last_steer = clock()
@@ -88,8 +92,7 @@ class PointerHands:
         """Have a hand take hold of a mass, with its pointer at (x, y) px; one that had the mass loses it."""
         x, y = finite(x, y)
         self.let_go(number, None)
-        for body in self._bodies():
-            body.grab(mass)
+        self._do(log.Grab(mass=mass))
         self._hands = {n: hand for n, hand in self._hands.items() if hand.mass != mass}
         px, py = self._place(mass)
         self._hands[number] = _Hand(mass, px - x, py - y, _Pointer(x, y, self._clock()))
@@ -101,8 +104,7 @@ class PointerHands:
             # Where the pointer left it: the last frame may not have led it all the way.
             self._lead(hand, None)
             del self._hands[number]
-            for body in self._bodies():
-                body.release(hand.mass)
+            self._do(log.Release(mass=hand.mass))
             self._followed = hand.pointer
         if following is None:
             self._followed = None
@@ -141,25 +143,17 @@ class PointerHands:
         """Lead the mass in a hand to its pointer: a share of the way over some steps, or at once (None)."""
         mass, pointer = hand.mass, hand.pointer
         x, y = _clamp(pointer.x + hand.dx), _clamp(pointer.y + hand.dy)
-        bodies = self._bodies()
-        if bodies[0].rate_limited:
-            # As fast as it can follow while time passes, also after it was let go; the ghost as it does.
-            for body in bodies:
-                if body.rate_limited:
-                    body.follow(mass, (x, y))
-            return
-        if share is None:
-            for body in bodies:
-                body.move(mass, (x, y))
-            return
-        px, py = self._place(mass)
-        for body in bodies:
-            body.lead(mass, (px + (x - px) * share, py + (y - py) * share))
+        if self._body().rate_limited:
+            # As fast as it can follow while time passes, also after it was let go.
+            self._do(log.Follow(mass=mass, to=(x, y)))
+        elif share is None:
+            self._do(log.Move(mass=mass, to=(x, y)))
+        else:
+            px, py = self._place(mass)
+            self._do(log.Lead(mass=mass, to=(px + (x - px) * share, py + (y - py) * share)))
 
     def _place(self, mass: int) -> tuple[float, float]:
-        body = self._bodies()[0]
-        simulation = body.simulation if isinstance(body, Recorder) else body
-        x, y = simulation.positions[mass].tolist()
+        x, y = self._body().positions[mass].tolist()
         return x, y
 
 
@@ -175,4 +169,4 @@ def finite(x: float, y: float) -> tuple[float, float]:
 
 
 def _clamp(coordinate: float) -> float:
-    return min(max(coordinate, -FARTHEST), FARTHEST)
+    return min(max(coordinate, -MAX_COORDINATE), MAX_COORDINATE)

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Mapping
-from dataclasses import replace
 from itertools import takewhile
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +19,7 @@ SPAN = 3600
 MOST_BYTES = 64_000_000
 """What all moments of a page take at most."""
 
-OVERHEAD = 400
+_OVERHEAD = 400
 """Bytes of a moment beside its numbers, about."""
 
 _PER_PART = 250
@@ -42,18 +41,6 @@ _CALM = 2.0
 """Speed of a body that is sound, at most, in sizes of the body per second, on average over its masses."""
 
 
-class Beside(Protocol):
-    """What is kept of something that goes along with the body, in one moment."""
-
-    def size(self, before: Any, /) -> int:
-        """Bytes that it takes, about, beside what it shares with the one before, which may be None."""
-        ...
-
-    def sharing(self, before: Any, /) -> Beside:
-        """The same, with what is as in the one before kept once."""
-        ...
-
-
 class _Frame(NamedTuple):
     """What is kept of one frame.
 
@@ -65,7 +52,7 @@ class _Frame(NamedTuple):
 
     number: int
     moment: Moment
-    beside: Mapping[str, Beside]
+    beside: Mapping[str, Any]
 
 
 class History:
@@ -146,7 +133,7 @@ class History:
         """What all of it takes, about."""
         return self._bytes
 
-    def add(self, moment: Moment, beside: Mapping[str, Beside] | None = None) -> None:
+    def add(self, moment: Moment, beside: Mapping[str, Any] | None = None) -> None:
         """The next frame's moment, and what is beside the body; it is shown.
 
         What is not before it is dropped.
@@ -155,11 +142,8 @@ class History:
         while frames and frames[-1].moment.time >= moment.time:
             self._drop_last()
         before = frames[-1] if frames else None
-        moment = sharing(moment, before.moment if before else None)
-        last = before.beside if before else {}
-        kept = {name: one.sharing(last.get(name)) for name, one in (beside or {}).items()}
         self._number += 1
-        frame = _Frame(self._number, moment, kept)
+        frame = _Frame(self._number, moment, beside or {})
         self._bytes += _size(frame, before)
         frames.append(frame)
         if len(frames) > SPAN or frames[0].number <= self._number - SPAN:
@@ -168,7 +152,7 @@ class History:
             self._thin()
         self.shown = self.last
 
-    def amend(self, moment: Moment, beside: Mapping[str, Beside] | None = None) -> None:
+    def amend(self, moment: Moment, beside: Mapping[str, Any] | None = None) -> None:
         """The newest moment is this one after all."""
         if self._frames:
             self._drop_last()
@@ -186,7 +170,7 @@ class History:
         before = max(self.shown - 1, 0)
         return min(before, self.nearest(self[self.shown].time - seconds)) if seconds > 0.0 else before
 
-    def recent(self, seconds: float) -> list[tuple[Moment, Mapping[str, Beside]]]:
+    def recent(self, seconds: float) -> list[tuple[Moment, Mapping[str, Any]]]:
         """The moments of so many seconds before the one that is shown, and that one, each with what was
         beside the body."""
         if self.shown < 0:
@@ -298,27 +282,14 @@ class OldFuture:
 
 
 def _size(frame: _Frame, before: _Frame | None) -> int:
-    """Bytes of a frame that follows another one, about."""
-    last = before.beside if before else {}
-    beside = sum(one.size(last.get(name)) for name, one in frame.beside.items())
-    return size_of(frame.moment, before.moment if before else None) + beside
-
-
-def size_of(moment: Moment, before: Moment | None) -> int:
-    """Bytes of a moment, about, beside what it shares with the one before."""
-    size, scene = moment.rows.nbytes + OVERHEAD, moment.scene
-    if before is None or scene is not before.scene:
+    """Bytes of a frame, about, but for what it shares with the one before it."""
+    moment, scene, damage = frame.moment, frame.moment.scene, frame.moment.damage
+    size = moment.rows.nbytes + _OVERHEAD
+    if before is None or scene is not before.moment.scene:
         parts = len(scene.masses) + len(scene.linear_springs) + len(scene.angular_springs)
         size += _PER_PART * parts
-    damage = moment.damage
-    if damage is not None and (before is None or damage is not before.damage):
+    if damage is not None and (before is None or damage is not before.moment.damage):
         numbers = damage.broken, damage.set_lengths, damage.hardened, damage.set_angles
         size += _PER_NUMBER * sum(map(len, numbers))
-    return size
-
-
-def sharing(moment: Moment, before: Moment | None) -> Moment:
-    """A moment that keeps no damage of its own where that is as in the one before."""
-    if before is None or moment.damage is None or moment.damage != before.damage:
-        return moment
-    return replace(moment, damage=before.damage)
+    # What goes along with the body is of the same size.
+    return size * (1 + len(frame.beside))

@@ -52,7 +52,7 @@ _Count = Annotated[int, Meta(ge=0, le=10**15)]
 _Times = Annotated[int, Meta(ge=1, le=10**7)]
 
 
-class _Entry(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, omit_defaults=True):
+class Entry(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, omit_defaults=True):
     """One line after the first.
 
     Attributes:
@@ -62,73 +62,117 @@ class _Entry(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     times: _Times = 1
 
 
-class Step(_Entry, frozen=True, tag_field="do", tag="step"):
+class Act(Entry, frozen=True):
+    """Something that is done to a body by hand, or to its numbers."""
+
+    def do(self, simulation: sim.Simulation) -> None:
+        """Do it.
+
+        Raises:
+            InputError, SettingError: it cannot be done.
+        """
+        raise NotImplementedError
+
+
+class Step(Entry, frozen=True, tag_field="do", tag="step"):
     """A call of `Simulation.step`: so many steps, for which a method may try so many of its own (or any)."""
 
     n: Annotated[int, Meta(ge=0, le=500_000)]
     attempts: Annotated[int, Meta(ge=1, le=10**7)] | None = None
 
 
-class Move(_Entry, frozen=True, tag_field="do", tag="move"):
+class Move(Act, frozen=True, tag_field="do", tag="move"):
     """A held mass was put somewhere, px."""
 
     mass: _Mass
     to: Vector
 
+    def do(self, simulation: sim.Simulation) -> None:
+        simulation.move(self.mass, self.to)
 
-class Lead(_Entry, frozen=True, tag_field="do", tag="lead"):
+
+class Lead(Act, frozen=True, tag_field="do", tag="lead"):
     """A held mass was led somewhere, px, over the next call of `step`."""
 
     mass: _Mass
     to: Vector
 
+    def do(self, simulation: sim.Simulation) -> None:
+        simulation.lead(self.mass, self.to)
 
-class Follow(_Entry, frozen=True, tag_field="do", tag="follow"):
+
+class Follow(Act, frozen=True, tag_field="do", tag="follow"):
     """A held mass was led somewhere, px, as fast as the body can follow."""
 
     mass: _Mass
     to: Vector
 
+    def do(self, simulation: sim.Simulation) -> None:
+        simulation.follow(self.mass, self.to)
 
-class Grab(_Entry, frozen=True, tag_field="do", tag="grab"):
+
+class Grab(Act, frozen=True, tag_field="do", tag="grab"):
     """A mass was taken in a hand."""
 
     mass: _Mass
 
+    def do(self, simulation: sim.Simulation) -> None:
+        simulation.grab(self.mass)
 
-class Release(_Entry, frozen=True, tag_field="do", tag="release"):
+
+class Release(Act, frozen=True, tag_field="do", tag="release"):
     """A mass was let go."""
 
     mass: _Mass
 
+    def do(self, simulation: sim.Simulation) -> None:
+        simulation.release(self.mass)
 
-class Keys(_Entry, frozen=True, tag_field="do", tag="keys"):
+
+class Keys(Act, frozen=True, tag_field="do", tag="keys"):
     """The arrow keys that are held from here on."""
 
     held: tuple[Key, ...]
 
+    @classmethod
+    def of(cls, keys: frozenset[str]) -> Keys:
+        """In their order."""
+        return cls(held=tuple(key for key in get_args(Key) if key in keys))
 
-class Set(_Entry, frozen=True, tag_field="do", tag="set"):
+    def do(self, simulation: sim.Simulation) -> None:
+        simulation.keys = self.held
+
+
+class Set(Act, frozen=True, tag_field="do", tag="set"):
     """A number of the scene was set, see `sim.set_value`."""
 
     key: Annotated[str, Meta(max_length=60)]
     value: float
 
+    def do(self, simulation: sim.Simulation) -> None:
+        simulation.replace(sim.set_value(simulation.scene, self.key, self.value))
 
-class Choose(_Entry, frozen=True, tag_field="do", tag="choose"):
+
+class Choose(Act, frozen=True, tag_field="do", tag="choose"):
     """Something of a list was chosen, see `sim.set_choice`."""
 
     key: Annotated[str, Meta(max_length=60)]
     value: Annotated[str, Meta(max_length=60)]
 
+    def do(self, simulation: sim.Simulation) -> None:
+        simulation.replace(sim.set_choice(simulation.scene, self.key, self.value))
 
-class Books(_Entry, frozen=True, tag_field="do", tag="books"):
+
+class FollowEnergy(Act, frozen=True, tag_field="do", tag="books"):
     """Whether the energy is followed from here on."""
 
     on: bool
 
+    def do(self, simulation: sim.Simulation) -> None:
+        simulation.keep_books(self.on)
 
-class Restore(_Entry, frozen=True, tag_field="do", tag="restore"):
+
+class Restore(Entry, frozen=True, tag_field="do", tag="restore"):
     """The body was taken to a moment; hands let go.
 
     Attributes:
@@ -146,7 +190,7 @@ class Restore(_Entry, frozen=True, tag_field="do", tag="restore"):
     scene: dict[str, Any] | None = None
 
 
-class Check(_Entry, frozen=True, tag_field="do", tag="check"):
+class Check(Entry, frozen=True, tag_field="do", tag="check"):
     """How the body is here.
 
     Attributes:
@@ -161,7 +205,7 @@ class Check(_Entry, frozen=True, tag_field="do", tag="check"):
     at: tuple[Vector, ...] = ()
 
 
-Entry = Step | Move | Lead | Follow | Grab | Release | Keys | Set | Choose | Books | Restore | Check
+_Kinds = Step | Move | Lead | Follow | Grab | Release | Keys | Set | Choose | FollowEnergy | Restore | Check
 
 
 class Machine(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -249,16 +293,6 @@ def noted(simulation: sim.Simulation) -> np.ndarray:
     """(k, 2) positions of the masses that a check notes, px."""
     positions = simulation.positions
     return positions[:: -(-len(positions) // NOTED)]
-
-
-def keys_entry(keys: frozenset[str]) -> Keys:
-    """The entry that says which keys are held."""
-    return Keys(held=tuple(key for key in get_args(Key) if key in keys))
-
-
-def encode_entry(entry: Entry) -> bytes:
-    """One line, without its end."""
-    return encode_fields(entry)
 
 
 def encode_header(scene: sim.Scene, note: str = "") -> bytes:
@@ -365,7 +399,7 @@ def decode_log(data: bytes, source: str, scene: sim.Scene | None = None) -> Log:
         else:
             log = Log(source, scene)
         present = scene
-        decoder: Any = msgspec.json.Decoder(Entry)
+        decoder: Any = msgspec.json.Decoder(_Kinds)
         for number, line in lines:
             entry = decoder.decode(line)
             if again := repeated_key(line):

@@ -7,6 +7,7 @@ from dataclasses import replace
 import sim
 from sim.body.system import same_topology
 from sim.methods.registry import METHODS
+from sim.store.files import encode_fields
 
 from . import log
 from .log import Entry
@@ -32,12 +33,12 @@ class Recorder:
 
     def __init__(self, simulation: sim.Simulation, note: str = "") -> None:
         self.simulation = simulation
-        self._books = False
+        self._follows_energy = False
         self._begin(note)
         if note:
             self._go_on_from_here()
 
-    def begin(self) -> None:
+    def _restart(self) -> None:
         """Start the log anew at the scene's start, where the simulation is."""
         self._begin("")
         self._note_holding()
@@ -51,82 +52,26 @@ class Recorder:
         self._times = 0
         self._moment: tuple[sim.Moment, bool] | None = None  # gone back to, and not noted yet
         self._checked = self.simulation.time
-        self._grabbed: set[int] = set()
-        self._keys: frozenset[str] = self.simulation.keys
         self._complete = self.simulation.complete
 
     # --------------------------------------------------------------------- what can be done to a body
-    @property
-    def rate_limited(self) -> bool:
-        """See `Simulation.rate_limited`."""
-        return self.simulation.rate_limited
+    def do(self, act: log.Act) -> None:
+        """Do something; with another number of masses it is another body, and the log starts anew.
 
-    @property
-    def keys(self) -> frozenset[str]:
-        """The arrow keys held."""
-        return self._keys
-
-    @keys.setter
-    def keys(self, keys: frozenset[str]) -> None:
-        if keys != self._keys:
+        Raises:
+            InputError, SettingError: it cannot be done.
+        """
+        if not isinstance(act, log.Lead):  # which is over at the next step, and would be lost
             self._make_room()
-            self.simulation.keys = keys
-            self._keys = keys
-            self._note(log.keys_entry(keys))
-
-    def move(self, mass: int, to: tuple[float, float]) -> None:
-        """See `Simulation.move`."""
-        self._make_room()
-        self.simulation.move(mass, to)
-        self._note(log.Move(mass=mass, to=_place(to)))
-
-    def lead(self, mass: int, to: tuple[float, float]) -> None:
-        """See `Simulation.lead`."""
-        self.simulation.lead(mass, to)
-        self._note(log.Lead(mass=mass, to=_place(to)))
-
-    def follow(self, mass: int, to: tuple[float, float]) -> None:
-        """See `Simulation.follow`."""
-        self._make_room()
-        self.simulation.follow(mass, to)
-        self._note(log.Follow(mass=mass, to=_place(to)))
-
-    def grab(self, mass: int) -> None:
-        """See `Simulation.grab`."""
-        self._make_room()
-        self.simulation.grab(mass)
-        self._grabbed.add(mass)
-        self._note(log.Grab(mass=mass))
-
-    def release(self, mass: int) -> None:
-        """See `Simulation.release`."""
-        self._make_room()
-        self.simulation.release(mass)
-        self._grabbed.discard(mass)
-        self._note(log.Release(mass=mass))
-
-    def keep_books(self, on: bool) -> None:
-        """See `Simulation.keep_books`."""
-        self._make_room()
-        self.simulation.keep_books(on)
-        self._books = on
-        self._note(log.Books(on=on))
-
-    def set_value(self, key: str, value: float) -> None:
-        """Go on with another number of the scene.
-
-        Raises:
-            SettingError: see `sim.set_value`.
-        """
-        self._replace(sim.set_value(self.simulation.scene, key, value), log.Set(key=key, value=value))
-
-    def set_choice(self, key: str, value: str) -> None:
-        """Go on with another choice.
-
-        Raises:
-            SettingError: see `sim.set_choice`.
-        """
-        self._replace(sim.set_choice(self.simulation.scene, key, value), log.Choose(key=key, value=value))
+        if isinstance(act, log.FollowEnergy):
+            self._follows_energy = act.on
+        masses = len(self.simulation.scene.masses)
+        act.do(self.simulation)
+        if len(self.simulation.scene.masses) != masses:
+            self._restart()
+        else:
+            self._note(act)
+            self._complete = self._complete and self.simulation.complete
 
     def set_scene(self, scene: sim.Scene, keys_too: bool) -> None:
         """Go on with another scene's settings; another number of masses is another body, at its start.
@@ -138,8 +83,7 @@ class Recorder:
         moment = self.simulation.capture()
         if not same_topology(moment.scene, scene):
             self.simulation.replace(scene)
-            self._grabbed.clear()
-            self.begin()
+            self._restart()
             return
         if keys_too:
             moment = replace(moment, rest_length_scale=scene.rest_length_scale, rest_angle_shift=0.0)
@@ -149,15 +93,13 @@ class Recorder:
         """See `Simulation.restore`. Of many in a row, the last is noted."""
         present = self.simulation.capture().scene
         self.simulation.restore(moment)
-        self._grabbed.clear()
-        self._complete = self.simulation.complete
+        self._complete = self._complete and self.simulation.complete
         self._put_off(moment, moment.scene is not present)
 
     def reset(self) -> None:
         """See `Simulation.reset`; the log starts anew."""
         self.simulation.reset()
-        self._grabbed.clear()
-        self.begin()
+        self._restart()
 
     def step(self, n: int, attempts: int | None = None) -> int:
         """See `Simulation.step`."""
@@ -185,7 +127,7 @@ class Recorder:
         if not self._complete:
             self._go_on_from_here()
         self._settle()
-        end = log.encode_entry(log.check_of(self.simulation))
+        end = encode_fields(log.check_of(self.simulation))
         return b"\n".join([log.encode_header(self._scene, self._text), *self._lines, end, b""])
 
     def _note(self, entry: Entry) -> None:
@@ -219,7 +161,7 @@ class Recorder:
             self._write(entry, self._times)
 
     def _write(self, entry: Entry, times: int = 1) -> None:
-        line = log.encode_entry(entry)
+        line = encode_fields(entry)
         if times > 1:
             line = line[:-1] + b',"times":%d}' % times
         if self._lines:
@@ -236,38 +178,21 @@ class Recorder:
         nothing is lost that was to be done in the next steps."""
         if self._size <= log.MAX_LOG_BYTES:
             return
-        grabbed = self._grabbed
         self._begin(TOO_LONG)
-        self._grabbed = grabbed
         self._go_on_from_here()
 
     def _go_on_from_here(self) -> None:
         """Let the body go on as a replay will that begins at this moment, and note so."""
-        moment, grabbed = self.simulation.capture(), sorted(self._grabbed)
+        moment, grabbed = self.simulation.capture(), self.simulation.grabbed
         self._complete = True
         self.simulation.restore(moment)
         self._put_off(moment, with_scene=True)
         for mass in grabbed:
-            self.grab(mass)
-        self.simulation.keep_books(self._books)
+            self.do(log.Grab(mass=mass))
+        self.simulation.keep_books(self._follows_energy)
         self._note_holding()
         self._complete = self.simulation.complete
 
     def _note_holding(self) -> None:
-        self._note(log.keys_entry(self._keys))
-        self._note(log.Books(on=self._books))
-
-    def _replace(self, scene: sim.Scene, entry: Entry) -> None:
-        self._make_room()
-        rebuilt = len(scene.masses) != len(self.simulation.scene.masses)
-        self.simulation.replace(scene)
-        if rebuilt:
-            self._grabbed.clear()
-            self.begin()
-            return
-        self._note(entry)
-        self._complete = self.simulation.complete
-
-
-def _place(to: tuple[float, float]) -> tuple[float, float]:
-    return float(to[0]), float(to[1])
+        self._note(log.Keys.of(self.simulation.keys))
+        self._note(log.FollowEnergy(on=self._follows_energy))

@@ -130,24 +130,10 @@ class Player:
                 if done < n and most < allowed and simulation.divergence is None:
                     raise InputError(_TOO_HEAVY)
                 return done
-            case log.Move(mass=mass, to=to):
-                simulation.move(mass, to)
-            case log.Lead(mass=mass, to=to):
-                simulation.lead(mass, to)
-            case log.Follow(mass=mass, to=to):
-                simulation.follow(mass, to)
-            case log.Grab(mass=mass):
-                simulation.grab(mass)
-            case log.Release(mass=mass):
-                simulation.release(mass)
-            case log.Keys(held=held):
-                simulation.keys = held
-            case log.Books(on=on):
-                simulation.keep_books(on or self._energy)
-            case log.Set(key=key, value=value):
-                simulation.replace(sim.set_value(simulation.scene, key, value))
-            case log.Choose(key=key, value=value):
-                simulation.replace(sim.set_choice(simulation.scene, key, value))
+            case log.FollowEnergy() if self._energy:
+                pass
+            case log.Act():
+                entry.do(simulation)
             case log.Restore():
                 moment = self.record.moments.get(self._index)
                 simulation.restore(moment or log.moment_of(entry, simulation.capture().scene))

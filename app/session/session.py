@@ -24,10 +24,10 @@ from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
 from sim.motion.stability import StabilityEstimate
 
-from . import keepsakes
+from . import keepsakes, log
 from .companions import Companions
 from .ghost import Ghost
-from .hand import FRAME, Body, PointerHands
+from .hand import FRAME, PointerHands
 from .history import History, OldFuture
 from .log import Log
 from .notices import Notice, runaway
@@ -142,7 +142,7 @@ class Session:
         stability_watch: keeps `stability` up to date.
         versions: what undo and redo lead to.
         selection: the parts of the body that are selected.
-        books: whether the energy is followed.
+        follows_energy: whether the energy is followed.
         fallbacks: fallback steps since the scene was opened or reset.
         recorder: what acts on the body, and keeps its log; not while a log is played.
         history: the moments that are past, and which of them is shown.
@@ -182,8 +182,8 @@ class Session:
         self.selection = Selection()
         self.notices: list[Notice] = []
         self.stability_watch = StabilityWatch()
-        self.hands = PointerHands(self._bodies, clock)
-        self.books = False
+        self.hands = PointerHands(lambda: self.simulation, self.do, clock)
+        self.follows_energy = False
         self.fallbacks = 0
         self.preparing = ""
 
@@ -201,11 +201,6 @@ class Session:
     def driven(self) -> int | None:
         """The mass that the pointer drives, if the scene has one."""
         return next((a.mass for a in self.simulation.anchors if a.driven), None)
-
-    @property
-    def dragged(self) -> tuple[int, ...]:
-        """The masses in hand, in the order in which they were taken."""
-        return self.hands.masses
 
     @property
     def following(self) -> int | None:
@@ -226,11 +221,6 @@ class Session:
     def stability(self) -> StabilityEstimate:
         """The last look at the stability limit."""
         return self.stability_watch.estimate
-
-    @property
-    def is_looking(self) -> bool:
-        """Whether `stability` is still to be that of the present body."""
-        return self.stability_watch.is_looking
 
     @property
     def heavy(self) -> bool:
@@ -340,7 +330,7 @@ class Session:
             budget: seconds of computing that the frame may take.
         """
         now = self._clock()
-        if self.replay is None and now - self._keys_at > KEYS_FORGOTTEN_AFTER:
+        if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
             self.hold_keys(frozenset(), self._keys_at)
         running = self.playing and (self.replay is not None or self.simulation.divergence is None)
         if running and self.replay is not None:
@@ -393,11 +383,23 @@ class Session:
         self.companions.follow(self.simulation, done, led, MOST_SECONDS)
         self._after_steps()
 
+    def do(self, act: log.Act) -> None:
+        """Do something by hand to the body, and to those that go along with it.
+
+        Raises:
+            InputError: it cannot be done.
+        """
+        self.recorder.do(act)
+        for body in self.companions.bodies:
+            # Those that are as fast as any hand are led to where the body came to.
+            if body.rate_limited or not isinstance(act, log.Follow):
+                act.do(body)
+
     def hold_keys(self, keys: frozenset[str], at: float) -> None:
         """These arrow keys are held, as was said at a wall time, s."""
         self._keys_at = at
-        for body in self._bodies():
-            body.keys = keys
+        if keys != self.simulation.keys and self.replay is None:
+            self.do(log.Keys.of(keys))
 
     def let_go(self) -> None:
         """Have all hands let go."""
@@ -467,8 +469,8 @@ class Session:
         self.lesson_begun = True
         self.hands.drop()
         self.simulation, self.recorder = simulation, Recorder(simulation)
-        if self.books:
-            self.recorder.keep_books(True)
+        if self.follows_energy:
+            self.recorder.do(log.FollowEnergy(on=True))
         self._begin_history()
         self.replay = self._viewer = None
         self.companions = Companions()
@@ -565,10 +567,6 @@ class Session:
         self.play(True)
 
     # --------------------------------------------------------------------- inside
-    def _bodies(self) -> list[Body]:
-        """The body, and those that go along with it."""
-        return [self.recorder, *self.companions.bodies]
-
     def _choose_joint(self) -> None:
         """Read out a joint that the scene has."""
         self.joint = min(self.joint, max(0, len(self.simulation.scene.angular_springs) - 1))
@@ -598,7 +596,7 @@ class Session:
         self._after_steps()
 
     def _count(self, now: float, done: int, missed: int, began: float) -> float:
-        """Enter steps that were done since `began` into the clock's books; returns the seconds they took."""
+        """Enter steps that were done since `began` into the pacer; returns the seconds they took."""
         seconds, stats = time.perf_counter() - began, self.simulation.stats()
         self.fallbacks += stats.fallbacks
         self.pacer.record(now, self.simulation.dt, done, seconds, stats, missed=missed)
@@ -653,6 +651,6 @@ class Session:
     def _end_replay(self, text: str, kind: Literal["info", "warning"] = "info") -> None:
         self.replay = self._viewer = None
         self.recorder = Recorder(self.simulation, _AFTER_REPLAY)
-        self.recorder.keys = frozenset()
+        self.hold_keys(frozenset(), self._keys_at)
         self.note(Changed.SETTINGS)
         self.notices.append(Notice(kind, "The replay has ended", text))

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import sim
 from sim.analysis.predictability import MANY, Shadow, factor_of, growth_within, verdict
 
-from .history import OVERHEAD
+from .companion import Companion
 from .pacing import attempts_within, smoothed
 
 SPAN = 1.0
@@ -37,17 +37,9 @@ class ShadowMoment(NamedTuple):
     hair: NDArray[np.float64]
     level: float
 
-    def size(self, _: ShadowMoment | None) -> int:
-        """See `Beside`."""
-        return self.hair.nbytes + OVERHEAD
 
-    def sharing(self, _: ShadowMoment | None) -> ShadowMoment:
-        """See `Beside`; two moments share nothing."""
-        return self
-
-
-class Foresight:
-    """Tells how fast errors grow in the motion of a session's body; a `Companion`.
+class Foresight(Companion):
+    """Tells how fast errors grow in the motion of a session's body.
 
     Args:
         simulation: the body.
@@ -55,42 +47,21 @@ class Foresight:
 
     Attributes:
         shadow: the two bodies.
-        cost: seconds of computing in the last frames, on average.
-        unit_cost: seconds of a step of the two that they try, on average.
     """
 
     span = WINDOW
 
     def __init__(self, simulation: sim.Simulation, wait: bool = True) -> None:
         self.shadow = Shadow(simulation, wait)
-        self.cost = self.unit_cost = 0.0
+        super().__init__(self.shadow.pair)
         self._step_cost = 0.0
         self._owed = 0
         self._seen = 0.0  # simulated seconds that were followed, s
         self._samples: deque[tuple[float, float]] = deque([(0.0, 0.0)])
         self._scene = simulation.scene
 
-    @property
-    def waits(self) -> bool:
-        """Whether its method is still being compiled."""
-        return any(one.plain for one in self.shadow.pair)
-
-    @property
-    def bodies(self) -> tuple[sim.Simulation, ...]:
-        """The two bodies."""
-        return self.shadow.pair
-
-    def is_ready(self, simulation: sim.Simulation) -> bool:
-        """See `Companion`."""
-        if not self.waits:
-            return True
-        ready = [one.take_compiled() for one in self.shadow.pair]
-        if all(ready):
-            self.begin(simulation)
-        return False
-
     def adapt(self, simulation: sim.Simulation) -> None:
-        """Go on from where the body is now, after something else than steps was done to it."""
+        """Go on from where the body is now."""
         self.shadow.place(simulation)
         self._owed = 0
 
@@ -114,13 +85,7 @@ class Foresight:
         self._samples = deque((at, moment.level) for at, moment in past)
 
     def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
-        """Go on by what the body has just done, as far as there is time.
-
-        Args:
-            simulation: the body.
-            steps: time steps that it has done.
-            budget: seconds of computing that this may take.
-        """
+        """Go on by what the body has just done, as far as there is time."""
         self._owed += steps
         if not self._owed or simulation.divergence is not None:
             return
@@ -137,11 +102,8 @@ class Foresight:
         if not arrived or self._owed * simulation.dt > _LATE or (self.shadow.due and not self._owed):
             self.adapt(simulation)
         took = time.perf_counter() - began
-        self.cost += 0.1 * (took - self.cost)
         self._step_cost = smoothed(self._step_cost, took / steps)
-        stats = [one.stats() for one in self.shadow.pair]
-        if tried := sum(one.steps + one.rejected for one in stats):
-            self.unit_cost = smoothed(self.unit_cost, took / tried)
+        self._count(took)
         self._scene = simulation.scene
 
     @property

@@ -146,6 +146,13 @@ class Versions:
             before = last.before
         self._add(Step(label, Edit(label, after.scene), Edit(label, before.scene), before, after, key=key))
 
+    def amend_leap(self, after: Moment) -> None:
+        """The body that has just taken the place of another is this one after all."""
+        if self._at and (before := self._steps[-1].before) is not None:
+            label = self._steps[-1].label
+            self._drop_last()
+            self.add_leap(label, before, after)
+
     def end_step(self) -> None:
         """What is changed from here on is another step."""
         if self._at:

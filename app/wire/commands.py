@@ -35,9 +35,10 @@ class Page(Protocol):
         ...
 
 
-Does = commands.Command | Callable[[Session, Page], None] | Literal["page", "elsewhere"]
+Does = commands.Command | Callable[[Session, Page], None] | Literal["page", "edit", "own"]
 """What a command does: a command of the session, a function for the ticker, something that the page's script
-does (`app/wire/perform.js`), or what the script does at the place that listens to its keys."""
+does (`app/wire/perform.js`), or what the script does where it listens to the keys: while the tools of editing
+are out, or in a place of its own. The last two are not in the palette."""
 
 
 @dataclass(frozen=True)
@@ -53,9 +54,8 @@ class Row:
         needs: the control without which it is left out, see `controls.PARTS`.
         icon: outline of 24 by 24, the data of an SVG path.
         word: beside the icon of its button, where there is room; the label contains it.
-        palette: whether the palette has it.
-        where: "" where its keys act everywhere; "edit" only while the tools of editing are out; "held" where
-            they act as long as they are held; "own" where they do something in one place of the page only.
+        palette: whether the palette may have it.
+        held: whether its keys act as long as they are held.
     """
 
     label: str
@@ -67,7 +67,19 @@ class Row:
     icon: str = ""
     word: str = ""
     palette: bool = True
-    where: Literal["", "edit", "held", "own"] = ""
+    held: bool = False
+
+    @property
+    def listed(self) -> bool:
+        """Whether the palette has it."""
+        return self.palette and self.does not in ("edit", "own")
+
+    @property
+    def where(self) -> str:
+        """Where its keys act: "edit" or "own" as in `Does`, "held" while they are held, "" everywhere."""
+        if isinstance(self.does, str) and self.does != "page":
+            return self.does
+        return "held" if self.held else ""
 
 
 def _follow(session: Session, _: Page) -> None:
@@ -75,7 +87,7 @@ def _follow(session: Session, _: Page) -> None:
 
 
 def _energy(session: Session, _: Page) -> None:
-    session.post(commands.KeepBooks(not session.books))
+    session.post(commands.FollowEnergy(not session.follows_energy))
 
 
 def _foretell(session: Session, _: Page) -> None:
@@ -127,10 +139,7 @@ COMMANDS: dict[str, Row] = {
         "Go back to just before it exploded", commands.BackBeforeDivergence(),
         word="Go back to just before it",
     ),
-    "reset": Row(
-        "Reset", commands.Reset(), ("R",), "reset", word="Reset",
-        icon=ICONS["reset"],
-    ),
+    "reset": Row("Reset", commands.Reset(), ("R",), "reset", word="Reset", icon=ICONS["reset"]),
     "pause": Row(
         "Pause", commands.Play(False), ("Esc",), "pause; close this help, or a question", word="Pause",
         icon=ICONS["pause"],
@@ -149,8 +158,8 @@ COMMANDS: dict[str, Row] = {
     "fit": Row("Show the whole scene", "page", ("0",), "show the whole scene"),
     "larger": Row("Larger, for a projector", "page", ("P",), "larger, for a projector"),
     "stopwatch": Row(
-        "Stopwatch", "elsewhere", ("T", "L"),
-        "start or stop the stopwatch, a lap, once it is on the canvas", palette=False, where="own",
+        "Stopwatch", "own", ("T", "L"),
+        "start or stop the stopwatch, a lap, once it is on the canvas",
     ),
     "dark": Row("Dark", _toggle("dark"), needs="view"),
     "meter": Row(
@@ -176,65 +185,43 @@ COMMANDS: dict[str, Row] = {
         "Do again what was undone", commands.Redo(), ("Ctrl Y",), "undo, redo", word="Redo",
         icon="M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2",
     ),
-    "hand": Row(
-        "Hand", "elsewhere", ("H",), hint="Take hold of masses and drag them", icon=_HAND, palette=False,
-        where="edit",
-    ),
+    "hand": Row("Hand", "edit", ("H",), hint="Take hold of masses and drag them", icon=_HAND),
     "build": Row(
-        "Build", "elsewhere", ("B",), hint="Click for a mass, drag from mass to mass for a spring",
+        "Build", "edit", ("B",), hint="Click for a mass, drag from mass to mass for a spring",
         icon="M6 18a2.500 2.500 0 1 0 0-.01zM18 8a2.500 2.500 0 1 0 0-.01zM8 16l8-7M18 15v6M15 18h6",
-        palette=False, where="edit",
     ),
     "joint": Row(
-        "Joint", "elsewhere", ("K",), hint="Point at a mass and click a corner for an angular spring",
-        icon="M5 19L19 6M5 19h15M11 13.500a8 8 0 0 1 2.500 5.500", palette=False, where="edit",
+        "Joint", "edit", ("K",), hint="Point at a mass and click a corner for an angular spring",
+        icon="M5 19L19 6M5 19h15M11 13.500a8 8 0 0 1 2.500 5.500",
     ),
     "select": Row(
-        "Select", "elsewhere", ("S",), hint="Click parts, or drag a frame around them",
-        icon="M5 4l14 7-6 2-2 6z", palette=False, where="edit",
+        "Select", "edit", ("S",), hint="Click parts, or drag a frame around them",
+        icon="M5 4l14 7-6 2-2 6z",
     ),
     "cut": Row(
-        "Cut", "elsewhere", ("C",), hint="Draw a line through springs", palette=False, where="edit",
+        "Cut", "edit", ("C",), hint="Draw a line through springs",
         icon="M6 8a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM6 20a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM7.700 7.200L19 18"
         "M7.700 16.800L19 6",
     ),
-    "pin": Row(
-        "Pin", "elsewhere", ("P",), hint="Hold the masses where they are, or let them go", palette=False,
-        where="edit",
-    ),
-    "remove": Row(
-        "Delete", "elsewhere", ("Delete", "Backspace"), hint="Take away what is selected", palette=False,
-        where="edit",
-    ),
-    "duplicate": Row(
-        "Duplicate", "elsewhere", ("Ctrl D",), hint="A copy beside it", palette=False, where="edit"
-    ),
-    "copy": Row("Copy", "elsewhere", ("Ctrl C",), palette=False, where="edit"),
-    "all": Row("Select all", "elsewhere", ("Ctrl A",), palette=False, where="edit"),
-    "mirror": Row("Mirror", "elsewhere", hint="Left becomes right", palette=False, where="edit"),
-    "corners": Row(
-        "Corners", "elsewhere", hint="Angular springs at every corner, at rest as they are", palette=False,
-        where="edit",
-    ),
-    "triangulate": Row(
-        "Triangulate", "elsewhere", hint="Springs until all is triangles", palette=False, where="edit"
-    ),
-    "rest": Row(
-        "Rest as is", "elsewhere", hint="Springs and joints rest as they are now", palette=False, where="edit"
-    ),
+    "pin": Row("Pin", "edit", ("P",), hint="Hold the masses where they are, or let them go"),
+    "remove": Row("Delete", "edit", ("Delete", "Backspace"), hint="Take away what is selected"),
+    "duplicate": Row("Duplicate", "edit", ("Ctrl D",), hint="A copy beside it"),
+    "copy": Row("Copy", "edit", ("Ctrl C",)),
+    "all": Row("Select all", "edit", ("Ctrl A",)),
+    "mirror": Row("Mirror", "edit", hint="Left becomes right"),
+    "corners": Row("Corners", "edit", hint="Angular springs at every corner, at rest as they are"),
+    "triangulate": Row("Triangulate", "edit", hint="Springs until all is triangles"),
+    "rest": Row("Rest as is", "edit", hint="Springs and joints rest as they are now"),
     # ------------------------------------------------------------------------- the body by keys, and the help
     "body": Row(
-        "The body by keys", "elsewhere", ("Tab",),
-        "to the body, and on: arrows choose a mass, Space takes it, arrows move it", palette=False,
-        where="own",
+        "The body by keys", "own", ("Tab",),
+        "to the body, and on: arrows choose a mass, Space takes it, arrows move it",
     ),
     "lengths": Row(
-        "Every spring longer, shorter", _help, ("↑ ↓",), "held: every spring longer, shorter", where="held"
+        "Every spring longer, shorter", _help, ("↑ ↓",), "held: every spring longer, shorter", held=True
     ),
-    "angles": Row(
-        "Every rest angle up, down", _help, ("→ ←",), "held: every rest angle up, down", where="held"
-    ),
-    "palette": Row("All commands", "elsewhere", ("Ctrl K",), "all commands", palette=False, where="own"),
+    "angles": Row("Every rest angle up, down", _help, ("→ ←",), "held: every rest angle up, down", held=True),
+    "palette": Row("All commands", "own", ("Ctrl K",), "all commands"),
     "ownBody": Row("The body's own values", commands.OwnValues("body")),
     "ownSolver": Row("The solver's own values", commands.OwnValues("solver")),
     "help": Row("Help", _help, needs="help"),

@@ -119,14 +119,14 @@ class BeginStep(FromPage, frozen=True):
 
 # ------------------------------------------------------------------------- long texts
 class Part(FromPage, frozen=True):
-    """A part of what is too long for one message: a keepsake ("resume"), a link, or what is pasted.
+    """A part of what is too long for one message: a keepsake ("resume"), a link, a file, or what is pasted.
 
     Attributes:
         number: from 1.
         of: how many parts there are.
     """
 
-    kind: Literal["resume", "link", "paste"]
+    kind: Literal["resume", "link", "file", "paste"]
     number: Annotated[int, Meta(ge=1, le=99)]
     of: Annotated[int, Meta(ge=1, le=99)]
     letters: Annotated[str, Meta(max_length=48_000, pattern=r"^[\x21-\x7e]*$")]
@@ -164,7 +164,7 @@ class Unread(Ask, frozen=True):
 class Unsent(Ask, frozen=True):
     """Something was too long to be sent; its user is to be told."""
 
-    what: Literal["resume", "link", "paste"]
+    what: Literal["resume", "link", "file", "paste"]
 
 
 class Who(Ask, frozen=True):

@@ -24,14 +24,14 @@ export type Visit = { do: "visit" };
 export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
 /** The page goes to a step of the scene's lesson. */
 export type BeginStep = { do: "beginStep"; step: number; how?: "on" | "run" | "wait" };
-/** A part of what is too long for one message: a keepsake ("resume"), a link, or what is pasted. */
-export type Part = { do: "part"; kind: "link" | "paste" | "resume"; number: number; of: number; letters: string };
+/** A part of what is too long for one message: a keepsake ("resume"), a link, a file, or what is pasted. */
+export type Part = { do: "part"; kind: "file" | "link" | "paste" | "resume"; number: number; of: number; letters: string };
 /** A link to the scene, with the present pose or without. */
 export type Share = { do: "share"; pose: boolean; page: string; short?: boolean; controls?: "all" | "play" | "sliders" };
 /** A text was typed into a number box that is no number; its user is to be told. */
 export type Unread = { do: "unread"; text: string };
 /** Something was too long to be sent; its user is to be told. */
-export type Unsent = { do: "unsent"; what: "link" | "paste" | "resume" };
+export type Unsent = { do: "unsent"; what: "file" | "link" | "paste" | "resume" };
 /** Whose the page is: a secret of its browser, and the owner's key if it was opened with that. */
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** All scenes, and pictures of the user's own. */

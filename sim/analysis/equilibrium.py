@@ -12,9 +12,10 @@ from ..body.system import build_system, damage_of, new_scratch, start_of, unsoft
 from ..errors import InputError
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
+from ..forces.joints import JointsTwin
+from ..forces.springs import SpringsTwin
 from ..kernels.core.tables import Floats, Indices
 from ..kernels.linear.implicit import factorise_matrix, solve_matrix
-from ..physics import Physics
 from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Pose, Scene
 from ..scene.validate import validate
@@ -304,9 +305,8 @@ class Resting:
         still = np.zeros(self.slots, complex)
         x = q[: self.slots] + 1j * q[self.slots :]
         springs, joints = self.system.spring_order, np.argsort(self.system.joint_order)
-        stiffness = self.tables.stiffness[: self.tables.springs]
-        force = np.abs(stiffness * np.hypot(*self.vectors(q)) - state.rest_tension[: self.tables.springs])
-        torque = np.abs(Physics(self.tables, state).torques(x, still)) if joints.size else np.zeros(0)
+        force = np.abs(SpringsTwin(self.tables, state).pulls(x, still))
+        torque = np.abs(JointsTwin(self.tables, state).torques(x, still))
         ways = (
             ("spring", springs, "break", force, "strength", limits.breaking, ""),
             ("spring", springs, "yield", force, "yield force", limits.yielding + state.hardened, ""),

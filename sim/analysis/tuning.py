@@ -233,8 +233,8 @@ class Dampers:
             for count, each in ((body.springs, springs), (body.joints, joints))
         )
         springs[self._broken] = joints[self._loose] = 0.0
-        physics.damping, physics.joint_damping = springs[system.spring_order], np.zeros(body.joints)
-        physics.joint_damping[system.joint_order] = joints
+        physics.springs.damping, physics.joints.damping = springs[system.spring_order], np.zeros(body.joints)
+        physics.joints.damping[system.joint_order] = joints
         w = np.zeros(state.slots, complex)
         w[system.mass_index] = shape[:, 0] + 1j * shape[:, 1]
         x = state.x + 1j * state.y

@@ -161,32 +161,21 @@ def forest(body: Body, held: np.ndarray) -> tuple[Indices, Indices]:
     """(walk, parent): see `Matrix`. Held masses and the first mass of a part without any have no parent."""
     n = body.masses
     parent = np.zeros(body.stiffness.size + 3, np.int64)
-    ends = list(zip(body.spring_a.tolist(), body.spring_b.tolist(), strict=True))
     neighbours: list[list[int]] = [[] for _ in range(n + 1)]
-    for a, b in ends:
+    for a, b in zip(body.spring_a.tolist(), body.spring_b.tolist(), strict=True):
         neighbours[a].append(b)
         neighbours[b].append(a)
-    seen = [False] * (n + 1)
     walk: list[int] = []
-    roots = [*(np.flatnonzero(held) + 1).tolist(), *range(1, n + 1)]
-    # All held masses are made roots before any other mass is reached from one of them.
-    queue: list[int] = (np.flatnonzero(held) + 1).tolist()
-    for m in queue:
-        seen[m] = True
-    starts = iter(roots)
-    at = 0
-    while True:
-        while at < len(queue):
-            m = queue[at]
-            at += 1
+    seen: set[int] = set()
+    # All held masses are roots before any other mass is reached from one of them.
+    for roots in ((np.flatnonzero(held) + 1).tolist(), *([m] for m in range(1, n + 1))):
+        queue = [m for m in roots if m not in seen]
+        seen.update(queue)
+        for m in queue:  # it grows meanwhile
             walk.append(m)
             for o in neighbours[m]:
-                if not seen[o]:
-                    seen[o] = True
+                if o not in seen:
+                    seen.add(o)
                     parent[o] = m
                     queue.append(o)
-        free = next((m for m in starts if not seen[m]), None)
-        if free is None:
-            return np.array(walk, np.int64), parent
-        seen[free] = True
-        queue.append(free)
+    return np.array(walk, np.int64), parent

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..forces.term import read_only
 from ..kernels.core.tables import Body, Floats
 
 
@@ -33,22 +34,14 @@ def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: floa
     stiffness, damping = body.stiffness.copy(), body.damping.copy()
     stiffness[:springs] = np.minimum(stiffness[:springs], reduced / dt**2)
     damping[:springs] = np.minimum(damping[:springs], reduced / dt)
-    joint_stiffness = body.joint_stiffness.copy()
     size, resistance = body.torque_size.copy(), body.torque_damping.copy()
     if body.joints:
-        limit = _joint_limit(body, free)
-        joint_stiffness = np.minimum(joint_stiffness, limit / dt**2)
-        size[1 : body.joints + 1] = joint_stiffness
-        size[0] = joint_stiffness[-1] if body.ring else 0.0
-        resistance[1 : body.joints + 1] = np.minimum(resistance[1 : body.joints + 1], limit / dt)
-    for table in (stiffness, damping, joint_stiffness, size, resistance):
-        table.setflags(write=False)  # like the others: a kernel is compiled once
-    return body.replaced(
-        stiffness=stiffness,
-        damping=damping,
-        joint_stiffness=joint_stiffness,
-        torque_size=size,
-        torque_damping=resistance,
+        limit, joints = _joint_limit(body, free), slice(1, body.joints + 1)
+        size[joints] = np.minimum(size[joints], limit / dt**2)
+        size[0] = size[body.joints] if body.ring else 0.0
+        resistance[joints] = np.minimum(resistance[joints], limit / dt)
+    return read_only(
+        body.replaced(stiffness=stiffness, damping=damping, torque_size=size, torque_damping=resistance)
     )
 
 

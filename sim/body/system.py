@@ -11,6 +11,7 @@ import numpy as np
 from ..forces.environment import new_environment
 from ..forces.joints import LAWS, NO_JOINTS
 from ..forces.limits import Limits, new_limits, without_broken
+from ..forces.term import read_only
 from ..kernels.core.roots import LEAST
 from ..kernels.core.tables import (
     CONTROL_SCALE,
@@ -256,10 +257,8 @@ def refresh(body: Body, state: State) -> None:
     state.torque_cos[joints] = body.joint_stiffness * np.cos(rest)
     state.torque_sin[joints] = body.joint_stiffness * np.sin(rest)
     if body.ring and body.joints:
-        state.torque_cos[0], state.torque_sin[0] = (
-            state.torque_cos[body.joints],
-            state.torque_sin[body.joints],
-        )
+        state.torque_cos[0] = state.torque_cos[body.joints]
+        state.torque_sin[0] = state.torque_sin[body.joints]
 
 
 def new_scratch(system: System) -> Scratch:
@@ -371,7 +370,6 @@ def _body(
         rest_length=rest,
         joint_a=joint_a,
         joint_b=joint_b,
-        joint_stiffness=np.ascontiguousarray(strength),
         joint_rest=np.ascontiguousarray(rest_angle),
         torque_size=torque_size,
         torque_damping=torque_damping,
@@ -396,9 +394,7 @@ def _body(
             step=0.0 if method.adaptive or method.implicit else scene.integrator.dt,
         ),
     )
-    for _, array in body.arrays():
-        array.setflags(write=False)
-    return body, joint_order
+    return read_only(body), joint_order
 
 
 def _softening(scene: Scene) -> float:

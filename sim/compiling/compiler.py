@@ -27,20 +27,11 @@ from numba import types
 from ..forces.all import accelerations
 from ..forces.contact import no_tunnelling
 from ..forces.limits import overstrained, settle
-from ..kernels.core.shared import (
-    ACCELERATIONS,
-    ACCUMULATE,
-    APART,
-    FACTORISE,
-    FLOATS,
-    OVERSTRAINED,
-    RESISTANCE,
-    SETTLE,
-    SOLVE,
-)
+from ..kernels.core.shared import BY_ADDRESS, FLOATS
 from ..kernels.core.tables import Body, Drive, Problem, State
 from ..kernels.energy.energies import energies
 from ..kernels.energy.work import accumulate_work
+from ..kernels.engine.addresses import address_of
 from ..kernels.engine.jit import cache_folder, module_of
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.fallback import run_fallback
@@ -82,6 +73,11 @@ class EntryPoint:
         self.kernel.compile(self.signature)
 
     @property
+    def address(self) -> int:
+        """The address of its machine code, if it is one of `BY_ADDRESS`."""
+        return address_of(self.kernel, BY_ADDRESS[self.name])
+
+    @property
     def marker(self) -> Path | None:
         """A file that exists if the machine code is probably on the disk; None where nothing is cached."""
         function = self.kernel.py_func
@@ -99,19 +95,23 @@ def _entry_points() -> dict[str, EntryPoint]:
     run = (problem, drive, _FLOAT, _FLOAT, _INT)
     # In the order in which they are needed: those that `auto` uses come first.
     methods = sorted(METHODS.values(), key=lambda method: method not in AUTO_METHODS)
+
+    def by_address(label: str, kernel: Any) -> tuple[str, Any, tuple[types.Type, ...]]:
+        return label, kernel, BY_ADDRESS[kernel.py_func.__name__].args
+
     points = [
-        ("forces", accelerations, ACCELERATIONS.args),
+        by_address("forces", accelerations),
         ("the choice of methods", next_turn, (problem, _FLOAT, _FLOAT, _INT)),
-        ("matrices", factorise_matrix, FACTORISE.args),
-        ("linear systems", solve_matrix, SOLVE.args),
-        ("damping in linear systems", add_damping_product, RESISTANCE.args),
+        by_address("matrices", factorise_matrix),
+        by_address("linear systems", solve_matrix),
+        by_address("damping in linear systems", add_damping_product),
         ("the fallback step", run_fallback, (problem, drive, *[_FLOAT] * 3)),
         *((method.label, method.kernel, run) for method in methods if method.kernel is not None),
-        ("the work done in a step", accumulate_work, ACCUMULATE.args),
+        by_address("the work done in a step", accumulate_work),
         ("energies", energies, (Body.numba_type, State.numba_type, *[FLOATS] * 4)),
-        ("steps with contact", no_tunnelling, APART.args),
-        ("limits of springs", overstrained, OVERSTRAINED.args),
-        ("yielding and breaking", settle, SETTLE.args),
+        by_address("steps with contact", no_tunnelling),
+        by_address("limits of springs", overstrained),
+        by_address("yielding and breaking", settle),
     ]
     found: dict[str, EntryPoint] = {}
     for label, kernel, signature in points:
@@ -123,7 +123,10 @@ def _entry_points() -> dict[str, EntryPoint]:
 ENTRY_POINTS = _entry_points()
 """The entry points, by name."""
 
-FOR_FALLBACK = ("factorise_matrix", "solve_matrix", "add_damping_product", "run_fallback")
+FOR_MATRICES = ("factorise_matrix", "solve_matrix", "add_damping_product")
+"""Entry points that linear systems need."""
+
+FOR_FALLBACK = (*FOR_MATRICES, "run_fallback")
 """Entry points that a fallback step needs."""
 
 FOR_ENERGY = ("energies", "accumulate_work")

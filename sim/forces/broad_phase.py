@@ -142,14 +142,10 @@ def _gather(body, s, first):
     near, per_px = reach * reach, 1.0 / contact.cell
     line = segment(at[:slots], at[slots:], body.spring_a[s], body.spring_b[s])
     ax, ay, ex, ey, _ = line
-    left, right = (
-        math.floor((ax + min(ex, 0.0) - reach) * per_px),
-        math.floor((ax + max(ex, 0.0) + reach) * per_px),
-    )
-    low, high = (
-        math.floor((ay + min(ey, 0.0) - reach) * per_px),
-        math.floor((ay + max(ey, 0.0) + reach) * per_px),
-    )
+    left = math.floor((ax + min(ex, 0.0) - reach) * per_px)
+    right = math.floor((ax + max(ex, 0.0) + reach) * per_px)
+    low = math.floor((ay + min(ey, 0.0) - reach) * per_px)
+    high = math.floor((ay + max(ey, 0.0) + reach) * per_px)
     behind = first
     if float(right - left + 1) * float(high - low + 1) > body.masses:
         for m in range(1, body.masses + 1):

@@ -208,12 +208,8 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
     update_pairs(body, q[:slots], q[slots:])
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
-        bb, ba, ab, aa = (
-            4 * targets[4 * s],
-            4 * targets[4 * s + 1],
-            4 * targets[4 * s + 2],
-            4 * targets[4 * s + 3],
-        )
+        bb, ba = 4 * targets[4 * s], 4 * targets[4 * s + 1]
+        ab, aa = 4 * targets[4 * s + 2], 4 * targets[4 * s + 3]
         for p in range(first, behind):
             touches, pair = pair_at(body, state.inverse_mass, s, contact.member[p], q, v)
             if touches:

@@ -81,7 +81,7 @@ def _row(filling: Gas | Liquid, area: float) -> FillingRow:
 
 
 @kernel(forceinline=True)
-def filling_at(fillings, k):
+def _filling_at(fillings, k):
     """The k-th filling."""
     row = fillings.rows[k]
     return FillingRow(row[0], row[1], row[2], row[3])
@@ -89,7 +89,7 @@ def filling_at(fillings, k):
 
 # ------------------------------------------------------------------------- force and energy
 @kernel(forceinline=True)
-def neighbours(fillings, k, i):
+def _neighbours(fillings, k, i):
     """The slots of the masses before and after the i-th of all masses in loops, which is in loop k."""
     first, behind = fillings.start[k], fillings.start[k + 1]
     before = fillings.loop[i - 1] if i > first else fillings.loop[behind - 1]
@@ -98,27 +98,27 @@ def neighbours(fillings, k, i):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def area_by_mass(fillings, k, i, q):
+def _area_by_mass(fillings, k, i, q):
     """The gradient of the area of loop k by the position of its mass `fillings.loop[i]`, px."""
     slots = q.size // 2
-    before, after = neighbours(fillings, k, i)
+    before, after = _neighbours(fillings, k, i)
     return 0.5 * (q[slots + after] - q[slots + before]), 0.5 * (q[before] - q[after])
 
 
 @kernel(fastmath=FAST)
-def area_of(fillings, k, q):
+def _area_of(fillings, k, q):
     """The area of a loop, px²."""
     slots, start = q.size // 2, fillings.loop[fillings.start[k]]
     x0, y0, twice = q[start], q[slots + start], 0.0  # differences lose no digits far from the origin
     for i in range(fillings.start[k], fillings.start[k + 1]):
         m = fillings.loop[i]
-        _, n = neighbours(fillings, k, i)
+        _, n = _neighbours(fillings, k, i)
         twice += (q[m] - x0) * (q[slots + n] - y0) - (q[n] - x0) * (q[slots + m] - y0)
     return 0.5 * twice
 
 
 @kernel(fastmath=FAST)
-def pressure_at(filling, area):
+def _pressure_at(filling, area):
     """The pressure of a filling beyond that outside, kg/s², and its derivative by the area."""
     size, strength = filling.area, filling.strength
     if filling.is_gas == 0.0:
@@ -151,10 +151,10 @@ def _energy_at(filling, area):
 def _add_forces(body, state, scratch, q, v):
     fillings = body.environment.fillings
     for k in range(fillings.rows.shape[0]):
-        pressure, _ = pressure_at(filling_at(fillings, k), area_of(fillings, k, q))
+        pressure, _ = _pressure_at(_filling_at(fillings, k), _area_of(fillings, k, q))
         for i in range(fillings.start[k], fillings.start[k + 1]):
             m = fillings.loop[i]
-            dx, dy = area_by_mass(fillings, k, i, q)
+            dx, dy = _area_by_mass(fillings, k, i, q)
             scratch.fx[m] += pressure * dx
             scratch.fy[m] += pressure * dy
 
@@ -163,7 +163,7 @@ def _add_forces(body, state, scratch, q, v):
 def _energy(body, state, q):
     fillings, energy = body.environment.fillings, 0.0
     for k in range(fillings.rows.shape[0]):
-        energy += _energy_at(filling_at(fillings, k), area_of(fillings, k, q))
+        energy += _energy_at(_filling_at(fillings, k), _area_of(fillings, k, q))
     return energy
 
 
@@ -173,20 +173,39 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
     """The part p d²A/dx² of the derivative of the forces, at the rows of each mass and its neighbours.
 
     By the mass b after it, dA/dx = (b.y - a.y, a.x - b.x) / 2 has the derivative ((0, 1), (-1, 0)) / 2, and
-    by the one before it minus that. This is indefinite. The other part, dp/dA times the product of the
-    gradient with itself, couples all masses of a loop; see `kernels.linear.implicit`.
+    by the one before it minus that. This is indefinite. The other part is that of `write_area_product`.
     """
     if definite:
         return
     fillings, blocks = body.environment.fillings, matrix.blocks
     for k in range(fillings.rows.shape[0]):
-        pressure, _ = pressure_at(filling_at(fillings, k), area_of(fillings, k, q))
+        pressure, _ = _pressure_at(_filling_at(fillings, k), _area_of(fillings, k, q))
         for i in range(fillings.start[k], fillings.start[k + 1]):
             before, after = 4 * matrix.loop_target[2 * i], 4 * matrix.loop_target[2 * i + 1]
             blocks[after + 1] += 0.5 * pressure
             blocks[after + 2] -= 0.5 * pressure
             blocks[before + 1] -= 0.5 * pressure
             blocks[before + 2] += 0.5 * pressure
+
+
+@kernel(fastmath=FAST)
+def write_area_product(body, state, k, q, gradient, scaled):
+    """The part of the derivative that couples all masses of loop k, -c G Gᵀ with c = -dp/dA, kg/(px² s²).
+
+    Args:
+        gradient: gets G = dA/dx, px.
+        scaled: gets c M^-1 G, 1/(px s²).
+    """
+    fillings, w, slots = body.environment.fillings, state.inverse_mass, q.size // 2
+    gradient[:], scaled[:] = 0.0, 0.0
+    _, slope = _pressure_at(_filling_at(fillings, k), _area_of(fillings, k, q))
+    for i in range(fillings.start[k], fillings.start[k + 1]):
+        m = fillings.loop[i]
+        dx, dy = _area_by_mass(fillings, k, i, q)
+        gradient[m] += dx
+        gradient[slots + m] += dy
+        scaled[m] = -slope * w[m] * gradient[m]
+        scaled[slots + m] = -slope * w[m] * gradient[slots + m]
 
 
 # ------------------------------------------------------------------------- in NumPy
@@ -218,7 +237,7 @@ def polygon_area(corners: NDArray[np.complex128]) -> float:
 
 
 def _pressure(filling: FillingRow, area: float) -> float:
-    """As `pressure_at`, kg/s²."""
+    """As `_pressure_at`, kg/s²."""
     is_gas, strength, outside, size = filling
     if not is_gas:
         return strength * (1.0 - area / size)

@@ -12,15 +12,18 @@ have this algebra for them as well, and the tests compare it with `terms`.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.core.blocks import add_block, minus, outer, plus, scaled
-from ..kernels.core.tables import SHORTEST_SQUARED
+from ..kernels.core.blocks import add_block, from_left, minus, outer, plus, scaled
+from ..kernels.core.tables import SHORTEST_SQUARED, Body, State
 from ..kernels.core.vectors import deflection, from_to, inverse_of, length_of
 from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd
+from ..kernels.engine.table import Floats, Indices
+from .term import Vectors, summed
 
 NO_JOINTS, TUTORIAL, CONSERVATIVE, ANGLE = 0, 1, 2, 3
 """Values of `Body.law`: a body without joints, and the three force laws."""
@@ -280,31 +283,21 @@ def joint_blocks(
     if damping > 0.0:
         strength = damping * product
         # dV/dt is the turning rate of b minus that of a; the turning rate of a spring is -normal . rate.
-        turning = (
-            normal_a[0] * rate_a[0]
-            + normal_a[1] * rate_a[1]
-            - normal_b[0] * rate_b[0]
-            - normal_b[1] * rate_b[1]
-        )
+        turning = normal_a[0] * rate_a[0] + normal_a[1] * rate_a[1]
+        turning = turning - normal_b[0] * rate_b[0] - normal_b[1] * rate_b[1]
         torque = strength * turning
         by_a = (g * strength * normal_a[0], g * strength * normal_a[1])
         by_b = (-g * strength * normal_b[0], -g * strength * normal_b[1])
         if not definite:
+            longer_a, longer_b = damping * len_b * inv_a * turning, damping * len_a * inv_b * turning
+            turned_a, turned_b = from_left(rate_a, turn_a), from_left(rate_b, turn_b)
             by_a = (
-                by_a[0]
-                + damping * len_b * inv_a * turning * a[0]
-                + strength * (turn_a[0] * rate_a[0] + turn_a[2] * rate_a[1]),
-                by_a[1]
-                + damping * len_b * inv_a * turning * a[1]
-                + strength * (turn_a[1] * rate_a[0] + turn_a[3] * rate_a[1]),
+                by_a[0] + longer_a * a[0] + strength * turned_a[0],
+                by_a[1] + longer_a * a[1] + strength * turned_a[1],
             )
             by_b = (
-                by_b[0]
-                + damping * len_a * inv_b * turning * b[0]
-                - strength * (turn_b[0] * rate_b[0] + turn_b[2] * rate_b[1]),
-                by_b[1]
-                + damping * len_a * inv_b * turning * b[1]
-                - strength * (turn_b[1] * rate_b[0] + turn_b[3] * rate_b[1]),
+                by_b[0] + longer_b * b[0] - strength * turned_b[0],
+                by_b[1] + longer_b * b[1] - strength * turned_b[1],
             )
             aa = minus(aa, scaled(torque, turn_a))
             bb = plus(bb, scaled(torque, turn_b))
@@ -413,3 +406,93 @@ def add_joint_damping(body, w, q, z, factor, out):
             out[slots + other] += w[other] * x
             out[one] += w[one] * y
             out[slots + one] -= w[one] * x
+
+
+# ------------------------------------------------------------------------- in NumPy
+def sine_law(s: Vectors) -> tuple[Floats, Floats]:
+    """The torque |A||B| sin(V - r), and the energy |A||B| (1 - cos(V - r)) of which it is the gradient."""
+    return s.imag, abs(s) - s.real
+
+
+def angle_law(s: Vectors) -> tuple[Floats, Floats]:
+    """The torque |A||B| (V - r), and the energy |A||B| (V - r)² / 2."""
+    deflection = np.angle(s)
+    return abs(s) * deflection, 0.5 * abs(s) * deflection**2
+
+
+IN_NUMPY: dict[int, Callable[[Vectors], tuple[Floats, Floats]]] = {
+    NO_JOINTS: sine_law,
+    TUTORIAL: sine_law,
+    CONSERVATIVE: sine_law,
+    ANGLE: angle_law,
+}
+"""Torque and energy of a joint of stiffness one, by `Body.law`, from S = conj(A) B exp(-ir), see
+`sim.physics`. The tutorial's law has the torque of the sine law without the pull along the springs that would
+make it the gradient of an energy."""
+
+
+class JointsTwin:
+    """Joints in NumPy; see `Twin`.
+
+    Args:
+        body, state: the tables.
+        rows: indices of joints in the tables; without it, all of them.
+
+    Attributes:
+        stiffness, damping: (k,) kg/s², kg/s; may be replaced.
+        rest_angle: (k,) radians.
+    """
+
+    def __init__(self, body: Body, state: State, rows: Indices | slice = slice(None)) -> None:
+        self._law, self._is_sine, self._softening = IN_NUMPY[body.law], body.law in SINE_LAWS, body.softening
+        self._has_energy = body.law != TUTORIAL
+        first, second = body.joint_a[rows], body.joint_b[rows]
+        self._start, self._end = (
+            np.stack((ends[first], ends[second])) for ends in (body.spring_a, body.spring_b)
+        )  # (2, k) of both springs of each joint
+        self.stiffness, self.damping, self.rest_angle = (
+            numbers[1 : body.joints + 1][rows]
+            for numbers in (body.torque_size, body.torque_damping, state.torque_rest)
+        )
+
+    def forces(self, x: Vectors, v: Vectors) -> Vectors:
+        """See `Twin`."""
+        springs, torque, energy = self._bent(x, v)
+        if not self._has_energy:
+            energy = 0.0
+        # The torque turns both springs towards the rest angle. The energy grows with both lengths, so its
+        # gradient also pulls along them.
+        tension = np.stack((1j * torque - energy, -1j * torque - energy)) * springs / self._square(springs)
+        at = np.concatenate((self._end.ravel(), self._start.ravel()))
+        return summed(at, np.concatenate((tension.ravel(), -tension.ravel())), x.size)
+
+    def torques(self, x: Vectors, v: Vectors) -> Floats:
+        """(k,) the torque of each joint, kg px²/s²: on its first spring; minus it acts on the second one."""
+        return self._bent(x, v)[1]
+
+    def rates(self, x: Vectors, v: Vectors) -> Floats:
+        """(k,) the rate at which the angle of each joint grows, 1/s."""
+        springs = self._springs(x)
+        turning = (self._springs(v) * springs.conj()).imag / self._square(springs)
+        return turning[1] - turning[0]
+
+    def energy(self, x: Vectors) -> float:
+        """See `Twin`; for the tutorial's law that of the conservative one."""
+        return float(self._bent(x, np.zeros_like(x))[2].sum())
+
+    def _springs(self, flat: Vectors) -> Vectors:
+        """(2, k) the vectors of both springs of each joint: of positions, px, or of velocities, px/s."""
+        return flat[self._end] - flat[self._start]
+
+    def _square(self, springs: Vectors) -> Floats:
+        """(2, k) the squares of their lengths, px²."""
+        return springs.real**2 + springs.imag**2 + self._softening
+
+    def _bent(self, x: Vectors, v: Vectors) -> tuple[Vectors, Floats, Floats]:
+        """(2, k) vectors of both springs of each joint, px; its torque, and its energy, kg px²/s²."""
+        springs = self._springs(x)
+        s = springs[0].conj() * springs[1] * np.exp(-1j * self.rest_angle)
+        torque, energy = self._law(s)
+        lengths = np.sqrt(self._square(springs)).prod(0)  # |A||B|
+        weight = self.stiffness if self._is_sine else self.stiffness * abs(s) / lengths  # as `blocks_of_law`
+        return springs, weight * torque + self.damping * lengths * self.rates(x, v), weight * energy

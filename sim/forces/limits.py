@@ -238,22 +238,8 @@ def without_broken(body: Body, broken: Floats) -> Body:
     stiffness, damping = body.stiffness.copy(), body.damping.copy()
     stiffness[gone] = damping[gone] = 0.0
     loose = np.isin(body.joint_a, gone) | np.isin(body.joint_b, gone)
-    joint_stiffness, size, resistance = (
-        body.joint_stiffness.copy(),
-        body.torque_size.copy(),
-        body.torque_damping.copy(),
-    )
-    joint_stiffness[loose] = 0.0
+    size, resistance = body.torque_size.copy(), body.torque_damping.copy()
     size[1 : body.joints + 1][loose] = resistance[1 : body.joints + 1][loose] = 0.0
-    tables = {
-        "stiffness": stiffness,
-        "damping": damping,
-        "joint_stiffness": joint_stiffness,
-        "torque_size": size,
-        "torque_damping": resistance,
-    }
-    for table in tables.values():
-        table.setflags(write=False)
     environment, fillings = body.environment, body.environment.fillings
     if environment.contact.present:
         environment = environment.replaced(contact=environment.contact.replaced(broken=broken.copy()))
@@ -262,4 +248,5 @@ def without_broken(body: Body, broken: Floats) -> Body:
         for k in leaks:
             rows[k] = FillingRow(*rows[k])._replace(strength=0.0, outside=0.0)
         environment = environment.replaced(fillings=read_only(fillings.replaced(rows=rows)))
-    return body.replaced(**tables, environment=environment)
+    body = body.replaced(stiffness=stiffness, damping=damping, torque_size=size, torque_damping=resistance)
+    return read_only(body.replaced(environment=environment))

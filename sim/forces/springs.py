@@ -32,10 +32,13 @@ import numpy as np
 
 from ..kernels.core.blocks import add_block
 from ..kernels.core.roots import inverse_root
+from ..kernels.core.tables import Body, State
 from ..kernels.core.vectors import from_to, inverse_of, length_of
 from ..kernels.engine.jit import FAST, kernel
 from ..kernels.engine.lanes import eight_at_a_time, scalar_gathers_on_amd, whole_eights
+from ..kernels.engine.table import Floats, Indices
 from .joints import CONSERVATIVE, TUTORIAL, at_springs, dot_by_energy, joint_friction, joint_torques
+from .term import Vectors, summed
 
 
 @kernel(fastmath=FAST)
@@ -67,19 +70,9 @@ def spring_forces(body, state, scratch, x, y, vx, vy):
         )  # fmt: skip
     else:
         _tensions(
-            springs,
-            lx,
-            ly,
-            dvx,
-            dvy,
-            inverse,
-            state.rest_tension,
-            body.stiffness,
-            body.damping,
-            scratch.torque_at,
-            tx,
-            ty,
-        )
+            springs, lx, ly, dvx, dvy, inverse, state.rest_tension, body.stiffness, body.damping,
+            scratch.torque_at, tx, ty,
+        )  # fmt: skip
     if body.joint_damped:
         joint_friction(body, lx, ly, dvx, dvy, inverse, scratch.turning, scratch.friction)
         at_springs(body, scratch.friction, scratch.friction_at, -1.0)
@@ -270,3 +263,49 @@ def add_spring_damping(body, w, q, z, factor, out):
         out[slots + b] += w[b] * along * y
         out[a] -= w[a] * along * x
         out[slots + a] -= w[a] * along * y
+
+
+# ------------------------------------------------------------------------- in NumPy
+class SpringsTwin:
+    """Springs in NumPy; see `Twin`.
+
+    Args:
+        body, state: the tables.
+        rows: indices of springs in the tables; without it, all of them.
+
+    Attributes:
+        stiffness, damping: (k,) kg/s², kg/s; may be replaced.
+        rest_tension: (k,) stiffness times rest length, kg px/s².
+    """
+
+    def __init__(self, body: Body, state: State, rows: Indices | slice = slice(None)) -> None:
+        self._a, self._b, self._softening = body.spring_a[rows], body.spring_b[rows], body.softening
+        self.stiffness, self.damping, self.rest_tension = (
+            numbers[: body.springs][rows] for numbers in (body.stiffness, body.damping, state.rest_tension)
+        )
+        self._ends = np.concatenate((self._b, self._a))
+
+    def forces(self, x: Vectors, v: Vectors) -> Vectors:
+        """See `Twin`."""
+        spring, per_length = self._tensions(x, v)
+        tension = per_length * spring
+        return summed(self._ends, np.concatenate((tension, -tension)), x.size)
+
+    def pulls(self, x: Vectors, v: Vectors) -> Floats:
+        """(k,) the force of each spring along itself, kg px/s²; positive where it pulls."""
+        spring, per_length = self._tensions(x, v)
+        return -per_length * np.hypot(spring.real, spring.imag)
+
+    def energy(self, x: Vectors) -> float:
+        """See `Twin`."""
+        pulls = self.stiffness > 0.0
+        rest = self.rest_tension[pulls] / self.stiffness[pulls]
+        length = abs(x[self._b] - x[self._a])[pulls]
+        return 0.5 * float((self.stiffness[pulls] * (length - rest) ** 2).sum())
+
+    def _tensions(self, x: Vectors, v: Vectors) -> tuple[Vectors, Floats]:
+        """(k,) vectors of the springs, px, and the force on the b end of each per length, kg/s²."""
+        spring, rate = x[self._b] - x[self._a], v[self._b] - v[self._a]
+        square = abs(spring) ** 2 + self._softening
+        along = (rate * spring.conj()).real / square
+        return spring, self.rest_tension / np.sqrt(square) - self.stiffness - self.damping * along

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..kernels.core.tables import Body, State
 from ..kernels.engine.jit import FAST, kernel
-from ..kernels.engine.table import Table
+from ..kernels.engine.table import Indices, Table
 
 Vectors = NDArray[np.complex128]
 """An array of vectors, each a complex number: (x, y) is x + iy."""
@@ -84,6 +84,12 @@ class Term:
     add_damping: Kernel = nothing
     impact_time: Kernel = never
     depends_on_time: Callable[[Body], bool] = lambda _body: False
+
+
+def summed(at: Indices, forces: Vectors, slots: int) -> Vectors:
+    """(slots,) the sum of the forces at each slot; `at`: (k,) where each acts."""
+    x, y = (np.bincount(at, part, slots) for part in (forces.real, forces.imag))
+    return x + 1j * y
 
 
 def read_only(table: _T) -> _T:

@@ -66,7 +66,7 @@ def _wall(body, k):
 
 # ------------------------------------------------------------------------- force and energy
 @kernel(forceinline=True, fastmath=FAST)
-def depth_in(wall, x, y):
+def _depth_in(wall, x, y):
     """How deep a point is inside a wall, px; negative outside."""
     return (wall.x - x) * wall.nx + (wall.y - y) * wall.ny
 
@@ -97,7 +97,7 @@ def _add_forces(body, state, scratch, q, v):
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
         for i in range(1, body.masses + 1):
-            depth = depth_in(wall, q[i], q[slots + i])
+            depth = _depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and free[i] > 0.0:
                 push, friction, _, _ = _wall_push(wall, environment.step, depth, v[i], v[slots + i])
                 fx[i] += environment.mass[i] * (push * wall.nx + friction * wall.ny)
@@ -111,7 +111,7 @@ def _energy(body, state, q):
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
         for i in range(1, body.masses + 1):
-            depth = depth_in(wall, q[i], q[slots + i])
+            depth = _depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and state.inverse_mass[i] > 0.0:
                 energy += environment.mass[i] * wall.hardness * depth * depth * depth / 3.0
     return energy
@@ -126,7 +126,7 @@ def _add_power(body, state, balance, q, v, part):
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
         for i in range(1, body.masses + 1):
-            depth = depth_in(wall, q[i], q[slots + i])
+            depth = _depth_in(wall, q[i], q[slots + i])
             if depth > 0.0 and state.inverse_mass[i] > 0.0:
                 vx, vy = v[i], v[slots + i]
                 push, friction, elastic, along = _wall_push(wall, environment.step, depth, vx, vy)
@@ -154,7 +154,7 @@ def mark_quick(body, inverse_mass, q0, q1, h, quick):
         for i in range(quick.shape[1]):
             quick[k, i] = 0.0
         for i in range(1, body.masses + 1):
-            depth = max(depth_in(wall, q0[i], q0[slots + i]), depth_in(wall, q1[i], q1[slots + i]))
+            depth = max(_depth_in(wall, q0[i], q0[slots + i]), _depth_in(wall, q1[i], q1[slots + i]))
             if depth > 0.0 and inverse_mass[i] > 0.0 and rate * depth * depth > _QUICKLY:
                 quick[k, i], found = 1.0, True
     return found
@@ -175,7 +175,7 @@ def gather_others(body, q, v, a, part, quick):
         for i in range(1, body.masses + 1):
             if quick[k, i] > 0.0:
                 x, y, vx, vy = q[i], q[slots + i], v[i], v[slots + i]
-                depth, along, friction = depth_in(wall, x, y), vy * wall.nx - vx * wall.ny, 0.0
+                depth, along, friction = _depth_in(wall, x, y), vy * wall.nx - vx * wall.ny, 0.0
                 if depth > 0.0:
                     _, friction, _, _ = _wall_push(wall, environment.step, depth, vx, vy)
                 others = a[slots + i] * wall.nx - a[i] * wall.ny + friction
@@ -237,7 +237,7 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
         wall = _wall(body, k)
         for i in range(body.masses):
             m = matrix.order[i]
-            depth = depth_in(wall, q[m], q[slots + m])
+            depth = _depth_in(wall, q[m], q[slots + m])
             if depth > 0.0 and state.inverse_mass[m] > 0.0:
                 by_q, by_v = _wall_derivatives(wall, depth, v[m], v[slots + m], definite)
                 d = 4 * matrix.diagonal[i]
@@ -251,7 +251,7 @@ def _add_damping(body, state, q, v, z, factor, out):
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
         for m in range(1, body.masses + 1):
-            depth = depth_in(wall, q[m], q[slots + m])
+            depth = _depth_in(wall, q[m], q[slots + m])
             if depth > 0.0 and w[m] > 0.0:
                 _, block = _wall_derivatives(wall, depth, v[m], v[slots + m], False)
                 share = factor * w[m] * mass[m]
@@ -268,7 +268,7 @@ def _impact_time(body, state, q, v, a, h):
         nx, ny, hardness = wall.nx, wall.ny, wall.hardness
         for i in range(1, body.masses + 1):
             if state.inverse_mass[i] > 0.0:
-                depth = depth_in(wall, q[i], q[slots + i])
+                depth = _depth_in(wall, q[i], q[slots + i])
                 speed, outwards = nx * v[i] + ny * v[slots + i], nx * a[i] + ny * a[slots + i]
                 shortest = min(shortest, time_to_deepest(hardness, depth, speed, outwards, h))
     return shortest

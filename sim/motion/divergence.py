@@ -15,22 +15,17 @@ from ..scene.types import Scene
 from .stability import StabilityEstimate, StabilityMeter
 from .stepping import Outcome
 
-FARTHEST = MAX_COORDINATE
-"""Coordinate, px, beyond which a body has run away: the range of a scene file, so that every state can be
-saved."""
-FASTEST = RUNAWAY_SPEED
-"""Velocity component, px/s, beyond which a body has run away under a method with a fixed step."""
-
 Quantity = Literal["number", "position", "speed", "step"]
 """What went wrong; see `Divergence.quantity`."""
 
 LIMITS: dict[int, tuple[Quantity, float]] = {
     guard.BAD_NUMBER: ("number", math.inf),
-    guard.BAD_POSITION: ("position", FARTHEST),
-    guard.BAD_SPEED: ("speed", FASTEST),
+    guard.BAD_POSITION: ("position", MAX_COORDINATE),
+    guard.BAD_SPEED: ("speed", RUNAWAY_SPEED),
     guard.STUCK: ("step", 0.0),
 }
-"""Quantity and limit for each code of `guard`."""
+"""Quantity and limit for each code of `guard`. Coordinates are limited to the range of a scene file, so that
+every state can be saved; a method that chooses its steps may be faster."""
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,6 @@ class Driver:
 
     def __init__(self, scene: Scene, system: System, state: State) -> None:
         self._state = state
-        self._still: Drive | None = None
         self._circles = {
             int(system.mass_index[a.mass]): a.circle for a in scene.anchors if a.circle is not None
         }
@@ -57,8 +56,6 @@ class Driver:
         state, duration = self._state, max(until - t, 1e-300)
         indices = sorted({*targets, *motions, *self._circles})
         pressed = growth != 0.0 or turn != 0.0
-        if not indices and not pressed and self._still is not None:
-            return self._still  # the same at all times
         rows = []
         for m in indices:
             circle = self._circles.get(m)
@@ -78,7 +75,7 @@ class Driver:
             rows.append((x - ox, y - oy, vx, vy, *motion[2:], seen, radius, omega, ramp))
         columns = np.array(rows, float).reshape(-1, 12).T.copy()
         names = ("x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "hand", "radius", "omega", "ramp")
-        drive = Drive(
+        return Drive(
             moving=bool(indices) or pressed or self._timed,
             pressed=pressed,
             timed=self._timed,
@@ -91,9 +88,6 @@ class Driver:
             turn=float(turn),
             **dict(zip(names, columns, strict=True)),
         )
-        if not drive.moving:
-            self._still = drive
-        return drive
 
 
 def bounded(speed: float) -> float:

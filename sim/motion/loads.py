@@ -53,5 +53,5 @@ class LoadCalculator:
         net = (physics.forces(x, v) + weight)[self.system.mass_index]
         if self.system.loads is not None:
             net += (self.system.loads[0] + 1j * self.system.loads[1])[self.system.mass_index - 1]
-        torques = physics.torques(x, v)[self.system.joint_order] if physics.first.size else np.zeros(0)
+        torques = physics.joints.torques(x, v)[self.system.joint_order]
         return Loads(np.column_stack((net.real, net.imag)), torques)

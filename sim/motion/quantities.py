@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 from ..body.system import System
 from ..errors import InputError
 from ..forces.all import WITH_ENERGY
-from ..forces.joints import SINE_LAWS
+from ..forces.joints import JointsTwin
+from ..forces.springs import SpringsTwin
 from ..kernels.core.tables import CONTROL_SCALE, State
-from ..physics import LAWS, SHORTEST
 from ..scene.types import Scene
 from .energy import ENERGY_FIELDS, EnergyBook
 from .stability import StabilityEstimate
@@ -135,23 +135,22 @@ def quantity(name: str, scene: Scene) -> Quantity:
 
 
 # ------------------------------------------------------------------------- how they are read
-def _sizes(vectors: Vectors) -> Floats:
-    return np.hypot(vectors.real, vectors.imag)
-
-
 def _masses(simulation: Moving, masses: Indices) -> tuple[Vectors, Vectors]:
     """Positions and velocities of masses."""
     system, state = simulation.tables
+    x, v = _all_masses(state)
     slots = system.mass_index[masses]
-    return state.x[slots] + 1j * state.y[slots], state.vx[slots] + 1j * state.vy[slots]
+    return x[slots], v[slots]
 
 
-def _vectors(simulation: Moving, rows: Indices) -> tuple[Vectors, Vectors]:
-    """Vectors of the springs in rows of the tables, and their rates of change."""
-    system, state = simulation.tables
-    a, b = system.body.spring_a[rows], system.body.spring_b[rows]
-    along = state.x[b] - state.x[a] + 1j * (state.y[b] - state.y[a])
-    return along, state.vx[b] - state.vx[a] + 1j * (state.vy[b] - state.vy[a])
+def _speeds(simulation: Moving, masses: Indices) -> Floats:
+    _, v = _masses(simulation, masses)
+    return np.hypot(v.real, v.imag)
+
+
+def _all_masses(state: State) -> tuple[Vectors, Vectors]:
+    """(slots,) positions and velocities."""
+    return state.x + 1j * state.y, state.vx + 1j * state.vy
 
 
 def _spring_rows(simulation: Moving, springs: Indices) -> Indices:
@@ -160,13 +159,10 @@ def _spring_rows(simulation: Moving, springs: Indices) -> Indices:
     return np.flatnonzero(order == springs[0]) if springs.size == 1 else np.argsort(order)[springs]
 
 
-def _soft_square(simulation: Moving, along: Vectors) -> Floats:
-    """Squares of lengths as forces have them, px²."""
-    return np.maximum(abs(along) ** 2 + simulation.tables[0].body.softening, SHORTEST**2)
-
-
 def _lengths(simulation: Moving, springs: Indices) -> Floats:
-    return _sizes(_vectors(simulation, _spring_rows(simulation, springs))[0])
+    (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
+    a, b = system.body.spring_a[rows], system.body.spring_b[rows]
+    return np.hypot(state.x[b] - state.x[a], state.y[b] - state.y[a])
 
 
 def _elongations(simulation: Moving, springs: Indices) -> Floats:
@@ -177,35 +173,27 @@ def _elongations(simulation: Moving, springs: Indices) -> Floats:
     return _lengths(simulation, springs) - rest
 
 
-def _tensions(simulation: Moving, springs: Indices) -> Floats:
+def _pulls(simulation: Moving, springs: Indices) -> Floats:
     (system, state), rows = simulation.tables, _spring_rows(simulation, springs)
-    body, (along, rate) = system.body, _vectors(simulation, rows)
-    square = _soft_square(simulation, along)
-    damping = body.damping[rows] * (rate * along.conj()).real / square
-    tension = (body.stiffness[rows] + damping - state.rest_tension[rows] / np.sqrt(square)) * abs(along)
-    return np.where(state.broken[rows] > 0.0, 0.0, tension) if body.limits.present else tension
+    pulls = SpringsTwin(system.body, state, rows).pulls(*_all_masses(state))
+    return np.where(state.broken[rows] > 0.0, 0.0, pulls) if system.body.limits.present else pulls
+
+
+def _joints(simulation: Moving, joints: Indices) -> tuple[JointsTwin, tuple[Vectors, Vectors]]:
+    """Some joints, and the positions and velocities of all masses."""
+    system, state = simulation.tables
+    return JointsTwin(system.body, state, system.joint_order[joints]), _all_masses(state)
 
 
 def _bending(simulation: Moving, joints: Indices) -> Floats:
     """Rates at which angles grow, radians/s."""
-    system, _ = simulation.tables
-    rows, turning = system.joint_order[joints], []
-    for springs in (system.body.joint_a, system.body.joint_b):
-        along, rate = _vectors(simulation, springs[rows])
-        turning.append((rate * along.conj()).imag / _soft_square(simulation, along))
-    return turning[1] - turning[0]
+    twin, masses = _joints(simulation, joints)
+    return twin.rates(*masses)
 
 
 def _torques(simulation: Moving, joints: Indices) -> Floats:
-    system, state = simulation.tables
-    body, rows = system.body, system.joint_order[joints]
-    a, b = (_vectors(simulation, springs[rows])[0] for springs in (body.joint_a, body.joint_b))
-    soft = np.sqrt(_soft_square(simulation, a) * _soft_square(simulation, b))
-    torque, _ = LAWS[body.law](a.conj() * b * np.exp(-1j * state.torque_rest[rows + 1]))
-    if body.law not in SINE_LAWS:
-        torque = torque * abs(a) * abs(b) / soft
-    braking = body.torque_damping[rows + 1] * soft * _bending(simulation, joints)
-    return body.torque_size[rows + 1] * torque + braking
+    twin, masses = _joints(simulation, joints)
+    return twin.torques(*masses)
 
 
 def _of_energy(name: str) -> Callable[[Moving, Indices], Floats]:
@@ -259,7 +247,7 @@ _ALL = (
     Kind("spring", "elongation", "{unit}", "length minus rest length", _elongations),
     Kind(
         "spring", "force", "kg {unit}/s²",
-        "force of stiffness and damping along the spring; positive where it pulls", _tensions,
+        "force of stiffness and damping along the spring; positive where it pulls", _pulls,
     ),
     Kind("mass", "x", "{unit}", "x coordinate", lambda *of: _masses(*of)[0].real),
     Kind(
@@ -270,7 +258,7 @@ _ALL = (
     Kind(
         "mass", "vy", "{unit}/s", "velocity along y", lambda *of: _masses(*of)[1].imag, vertical=True
     ),
-    Kind("mass", "speed", "{unit}/s", "speed", lambda *of: _sizes(_masses(*of)[1])),
+    Kind("mass", "speed", "{unit}/s", "speed", _speeds),
     *(
         Kind("energy", name, ENERGY_UNIT, _ENERGY_SUMMARIES[name], _of_energy(name))
         for name in ("total", *ENERGY_FIELDS)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..csv_text import csv_text
 from ..errors import InputError
 from ..scene.types import Scene
-from ..store.files import write_atomically
+from ..store.files import write_file
 from .quantities import Moving, Quantity, quantity
 
 Floats = NDArray[np.float64]
@@ -74,10 +74,7 @@ class Recording:
             InputError: the file cannot be written.
         """
         text = table_text(self._quantities.values(), self._rows, decimal_comma)
-        try:
-            write_atomically(Path(path), text.encode())
-        except OSError as error:
-            raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+        write_file(Path(path), text.encode())
 
     @property
     def _columns(self) -> Floats:

@@ -31,7 +31,7 @@ from .plain import PlainSolver
 from .recording import Recording
 from .solver import UNLIMITED, Solver, SolverStats
 from .stability import Look, StabilityEstimate, StabilityMeter, finished
-from .stepping import Outcome, Stepper, presses_of
+from .stepping import Stepper, presses_of
 
 Key = Literal["up", "down", "left", "right"]
 KEYS: frozenset[str] = frozenset(("up", "down", "left", "right"))
@@ -150,12 +150,15 @@ class Simulation:
         if not (state.set_length.any() or state.set_angle.any() or state.broken.any()):
             return None
         index = np.argsort(system.spring_order)  # of each spring of the scene, in the tables
-        return Damage(
+        found = Damage(
             broken=tuple(np.flatnonzero(state.broken[index]).tolist()),
             set_lengths=tuple(state.set_length[index].tolist()),
             hardened=tuple(state.hardened[index].tolist()),
             set_angles=tuple(state.set_angle[system.joint_order].tolist()),
         )
+        if found != self._damage:
+            self._damage = found  # moments share it while nothing changes
+        return self._damage
 
     @property
     def step_count(self) -> int:
@@ -182,6 +185,11 @@ class Simulation:
     def rate_limited(self) -> bool:
         """Whether its masses are too many, and its springs too stiff, to follow any hand, see `follow`."""
         return self._hands.rate_limited
+
+    @property
+    def grabbed(self) -> list[int]:
+        """The masses that are in a hand, see `grab`."""
+        return sorted(self._hands.grabbed)
 
     @property
     def behind(self) -> dict[int, float]:
@@ -319,7 +327,9 @@ class Simulation:
             return 0
         if self.plain:
             self.take_compiled()
-        outcome = self._go(n, attempts)
+        presses = presses_of(self._scene, self._keys)
+        limit = UNLIMITED if attempts is None else attempts
+        outcome = self._stepper.step(n, self._hands, presses, self._all_held, limit)
         self._look_at_tables()
         self._hands.settle()
         if outcome.what != guard.GOOD:
@@ -451,15 +461,10 @@ class Simulation:
             self._books.take_over(books)
 
     # --------------------------------------------------------------------- inside
-    def _build(self, scene: Scene, damaged: bool) -> None:
-        """Make the tables of a valid scene; its state is still to be filled in.
-
-        Args:
-            scene: the scene.
-            damaged: whether the state will have damage.
-        """
+    def _install(self, scene: Scene, damage: Damage | None = None) -> None:
+        """Build tables and room for a valid scene and a damage; the state is still to be filled in."""
         self._scene = scene
-        system = build_system(scene, damaged)
+        system = build_system(scene, damage is not None)
         if scene.integrator.method == "stable_spring":
             body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
             system = dataclasses.replace(system, body=body)
@@ -470,6 +475,13 @@ class Simulation:
         springs = np.stack((self._body.spring_a, self._body.spring_b), 1)
         ends = system.mass_order[springs - 1]  # of the springs of the tables, as the scene counts masses
         self._joint_ends = ends[self._body.joint_a[joints]], ends[self._body.joint_b[joints]]
+        self._scratch = new_scratch(system)
+        self._stepper = self._new_stepper()
+        self._meter: StabilityMeter | None = None
+        self._books: Books | None = None
+        self._load_calculator: LoadCalculator | None = None
+        self._damage: Damage | None = None  # as `damage` found it last
+        self._hands = Hands(system, self._state, METHODS[self.method].adaptive)
 
     def _lacks_room_for(self, damage: Damage | None) -> bool:
         """Whether the tables are those of a body that can have no damage."""
@@ -513,16 +525,6 @@ class Simulation:
             integrator = msgspec.structs.replace(scene.integrator, **self._overrides)
             scene = msgspec.structs.replace(scene, integrator=integrator)
         return validate(scene)
-
-    def _install(self, scene: Scene, damage: Damage | None = None) -> None:
-        """Build tables and room for a valid scene and a damage; the state is still to be filled in."""
-        self._build(scene, damage is not None)
-        self._scratch = new_scratch(self._system)
-        self._stepper = self._new_stepper()
-        self._meter: StabilityMeter | None = None
-        self._books: Books | None = None
-        self._load_calculator: LoadCalculator | None = None
-        self._hands = Hands(self._system, self._state, METHODS[scene.integrator.method].adaptive)
 
     @property
     def _needed(self) -> tuple[str, ...]:
@@ -570,11 +572,6 @@ class Simulation:
         """Say what forces do to each mass: nothing where it is held."""
         self._all_held = self._hands.set_inverse_masses(self._scene)
         self._stepper.begin_anew()
-
-    def _go(self, n: int, attempts: int | None) -> Outcome:
-        limit = UNLIMITED if attempts is None else attempts
-        presses = presses_of(self._scene, self._keys)
-        return self._stepper.step(n, self._hands, presses, self._all_held, limit)
 
     def _existing_mass(self, mass: int) -> int:
         whole = isinstance(mass, (int, np.integer)) and not isinstance(mass, bool)

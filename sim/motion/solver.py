@@ -8,21 +8,19 @@ import numpy as np
 
 from ..body.sparsity import NO_MATRIX, clear_factors, new_matrix
 from ..body.system import System, refresh, slab
-from ..compiling.compiler import FOR_DAMAGE, FOR_ENERGY, FOR_FALLBACK, fetch, is_ready, needed_by
-from ..forces.all import accelerations
-from ..forces.contact import no_tunnelling
-from ..forces.fillings import FillingsTwin
-from ..forces.limits import overstrained, settle, without_broken
-from ..kernels.core.shared import (
-    ACCELERATIONS,
-    ACCUMULATE,
-    APART,
-    FACTORISE,
-    OVERSTRAINED,
-    RESISTANCE,
-    SETTLE,
-    SOLVE,
+from ..compiling.compiler import (
+    ENTRY_POINTS,
+    FOR_DAMAGE,
+    FOR_ENERGY,
+    FOR_FALLBACK,
+    FOR_MATRICES,
+    fetch,
+    is_ready,
+    needed_by,
 )
+from ..forces.fillings import FillingsTwin
+from ..forces.limits import without_broken
+from ..kernels.core.shared import BY_ADDRESS
 from ..kernels.core.tables import (
     CHOICES,
     CONTROL_SCALE,
@@ -50,12 +48,9 @@ from ..kernels.core.tables import (
     Work,
 )
 from ..kernels.energy.dissipation import DAMPER_ROWS
-from ..kernels.energy.work import accumulate_work
-from ..kernels.engine.addresses import address_of
 from ..kernels.integrators import guard
 from ..kernels.integrators.auto import next_turn
 from ..kernels.integrators.fallback import run_fallback
-from ..kernels.linear.implicit import add_damping_product, factorise_matrix, solve_matrix
 from ..methods.registry import AUTO_METHODS, METHODS
 from ..methods.tableaux import RK4
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
@@ -273,7 +268,7 @@ class Solver:
             if index < 0:
                 return attempts - left
             method = AUTO_METHODS[index]
-            if method.implicit and not problem.factorise:
+            if method.implicit and not problem.factorise_matrix:
                 problem = self._bind(True)
             if index not in self._fetched:
                 self._fetched.add(index)
@@ -297,24 +292,23 @@ class Solver:
             self._take_in()
         costs = np.zeros(CHOICES) if self._costs is None else self._costs.copy()
         costs[list(self._missing)] = 0.0
-        damageable = self.system.body.limits.present
-        self._fetch(needed_by(info.name))
-        self._fetch((*(FOR_FALLBACK if implicit else ()), *(FOR_DAMAGE if damageable else ())))
+        body = self.system.body
+        called = (
+            "accelerations",
+            *(("accumulate_work",) if self.balance.active else ()),
+            *(FOR_MATRICES if implicit else ()),
+            *(("no_tunnelling",) if body.environment.contact.present else ()),
+            *(FOR_DAMAGE if body.limits.present else ()),
+        )
+        self._fetch((*needed_by(info.name), *(FOR_FALLBACK if implicit else ()), *called))
         self._problem = Problem(
-            body=self.system.body,
+            body=body,
             state=self.state,
             scratch=self.scratch,
             matrix=self.matrix if implicit else NO_MATRIX,
             integrator=self.integrator,
             balance=self.balance,
-            accelerations=address_of(accelerations, ACCELERATIONS),
-            accumulate=address_of(accumulate_work, ACCUMULATE) if self.balance.active else 0,
-            factorise=address_of(factorise_matrix, FACTORISE) if implicit else 0,
-            solve=address_of(solve_matrix, SOLVE) if implicit else 0,
-            overstrained=address_of(overstrained, OVERSTRAINED) if damageable else 0,
-            settle=address_of(settle, SETTLE) if damageable else 0,
-            resistance=address_of(add_damping_product, RESISTANCE) if implicit else 0,
-            apart=address_of(no_tunnelling, APART) if self.system.body.environment.contact.present else 0,
+            **{name: ENTRY_POINTS[name].address if name in called else 0 for name in BY_ADDRESS},
             fixed=0.0 if info.adaptive else integrator.dt,
             near_limit=_NEAR_LIMIT * quick_limit(self.system) if auto or info.name == "adams" else 0.0,
             explicit=own if isinstance(own, Tableau) else RK4,
@@ -343,7 +337,7 @@ class Solver:
         typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
         h = min(FALLBACK_STEP, until - self.time)
         problem = self._problem
-        if problem is None or not problem.factorise:
+        if problem is None or not problem.factorise_matrix:
             problem = self._bind(True)
         run_fallback(problem, drive, h, 1e-6 * typical, typical)
         self._forget_turns()

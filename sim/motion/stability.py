@@ -32,7 +32,6 @@ left is solved as a quadratic eigenvalue problem in 1/dt, or in lambda.
 
 from __future__ import annotations
 
-import copy
 import dataclasses
 from collections import deque
 from collections.abc import Callable, Generator
@@ -266,19 +265,15 @@ class StabilityMeter:
         def along(change: Callable[[Floats], Floats]) -> float:
             return sum(float((part * change(part)).sum()) for part in (w.real, w.imag) if part.any())
 
-        def parts_of(forces: Physics | Twin) -> tuple[float, float]:
+        def parts_of(forces: Twin) -> tuple[float, float]:
             """What stiffness and damping contribute."""
             stiffness = along(partial(self._by_positions, forces))
             return limit * limit * stiffness, rate * along(partial(self._by_velocities, forces))
 
-        bare, linear = copy.copy(physics), copy.copy(physics)
-        bare.terms = linear.terms = {}
-        linear.joint_stiffness = np.zeros_like(physics.joint_stiffness)
-        linear.joint_damping = np.zeros_like(physics.joint_damping)
-        (stiffness, damping), (linear_stiffness, linear_damping) = parts_of(bare), parts_of(linear)
-        of_springs = linear_stiffness, stiffness - linear_stiffness, linear_damping, damping - linear_damping
-        of_terms = (sum(parts_of(term)) for term in physics.terms.values())
-        parts = dict(zip(CAUSES, (*of_springs, *of_terms), strict=True))
+        twins = physics.springs, physics.joints, *physics.terms.values()
+        springs, joints, *terms = map(parts_of, twins)
+        of_springs = springs[0], joints[0], springs[1], joints[1]
+        parts = dict(zip(CAUSES, (*of_springs, *map(sum, terms)), strict=True))
         return max(parts, key=lambda cause: parts[cause])
 
 

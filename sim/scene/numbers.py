@@ -5,7 +5,7 @@ Validation, error messages, sliders and the JSON Schema are derived from these a
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 from msgspec import Meta
 
@@ -54,6 +54,14 @@ Radius = Annotated[float, bounded(1e-3, 1e4, "px", "The radius a mass is drawn w
 Index = Annotated[int, Meta(ge=0, lt=MAX_SPRINGS)]
 Name = Annotated[str, Meta(min_length=1, max_length=60)]
 Vector = tuple[Coordinate, Coordinate]
+
+
+def annotation_of(hint: Any) -> tuple[type, Meta] | None:
+    """Type and annotation of the number that a field is, may be or has, by its type; None for no number."""
+    meta = next((each for each in getattr(hint, "__metadata__", ()) if isinstance(each, Meta)), None)
+    if meta is not None:
+        return get_args(hint)[0], meta
+    return next(filter(None, map(annotation_of, get_args(hint))), None)
 
 
 def of_python(value: Any) -> Any:

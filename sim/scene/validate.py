@@ -10,13 +10,13 @@ import math
 import re
 import weakref
 from collections.abc import Iterator
-from typing import Any, get_args, get_type_hints
+from typing import Any, get_type_hints
 
 import msgspec
 
 from ..errors import SceneError
 from .lesson import texts_of
-from .numbers import MAX_MASSES, MAX_SPRINGS, of_python
+from .numbers import MAX_MASSES, MAX_SPRINGS, annotation_of, of_python
 from .recipes.assembly import TooLarge, loop_area
 from .recipes.recipe import expand
 from .sentences import difference, sentence, unit_of
@@ -86,15 +86,11 @@ def plain(scene: Scene) -> dict[str, Any]:
 def number_range(kind: type, field: str) -> tuple[float, float, str]:
     """(lowest, highest, unit) of a numeric field of a scene's types, from its annotation; of a vector,
     those of its components."""
-    hint = get_type_hints(kind, include_extras=True)[field]
-    parts = get_args(hint)
-    while not any(isinstance(part, msgspec.Meta) for part in parts):  # a vector, or what may be left out
-        parts = get_args(parts[0])
-    meta = next(part for part in parts if isinstance(part, msgspec.Meta))
-    low, high = (
-        (meta.ge if meta.ge is not None else -math.inf),
-        (meta.le if meta.le is not None else math.inf),
-    )
+    found = annotation_of(get_type_hints(kind, include_extras=True)[field])
+    assert found is not None, "it is a number"
+    _, meta = found
+    low = -math.inf if meta.ge is None else meta.ge
+    high = math.inf if meta.le is None else meta.le
     return float(low), float(high), unit_of(meta)
 
 

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, get_args, get_type_hints
+from typing import Any, get_type_hints
 
 import msgspec
 
+from ..scene.numbers import annotation_of
 from ..scene.recipes.assembly import Jointed, wrapped
 from ..scene.recipes.recipe import AnyRecipe
 from ..scene.types import Rope, Scene, rebuilt
@@ -65,12 +66,12 @@ def keys_of_recipe(kind: type[AnyRecipe]) -> list[str]:
 @cache  # so that a panel can tell that the settings are the same as before
 def _settings(kind: type[AnyRecipe], body: int, alone: bool) -> list[Setting]:
     hints = get_type_hints(kind, include_extras=True)
-    fields = [(field, *_meta(hints[field])) for field in kind.__struct_fields__]
     before = "" if alone else f"{kind.__name__} {body + 1}: "
+    found = [(field, annotation_of(hints[field])) for field in kind.__struct_fields__]
     return [
-        _setting(field, meta, body, before, integer)
-        for field, meta, integer in fields
-        if meta is not None and (meta.extra or {}).get("slider")
+        _setting(field, number[1], body, before, number[0] is int)
+        for field, number in found
+        if number is not None and (number[1].extra or {}).get("slider")
     ]
 
 
@@ -99,13 +100,6 @@ def _setting(field: str, meta: msgspec.Meta, body: int, before: str, integer: bo
         logarithmic=extra["logarithmic"],
         integer=integer,
     )
-
-
-def _meta(kind: Any) -> tuple[msgspec.Meta | None, bool]:
-    """The annotation of a number, None for what is no number, and whether it is a whole one."""
-    found = next((inner for inner in get_args(kind) if get_args(inner)), kind)  # a number or None
-    meta = next((m for m in getattr(found, "__metadata__", ()) if isinstance(m, msgspec.Meta)), None)
-    return meta, meta is not None and get_args(found)[0] is int
 
 
 # ------------------------------------------------------------------------- changes of all recipes

@@ -12,6 +12,7 @@ import re
 import tempfile
 import threading
 import unicodedata
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,7 @@ from typing import Any
 import msgspec
 import platformdirs
 
-from ..errors import SceneError
+from ..errors import InputError, SceneError
 from ..scene.numbers import of_python
 from ..scene.sentences import sentence
 from ..scene.types import BODY_FIELDS, FORMAT_VERSION, Scene
@@ -83,8 +84,12 @@ def encode_scene(scene: Scene) -> bytes:
         SceneError: the scene is not valid.
     """
     validate(scene)
-    text = msgspec.json.format(encode_fields(fields_of(scene)), indent=2) + b"\n"
-    return _TEXT_OR_NUMBERS.sub(_on_one_line, text)
+    return indented_json(encode_fields(fields_of(scene)))
+
+
+def indented_json(data: bytes) -> bytes:
+    """JSON with a line for each field; an array of numbers is on one line."""
+    return _TEXT_OR_NUMBERS.sub(_on_one_line, msgspec.json.format(data, indent=2) + b"\n")
 
 
 def fields_of(scene: Scene) -> dict[str, Any]:
@@ -260,9 +265,9 @@ def save_scene(scene: Scene, path: str | os.PathLike[str]) -> None:
     if len(data) > MAX_FILE_BYTES:
         raise SceneError(f"{path}: the scene takes {len(data)} bytes, more than the {MAX_FILE_BYTES} allowed")
     try:
-        write_atomically(Path(path), data)
-    except OSError as error:
-        raise SceneError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+        write_file(Path(path), data)
+    except InputError as error:
+        raise SceneError(str(error)) from None
 
 
 def write_atomically(path: Path, data: bytes) -> None:
@@ -296,6 +301,31 @@ def write_atomically(path: Path, data: bytes) -> None:
                 os.fsync(folder)
             finally:
                 os.close(folder)
+
+
+def write_file(path: Path, data: bytes) -> None:
+    """As `write_atomically`.
+
+    Raises:
+        InputError: the file cannot be written; nothing was changed.
+    """
+    try:
+        write_atomically(path, data)
+    except OSError as error:
+        raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+
+
+def take_out(newest: Iterable[Path], most: int, most_bytes: int) -> None:
+    """Delete for good what is more than so many files, or than so many bytes; the first of them always stays.
+
+    Raises:
+        OSError: one cannot be deleted.
+    """
+    size = 0
+    for count, path in enumerate(newest, start=1):
+        size += path.stat().st_size
+        if count > 1 and (count > most or size > most_bytes):
+            path.unlink(missing_ok=True)
 
 
 def list_scenes() -> list[SceneInfo]:

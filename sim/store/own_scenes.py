@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 
 from ..errors import SceneError
-from .files import read_scene, save_user_scene, user_folder, user_path
+from .files import read_scene, save_user_scene, take_out, user_folder, user_path
 
 MOST_IN_TRASH, MOST_TRASH_BYTES = 50, 50_000_000
 """How many deleted scenes are kept at most, and how many bytes of them; the newest always is."""
@@ -74,9 +74,10 @@ def trash_user_scene(name: str, folder: Path | None = None) -> str:
         try:
             trash.mkdir(parents=True, exist_ok=True)
             path.rename(trashed)
+            # Their names begin with the time.
+            take_out(sorted(trash.glob("*.json"), reverse=True), MOST_IN_TRASH, MOST_TRASH_BYTES)
         except OSError as error:
             raise SceneError(f"{name!r} cannot be deleted ({error.strerror or error})") from None
-        _take_out(trash)
         return trashed.name
 
 
@@ -108,17 +109,6 @@ def _free_name(name: str, folder: Path | None) -> str:
     base = re.sub(r" \d{1,4}$", "", name)
     others = (f"{base[:54].rstrip(' .-_')} {number}" for number in itertools.count(2))
     return next(each for each in itertools.chain((name,), others) if not user_path(each, folder).exists())
-
-
-def _take_out(trash: Path) -> None:
-    """Delete for good what is too much in the trash, the oldest first."""
-    # Their names begin with the time.
-    newest, *others = sorted(trash.glob("*.json"), reverse=True)
-    size = newest.stat().st_size
-    for count, path in enumerate(others, start=2):
-        size += path.stat().st_size
-        if count > MOST_IN_TRASH or size > MOST_TRASH_BYTES:
-            _remove(path)
 
 
 def _remove(path: Path) -> None:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from ..errors import SceneError
 from ..scene.types import Scene
-from .files import encode_scene, read_scene, user_folder, write_atomically
+from .files import encode_scene, read_scene, take_out, user_folder, write_atomically
 
 LETTERS = "23456789BCDFGHJKMNPQRSTVWXZ"
 """Letters of codes: none can be mistaken for another, and without vowels they make no words."""
@@ -62,7 +62,8 @@ def share_scene(scene: Scene) -> str:
                 path = _path(letters[:length])
                 if not path.exists():
                     write_atomically(path, data)
-                    _take_out()
+                    newest = sorted(shared_folder().glob("*.json"), key=lambda one: -one.stat().st_mtime_ns)
+                    take_out(newest, MOST_KEPT, MOST_KEPT_BYTES)
                 elif path.read_bytes() != data:
                     continue
                 os.utime(path)
@@ -102,13 +103,3 @@ def _letters(digest: bytes) -> str:
         number, digit = divmod(number, len(LETTERS))
         letters += LETTERS[digit]
     return letters
-
-
-def _take_out() -> None:
-    """Delete what is too much."""
-    stamps = [(path.stat(), path) for path in shared_folder().glob("*.json")]
-    size = 0
-    for count, (stamp, path) in enumerate(sorted(stamps, key=lambda one: -one[0].st_mtime_ns), start=1):
-        size += stamp.st_size
-        if count > MOST_KEPT or size > MOST_KEPT_BYTES:
-            path.unlink(missing_ok=True)

@@ -24,7 +24,7 @@ from rich.table import Table
 
 from sim.csv_text import csv_text
 from sim.errors import InputError
-from sim.store.files import write_atomically
+from sim.store.files import write_file
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -95,11 +95,11 @@ def table(headings: Sequence[str], rows: Rows, align: str = "l", title: str | No
     return shown
 
 
-def grid(headings: Sequence[str], rows: Rows, align: str = "l") -> list[str]:
-    """The same in Markdown, and an empty line."""
+def grid(headings: Sequence[str], rows: Rows, align: str = "l") -> str:
+    """The same in Markdown."""
     rule = ["---" if side == "l" else "--:" for side in align.ljust(len(headings), "r")]
     lines = [headings, rule, *([cell.replace("|", "\\|") for cell in row] for row in rows)]
-    return [f"| {' | '.join(line)} |" for line in lines] + [""]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
 def comma_separated(
@@ -109,9 +109,14 @@ def comma_separated(
     return csv_text([headings, *rows], decimal_comma, "{:.17g}".format)
 
 
-def captioned(figures: Sequence[tuple[str, str]]) -> list[str]:
+def captioned(figures: Sequence[tuple[str, str]]) -> str:
     """Figures in Markdown, by name and caption, each with the caption below."""
-    return [line for name, text in figures for line in (f"![{text}]({name}.png)", "", f"*{text}*", "")]
+    return "\n\n".join(f"![{text}]({name}.png)\n\n*{text}*" for name, text in figures)
+
+
+def page(*blocks: str, more: Sequence[str] = ()) -> str:
+    """A page of Markdown: blocks that are not empty, and at the end the `provenance` with `more` packages."""
+    return "\n\n".join([*filter(None, blocks), provenance(*more)]) + "\n"
 
 
 def provenance(*more: str) -> str:
@@ -209,7 +214,4 @@ def _write(path: Path, content: bytes, said: Callable[[bytes], object]) -> None:
             return
     except (OSError, EOFError, SyntaxError, ValueError, zlib.error):
         pass  # there is none, or it is something else
-    try:
-        write_atomically(path, content)
-    except OSError as error:
-        raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+    write_file(path, content)

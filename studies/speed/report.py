@@ -11,7 +11,7 @@ from rich.table import Table
 
 from sim.methods.registry import METHODS
 
-from ..reporting.output import captioned, comma_separated, grid, provenance, table
+from ..reporting.output import captioned, comma_separated, grid, page, table
 from . import others, random_study
 from .measure import FOLLOWED, Point, SceneResults, label
 from .random_study import OTHER_TOLERANCES, BodyResult, Shares, shares, shares_by_growth, shares_by_tolerance
@@ -210,27 +210,26 @@ def markdown(study: Study, figures: Sequence[tuple[str, str]], note: str) -> str
         figures: (name without ending, caption) of each figure beside the page.
         note: what else there is to say, such as that it is not complete; empty for nothing.
     """
-    missed = [target for target in targets(study) if not target.met]
-    lines = ["# Computing time against error", "", _INTRODUCTION, ""]
+    blocks = ["# Computing time against error", _INTRODUCTION]
     if not others.has_cvode():
-        lines += ["CVODE is missing: scikit-sundae is not installed (`uv sync --extra compare`).", ""]
-    lines += [f"**{summary(study)}.**{' ' + note if note else ''}", ""]
-    lines += [f"- Missed: {t.what}: {t.found} (target {t.wanted})" for t in missed]
-    lines += [""] if missed else []
-    lines += captioned(figures)
+        blocks.append("CVODE is missing: scikit-sundae is not installed (`uv sync --extra compare`).")
+    blocks.append(f"**{summary(study)}.**{' ' + note if note else ''}")
+    missed = [target for target in targets(study) if not target.met]
+    blocks.append("\n".join(f"- Missed: {t.what}: {t.found} (target {t.wanted})" for t in missed))
+    blocks.append(captioned(figures))
     if study.scenes:
-        lines += ["## In short", "", _SHORT, ""]
+        blocks += ["## In short", _SHORT]
         for error, headings in SHORT_HEADINGS.items():
-            lines += [f"To {error:g} px:", "", *grid(headings, short_rows(study, error))]
-    rows = _target_rows(study)
-    lines += ["## Targets", "", *grid(TARGET_HEADINGS, rows, "llll")] if rows else []
+            blocks += [f"To {error:g} px:", grid(headings, short_rows(study, error))]
+    if rows := _target_rows(study):
+        blocks += ["## Targets", grid(TARGET_HEADINGS, rows, "llll")]
     for results in study.scenes:
         headings = ("integrator", *(f"{error:g} px" for error in study.errors), "failures")
-        lines += [f"## {results.scene}", "", f"The references are {results.doubt:.1g} px apart.", ""]
-        lines += ["Not complete.", ""] if not results.complete else []
-        lines += grid(headings, _scene_rows(results, study.errors))
-    lines += _bodies(study.bodies) if study.bodies else []
-    return "\n".join([*lines, provenance(*(["scikit-sundae"] if others.has_cvode() else [])), ""])
+        blocks += [f"## {results.scene}", f"The references are {results.doubt:.1g} px apart."]
+        blocks += ["Not complete."] if not results.complete else []
+        blocks.append(grid(headings, _scene_rows(results, study.errors)))
+    blocks += _bodies(study.bodies) if study.bodies else []
+    return page(*blocks, more=["scikit-sundae"] if others.has_cvode() else [])
 
 
 _INTRODUCTION = (
@@ -258,9 +257,18 @@ def _bodies(bodies: Sequence[BodyResult]) -> list[str]:
     reasons = {
         reason: sum(b.left_out == reason for b in left_out) for reason in {b.left_out for b in left_out}
     }
-    lines = [
+    headings = ("bodies", "within", "within 3×", "largest, tolerances", "seeds beyond 10×")
+    by_tolerance = {f"{found.tolerance:g} px": found for found in shares_by_tolerance(bodies)}
+    worst = sorted((b for b in bodies if not b.left_out), key=lambda b: -b.error)[:10]
+    cells = [
+        (
+            str(b.seed), b.shape, b.law, str(b.masses), f"{b.growth:.2g}", f"{b.error:.2g}",
+            f"{b.framed_error:.2g}",
+        )
+        for b in worst
+    ]  # fmt: skip
+    return [
         "## Random bodies",
-        "",
         f"{len(bodies)} random chains, rings, trees, grids and tangles under the tutorial's and the "
         f"conservative law, one second, `auto` at {random_study.TOLERANCE:g} px. A rule that was fixed "
         "before looking, and that does not know what `auto` does, leaves out bodies that no method could "
@@ -269,37 +277,23 @@ def _bodies(bodies: Sequence[BodyResult]) -> list[str]:
         f"{random_study.UNSURE:g} px apart, or where one of them does not arrive. Left out: {len(left_out)}"
         + "".join(f"; {reason}: {count}" for reason, count in sorted(reasons.items()))
         + ".",
-        "",
-    ]
-    headings = ("bodies", "within", "within 3×", "largest, tolerances", "seeds beyond 10×")
-    lines += _share_grid(
-        ("auto", *headings), {"one call": shares(bodies), "60 calls": shares(bodies, framed=True)}
-    )
-    by_tolerance = {f"{found.tolerance:g} px": found for found in shares_by_tolerance(bodies)}
-    lines += [
+        _share_grid(
+            ("auto", *headings), {"one call": shares(bodies), "60 calls": shares(bodies, framed=True)}
+        ),
         f"By tolerance, in one call; at others than {random_study.TOLERANCE:g} px, only bodies whose "
         f"references are no farther apart than {random_study.UNSURE_PART:.0%} of it:",
-        "",
-        *_share_grid(("tolerance", *headings), by_tolerance),
-    ]
-    lines += [
+        _share_grid(("tolerance", *headings), by_tolerance),
         "By how much a nudge of the start grows, in 60 calls, with chaotic bodies whose references agree:",
-        "",
-        *_share_grid(("growth", *headings), shares_by_growth(bodies, framed=True)),
+        _share_grid(("growth", *headings), shares_by_growth(bodies, framed=True)),
+        grid(
+            ("worst seeds", "body", "law", "masses", "growth of a nudge", "error, px", "in 60 calls, px"),
+            cells,
+            "lll",
+        ),
     ]
-    worst = sorted((b for b in bodies if not b.left_out), key=lambda b: -b.error)[:10]
-    headings = ("worst seeds", "body", "law", "masses", "growth of a nudge", "error, px", "in 60 calls, px")
-    cells = [
-        (
-            str(b.seed), b.shape, b.law, str(b.masses), f"{b.growth:.2g}", f"{b.error:.2g}",
-            f"{b.framed_error:.2g}",
-        )
-        for b in worst
-    ]  # fmt: skip
-    return [*lines, *grid(headings, cells, "lll")]
 
 
-def _share_grid(headings: Sequence[str], rows: dict[str, Shares]) -> list[str]:
+def _share_grid(headings: Sequence[str], rows: dict[str, Shares]) -> str:
     """A line for each that has any bodies."""
     cells = [
         (

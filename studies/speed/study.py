@@ -19,9 +19,6 @@ from .measure import SceneResults, explore, known
 from .random_study import measure_bodies
 from .report import Study
 
-ERRORS = (1.0, 0.1, 1e-3, 1e-6)
-"""Errors that are asked about, px."""
-
 
 def study_scenes() -> list[str]:
     """The scenes of a full run."""

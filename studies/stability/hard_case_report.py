@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,7 +16,7 @@ from rich.console import Console
 from sim import EnergyBook, Simulation
 from sim.methods.registry import METHODS
 
-from ..reporting.output import Watch, comma_separated, grid, make_folder, provenance, write_page, write_table
+from ..reporting.output import Watch, comma_separated, grid, make_folder, page, write_page, write_table
 from .hard_cases import HardCase, hard_cases, long_rods
 
 FRAMES = 40
@@ -93,20 +93,26 @@ def run(
     integrator = replace(asked, method=method, tolerance=tolerance * asked.tolerance)
     simulation = Simulation(replace(case.scene, integrator=integrator))
     simulation.keep_books(books)
-    rng = np.random.default_rng(0)
-    steps = max(1, round(1.0 / 60.0 / simulation.dt))
-    frames, share = (FRAMES, 1) if steps > 1 else (3, 60)
     behind = fallbacks = 0
-    for frame in range(frames):
-        case.act(simulation, frame, rng)
-        behind += steps - simulation.step(steps, attempts=attempts * share)
+    for missing in frames_of(case, simulation, attempts):
+        behind += missing
         fallbacks += simulation.stats().fallbacks
-        if simulation.divergence is not None:
-            break
     stopped = simulation.time if simulation.divergence is not None else None
     made = _made(simulation.energy(), _worth(case)) if books and stopped is None else math.nan
     late = behind * simulation.dt if stopped is None else 0.0
     return Ending(stopped, late, made, simulation.positions, fallbacks)
+
+
+def frames_of(case: HardCase, simulation: Simulation, attempts: int = ATTEMPTS) -> Iterator[int]:
+    """Do a case frame by frame, to its end or until it stops; gives the steps that each frame lacks."""
+    rng = np.random.default_rng(0)
+    steps = max(1, round(1.0 / 60.0 / simulation.dt))
+    frames, share = (FRAMES, 1) if steps > 1 else (3, 60)
+    for frame in range(frames):
+        case.act(simulation, frame, rng)
+        yield steps - simulation.step(steps, attempts=attempts * share)
+        if simulation.divergence is not None:
+            return
 
 
 def _worth(case: HardCase) -> float:
@@ -217,32 +223,28 @@ def as_csv(rows: dict[str, Row]) -> str:
 def markdown(rows: dict[str, Row], known: dict[str, bool], note: str) -> str:
     """The report: a row for each case, a column for each method."""
     strict = " and ".join(f"{method}, with {part:g} of the tolerance," for method, part in REFERENCES)
-    lines = [
-        "# Hard cases",
-        "",
-        "Written by `softrod stability --hard-cases --out DIR`. The tutorial's rope of twelve masses, let go "
-        f"horizontally unless the case says otherwise, for {FRAMES} frames of a sixtieth of a second (three "
-        "steps where a step is a second), under the conservative law, with the default step and tolerance. "
-        "Long rods are for `auto` only; their reference is `auto` under stricter tolerances; their energy "
-        "is not judged.",
-        "",
-        "- **… tol**: it ran; the largest distance of a mass from the reference at the end, in tolerances. "
-        f"A reference is where {strict} agree to {AGREED:g} of it;",
-        "- **ran**: it ran, and there is no reference: the motion is chaotic, or no strict method gets "
-        "through;",
-        "- **gave up at**: it ran away, or found no way on, and stopped at its last good state;",
-        f"- **lagged**: it ran out of attempts, {ATTEMPTS} in a frame, and the clock is that much behind; up "
-        "to a frame counts as surviving;",
-        "- **made energy**: at the end it has more energy than was ever put in, by more than "
-        f"{100.0 * MADE:g} % of what was turned over;",
-        "- **fallback steps**: steps in which no method could go on, and a strongly damped one was taken.",
-        "",
-        f"**{summary(rows)}**{' ' + note if note else ''}",
-        "",
-    ]
     cells = [
         (name, "yes" if known[name] else "no", *(str(row.get(method, "")) for method in METHODS))
         for name, row in rows.items()
     ]
     headings = ("case", "reference", *METHODS)
-    return "\n".join([*lines, *grid(headings, cells, "l" * len(headings)), provenance(), ""])
+    return page(
+        "# Hard cases",
+        "Written by `softrod stability --hard-cases --out DIR`. The tutorial's rope of twelve masses, let go "
+        f"horizontally unless the case says otherwise, for {FRAMES} frames of a sixtieth of a second (three "
+        "steps where a step is a second), under the conservative law, with the default step and tolerance. "
+        "Long rods are for `auto` only; their reference is `auto` under stricter tolerances; their energy "
+        "is not judged.",
+        "- **… tol**: it ran; the largest distance of a mass from the reference at the end, in tolerances. "
+        f"A reference is where {strict} agree to {AGREED:g} of it;\n"
+        "- **ran**: it ran, and there is no reference: the motion is chaotic, or no strict method gets "
+        "through;\n"
+        "- **gave up at**: it ran away, or found no way on, and stopped at its last good state;\n"
+        f"- **lagged**: it ran out of attempts, {ATTEMPTS} in a frame, and the clock is that much behind; up "
+        "to a frame counts as surviving;\n"
+        "- **made energy**: at the end it has more energy than was ever put in, by more than "
+        f"{100.0 * MADE:g} % of what was turned over;\n"
+        "- **fallback steps**: steps in which no method could go on, and a strongly damped one was taken.",
+        f"**{summary(rows)}**{' ' + note if note else ''}",
+        grid(headings, cells, "l" * len(headings)),
+    )

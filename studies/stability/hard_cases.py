@@ -11,7 +11,6 @@ import numpy as np
 import sim
 from sim import Integrator, Pose, Scene, Simulation
 from sim.scene.makers import fine_rope
-from sim.scene.types import ForceLaw
 
 REPLACE = msgspec.structs.replace
 SPACING = 300.0 / 11.0
@@ -149,9 +148,3 @@ def long_rods() -> dict[str, HardCase]:
 def _rod(masses: int, circle: sim.Circle | None) -> Scene:
     """The tutorial's rope, cut finer; the air's drag is shared out among the springs."""
     return fine_rope(masses, air_friction=0.002 / ((masses - 1) / 11.0), circle=circle)
-
-
-def with_method(scene: Scene, method: str, law: ForceLaw) -> Scene:
-    """The scene by another method and law."""
-    integrator = REPLACE(scene.integrator, method=method)
-    return REPLACE(scene, integrator=integrator, force_law=law)

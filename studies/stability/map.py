@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
-from sim.analysis.ensemble import Member, Track, marks, run_ensemble
 
 from sim import Integrator, Scene, Simulation
+from sim.methods.registry import METHODS
 from sim.motion.stability import largest_step
 
 from .axes import Axis, extent, in_cell
@@ -33,6 +33,8 @@ NEAR = 0.01
 """Largest distance from the reference, in extents of the body, of an end that counts as accurate."""
 SAMPLES = 20
 """Times within the duration at which bodies are looked at."""
+_TRIES = 60
+"""Attempts per step for a method that shortens steps that fail; one that needs more counts as failed."""
 _SAMPLES = 400
 """Samples of a reference, between which it is interpolated by cubics."""
 _ATTEMPTS = 20_000
@@ -84,6 +86,41 @@ class Map:
         return len(self.ys), len(self.xs)
 
 
+@dataclass(frozen=True)
+class Track:
+    """How a body moved in a cell.
+
+    Attributes:
+        times: (SAMPLES,) s, at which it was looked at.
+        positions: (SAMPLES, n, 2) px, in the order of the scene's masses. NaN from the look before which the
+            body ran away, by the limits of a `Simulation`, or the method found no step.
+        velocities: (SAMPLES, n, 2) px/s, likewise.
+    """
+
+    times: Floats
+    positions: Floats
+    velocities: Floats
+
+
+def track_of(scene: Scene, method: str, dt: float, duration: float) -> Track:
+    """Run a scene by a method with steps of `dt` s, at least one, and look at it at even times."""
+    simulation = Simulation(scene, dt=dt, integrator=method)
+    steps = max(1, round(duration / dt))
+    marks = [max(1, round(steps * (k + 1) / SAMPLES)) for k in range(SAMPLES)]
+    positions, velocities = np.full((2, SAMPLES, len(scene.masses), 2), np.nan)
+    for k, mark in enumerate(marks):
+        more = mark - simulation.step_count
+        if simulation.step(more, attempts=_TRIES * more) < more:
+            break
+        positions[k], velocities[k] = simulation.positions, simulation.velocities
+    return Track(dt * np.array(marks), positions, velocities)
+
+
+def fixed_step_methods() -> list[str]:
+    """The methods that a map can have."""
+    return [name for name, method in METHODS.items() if not method.adaptive]
+
+
 class ExactMotion:
     """What a scene does: by `auto`, to a thousandth of what counts as accurate.
 
@@ -118,12 +155,12 @@ class ExactMotion:
         self.budget = start.kinetic + start.linear + start.angular + weight * self.extent
         self.ceiling = float(np.nanmax(energy)) + self.budget
 
-    def judge(self, track: Track, times: Floats) -> tuple[int, float]:
+    def judge(self, track: Track) -> tuple[int, float]:
         """How a body ended, and its largest distance from the reference, in extents."""
         if not np.isfinite(track.positions).all():
             return UNSTABLE, math.nan
         energy = self._energy(track.positions, track.velocities)
-        apart = track.positions - self._at(times)
+        apart = track.positions - self._at(track.times)
         error = float(np.hypot(apart[..., 0], apart[..., 1]).max()) / self.extent
         if not np.max(energy) <= self.ceiling:
             return UNSTABLE, error
@@ -164,45 +201,40 @@ def compute(
     Raises:
         InputError: the numbers of a cell make no valid scene.
     """
-    rows, columns = chart.shape
     steps = chart.steps()
-    keys = [[_key(chart, i, j) for j in range(columns)] for i in range(rows)]
+    keys = {cell: _key(chart, *cell) for cell in np.ndindex(*chart.shape)}
     scenes: dict[tuple[float, ...], Scene] = {}
-    for i in range(rows):
-        for j in range(columns):
-            values = {chart.x.key: float(chart.xs[j]), chart.y.key: float(chart.ys[i])}
-            if keys[i][j] not in scenes:
-                scenes[keys[i][j]] = in_cell(scene, {k: v for k, v in values.items() if k != "dt"})
-    total = 2 * len(scenes) + rows * columns * len(methods)
+    for (i, j), key in keys.items():
+        values = {chart.x.key: float(chart.xs[j]), chart.y.key: float(chart.ys[i])}
+        if key not in scenes:
+            scenes[key] = in_cell(scene, {k: v for k, v in values.items() if k != "dt"})
+    total = 2 * len(scenes) + len(keys) * len(methods)
     references: dict[tuple[float, ...], ExactMotion] = {}
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = {key: pool.submit(ExactMotion, at, duration) for key, at in scenes.items()}
-        try:
-            for key, job in jobs.items():
-                references[key] = job.result()
-                report(len(references), total, "references")
-        finally:
-            pool.shutdown(cancel_futures=True)
     limits: dict[tuple[float, ...], dict[str, float]] = {}
-    for key, at in scenes.items():
-        limits[key] = {method: largest_step(at, method) for method in methods}
-        report(len(scenes) + len(limits), total, "analytic limits")
-    members = [
-        Member(scenes[keys[i][j]], float(steps[i, j]), marks(duration, float(steps[i, j]), SAMPLES))
-        for i in range(rows)
-        for j in range(columns)
-    ]
     done = 2 * len(scenes)
-    for method in methods:
-        ending = chart.endings[method] = np.full(chart.shape, UNKNOWN)
-        errors = chart.errors[method] = np.full(chart.shape, np.nan)
-        chart.limits[method] = np.array([[limits[key][method] for key in row] for row in keys])
-        for index, track in run_ensemble(members, method):
-            i, j = divmod(index, columns)
-            times = members[index].dt * np.array(members[index].marks)
-            ending[i, j], errors[i, j] = references[keys[i][j]].judge(track, times)
-            done += 1
-            report(done, total, method)
+    pool = ThreadPoolExecutor(os.cpu_count())  # kernels release the GIL
+    try:
+        exact = pool.map(lambda at: ExactMotion(at, duration), scenes.values())
+        for key, reference in zip(scenes, exact, strict=True):
+            references[key] = reference
+            report(len(references), total, "references")
+        for key, at in scenes.items():
+            limits[key] = {method: largest_step(at, method) for method in methods}
+            report(len(scenes) + len(limits), total, "analytic limits")
+        for method in methods:
+            endings = chart.endings[method] = np.full(chart.shape, UNKNOWN)
+            errors = chart.errors[method] = np.full(chart.shape, np.nan)
+            chart.limits[method] = np.reshape([limits[key][method] for key in keys.values()], chart.shape)
+
+            def run(cell: tuple[int, ...], method: str = method) -> Track:
+                return track_of(scenes[keys[cell]], method, float(steps[cell]), duration)
+
+            for cell, track in zip(keys, pool.map(run, keys), strict=True):
+                endings[cell], errors[cell] = references[keys[cell]].judge(track)
+                done += 1
+                report(done, total, method)
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 def _key(chart: Map, row: int, column: int) -> tuple[float, ...]:

@@ -9,16 +9,26 @@ from pathlib import Path
 import numpy as np
 from rich.console import Console
 from rich.table import Table
-from sim.analysis.ensemble import fixed_step_methods
 
 from sim import Scene
 from sim.errors import InputError
 from sim.methods.registry import METHODS
 
 from ..reporting import output
-from ..reporting.output import Watch, make_folder, provenance, write_figures, write_page, write_table
+from ..reporting.output import Watch, make_folder, write_figures, write_page, write_table
 from .axes import AXES, released
-from .map import ACCURATE, DAMPED_WRONGLY, ENDINGS, NEAR, SAMPLES, UNSTABLE, Map, borders, compute
+from .map import (
+    ACCURATE,
+    DAMPED_WRONGLY,
+    ENDINGS,
+    NEAR,
+    SAMPLES,
+    UNSTABLE,
+    Map,
+    borders,
+    compute,
+    fixed_step_methods,
+)
 
 PAIRS = (
     ("dt", "stiffness"),
@@ -156,36 +166,33 @@ def markdown(scene: Scene, moving: Scene, charts: Sequence[Map], duration: float
         if len(moving.anchors) < len(scene.anchors)
         else ""
     )
-    lines = [
+    sections = []
+    for chart in charts:
+        title = f"{chart.x.label} × {chart.y.label}"
+        sections.append(f"## {title[0].upper()}{title[1:]}\n\n![{title}]({chart.name}.png)")
+        if "dt" in (chart.x.key, chart.y.key):
+            steps = chart.xs if chart.x.key == "dt" else chart.ys
+            width = (steps[-1] / steps[0]) ** (1.0 / max(len(steps) - 1, 1)) - 1.0
+            sections.append(f"A cell is {100.0 * width:.0f} % of its step wide.")
+        sections.append(output.grid(HEADINGS, _lines(chart)))
+    return output.page(
         f"# Where {scene.name} breaks",
-        "",
         f"Written by `softrod stability --out DIR`. {let_go}Each cell is a simulation of {duration:g} s with "
         "the two values of its row and column, under the force law "
         f"“{moving.force_law}”, with a time step of {1e3 * moving.integrator.dt:g} ms where none is an axis. "
         "Each free mass starts with a kick of an "
         "extent of the body per second, in a direction that turns by "
         f"the golden angle from mass to mass. It is looked at {SAMPLES} times:",
-        "",
         f"- **accurate**: no mass is ever farther than {100.0 * NEAR:g} % of the body's extent from where it "
-        "is in the reference, which is `auto` with a tolerance of a thousandth of that;",
-        "- **damped wrongly**: it stays within bounds, but amplitude or phase is off by more;",
+        "is in the reference, which is `auto` with a tolerance of a thousandth of that;\n"
+        "- **damped wrongly**: it stays within bounds, but amplitude or phase is off by more;\n"
         "- **unstable**: a mass passes the limits of a simulation (1e6 px, 1e6 px/s), or the method finds no "
         "way on, or kinetic energy and height come to more than they ever do in the reference by all that "
         "was put in: kinetic and elastic energy at the start, and the body's weight times its extent.",
-        "",
         "The black line is the analytic limit of the step, that of small motions about the start "
         "(`sim/motion/stability.py`), which the meter in the page shows, too. The last column of the tables "
         "has the step at which bodies turned unstable, in parts of that limit: the median over the map's "
         "lines, and the range. A cell is as wide as the range in which a border cannot be told apart.",
-        "",
-        *([f"**{note}**", ""] if note else []),
-    ]
-    for chart in charts:
-        title = f"{chart.x.label} × {chart.y.label}"
-        lines += [f"## {title[0].upper()}{title[1:]}", "", f"![{title}]({chart.name}.png)", ""]
-        if "dt" in (chart.x.key, chart.y.key):
-            steps = chart.xs if chart.x.key == "dt" else chart.ys
-            width = (steps[-1] / steps[0]) ** (1.0 / max(len(steps) - 1, 1)) - 1.0
-            lines += [f"A cell is {100.0 * width:.0f} % of its step wide.", ""]
-        lines += output.grid(HEADINGS, _lines(chart))
-    return "\n".join([*lines, provenance(), ""])
+        f"**{note}**" if note else "",
+        *sections,
+    )

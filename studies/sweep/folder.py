@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
 
 from sim.errors import InputError
-from sim.store.files import encode_scene, write_atomically
+from sim.store.files import encode_scene, write_file
 
 from ..reporting.output import comma_separated, make_folder
 from .grid import Grid
@@ -90,7 +90,7 @@ class Folder:
         lines = self._read(plan)
         whole = b"".join([msgspec.json.encode(plan) + b"\n", *lines])
         if not self._path.exists() or self._path.read_bytes() != whole:
-            self._written(self._path, lambda path: write_atomically(path, whole))
+            write_file(self._path, whole)
 
     def _read(self, plan: Plan) -> list[bytes]:
         """Take over the rows that are there, and return their lines."""
@@ -127,7 +127,12 @@ class Folder:
             InputError: it cannot be written.
         """
         line = msgspec.json.encode(Line(number, row)) + b"\n"
-        self._written(self._path, lambda path: _append(path, line))
+        try:
+            with self._path.open("ab") as file:
+                file.write(line)
+        except OSError as error:
+            reason = error.strerror or error
+            raise InputError(f"{self._path}: the file cannot be written ({reason})") from None
         self.rows[number] = row
 
     def write_table(self, grid: Grid, measures: Sequence[str], decimal_comma: bool = False) -> None:
@@ -137,18 +142,7 @@ class Folder:
             InputError: it cannot be written.
         """
         text = comma_separated(headings(grid, measures), cells(grid, self.rows), decimal_comma)
-        self._written(self._out / "table.csv", lambda path: write_atomically(path, text.encode()))
-
-    def _written(self, path: Path, write: Callable[[Path], None]) -> None:
-        try:
-            write(path)
-        except OSError as error:
-            raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
-
-
-def _append(path: Path, line: bytes) -> None:
-    with path.open("ab") as file:
-        file.write(line)
+        write_file(self._out / "table.csv", text.encode())
 
 
 def headings(grid: Grid, measures: Sequence[str]) -> list[str]:

@@ -52,22 +52,21 @@ def markdown(found: Found, figures: Sequence[tuple[str, str]], note: str) -> str
         note: what else there is to say, such as that it is not complete; empty for nothing.
     """
     missed = [(case, r) for case, results in found for r in results if not r.met]
-    lines = [
+    return output.page(
         "# softrod against exact results",
-        "",
         "Written by `softrod validate --out DIR`. Errors are softrod less exact, in parts of the exact value "
         "unless a unit is given. A slope is the power with which the error goes with the spacing, the step, "
         "the tolerance or the softness; the error beside it is that at the smallest of those.",
-        "",
         f"**{summary(found)}.**{' ' + note if note else ''}",
-        "",
-        *(f"- Missed: {case.title}, {r.quantity}: {cells(r)[3]} (target {r.target})" for case, r in missed),
-        *([""] if missed else []),
-        *output.captioned(figures),
-    ]
-    for case, results in found:
-        lines += [f"## {case.title}", "", case.notes, "", *output.grid(HEADINGS, map(cells, results), ALIGN)]
-    return "\n".join([*lines, output.provenance(), ""])
+        "\n".join(
+            f"- Missed: {case.title}, {r.quantity}: {cells(r)[3]} (target {r.target})" for case, r in missed
+        ),
+        output.captioned(figures),
+        *(
+            f"## {case.title}\n\n{case.notes}\n\n{output.grid(HEADINGS, map(cells, results), ALIGN)}"
+            for case, results in found
+        ),
+    )
 
 
 def as_csv(found: Found) -> str:

@@ -49,25 +49,19 @@ EXPECTED = {
 
 def balloon(filling: Gas | Liquid, **spring: float) -> Scene:
     """A ring of springs around a filling; `spring` are fields of its linear springs."""
-    turns = [math.tau * i / MASSES for i in range(MASSES)]
-    edge = 2.0 * RADIUS * math.sin(math.pi / MASSES)
-    return Scene(
-        name="balloon",
-        masses=tuple(
-            sim.Mass(position=(X + RADIUS * math.cos(v), Y + RADIUS * math.sin(v)), mass=0.2) for v in turns
-        ),
-        linear_springs=tuple(
-            sim.LinearSpring(
-                a=i, b=(i + 1) % MASSES, stiffness=2000.0, damping=1.0, rest_length=edge, **spring
-            )
-            for i in range(MASSES)
-        ),
-        angular_springs=tuple(
-            sim.AngularSpring(a=i, b=(i + 1) % MASSES, stiffness=100.0, rest_angle=360.0 / MASSES)
-            for i in range(MASSES)
-        ),
-        fillings=(filling,),
+    ring = sim.polygon(
+        sides=MASSES,
+        circumradius=RADIUS,
+        center=(X, Y),
+        mass=0.2,
+        stiffness=2000.0,
+        damping=1.0,
+        angular_stiffness=100.0,
+        gravity=(0.0, 0.0),
+        air_friction=0.0,
     )
+    springs = tuple(replace(each, **spring) for each in ring.linear_springs)
+    return replace(ring, bodies=(), linear_springs=springs, fillings=(filling,))
 
 
 GAS = Gas(masses=tuple(range(MASSES)), pressure=300.0, outside=100.0)

@@ -1,6 +1,5 @@
 """A client that speaks to the server as its page does, or as no page would."""
 
-import math
 import queue
 import socket
 import struct
@@ -17,7 +16,6 @@ from websockets.sync.client import connect
 from websockets.typing import Origin, Subprotocol
 
 from app.gate.gate import GatedServer, open_server
-from app.gate.messages import UPLOAD_PART_BYTES
 
 PATIENCE = 20.0
 """Seconds to wait for what must happen; only a server that hangs makes a test wait this long."""
@@ -152,23 +150,15 @@ class User:
         self.number = gui.add_number("number", 1.5)
         self.slider = gui.add_slider("slider", 0.0, 10.0, 0.1, 5.0)
         self.checkbox = gui.add_checkbox("checkbox", False)
-        self.color = gui.add_rgb("color", (1, 2, 3))
         self.vector = gui.add_vector3("vector", (0.0, 0.0, 0.0))
         self.button = gui.add_button("button")
-        self.upload = gui.add_upload_button("upload")
         self.command = gui.add_command("command")
-        self.ball = scene.add_icosphere("/ball")
         self.gizmo = scene.add_transform_controls("/gizmo")
-        for name in ("text", "number", "slider", "checkbox", "color", "vector"):
+        for name in ("text", "number", "slider", "checkbox", "vector"):
             getattr(self, name).on_update(self._recorder(name, lambda event: event.target.value))
         self.button.on_click(self._recorder("button", lambda event: event.client_id))
-        self.button.on_hold(callback_hz=20.0)(self._recorder("hold", lambda event: event.client_id))
-        self.upload.on_upload(self._recorder("upload", lambda event: event.target.value))
         self.command.on_trigger(self._recorder("command", lambda event: event.client_id))
-        self.ball.on_click(self._recorder("click", lambda event: event.instance_index))
-        self.ball.on_drag("left")(self._recorder("drag", lambda event: (event.phase, event.end_position)))
         self.gizmo.on_update(self._recorder("gizmo", lambda event: tuple(event.target.position)))
-        scene.on_click()(self._recorder("scene click", lambda event: event.screen_pos))
 
     def _recorder(self, name: str, value: Callable[[Any], Any]) -> Callable[[Any], Any]:
         async def record(event: Any) -> None:
@@ -183,39 +173,6 @@ class User:
     def update(self, element: Any, value: Any) -> dict[str, Any]:
         """The message with which a page sets a GUI element."""
         return {"type": "GuiUpdateMessage", "uuid": uuid_of(element), "updates": {"value": value}}
-
-    def upload_start(self, size: int, transfer: str = "one") -> dict[str, Any]:
-        """The message with which a page announces a file of `size` bytes."""
-        return {
-            "type": "FileTransferStartUpload",
-            "source_component_uuid": uuid_of(self.upload),
-            "transfer_uuid": transfer,
-            "filename": "scene.json",
-            "mime_type": "application/json",
-            "part_count": math.ceil(size / UPLOAD_PART_BYTES),
-            "size_bytes": size,
-        }
-
-    def upload_part(self, index: int, content: bytes, transfer: str = "one") -> dict[str, Any]:
-        """The message with which a page sends a piece of a file."""
-        return {
-            "type": "FileTransferPart",
-            "source_component_uuid": uuid_of(self.upload),
-            "transfer_uuid": transfer,
-            "part_index": index,
-            "content": content,
-        }
-
-    def upload_parts(self, content: bytes, transfer: str = "one") -> list[dict[str, Any]]:
-        """All the pieces of a file."""
-        starts = range(0, len(content), UPLOAD_PART_BYTES)
-        pieces = [content[start : start + UPLOAD_PART_BYTES] for start in starts]
-        return [self.upload_part(index, piece, transfer) for index, piece in enumerate(pieces)]
-
-    def bytes_held(self) -> int:
-        """How much of unfinished uploads viser holds for this client."""
-        states = self.client.gui._current_file_upload_states.values()
-        return sum(len(part) for state in states for part in state["parts"].values())
 
     def works(self) -> bool:
         """Whether a value that the page sends still reaches its callback."""
@@ -236,10 +193,7 @@ class Sandbox:
     """A server behind its gate, and its users."""
 
     def __init__(self) -> None:
-        self.oversized: list[tuple[int, str]] = []
-        self.server: GatedServer = open_server(
-            "127.0.0.1", 0, on_oversized=lambda client_id, name: self.oversized.append((client_id, name))
-        )
+        self.server: GatedServer = open_server("127.0.0.1", 0)
         self.port = self.server.get_port()
         self.pages: list[HostilePage] = []
         self._clients: queue.Queue[viser.ClientHandle] = queue.Queue()
@@ -271,7 +225,6 @@ class Sandbox:
             page.close()
         assert eventually(lambda: not self.server.get_clients())
         self.pages.clear()
-        self.oversized.clear()
         self.server.gate.refused.clear()
 
     def close(self) -> None:

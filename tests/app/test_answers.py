@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import base64
 import threading
+import zlib
 from pathlib import Path
 
 import pytest
@@ -10,11 +12,11 @@ import pytest
 import sim
 from app.page import answers, controls
 from app.page.answers import MOST_WAITING, InOrder
-from app.page.scenes.shelf import Shelf
 from app.session.notices import Notice
 from app.wire.from_page import Ask, ListScenes, Part, Unread, Unsent
 from app.wire.to_page import Resumed
 from sim.store import files
+from tests.app.panels import page_of
 from tests.app.test_gallery import Page
 
 LIMIT = 20.0
@@ -102,9 +104,7 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
         notices.append(notice)
         told.set()
 
-    answering = answers.Answers(
-        page.session, page.letters, notify, lambda _: None, print, str, Shelf(owned=True)
-    )
+    answering = answers.Answers(page_of(page.session, None, page.letters, notify), print, print, str)
     answering.ask(message)
     assert told.wait(LIMIT)
     assert notices[0].title == title
@@ -113,6 +113,32 @@ def test_what_the_page_cannot_send_or_read_is_told(message: Ask, title: str, tex
 
 def test_a_page_that_gives_back_nonsense_keeps_what_comes_after_it() -> None:
     page = Page()
-    answering = answers.Answers(page.session, page.letters, print, print, print, str, Shelf(owned=True))
-    answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="), controls.ALL)
+    answering = answers.Answers(page_of(page.session, None, page.letters), print, print, str)
+    answering.take(Part("resume", 1, 1, "bm9uc2Vuc2U="))
     assert page.letters.sent == [Resumed()]
+
+
+def test_a_file_is_opened_where_there_is_a_share_tab_and_a_broken_one_is_told() -> None:
+    page, told = Page(), threading.Event()
+    notices: list[Notice] = []
+
+    def notify(notice: Notice) -> None:
+        notices.append(notice)
+        told.set()
+
+    all_of_it = page_of(page.session, None, page.letters, notify)
+    answering = answers.Answers(all_of_it, print, print, str)
+
+    def say(name: str, data: bytes) -> Part:
+        return Part("file", 1, 1, f"{name}:{base64.b64encode(zlib.compress(data)).decode()}")
+
+    all_of_it.controls = controls.Controls(("play",))
+    answering.take(say("hidden.json", b"{"))
+    all_of_it.controls = controls.ALL
+    answering.take(say("rod%20one.json", files.encode_scene(sim.load_scene("rod"))))
+    answering.take(say("b%C3%A4d.json", b"{"))
+    assert told.wait(LIMIT)
+    page.session.drain()
+    assert page.session.scene.name == "rod"
+    assert [notice.title for notice in notices] == ["That did not work"]
+    assert notices[0].text.startswith("bäd.json: ")

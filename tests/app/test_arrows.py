@@ -14,6 +14,7 @@ from app.session import commands
 from app.wire.to_page import Tools
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
+from tests.app.panels import page_of
 
 ALL = frozenset(KINDS)
 
@@ -153,7 +154,7 @@ def panel_of(scene: sim.Scene) -> tuple[ToolsPanel, Letters]:
     client.gui.add_dropdown.return_value.value = "10 s"
     client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
     letters = Letters()
-    panel = ToolsPanel(client, SessionPage(scene).session, letters)
+    panel = ToolsPanel(page_of(SessionPage(scene).session, client, letters))
     panel.build()
     return panel, letters
 
@@ -162,14 +163,14 @@ def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones()
     client, session = MagicMock(), SessionPage(sim.load_scene("ring")).session
     client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
     letters = Letters()
-    one = ToolsPanel(client, session, letters)
+    one = ToolsPanel(page_of(session, client, letters))
     one.show_arrows({"forces", "torques"})
     assert [switch.value for switch in one._switches.values()] == [True, False, True]
     one.draw(1, 0.0, exactly=True)
     assert len(letters.sent[-1].numbers)
     kinds = one.leave()
     assert not len(letters.sent[-1].numbers)
-    other = ToolsPanel(client, session, Letters())
+    other = ToolsPanel(page_of(session, client))
     other.show_arrows(kinds)
     assert [switch.value for switch in other._switches.values()] == [True, False, True]
 
@@ -177,7 +178,7 @@ def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones()
 def test_the_switches_stand_below_the_plots_however_many_pages_there_were() -> None:
     client = MagicMock()
     client.gui.add_checkbox.side_effect = lambda *_, **__: MagicMock(value=False)
-    ToolsPanel(client, SessionPage(sim.load_scene("ring")).session, Letters())
+    ToolsPanel(page_of(SessionPage(sim.load_scene("ring")).session, client))
     gui = client.gui
     added = (gui.add_checkbox, gui.add_dropdown, gui.add_button, gui.add_html)
     orders = [call.kwargs["order"] for add in added for call in add.call_args_list]
@@ -188,17 +189,17 @@ def test_the_switches_stand_below_the_plots_however_many_pages_there_were() -> N
 def test_the_page_is_told_which_masses_are_traced() -> None:
     panel, told = panel_of(sim.load_scene("ring"))
     assert told.last(Tools) == Tools(seconds=10)
-    panel.serve("trace", True)
+    panel.trace(True)
     assert told.last(Tools).traced == (), "no mass is chosen"
     for mass in (3, 99, 5, 3):
         panel.choose(mass)
-        panel.serve("trace", True)
+        panel.trace(True)
     assert told.last(Tools).traced == (5, 3)
-    panel.serve("trace", False)
+    panel.trace(False)
     assert told.last(Tools).traced == (5,)
     for mass in range(MOST_TRACES + 2):
         panel.choose(mass)
-        panel.serve("trace", True)
+        panel.trace(True)
     assert told.last(Tools).traced == tuple(range(2, 10))
-    panel.serve("clear", None)
+    panel.clear_traces()
     assert told.last(Tools).traced == ()

@@ -13,10 +13,9 @@ from PIL import Image
 import sim
 from app.drawing.colors import palette, plain, rgb
 from app.drawing.plan import Picture, encode_plan
-from app.drawing.shapes import COILS
+from app.drawing.shapes import COILS, meshes
 from app.drawing.sketch import Floats, Sketch
 from app.export import around, instances
-from app.export.outlines import outlines
 from app.export.painter import Painter, paint
 from app.export.window import Window
 from sim.scene.types import Damage
@@ -74,7 +73,7 @@ def test_parts_lie_where_the_page_draws_them(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["disc", "ring", "bar", "slice", "pin", *COILS])
 def test_an_outline_goes_around_its_mesh(name: str) -> None:
-    lines = outlines(name)
+    lines = meshes()[name].outlines
     assert len(lines) == {"ring": 2, "pin": 2}.get(name, 1)
     areas = [
         0.5 * float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) for x, y in (line.T for line in lines)

@@ -23,6 +23,7 @@ from app.wire.to_page import SceneChanged, ScenePictures, Scenes
 from sim.store import files
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
+from tests.app.panels import page_of
 
 MOST_BYTES = 300_000
 
@@ -33,7 +34,7 @@ class Page(SessionPage):
     def __init__(self, owned: bool = True) -> None:
         super().__init__(sim.load_scene("ring"))
         self.letters, self.notices = Letters(), list[Notice]()
-        self.gallery = Gallery(self.session, self.letters, self.notices.append, Shelf(owned))
+        self.gallery = Gallery(page_of(self.session, None, self.letters, self.notices.append, owned))
 
 
 @pytest.fixture

@@ -444,7 +444,7 @@ def test_a_page_is_of_this_machine_only_if_no_other_can_connect_and_no_proxy_is_
             server.stop()
 
     def is_local(loopback: bool, *headers: tuple[str, str]) -> bool:
-        gate = Gate(frozenset(), lambda *_: None, {}, loopback=loopback)
+        gate = Gate(frozenset(), {}, loopback=loopback)
         request = SimpleNamespace(headers=websockets.datastructures.Headers(headers))
         live = {7: SimpleNamespace(request=request)}
         gate._server = SimpleNamespace(_websock_server=SimpleNamespace(_live_connections=live))  # type: ignore

@@ -56,7 +56,7 @@ def test_an_anchor_that_was_let_go_still_comes_to_where_the_pointer_left_it() ->
     page = rate_limited()
     x, y = torn(page, 400.0)
     page.frames(1, commands.DragEnd())
-    assert not page.session.dragged
+    assert not page.session.hands.masses
     assert np.hypot(*(page.session.simulation.positions[0] - (x + 400.0, y))) > 0.0
     page.frames(120)
     assert page.session.simulation.positions[0] == pytest.approx((x + 400.0, y), abs=1e-6)

@@ -223,7 +223,7 @@ def test_a_mass_in_hand_is_let_go(page: SessionPage) -> None:
     x, y = page.session.simulation.positions[8]
     page.frames(20, commands.DragStart(8, x, y), commands.Point(x + 40.0, y))
     page.frames(1, commands.GoBack(0.2))
-    assert not page.session.dragged
+    assert not page.session.hands.masses
     place = page.session.simulation.positions
     page.frames(10, commands.Point(0.0, 0.0))
     assert np.array_equal(page.session.simulation.positions, place)

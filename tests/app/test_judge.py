@@ -10,7 +10,7 @@ import pytest
 
 import sim
 from app.classroom.judge import GoalWatch, Meter, judge
-from app.session.log import decode_log
+from app.session.log import Set, decode_log
 from app.session.record import Recorder
 from sim.scene.lesson import Goal, Reading, Step
 
@@ -38,7 +38,7 @@ def run(
     simulation = sim.Simulation(scene)
     recorder = Recorder(simulation)
     if stiffness is not None:
-        recorder.set_value("linear_stiffness", stiffness)
+        recorder.do(Set(key="linear_stiffness", value=stiffness))
     for _ in range(round(60 * seconds)):
         recorder.step(8)
     return simulation, recorder.file()

@@ -13,7 +13,6 @@ import viser
 import sim
 from app.cli import Check
 from app.page.scenes.lesson_panel import LessonPanel
-from app.page.viser.comma_switch import CommaSwitch
 from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice
@@ -26,6 +25,7 @@ from sim.settings import scene_of_step
 from sim.store.files import decode_scene, encode_scene
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
+from tests.app.panels import page_of
 
 QUESTION = Question(text="?", choices=("a", "b"), answer=1, because="so")
 
@@ -109,7 +109,7 @@ def lesson_panel(
 ) -> LessonPanel:
     client: Any = server  # has the same `gui`
     tab = server.gui.add_tab_group().add_tab("Lesson")
-    return LessonPanel(client, tab, page.session, letters or Letters(), told.append, CommaSwitch(print), [])
+    return LessonPanel(page_of(page.session, client, letters, told.append), tab)
 
 
 def test_the_page_is_told_what_it_shows_of_a_lesson(server: viser.ViserServer) -> None:
@@ -118,8 +118,8 @@ def test_the_page_is_told_what_it_shows_of_a_lesson(server: viser.ViserServer) -
         Letters(),
     )
     panel = lesson_panel(server, page, [], letters)
-    panel.build(dark=False)
-    panel.build(dark=True)
+    panel.build()
+    panel.build()
     # The settings are the server's.
     assert letters.sent == [LessonState(steps=(LessonStep("A", "B", "", QUESTION),))]
 
@@ -140,7 +140,7 @@ def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server:
     panel = lesson_panel(server, page, told)
     panel.begin(BeginStep(0))
     page.frames(1)
-    panel.build(dark=False)
+    panel.build()
     assert not page.session.playing
     assert panel.controls == ("gravity",)
     assert panel.plots.wishes == (Wish(("joint0.rate",), "joint0.angle"),)
@@ -148,7 +148,7 @@ def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server:
     assert page.session.ghost.method == "rk4"
     panel.begin(BeginStep(1))
     page.frames(1)
-    panel.build(dark=False)
+    panel.build()
     assert (panel.controls, panel.plots.wishes, page.session.ghost) == (("angular_stiffness",), (), None)
     # What has been answered need not wait.
     panel.begin(BeginStep(0, "run"))
@@ -163,6 +163,29 @@ def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own(server:
     panel.begin(BeginStep(7))  # a page can send anything
     assert panel.step == steps[1]
     assert not told
+
+
+def test_nothing_is_to_be_undone_of_a_lesson_that_has_just_been_opened(server: viser.ViserServer) -> None:
+    lesson = with_lesson(Step(title="A", do="B", settings=("gravity=0",)), Step(title="C", do="D"))
+    page = SessionPage(lesson)
+    panel, versions = lesson_panel(server, page, []), page.session.versions
+    panel.begin(BeginStep(0))
+    page.frames(1)
+    assert page.session.scene.gravity == (0.0, 0.0)
+    assert not versions.undoable
+    panel.begin(BeginStep(1))
+    page.frames(1)
+    assert versions.undoable
+    # Opened in the place of another scene, the lesson is one step with its beginning.
+    page.frames(1, commands.Open(sim.load_scene("ring")))
+    ring = page.session.simulation.capture().scene
+    page.frames(1, commands.Open(lesson))
+    panel.begin(BeginStep(0))
+    page.frames(1)
+    page.frames(1, commands.Undo())
+    assert page.session.simulation.capture().scene is ring
+    page.frames(1, commands.Redo())
+    assert page.session.scene.gravity == (0.0, 0.0)
 
 
 def test_what_a_step_cannot_have_is_told_by_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

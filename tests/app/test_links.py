@@ -30,6 +30,7 @@ from sim.store.shared import shared_folder, shared_scene
 from tests.app.hostile import Sandbox, answer
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
+from tests.app.panels import page_of
 
 PAGE = "http://127.0.0.1:8080/"
 
@@ -48,7 +49,7 @@ class Page(SessionPage):
     def __init__(self, name: str) -> None:
         super().__init__(sim.load_scene(name))
         self.letters, self.notices = Letters(), list[Notice]()
-        self.sharing = Sharing(self.session, self.letters, self.notices.append, self.open)
+        self.sharing = Sharing(page_of(self.session, None, self.letters, self.notices.append), self.open)
 
     def open(self, scene: sim.Scene) -> None:
         """Open a scene."""

@@ -21,13 +21,13 @@ from app.export.plot_picture import plot_png
 from app.page.measure import plots
 from app.page.measure.measure_panel import MeasurePanel
 from app.page.measure.phase import phase_svg
-from app.page.viser.comma_switch import CommaSwitch
 from app.session import commands
 from app.session.history import SPAN
 from app.session.notices import Notice
 from app.session.plots import MOST_PLOTS, Plot, Wish, curve
 from sim.errors import InputError
 from tests.app.pages import SessionPage
+from tests.app.panels import page_of
 from tests.app.recording import agrees
 
 
@@ -185,15 +185,8 @@ def test_plots_that_nobody_sees_run_on_and_are_not_sent() -> None:
     server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
     try:
         client: Any = server  # has the same `gui`
-        panel = MeasurePanel(
-            client,
-            server.gui.add_tab_group().add_tab("Measure"),
-            page.session,
-            print,
-            CommaSwitch(print),
-            [],
-            print,
-        )
+        tab = server.gui.add_tab_group().add_tab("Measure")
+        panel = MeasurePanel(page_of(page.session, client), tab)
         panel.plot_angle()
         panel.tick()
         (shown,) = panel.plots._plots
@@ -238,7 +231,7 @@ def test_energies_add_up_and_leave_the_log_as_it_is() -> None:
     page.frames(20, commands.DragStart(0, x, y), commands.Point(x + 60.0, y))
     page.frames(20, commands.DragEnd())
     assert page.plot.rows[-1, 1] == page.session.simulation.energy().total
-    assert not page.session.books
+    assert not page.session.follows_energy
     agrees(page)
 
 
@@ -277,28 +270,31 @@ def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots() -
     try:
         client: Any = server  # has the same `gui`
         tab = server.gui.add_tab_group().add_tab("Measure")
-        panel = MeasurePanel(client, tab, page.session, told.append, CommaSwitch(print), [], lambda: None)
+        shared = page_of(page.session, client, notify=told.append)
+        panel = MeasurePanel(shared, tab)
         panel.tick()
         panel._part.value = "joint999999"
         panel._what.value = "<b>"
         panel._over.value = "nan"
-        panel._asked += [panel._add_chosen, panel._offer]
+        panel._add_chosen()
+        panel._offer()
         panel.tick()
         assert "not a quantity" in told[0].text
         assert panel._part.value == "joint0"
         assert panel._what.value == "angle"
         for _ in range(3):
             panel.plot_angle()  # twice the same is one plot
-        panel._asked += [panel._add_chosen] * 5
+        for _ in range(5):
+            panel._add_chosen()
         panel.tick()
         assert len(panel.plots.wishes) == MOST_PLOTS
         assert "room for 4 plots" in told[-1].text
         # Another scene keeps what it has, too; one without joints keeps nothing.
         page.frames(1, commands.Open(sim.load_scene("tutorial-3.3")))
-        panel.build(dark=True)
+        panel.build()
         assert len(panel.plots.wishes) == MOST_PLOTS
         page.frames(1, commands.Open(sim.rope(3, joints=False)))
-        panel.build(dark=True)
+        panel.build()
         assert panel.plots.wishes == ()
         panel.plot_angle()
         panel.tick()

@@ -101,7 +101,7 @@ def test_energies_are_rounded_to_what_matters(value: float, largest: float, text
 
 def test_energies_have_a_unit() -> None:
     session = Session(sim.load_scene("tutorial-3.3"))
-    session.books = True
+    session.follows_energy = True
     assert "kg px²/s²" in readouts.energy_table(session)
 
 

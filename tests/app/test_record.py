@@ -11,12 +11,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sim
-from app.gate.uploads import MAX_UPLOAD_BYTES
+from app.page.files.keeping import MOST_BYTES
 from app.session import commands, log, record
 from app.session.hand import GIZMO
 from app.session.log import Check, Log, decode_log
 from sim.errors import InputError
 from sim.methods.registry import METHODS
+from sim.store.files import encode_fields
 from tests.amount import examples
 from tests.app.pages import SessionPage
 from tests.app.recording import agrees, busy_page, joined, lines_of, log_of, perturbed, replayed
@@ -39,12 +40,12 @@ def test_a_log_leads_to_the_same_bits_for_any_topology(preset: str) -> None:
 
 def test_a_log_of_a_follower_of_choices_and_of_books() -> None:
     page = SessionPage(sim.load_scene("tutorial-3.3"))
-    page.frames(20, commands.KeepBooks(True), commands.Follow(True), commands.Point(290.0, 170.0))
+    page.frames(20, commands.FollowEnergy(True), commands.Follow(True), commands.Point(290.0, 170.0))
     page.frames(20, commands.SetChoice("method", "adams"), commands.Point(340.0, 190.0))
     page.frames(20, commands.Follow(False), commands.SetChoice("force_law", "conservative"))
     page.frames(20, commands.SetValue("template", 90.0))
     # With another method they begin anew.
-    books = [entry.on for entry in agrees(page).record.entries if isinstance(entry, log.Books)]
+    books = [entry.on for entry in agrees(page).record.entries if isinstance(entry, log.FollowEnergy)]
     assert books == [True, False, True]
 
 
@@ -62,7 +63,7 @@ HANDS = st.integers(0, GIZMO)
 ACTS: st.SearchStrategy[commands.Command] = st.one_of(
     st.builds(commands.DragStart, st.integers(-1, 12), PLACES, PLACES, HANDS),
     st.builds(commands.Point, PLACES, PLACES, HANDS),
-    st.builds(commands.DragTo, PLACES, PLACES, HANDS),
+    st.builds(commands.Point, PLACES, PLACES, HANDS, st.just(True)),
     st.builds(commands.DragEnd, HANDS),
     st.builds(commands.Follow, st.booleans()),
     st.builds(commands.HoldKeys, st.frozensets(st.sampled_from(["up", "down", "left", "right"]))),
@@ -73,7 +74,7 @@ ACTS: st.SearchStrategy[commands.Command] = st.one_of(
         commands.SetChoice, st.just("method"), st.sampled_from(["rk4", "symplectic_euler", "adams", "rodas4"])
     ),
     st.builds(commands.OwnValues, st.sampled_from(["body", "solver"])),
-    st.builds(commands.KeepBooks, st.booleans()),
+    st.builds(commands.FollowEnergy, st.booleans()),
     st.builds(commands.Play, st.sampled_from([None, True, False])),
     st.builds(commands.DoSteps, st.integers(0, 20)),
     st.just(commands.Reset()),
@@ -171,7 +172,7 @@ def test_a_log_stays_short_while_time_stands(monkeypatch: pytest.MonkeyPatch) ->
     for i in range(100):
         acts += [
             commands.Point(x + 0.1 * i, y), commands.SetValue("gravity", 1.0 + i), commands.GoBack(),
-            commands.DragStart(8, x, y), commands.KeepBooks(bool(i % 2)), commands.DragEnd(),
+            commands.DragStart(8, x, y), commands.FollowEnergy(bool(i % 2)), commands.DragEnd(),
         ]  # fmt: skip
     for act in acts:
         page.frames(1, act)
@@ -196,7 +197,7 @@ def test_a_body_that_is_larger_than_a_log_does_not_start_it_anew_all_the_time(
 
 
 def test_a_page_can_open_the_longest_log_that_it_saves() -> None:
-    assert log.MAX_LOG_BYTES + 1_000_000 <= MAX_UPLOAD_BYTES
+    assert log.MAX_LOG_BYTES + 1_000_000 <= MOST_BYTES
 
 
 def test_a_log_says_where_it_was_made_and_not_whose(tmp_path: Path) -> None:
@@ -341,4 +342,4 @@ def test_a_check_notes_few_masses_of_a_large_body() -> None:
 def test_a_log_is_read_back_as_it_was_written(data: bytes) -> None:
     recorded = decode_log(data, "log")
     assert isinstance(recorded, Log)
-    assert [log.encode_entry(entry) for entry in recorded.entries] == data.splitlines()[1:]
+    assert [encode_fields(entry) for entry in recorded.entries] == data.splitlines()[1:]

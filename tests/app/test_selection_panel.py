@@ -19,6 +19,7 @@ from app.session import commands
 from app.session.notices import Notice
 from sim.edit.edit import Selection
 from tests.app.pages import SessionPage
+from tests.app.panels import page_of
 
 
 class Handle(SimpleNamespace):
@@ -52,7 +53,7 @@ class Page(SessionPage):
         names = ("folder", "number", "checkbox", "button", "button_group")
         gui = SimpleNamespace(**{f"add_{name}": self._add for name in names})
         client: Any = SimpleNamespace(gui=gui, atomic=nullcontext)
-        self.panel = SelectionPanel(client, self.session, self.notices.append)
+        self.panel = SelectionPanel(page_of(self.session, client, notify=self.notices.append))
         self.frames(1, commands.Play(False))
 
     def _add(self, label: str, *_: object, initial_value: object = None, **rest: Any) -> Handle:

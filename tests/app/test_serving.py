@@ -157,7 +157,7 @@ def test_a_link_goes_before_what_the_page_kept(stage: Stage, monkeypatch: pytest
         say(page, Part("resume", 1, 1, letters), Part("link", 1, 1, link))
         eventually(lambda: len(tab._requests) == 2)
         monkeypatch.setattr(Tab, "_serve_requests", serve)
-        eventually(lambda: tab._looks.dark)  # the page looks as it did
+        eventually(lambda: tab._page.looks.dark)  # the page looks as it did
         eventually(lambda: session_of(tab).scene.name == "box")
         eventually(lambda: not session_of(tab)._queue)
         assert session_of(tab).scene.name == "box"
@@ -178,7 +178,7 @@ def test_what_the_page_kept_brings_its_plots_whenever_it_comes(
     with stage.page() as page:
         tab = stage.new_tab(set())
         monkeypatch.setattr(Tab, "_prepare", prepare_later)
-        eventually(lambda: tab._looks.dark and session_of(tab).scene.name == "rod")
+        eventually(lambda: tab._page.looks.dark and session_of(tab).scene.name == "rod")
         page.read_for(0.1)
         assert tab._measure is not None
         assert len(tab._measure.plots) == 1
@@ -261,7 +261,7 @@ def test_a_page_that_goes_in_the_middle_of_a_drag_is_forgotten(stage: Stage) -> 
         with stage.page():
             second = stage.new_tab(known)
             session_of(second).post(DragStart(3, 300.0, 250.0))
-            eventually(lambda: session_of(second).dragged == (3,))
+            eventually(lambda: session_of(second).hands.masses == (3,))
         eventually(lambda: set(stage.ticker.tabs) == known)
         steps = session_of(first).simulation.step_count
         eventually(lambda: session_of(first).simulation.step_count > steps)
@@ -373,7 +373,7 @@ def test_when_its_method_is_compiled_the_body_goes_on_with_it(monkeypatch: pytes
         eventually(lambda: tab._session is not None)
         session = session_of(tab)
         session.post(commands.SetValue("linear_stiffness", 12345.0))
-        session.post(commands.KeepBooks(True))
+        session.post(commands.FollowEnergy(True))
         session.post(commands.Compare("rodas4", ""))
         page.wait_for(lambda m: "is followed when it is compiled" in str(m))
         page.wait_for(lambda m: "comes when it is compiled" in str(m))

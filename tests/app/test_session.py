@@ -84,7 +84,7 @@ def test_a_dragged_held_mass_goes_with_the_pointer_and_stays(page: SessionPage) 
     page.frames(5, commands.Point(x + 53.0, y + 20.0))
     page.frames(30, commands.DragEnd())
     assert page.session.simulation.positions[0] == pytest.approx((x + 50.0, y + 20.0))
-    assert not page.session.dragged
+    assert not page.session.hands.masses
 
 
 def test_a_drag_is_smooth_between_two_slow_reports(page: SessionPage) -> None:
@@ -93,7 +93,7 @@ def test_a_drag_is_smooth_between_two_slow_reports(page: SessionPage) -> None:
     page.frames(1, commands.DragStart(0, x, y))
     places = []
     for report in range(1, 11):
-        page.session.post(commands.DragTo(x + 30.0 * report, y))
+        page.session.post(commands.Point(x + 30.0 * report, y, late=True))
         for _ in range(3):
             page.frames(1)
             places.append(page.session.simulation.positions[0, 0])
@@ -115,7 +115,7 @@ def test_a_free_mass_is_held_while_dragged_and_falls_after(page: SessionPage) ->
 def test_a_gizmo_that_keeps_to_its_axis_is_not_disturbed_by_the_pointer(page: SessionPage) -> None:
     x, y = page.session.simulation.positions[0]
     page.frames(1, commands.DragStart(0, x, y, GIZMO))
-    page.frames(20, commands.DragTo(x + 40.0, y, GIZMO), commands.Point(x + 40.0, y + 90.0))
+    page.frames(20, commands.Point(x + 40.0, y, GIZMO, late=True), commands.Point(x + 40.0, y + 90.0))
     assert page.session.simulation.positions[0] == pytest.approx((x + 40.0, y))
 
 
@@ -126,14 +126,14 @@ def test_every_hand_drags_a_mass_of_its_own(page: SessionPage) -> None:
     for hand, (x, y) in zip(hands, before[1:].tolist(), strict=False):
         page.session.post(commands.DragStart(hand + 1, x, y, hand))
         moved.append(commands.Point(x + 5.0 * hand, y - 30.0, hand))
-    page.frames(20, commands.Points(tuple(moved)))
-    assert page.session.dragged == tuple(hand + 1 for hand in hands)
+    page.frames(20, *moved)
+    assert page.session.hands.masses == tuple(hand + 1 for hand in hands)
     wanted = before[1 : MOST_HANDS + 1] + np.outer(hands, (5.0, 0.0)) + (0.0, -30.0)
     assert page.session.simulation.positions[1 : MOST_HANDS + 1] == pytest.approx(wanted)
     page.frames(1, *(commands.DragEnd(hand) for hand in hands if hand != 4))
-    assert page.session.dragged == (5,)
+    assert page.session.hands.masses == (5,)
     assert page.session.simulation._hands.grabbed == {5}
-    page.frames(20, commands.Points(tuple(moved)))
+    page.frames(20, *moved)
     assert page.session.simulation.positions[5] == pytest.approx(wanted[4])
 
 
@@ -141,7 +141,7 @@ def test_a_mass_goes_to_the_hand_that_took_it_last(page: SessionPage) -> None:
     x, y = page.session.simulation.positions[11]
     page.frames(1, commands.DragStart(11, x, y, 0), commands.DragStart(11, x, y, 3))
     page.frames(20, commands.DragEnd(0), commands.Point(x + 40.0, y, 3))
-    assert page.session.dragged == (11,)
+    assert page.session.hands.masses == (11,)
     assert page.session.simulation.positions[11] == pytest.approx((x + 40.0, y))
     page.frames(1, commands.DragStart(10, x, y, 3))
     assert page.session.simulation._hands.grabbed == {10}
@@ -184,7 +184,7 @@ def test_a_pointer_out_of_the_world_is_clamped(page: SessionPage) -> None:
 
 def test_a_mass_that_does_not_exist_cannot_be_dragged(page: SessionPage) -> None:
     page.frames(2, commands.DragStart(99, 0.0, 0.0), commands.DragStart(-1, 0.0, 0.0))
-    assert not page.session.dragged
+    assert not page.session.hands.masses
     assert len(page.session.notices) == 2
 
 
@@ -221,7 +221,7 @@ def test_another_number_of_masses_is_another_body(page: SessionPage) -> None:
 def test_the_number_of_masses_can_change_in_the_middle_of_a_drag(page: SessionPage) -> None:
     page.frames(2, commands.DragStart(11, 300.0, 480.0), commands.SetValue("masses", 4))
     page.frames(5, commands.Point(0.0, 0.0), commands.DragEnd())
-    assert not page.session.dragged
+    assert not page.session.hands.masses
     assert not page.session.notices
 
 
@@ -235,15 +235,15 @@ def test_opening_a_scene_starts_it_anew(page: SessionPage) -> None:
 
 
 def test_opening_a_scene_goes_on_keeping_the_books(page: SessionPage) -> None:
-    page.frames(1, commands.KeepBooks(True), commands.Open(tutorial_preset("ring")))
-    assert page.session.books
+    page.frames(1, commands.FollowEnergy(True), commands.Open(tutorial_preset("ring")))
+    assert page.session.follows_energy
     page.frames(30)
     # Books that were opened only when they are asked for would know nothing of what was damped before.
     assert page.session.simulation.energy().damping < 0.0
 
 
 def test_the_residual_is_that_of_one_method(page: SessionPage) -> None:
-    page.frames(1, commands.SetValue("rest_angle", 20.0), commands.KeepBooks(True))
+    page.frames(1, commands.SetValue("rest_angle", 20.0), commands.FollowEnergy(True))
     page.frames(60)
     assert abs(page.session.simulation.energy().residual) > 1.0
     # The same body by another method, which has done no step yet.
@@ -339,7 +339,7 @@ def pulled_without_damping(page: SessionPage, law: str, dt: float = 0.0025) -> N
         page.frames(1, commands.SetValue(key, 0.0))
     page.frames(1, commands.SetValue("dt", dt), commands.SetChoice("force_law", law))
     x, y = page.session.simulation.positions[-1]
-    page.frames(1, commands.DragStart(11, x, y), commands.DragTo(x + 250.0, y))
+    page.frames(1, commands.DragStart(11, x, y), commands.Point(x + 250.0, y, late=True))
     page.frames(1, commands.DragEnd())
     page.frames(20)
     assert page.session.simulation.dt < 0.8 * page.session.stability.limit
@@ -381,7 +381,7 @@ def test_a_look_at_the_limit_goes_on_over_frames(page: SessionPage) -> None:
     session, calm = page.session, page.session.stability
     session.post(commands.SetValue("angular_stiffness", 1e8))
     frames = 0
-    while frames < 4 or session.stability.limit < calm.limit or session.is_looking:
+    while frames < 4 or session.stability.limit < calm.limit or session.stability_watch.is_looking:
         page.wall.time += FRAME
         session.drain()
         session.tick(1e-9)
@@ -394,11 +394,11 @@ def test_a_look_at_the_limit_goes_on_over_frames(page: SessionPage) -> None:
     session.post(commands.SetValue("angular_stiffness", 1e8))
     session.drain()
     session.tick(1e-9)
-    assert session.is_looking
+    assert session.stability_watch.is_looking
     session.post(commands.Open(sim.load_scene("ring")))  # under "auto", which has no limit
     session.drain()
     session.tick(1e-9)
-    assert not session.is_looking
+    assert not session.stability_watch.is_looking
     assert session.stability.limit == math.inf
 
 

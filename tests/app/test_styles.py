@@ -10,6 +10,12 @@ import app.page
 SHEETS = sorted(Path(app.page.__file__).parent.glob("**/*.css"))
 
 
+def rules() -> list[tuple[str, str]]:
+    """Every rule of the styles: its selector, and what it declares."""
+    texts = (re.sub(r"/\*.*?\*/", "", sheet.read_text(encoding="utf-8"), flags=re.DOTALL) for sheet in SHEETS)
+    return [rule for text in texts for rule in re.findall(r"([^{}]+)\{([^{}]*)", text)]
+
+
 def test_only_one_folder_knows_what_viser_calls_its_widgets() -> None:
     folder = Path(app.page.__file__).parent
     for path in (path for kind in ("css", "js", "py") for path in folder.glob(f"**/*.{kind}")):
@@ -23,10 +29,17 @@ def test_only_one_folder_knows_what_viser_calls_its_widgets() -> None:
 def test_no_style_has_the_browser_search_the_whole_page() -> None:
     """With `:has` on what is always there, every change of a text restyled all of it, 5 ms each time."""
     assert SHEETS
-    for sheet in SHEETS:
-        text = re.sub(r"/\*.*?\*/", "", sheet.read_text(encoding="utf-8"), flags=re.DOTALL)
-        for selector in re.findall(r"([^{}]+)\{", text):
-            # Of what comes and goes, as notices, the first word alone is looked at.
-            assert ":has(" not in selector or selector.strip().startswith(".mantine-Notification-root"), (
-                selector
-            )
+    for selector, _ in rules():
+        # Of what comes and goes, as notices, the first word alone is looked at.
+        assert ":has(" not in selector or selector.strip().startswith(".mantine-Notification-root"), selector
+
+
+def test_for_a_projector_no_text_has_another_colour() -> None:
+    """So it stands out there, too, where it does on light and on dark (`tests/browser/test_contrast.py`)."""
+    found = [(selector, declared) for selector, declared in rules() if ".softrod-projector" in selector]
+    assert len(found) > 20
+    for selector, declared in found:
+        kinds = set(re.findall(r"([\w-]+)\s*:", declared))
+        assert not kinds & {"color", "background", "background-color", "filter"}, selector
+        if "opacity" in kinds:
+            assert re.search(r"softrod-(under|over)lay", selector), selector

@@ -77,12 +77,6 @@ def test_a_page_is_heard_told_and_known_by_its_connection(server: GatedServer) -
         assert viser_inside.input_handle(server, uuid) is None
         group = page.wait_for(lambda message: "_tab_container_ids" in str(message))
         assert viser_inside.element_id(tab) in str(group)
-        viser_inside.free_upload_button(client, uuid, "transfer")
-        assert (
-            page.wait_for(lambda message: message["type"] == "FileTransferPartAck")["transfer_uuid"]
-            == "transfer"
-        )
-        page.wait_for(lambda message: message["type"] == "RemoveNotificationMessage")
 
 
 def test_a_batch_of_no_messages_is_one_for_viser() -> None:

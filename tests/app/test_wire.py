@@ -20,6 +20,7 @@ from app.wire.commands import COMMANDS, key_lines
 from app.wire.from_page import read
 from app.wire.to_page import OfferGallery, ShelfChanged, Tools
 from tests.app.letters import Letters
+from tests.app.panels import page_of
 from tests.page import generate
 
 SAID = {
@@ -137,7 +138,9 @@ class Bare(Tab):
     """A tab with a session, and nothing that is shown."""
 
     def __init__(self, session: Any, names: controls.Controls = controls.ALL) -> None:
-        self._session, self._controls, self._role = session, names, None
+        self._session, self._page = session, page_of(session)
+        self._page.controls = names
+        self._role = None
         self._mapping = Mapping(center=(300.0, 300.0), scale=0.01, flip=-1.0)
         self._mail = Letters()
         self._requests = deque()
@@ -158,10 +161,6 @@ class Posts:
     [
         (from_page.Keys(("up", "right")), commands.HoldKeys(frozenset({"up", "right"}))),
         (from_page.At(((0, 1.5, -0.5),)), commands.Point(450.0, 350.0)),
-        (
-            from_page.At(((2, 1.5, -0.5), (9, 0.0, 0.0))),
-            commands.Points((commands.Point(450.0, 350.0, 2), commands.Point(300.0, 300.0, 9))),
-        ),
         (from_page.Grab(2, 3, 1.5, -0.5), commands.DragStart(3, 450.0, 350.0, 2)),
         (from_page.Drop(2), commands.DragEnd(2)),
         (from_page.GoTo(12.5), commands.GoTo(12.5)),
@@ -178,6 +177,12 @@ def test_what_a_page_says_is_done(said: from_page.FromPage, posted: commands.Com
     assert session.posted == [posted]
 
 
+def test_every_hand_is_pointed() -> None:
+    session = Posts()
+    Bare(session).hear(from_page.At(((2, 1.5, -0.5), (9, 0.0, 0.0))))
+    assert session.posted == [commands.Point(450.0, 350.0, 2), commands.Point(300.0, 300.0, 9)]
+
+
 def test_a_command_is_done_by_whom_the_table_says_and_needs_its_control() -> None:
     for name, row in COMMANDS.items():
         for names in (controls.ALL, controls.Controls(("play",))):
@@ -185,7 +190,7 @@ def test_a_command_is_done_by_whom_the_table_says_and_needs_its_control() -> Non
             tab = Bare(session, names)
             tab.perform(name)
             done = [*session.posted, *tab._mail.sent, *tab._requests]  # type: ignore[attr-defined]
-            offered = (not row.needs or row.needs in names) and row.does != "elsewhere"
+            offered = (not row.needs or row.needs in names) and row.does not in ("edit", "own")
             assert len(done) == offered, name
     assert {row.needs for row in COMMANDS.values()} <= {"", *TOLD_CONTROLS}
     assert set(TOLD_CONTROLS) <= set(controls.PARTS)

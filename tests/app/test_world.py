@@ -257,13 +257,13 @@ def test_every_entry_of_the_energy_balance_has_a_name() -> None:
 
 def test_energies_of_surroundings_and_losses_have_names() -> None:
     page = SessionPage(chain_under_load())
-    page.frames(80, commands.KeepBooks(True))
+    page.frames(80, commands.FollowEnergy(True))
     table = readouts.energy_table(page.session)
     for name in ("lost in breaking", "lost to walls", "residual"):
         assert name in table
     assert "gases" not in table
     page = SessionPage(balloon())
-    page.frames(5, commands.KeepBooks(True))
+    page.frames(5, commands.FollowEnergy(True))
     table = readouts.energy_table(page.session)
     assert "gases and liquids" in table
     assert "breaking" not in table

@@ -76,14 +76,15 @@ class Camera:
 
 def until(page: Page, condition: Callable[[], T], what: str, limit: float = LIMIT) -> T:
     """Wait until a condition holds, letting the browser's events in, and return what it returned."""
-    end = time.monotonic() + limit
+    end, wait = time.monotonic() + limit, 5.0
     while True:
         result = condition()
         if result:
             return result
         if time.monotonic() > end:
             raise AssertionError(f"in {limit:g} s it did not come to this: {what}")
-        page.wait_for_timeout(50)
+        page.wait_for_timeout(wait)
+        wait = min(2.0 * wait, 50.0)
 
 
 class Desk:

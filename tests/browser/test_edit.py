@@ -368,7 +368,7 @@ def test_a_picture_to_draw_over_stays_in_the_browser(open_page: OpenPage, tmp_pa
     page.get_by_label("Size").fill("1")
     desk.until(lambda: box()[2] < 0.5 * wide, "it is smaller")
     page.get_by_label("Opacity").fill("0.8")
-    desk.until(lambda: image.get_attribute("opacity") == "0.80", "it is stronger")
+    desk.until(lambda: image.get_attribute("opacity") == "0.8", "it is stronger")
     desk.picture("edit-picture.png")
     # What is drawn over it is the body's, the picture is not.
     assert "image" not in files.encode_scene(desk.session.snapshot("x", with_pose=True)).decode()

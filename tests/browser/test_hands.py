@@ -43,12 +43,12 @@ def test_the_ringed_mass_is_dragged_and_stays_where_it_is_left(open_page: OpenPa
     end = (start[0] + 110.0, start[1] + 40.0)
     desk.take(start)
     desk.lead(start, end)
-    assert desk.session.dragged == (0,)
+    assert desk.session.hands.masses == (0,)
     assert desk.page.locator(".softrod-hint").count() == 0, "who drags need not be told to"
     desk.until(lambda: off(desk, 0, end) < 1.5, "the mass is at the pointer")
     desk.until(lambda: desk.simulation.positions[-1, 0] > 360.0, "the rope comes after it")
     desk.let_go()
-    desk.until(lambda: not desk.session.dragged, "the mass is let go")
+    desk.until(lambda: not desk.session.hands.masses, "the mass is let go")
     left = desk.simulation.positions[0]
     steps = desk.simulation.step_count
     desk.until(lambda: desk.simulation.step_count > steps + 100, "time goes on")
@@ -83,7 +83,7 @@ def test_the_gizmo_moves_its_mass_freely_by_the_square_and_along_one_axis_by_an_
         desk.take(start)
         end = (start[0] + way[0], start[1] + way[1])
         desk.lead(start, end)
-        desk.until(lambda: desk.session.dragged == (0,), f"the gizmo's grip {grip} is in hand")
+        desk.until(lambda: desk.session.hands.masses == (0,), f"the gizmo's grip {grip} is in hand")
         assert desk.session.hands.is_full(GIZMO)
         wanted = before + moved
         desk.until(
@@ -94,7 +94,7 @@ def test_the_gizmo_moves_its_mass_freely_by_the_square_and_along_one_axis_by_an_
             still = moved.index(0.0)
             assert abs(desk.place(0)[still] - before[still]) < 0.01
         desk.let_go()
-        desk.until(lambda: not desk.session.dragged, "the gizmo is let go")
+        desk.until(lambda: not desk.session.hands.masses, "the gizmo is let go")
         # The gizmo is where its mass is: the next grip is found from there.
         assert np.abs(np.array(desk.place(0)) - wanted).max() < 2.0
 
@@ -107,14 +107,14 @@ def test_a_free_mass_is_held_while_it_is_dragged_and_goes_free_after(open_page: 
     desk.take(start)
     desk.lead(start, end)
     desk.until(lambda: off(desk, 11, end) < 1.5, "the mass is at the pointer")
-    assert desk.session.dragged == (11,)
+    assert desk.session.hands.masses == (11,)
     # The rope pulls at it, but it is in hand.
     steps = desk.simulation.step_count
     desk.until(lambda: desk.simulation.step_count > steps + 100, "time goes on")
     assert off(desk, 11, end) < 1.5
     assert not desk.simulation.velocities[11].any()
     desk.let_go()
-    desk.until(lambda: not desk.session.dragged, "the mass is let go")
+    desk.until(lambda: not desk.session.hands.masses, "the mass is let go")
     desk.until(lambda: off(desk, 11, end) > 15.0, "the rope pulls it away")
     assert not desk.simulation._hands.grabbed
 
@@ -159,7 +159,7 @@ def test_the_paper_is_moved_and_zoomed_but_never_turned(open_page: OpenPage) -> 
         assert after.distance == before.distance
         if button == "left":
             assert np.abs(desk.scene_at((x + 60.0, y + 40.0)) - under).max() < 2.0
-    assert not desk.session.dragged
+    assert not desk.session.hands.masses
 
     # The wheel zooms, and what is under the cursor stays there.
     for turn, grows in ((-300.0, True), (300.0, False)):

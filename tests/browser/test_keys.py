@@ -258,7 +258,7 @@ def test_the_view_menu_and_the_open_box_of_instruments_have_their_keys_to_themse
     press("End")
     press("Home")
     press("Space")
-    desk.until(lambda: desk.tab._looks.dark, "Space presses what has the focus")
+    desk.until(lambda: desk.tab._page.looks.dark, "Space presses what has the focus")
     assert is_at("View") and not menu.is_visible()
     # A press anywhere else closes it, also on a mass; then the keys are the body's.
     desk.button("View").click()
@@ -298,7 +298,7 @@ def test_the_ringed_mass_follows_the_pointer_without_a_button(open_page: OpenPag
     steps = desk.simulation.step_count
     desk.until(lambda: desk.simulation.step_count > steps + 60, "time goes on")
     assert np.abs(desk.simulation.positions[0] - desk.scene_at(end)).max() < 1.5
-    assert not desk.session.dragged
+    assert not desk.session.hands.masses
 
     desk.page.keyboard.press("KeyF")
     desk.until(lambda: not desk.session.follow, "F stops following")
@@ -330,7 +330,7 @@ def test_help_and_the_command_palette_list_the_keys(open_page: OpenPage) -> None
     desk.until(lambda: palette.count() > 0, "the palette opens")
     listed = " ".join(palette.all_inner_texts())
     for row in COMMANDS.values():
-        if row.palette:
+        if row.listed:
             assert row.label in listed
             assert not row.keys or f"key {' or '.join(row.keys)}" in listed
     palette.filter(has_text="1 step").click()

@@ -65,7 +65,7 @@ def test_a_scene_says_which_controls_there_are_while_it_is_shown(open_page: Open
     assert "there is no control called 'kees'" in desk.notice("All controls are shown")
     assert tabs(desk) == everything
     desk.view("Dark")
-    desk.until(lambda: desk.tab._looks.dark and desk.tab._generation >= 0, "the page is made anew")
+    desk.until(lambda: desk.tab._page.looks.dark and desk.tab._generation >= 0, "the page is made anew")
     desk.rest(5)
     assert not desk.notices(), "it is said once"
 

@@ -58,10 +58,15 @@ def begins(desk: Desk, step: Step) -> None:
         assert step.do not in words(desk)
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_a_lesson_is_followed_to_its_end(open_page: OpenPage, name: str) -> None:
+def test_each_lesson_is_followed_to_its_end(open_page: OpenPage) -> None:
     desk = open_page()
     assert not desk.page.locator(CARD).is_visible()
+    for name in NAMES:
+        follow(desk, name)
+
+
+def follow(desk: Desk, name: str) -> None:
+    """Open a lesson, and go through its steps until it starts over."""
     desk.tell(commands.Open(sim.load_scene(name)))
     for i, step in enumerate(steps(name)):
         begins(desk, step)
@@ -196,13 +201,21 @@ def test_its_text_is_only_text(open_page: OpenPage) -> None:
     assert desk.page.evaluate("window.evil") is None
 
 
-@pytest.mark.parametrize("size", [(390, 844), (844, 390), (640, 360)])
+@pytest.mark.parametrize("sizes", [((390, 844),), ((844, 390), (640, 360))], ids=["tall", "wide"])
 def test_question_and_choices_are_in_sight_and_so_is_the_body(
-    open_page: OpenPage, size: tuple[int, int]
+    open_page: OpenPage, sizes: tuple[tuple[int, int], ...]
 ) -> None:
-    desk = open_page(size=size, phone=True)
+    desk = open_page(size=sizes[0], phone=True)
     desk.tell(commands.Open(sim.load_scene("lesson-hooke")))
     begins(desk, steps("lesson-hooke")[0])
+    for size in sizes:
+        desk.page.set_viewport_size({"width": size[0], "height": size[1]})
+        desk.rest(3)
+        question_is_in_sight(desk, size)
+
+
+def question_is_in_sight(desk: Desk, size: tuple[int, int]) -> None:
+    """Look for each choice, and for the body, on a screen of a size."""
     choices = desk.page.locator(f"{CARD} .softrod-choice")
     for i in range(choices.count()):
         box = choices.nth(i).bounding_box()
@@ -210,7 +223,7 @@ def test_question_and_choices_are_in_sight_and_so_is_the_body(
         assert 0.0 <= box["y"] < box["y"] + box["height"] <= size[1], "each choice is in sight"
         x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
         hit = f"document.elementFromPoint({x}, {y}).className"
-        assert desk.page.evaluate(hit) == "softrod-choice", "and not covered"
+        assert desk.page.evaluate(hit) == "softrod-button softrod-choice", "and not covered"
 
     def is_free() -> bool:
         places, dock = desk.at(desk.simulation.positions), desk.page.locator(".softrod-dock").bounding_box()

@@ -122,7 +122,7 @@ def test_a_short_address_opens_the_scene_for_others_and_again_after_a_reload(ope
 
     other = open_page("ring", size=SMALL, path=phone.removeprefix(one.served.url))
     assert other.session.scene == scene
-    assert other.tab._controls.names == ("play", "rest_angle", "angular_stiffness")
+    assert other.tab._page.controls.names == ("play", "rest_angle", "angular_stiffness")
     # What was done meanwhile is there again after a reload, and another address opens another scene.
     other.tell(commands.SetValue("gravity", 123.0))
     other.until(lambda: other.tab._kept and other.tab._kept[0] == other.session.revision, "it is kept")

@@ -60,24 +60,23 @@ def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPa
     desk = open_page()
     desk.tell(commands.Play(False))
     x, y = desk.simulation.positions[0]
-    desk.tell(commands.DragStart(0, x, y), commands.DragTo(x + 1500.0, y), commands.DragEnd())
+    desk.tell(commands.DragStart(0, x, y), commands.Point(x + 1500.0, y, late=True), commands.DragEnd())
     desk.wait_drawn()
     assert not desk.uncovered(desk.place(0))
     desk.page.keyboard.press("0")
     desk.until(lambda: desk.uncovered(desk.place(0)), "all of it is in view")
 
 
-@pytest.mark.parametrize("control", ["Rest angle", "Follow pointer", "Open anew"])
-def test_ctrl_k_opens_the_palette_whatever_has_the_focus(open_page: OpenPage, control: str) -> None:
+def test_ctrl_k_opens_the_palette_whatever_has_the_focus(open_page: OpenPage) -> None:
     desk = open_page()
-    find = {"Rest angle": desk.box, "Follow pointer": desk.control, "Open anew": desk.button}
-    focused = find[control](control)
-    focused.focus()
-    desk.page.keyboard.press("Control+k")
-    palette = desk.page.locator(".mantine-Spotlight-action")
-    desk.until(lambda: palette.count() > 0, "the palette opens")
-    desk.page.keyboard.press("Escape")
-    desk.until(lambda: palette.count() == 0, "the palette closes")
+    focused = desk.box("Rest angle"), desk.control("Follow pointer"), desk.button("Open anew")
+    for control in focused:
+        control.focus()
+        desk.page.keyboard.press("Control+k")
+        palette = desk.page.locator(".mantine-Spotlight-action")
+        desk.until(lambda palette=palette: palette.count() > 0, "the palette opens")
+        desk.page.keyboard.press("Escape")
+        desk.until(lambda palette=palette: palette.count() == 0, "the palette closes")
 
 
 def test_a_scene_is_opened_anew(open_page: OpenPage) -> None:
@@ -109,23 +108,25 @@ def is_seen(desk: Desk, names: str, count: int) -> bool:
     return len(found) >= count and all(inside for _, inside in found)
 
 
-@pytest.mark.parametrize("size", [(640, 360), (568, 320)])
-def test_on_a_low_screen_what_a_button_opens_is_whole(open_page: OpenPage, size: tuple[int, int]) -> None:
-    desk = open_page(size=size, phone=True)
-    for name, entries, count in (
-        ("View", ".softrod-menu-list button", 6),
-        ("Instruments", ".softrod-box-tools button", 3),
+def test_on_a_low_screen_what_a_button_opens_is_whole(open_page: OpenPage) -> None:
+    desk = open_page(size=(640, 360), phone=True)
+    for width, height, name, entries, count in (
+        (640, 360, "View", ".softrod-menu-list button", 6),
+        (640, 360, "Instruments", ".softrod-box-tools button", 3),
+        (568, 320, "View", ".softrod-menu-list button", 6),
+        (568, 320, "Instruments", ".softrod-box-tools button", 3),
     ):
+        desk.page.set_viewport_size({"width": width, "height": height})
         desk.button(name).click()
         desk.until(lambda names=entries, least=count: is_seen(desk, names, least), f"{name} is whole")
         desk.page.keyboard.press("Escape")
 
 
-@pytest.mark.parametrize("size", [(844, 390), (683, 384), (390, 844), (360, 640)])
+@pytest.mark.parametrize("sizes", [((844, 390), (683, 384)), ((390, 844), (360, 640))], ids=["wide", "tall"])
 def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(
-    open_page: OpenPage, size: tuple[int, int]
+    open_page: OpenPage, sizes: tuple[tuple[int, int], ...]
 ) -> None:
-    desk = open_page(size=size, phone=True)
+    desk = open_page(size=sizes[0], phone=True)
     desk.tell(commands.Play(False))
     desk.dismiss("Software WebGL")
 
@@ -136,16 +137,21 @@ def test_on_a_small_screen_all_of_the_bar_the_tools_and_the_body_is_in_reach(
         return all(desk.uncovered((x, y)) for x, y in desk.at(desk.simulation.positions))
 
     bar = ".softrod-transport :is(button, input, .softrod-clock, select)"
-    desk.until(lambda: seen(bar, 6), "the bar of time is whole")
-    assert desk.page.locator(".softrod-transport").evaluate("bar => bar.offsetHeight") < 90
-    desk.until(body, "the body is in view")
-    desk.button("Edit").click()
-    desk.until(lambda: seen(".softrod-edit button", 8), "the tools are whole")
-    desk.until(body, "so is the body beside them")
-    assert abs(desk.place(11)[1] - desk.place(0)[1]) > 70.0
-    assert seen(bar, 6)
-    desk.button("Done").scroll_into_view_if_needed()
-    desk.until(lambda: seen(".softrod-edit-bar > button:last-of-type", 1), "nothing is over the last button")
+    for width, height in sizes:
+        desk.page.set_viewport_size({"width": width, "height": height})
+        desk.until(lambda: seen(bar, 6), "the bar of time is whole")
+        assert desk.page.locator(".softrod-transport").evaluate("bar => bar.offsetHeight") < 90
+        desk.until(body, "the body is in view")
+        desk.button("Edit").click()
+        desk.until(lambda: seen(".softrod-edit button", 8), "the tools are whole")
+        desk.until(body, "so is the body beside them")
+        assert abs(desk.place(11)[1] - desk.place(0)[1]) > 70.0
+        assert seen(bar, 6)
+        desk.button("Done").scroll_into_view_if_needed()
+        desk.until(
+            lambda: seen(".softrod-edit-bar > button:last-of-type", 1), "nothing is over the last button"
+        )
+        desk.button("Done").click()
 
 
 SMALL = """least => [...document.querySelectorAll("body *")].filter(e => {
@@ -205,7 +211,7 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
     desk = open_page(size=(1000, 700))
     if dark:
         desk.view("Dark")
-        desk.until(lambda: desk.tab._looks.dark, "it is dark")
+        desk.until(lambda: desk.tab._page.looks.dark, "it is dark")
         desk.wait_drawn()
     desk.tell(commands.Play(False))
     desk.until(desk.clock_is_right, "the clock shows where it stands")

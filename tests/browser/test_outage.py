@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser, BrowserContext, Route, expect
 
 from app.session import commands
 from tests.browser.between_frames import FRAME_LOCK
@@ -19,7 +20,26 @@ from tests.browser.wires import Wire, wire
 
 NOT_CONNECTED = "Not connected: your body waits."
 WITHIN = 20.0
-"""Seconds within which the page must have noticed; it is ten, and more on a busy machine."""
+"""Seconds within which the page must have noticed; it is three, and more on a busy machine."""
+
+HURRY = 4
+"""By what the times are divided after which a page loses its patience; `tests/page` tests the times."""
+
+
+def hurry(context: BrowserContext) -> None:
+    """Have the pages of a context lose their patience sooner."""
+
+    def faster(route: Route) -> None:
+        response = route.fetch()
+        text, count = re.subn(
+            r"(?<=const )(LOOK_EVERY|ASK_AFTER|SILENT_AFTER|GIVE_UP_AFTER) = ([\d_]+)",
+            lambda found: f"{found[1]} = {int(found[2]) // HURRY}",
+            response.text(),
+        )
+        assert count == 4
+        route.fulfill(response=response, body=text)
+
+    context.route("**/connection.js", faster)
 
 
 @pytest.fixture
@@ -27,6 +47,7 @@ def led(serve: Serve, browser: Browser) -> Iterator[tuple[Desk, Wire]]:
     """A page whose server is at the other end of a wire."""
     served = serve("tutorial-3.3")
     context = browser.new_context(viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
+    hurry(context)
     with wire(int(served.url.rpartition(":")[2])) as between:
         desk = Desk(Served(f"http://127.0.0.1:{between.port}", served.ticker), context)
         desk.open()
@@ -59,7 +80,7 @@ def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> Non
     # In the middle of a drag.
     start = desk.place(0)
     desk.take(start)
-    desk.until(lambda: desk.session.dragged == (0,), "the mass is in hand")
+    desk.until(lambda: desk.session.hands.masses == (0,), "the mass is in hand")
     old = desk._client
     between.mute = True
     desk.until(lambda: is_away(desk), "the page says so", limit=WITHIN)
@@ -75,7 +96,7 @@ def test_a_path_that_dies_is_noticed_and_replaced(led: tuple[Desk, Wire]) -> Non
     take_up(desk, old)
     desk.until(lambda: not is_away(desk), "the page is back")
     desk.until(lambda: desk.session.scene.gravity == (0.0, 900.0), "with what it had kept")
-    assert not desk.session.dragged
+    assert not desk.session.hands.masses
     assert desk.session.playing
     # The server has not kept the dead connection, of which nobody told it.
     desk.until(lambda: old not in desk.served.ticker.tabs, "the dead connection is gone")
@@ -92,7 +113,7 @@ def test_a_stall_ends_the_drag_and_keeps_the_connection(led: tuple[Desk, Wire]) 
     desk.page.keyboard.down("ArrowRight")
     start = desk.place(0)
     desk.take(start)
-    desk.until(lambda: desk.session.dragged == (0,), "the mass is in hand")
+    desk.until(lambda: desk.session.hands.masses == (0,), "the mass is in hand")
     between.held = True
     desk.until(lambda: is_away(desk), "the page says so", limit=WITHIN)
     desk.page.mouse.move(start[0] + 200.0, start[1])
@@ -100,7 +121,7 @@ def test_a_stall_ends_the_drag_and_keeps_the_connection(led: tuple[Desk, Wire]) 
     between.held = False
     desk.until(lambda: not is_away(desk), "the page is back")
     assert desk._client == old
-    desk.until(lambda: not desk.session.dragged, "the drag has ended")
+    desk.until(lambda: not desk.session.hands.masses, "the drag has ended")
     desk.page.mouse.move(start[0] + 250.0, start[1])
     desk.pause(0.5)
     assert abs(desk.place(0)[0] - start[0]) < 20.0
@@ -114,7 +135,7 @@ def test_a_page_at_rest_or_in_the_background_raises_no_alarm(open_page: OpenPage
     desk.page.evaluate(
         "() => { const real = performance.now.bind(performance); performance.now = () => real() + 3.6e6 }"
     )
-    desk.until(lambda: desk.beats >= 4, "it hears from the server although nothing happens", limit=30.0)
+    desk.until(lambda: desk.beats >= 2, "it hears from the server although nothing happens", limit=30.0)
     assert not is_away(desk)
     assert max(desk.served.ticker.tabs) == desk._client
     assert desk.page.evaluate("!document.documentElement.hasAttribute('data-softrod-away')")
@@ -128,6 +149,7 @@ def test_a_server_that_stands_still_is_noticed_and_taken_up_again(browser: Brows
             assert server.stdout is not None
             url = next(word for word in server.stdout.readline().split() if word.startswith("http://"))
             context = browser.new_context(viewport={"width": DESKTOP[0], "height": DESKTOP[1]})
+            hurry(context)
             page = context.new_page()
             page.goto(url)
             page.wait_for_function("window.__softrod?.fitted() > 0")

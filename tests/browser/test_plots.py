@@ -25,6 +25,14 @@ CHARTS = """() => JSON.stringify(Object.values(window.__viserTestpoints?.uplots 
   high: chart.scales.y0?.max,
 })))"""
 
+ROOM = """() => Object.values(window.__viserTestpoints.uplots).map(({ chart }) => {
+  const pen = document.createElement("canvas").getContext("2d");
+  pen.font = "12px system-ui, sans-serif";
+  const edge = chart.bbox.left / devicePixelRatio + chart.valToPos(chart.scales.x.max, "x");
+  return chart.width - edge - pen.measureText("8888").width / 2;
+})[0]"""
+"""Pixels that there are to the right of a number of four digits at the end of the time."""
+
 KEPT = "Object.values(sessionStorage).join()"
 """What the tab keeps."""
 
@@ -54,6 +62,8 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     chart = charts(desk)[0]
     assert abs(chart["data"][1][-1] - desk.simulation.angles[0]) < 1e-2
     assert chart["low"] < min(chart["data"][1]) < max(chart["data"][1]) < chart["high"]
+
+    assert desk.page.evaluate(ROOM) >= 0.0
 
     # The pointer over it reads values.
     over = desk.page.locator(".u-over").bounding_box()
@@ -86,11 +96,11 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     # With decimal commas, which the tab remembers.
     before = desk.page.evaluate(KEPT)
     desk.control("Decimal commas").check()
-    desk.until(lambda: desk.tab._commas.on, "tables have decimal commas")
+    desk.until(lambda: desk.tab._page.commas.on, "tables have decimal commas")
     desk.until(lambda: desk.tab._kept[1].commas, "the server has told the browser to keep that")
     desk.until(lambda: desk.page.evaluate(KEPT) != before, "and it does")
     desk.open()
-    desk.until(lambda: desk.tab._commas.on, "it is so after a reload")
+    desk.until(lambda: desk.tab._page.commas.on, "it is so after a reload")
     desk.show("Measure")
     assert desk.control("Decimal commas").is_checked()
     with desk.page.expect_download() as download:

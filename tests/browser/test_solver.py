@@ -38,20 +38,20 @@ def test_the_energy_is_shown_while_it_is_wanted(open_page: OpenPage) -> None:
     desk.show("Solver")
     assert desk.page.get_by_text("residual: the method's error").count() == 0
     desk.control("Energy").click()
-    desk.until(lambda: desk.session.books, "books are kept")
+    desk.until(lambda: desk.session.follows_energy, "the energy is followed")
     row = desk.page.get_by_text("residual: the method's error")
     row.wait_for()
     desk.simulation.move(0, (420.0, 150.0))
     desk.until(lambda: desk.page.get_by_text("work of your hand").count() == 1, "the anchor did work")
     desk.control("Energy").click()
-    desk.until(lambda: not desk.session.books, "books are kept no more")
+    desk.until(lambda: not desk.session.follows_energy, "the energy is followed no more")
     desk.until(lambda: row.count() == 0, "and are not shown")
     # It is among the commands, too.
     desk.control("Energy").blur()
     desk.page.keyboard.press("Control+k")
     desk.page.get_by_placeholder("Search").fill("energy")
     desk.page.get_by_text("Energy: follow it, or stop").click()
-    desk.until(lambda: desk.session.books, "books are kept again")
+    desk.until(lambda: desk.session.follows_energy, "the energy is followed again")
     desk.until(desk.control("Energy").is_checked, "and the switch shows it")
 
 
@@ -78,7 +78,7 @@ def test_a_ghost_does_the_same_by_another_method(open_page: OpenPage) -> None:
     assert ghost.method == REFERENCE
     second = BetweenFrames(ghost.simulation)
     x, y = desk.simulation.positions[0].tolist()
-    desk.tell(commands.DragStart(0, x, y), commands.DragTo(x + 120.0, y))
+    desk.tell(commands.DragStart(0, x, y), commands.Point(x + 120.0, y, late=True))
     desk.until(lambda: ghost.worst > 0.01, "they part")
     desk.tell(commands.DragEnd())
     # Both were led to the same place.

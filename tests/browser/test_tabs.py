@@ -34,7 +34,7 @@ def test_two_tabs_are_separate_and_closing_one_in_a_drag_frees_it(open_page: Ope
     assert np.abs(other.masses()[0] - held).max() < 0.05
 
     # In the middle of it the tab is closed.
-    assert one.session.dragged == (0,)
+    assert one.session.hands.masses == (0,)
     gone, tabs = one.simulation, one.served.ticker.tabs
     assert len(tabs) == 2
     one.page.close()

@@ -97,7 +97,7 @@ def test_a_reload_comes_back_to_where_it_was(open_page: OpenPage) -> None:
     assert (desk.simulation.positions == where).all()
     assert sim.settings.SETTINGS["linear_stiffness"].read(desk.session.scene) == 7000.0
     assert not desk.session.playing
-    desk.until(lambda: desk.tab._looks.dark, "and the dark")
+    desk.until(lambda: desk.tab._page.looks.dark, "and the dark")
     assert desk.viewed("Dark"), "its switch says so"
     assert_shows(desk, where)
     assert not desk.notices()

@@ -1,7 +1,7 @@
 // Reads lines {plan, frame, damage} from standard input and writes, for each, what the page would draw.
 import { createInterface } from "node:readline";
 import * as draw from "../../app/drawing/static/draw.js";
-import { airAt, loops, outline, skin, wallInView } from "../../app/drawing/static/around.js";
+import { airAt, loops, outline, skin, wallInView } from "../../app/drawing/static/environment.js";
 import { readDamage, readFrame, readPlan } from "../../app/drawing/static/plan.js";
 
 const plain = (instances) =>

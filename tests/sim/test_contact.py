@@ -304,7 +304,7 @@ def test_where_nothing_touches_there_is_nothing_to_pay_for() -> None:
         assert not around.present
         assert max(array.size for _, array in around.contact.arrays()) <= 17
         problem = solver_of(simulation)._problem
-        assert problem is not None and problem.apart == 0
+        assert problem is not None and problem.no_tunnelling == 0
         matrix = solver_of(simulation).matrix
         assert all(
             array.size == 0

@@ -16,13 +16,13 @@ from sim.forces import joints as laws
 from sim.forces.joints import (
     ANGLE,
     CONSERVATIVE,
+    IN_NUMPY,
     LAWS,
     TUTORIAL,
     blocks_of_law,
     joint_blocks,
     joint_energy,
 )
-from sim.physics import LAWS as IN_NUMPY
 from sim.physics import Physics
 from sim.scene.types import ForceLaw
 from sim.settings import CHOICES

@@ -95,7 +95,8 @@ def test_springs_and_joints_exert_no_force_and_no_torque_on_the_whole(law: Force
     simulation = Simulation(body("girder", law, 1))
     state = simulation._state
     x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
-    forces = Physics(simulation._body, state).spring_forces(x, v)
+    physics = Physics(simulation._body, state)
+    forces = physics.springs.forces(x, v) + physics.joints.forces(x, v)
     size = float(np.abs(forces).max())
     assert abs(forces.sum()) < 1e-12 * size
     assert abs((x.conj() * forces).imag.sum()) < 1e-12 * size * float(np.abs(x).max())

@@ -56,12 +56,11 @@ def test_a_watch_bears_an_interruption_and_no_error() -> None:
 
 def test_tables_in_three_forms() -> None:
     headings, rows = ("what", "how", "much", ""), [("a|b", "c", "1", "met"), ("d", "e", "2", "missed")]
-    assert grid(headings, rows, "ll") == [
+    assert grid(headings, rows, "ll").splitlines() == [
         "| what | how | much |  |",
         "| --- | --- | --: | --: |",
         "| a\\|b | c | 1 | met |",
         "| d | e | 2 | missed |",
-        "",
     ]
     shown = table(headings, rows, "ll")
     assert [column.justify for column in shown.columns] == ["left", "left", "right", "right"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,6 @@ from rich.console import Console
 
 import sim
 from app.cli import main
-from sim.analysis.ensemble import Member, Track, marks, run_ensemble
 from sim.methods.registry import METHODS
 from sim.motion.stability import largest_step
 from studies.stability import stability as command
@@ -28,6 +28,7 @@ from studies.stability.map import (
     Map,
     borders,
     compute,
+    track_of,
 )
 from studies.stability.stability import as_csv, stability
 from tests.studies.results import read_table
@@ -81,9 +82,7 @@ def test_the_border_of_the_map_is_the_analytic_limit(moving: sim.Scene, method: 
     limit = largest_step(scene, method)
     reference = ExactMotion(scene, 0.5)
     for part, ending in ((0.97, ACCURATE), (1.08, UNSTABLE)):
-        member = Member(scene, part * limit, marks(0.5, part * limit, SAMPLES))
-        ((_, track),) = run_ensemble([member], method)
-        assert reference.judge(track, member.dt * np.array(member.marks))[0] == ending
+        assert reference.judge(track_of(scene, method, part * limit, 0.5))[0] == ending
 
 
 def test_maps_have_the_border_where_the_limit_is(moving: sim.Scene) -> None:
@@ -100,29 +99,57 @@ def test_maps_have_the_border_where_the_limit_is(moving: sim.Scene) -> None:
     assert (made.limits["rk4"] > 1.2 * made.limits["symplectic_euler"]).all()
 
 
+def test_a_map_that_is_interrupted_keeps_the_cells_that_are_done(moving: sim.Scene) -> None:
+    def stop(done: int, of: int, what: str) -> None:
+        if what == "rk4":
+            raise KeyboardInterrupt
+
+    made = chart("dt", "stiffness", ((2e-3, 2e-2), (1e5, 1e6)), 4)
+    with pytest.raises(KeyboardInterrupt):
+        compute(moving, made, ["rk4"], 0.05, stop)
+    assert (made.endings["rk4"] != UNKNOWN).sum() == 1
+
+
 def test_endings_are_told_apart(moving: sim.Scene) -> None:
     scene = in_cell(moving, {})
     reference = ExactMotion(scene, 0.2)
-    member = Member(scene, 1e-4, marks(0.2, 1e-4, SAMPLES))
-    ((_, track),) = run_ensemble([member], "rk4")
-    times = member.dt * np.array(member.marks)
-    ending, error = reference.judge(track, times)
+    track = track_of(scene, "rk4", 1e-4, 0.2)
+    ending, error = reference.judge(track)
     assert ending == ACCURATE
     assert error < 1e-4
     size = extent(scene)
     for shift, expected in ((0.009, ACCURATE), (0.011, DAMPED_WRONGLY)):
         off = track.positions.copy()
         off[7, 2, 0] += shift * size  # at one look, one mass
-        assert reference.judge(Track(off, track.velocities), times) == (
+        assert reference.judge(replace(track, positions=off)) == (
             expected,
             pytest.approx(shift, rel=0.02),
         )
     fast = track.velocities.copy()
     fast[3] *= 30.0
-    assert reference.judge(Track(track.positions, fast), times)[0] == UNSTABLE
+    assert reference.judge(replace(track, velocities=fast))[0] == UNSTABLE
     gone = track.positions.copy()
     gone[-1] = np.nan
-    assert reference.judge(Track(gone, track.velocities), times)[0] == UNSTABLE
+    assert reference.judge(replace(track, positions=gone))[0] == UNSTABLE
+
+
+def test_a_track_ends_where_the_body_runs_away() -> None:
+    scene = sim.rope(7, direction=(1.0, 0.5), driven=None)
+    gone = np.isnan(track_of(scene, "symplectic_euler", 0.2, 40 * 0.2).positions)
+    first = int(gone.any((1, 2)).argmax())
+    assert gone.any()
+    assert not gone[:first].any()
+    assert gone[first:].all()
+
+
+def test_a_track_is_looked_at_at_even_times() -> None:
+    track = track_of(sim.rope(3), "rk4", 0.01, 1.0)
+    assert track.times == pytest.approx(np.arange(1, SAMPLES + 1) / SAMPLES)
+    simulation = sim.Simulation(sim.rope(3), dt=0.01, integrator="rk4")
+    simulation.step(100)
+    assert track.positions[-1] == pytest.approx(simulation.positions, abs=1e-9)
+    # A step that is too long for that is looked at again and again.
+    assert track_of(sim.rope(3), "rk4", 0.1, 0.2).times.tolist() == [0.1] * 14 + [0.2] * 6
 
 
 def test_a_stable_spring_sags_instead_of_breaking(moving: sim.Scene) -> None:

@@ -109,3 +109,24 @@ export function readFrame(data) {
   const [positions, ghost] = [take(), take()];
   return { generation, time, lengthScale, angleShift, positions, ghost: ghost.length ? ghost : null };
 }
+
+/**
+ * @param {Frame} one
+ * @param {Frame} two
+ * @param {number} part of the way from one to two
+ * @returns {Frame}
+ */
+export function between(one, two, part) {
+  /** @param {number} a @param {number} b */
+  const mix = (a, b) => a + (b - a) * part;
+  /** @param {Float32Array} a @param {Float32Array} b */
+  const mixed = (a, b) => a.map((value, i) => mix(value, b[i]));
+  return {
+    ...two,
+    time: mix(one.time, two.time),
+    lengthScale: mix(one.lengthScale, two.lengthScale),
+    angleShift: mix(one.angleShift, two.angleShift),
+    positions: mixed(one.positions, two.positions),
+    ghost: one.ghost && two.ghost ? mixed(one.ghost, two.ghost) : two.ghost,
+  };
+}

@@ -6,37 +6,25 @@
  * @typedef {import("../../drawing/static/plan.js").Plan} Plan
  * @typedef {import("../../drawing/static/plan.js").Damage} Damage
  * @typedef {import("../../drawing/static/draw.js").Instances} Instances
- * @typedef {import("../../drawing/static/around.js").Screen} Screen
- * @typedef {[number, number]} Part where an array begins in the data, bytes, and how many numbers it has
+ * @typedef {import("../../drawing/static/environment.js").Screen} Screen
  * @typedef {object} About what the file says of its motion
  * @property {number} frames how many
  * @property {number} interval seconds between two
- * @property {number} start simulated time of the first, s
- * @property {number} numbers of a frame: x and y of each mass, and of each of the second body's, if it has one
- * @property {number} masses
  * @property {number} size of the scene's frame, px: the larger of its sides
  * @property {number[]} box left, right, low and high of what is shown, in the page's world
- * @property {number[]} least x and y, px, of the number 0
- * @property {number[]} quantum px of a step, in x and y
  * @property {string} springs the mesh that springs are drawn with
  * @property {Record<string, number[][]>} meshes outlines: x and y of each corner
- * @property {{from: number, light: Part, dark: Part}[]} plans and from which frame on
- * @property {{from: number, at: Part}[]} damages
- * @property {Part} heads of each frame the factor of rest lengths, the shift of rest angles, and whether it has a
- *   second body
- * @property {Part} low bytes of the differences, one number after the other, each through all frames
- * @property {Part} high
+ * @property {number[]} plans from which frame on there is each; its arrays are on white and on dark paper
+ * @property {number[]} damages from which frame on there is each
  */
-import { moving, standing, streaks } from "../../drawing/static/around.js";
+import { moving, standing, streaks } from "../../drawing/static/environment.js";
 import { loadArrows } from "../../drawing/static/arrow_shapes.js";
 import * as draw from "../../drawing/static/draw.js";
-import { ARROW, LAYERS } from "../../drawing/static/looks.js";
-import { readDamage, readPlan, UNHARMED } from "../../drawing/static/plan.js";
+import { ARROW, LAYERS, MARGIN } from "../../drawing/static/looks.js";
+import { between, readDamage, readFrame, readPlan, sections, UNHARMED } from "../../drawing/static/plan.js";
 
 /** What is smaller than that, in the world, is not to be seen. */
 const UNSEEN = 2e-6;
-/** Numbers of a frame's head. */
-const HEAD = 3;
 /** Seconds that an arrow key goes. */
 const [NUDGE, LEAP] = [0.1, 1];
 /** @template {Element} T @param {string} id @param {new () => T} kind @returns {T} */
@@ -53,41 +41,23 @@ async function unpack(text) {
   return new Response(stream).arrayBuffer();
 }
 
-/** @param {About} about @param {ArrayBuffer} data */
+/** @param {About} about @param {ArrayBuffer} data the arrays of plans, damages and frames, as pages get them */
 function readMotion(about, data) {
-  /** @param {Part} part */
-  const floats = ([at, count]) => new Float32Array(data, at, count);
-  const { frames, numbers, masses, least, quantum } = about;
-  const [low, high] = [about.low, about.high].map(([at, count]) => new Uint8Array(data, at, count));
-  const places = new Float32Array(frames * numbers);
-  for (let k = 0; k < numbers; k++) {
-    for (let i = 0, sum = 0; i < frames; i++) {
-      sum = (sum + low[k * frames + i] + 256 * high[k * frames + i]) & 0xffff;
-      places[i * numbers + k] = least[k % 2] + quantum[k % 2] * sum;
-    }
-  }
-  const heads = floats(about.heads);
-  const plans = about.plans.map(({ from, light, dark }) => ({
-    from, light: readPlan(floats(light)), dark: readPlan(floats(dark)),
-  }));
-  const damages = about.damages.map(({ from, at }) => ({ from, damage: readDamage(floats(at)) }));
+  const take = sections(new Float32Array(data));
+  const plans = about.plans.map((from) => ({ from, light: readPlan(take()), dark: readPlan(take()) }));
+  const damages = about.damages.map((from) => ({ from, damage: readDamage(take()) }));
+  const frames = Array.from({ length: about.frames }, () => readFrame(take()));
   /** @template {{from: number}} T @param {T[]} list @param {number} frame */
   const present = (list, frame) => list.filter(({ from }) => from <= frame).at(-1);
   return {
     /** What there is at a time, seconds from the beginning. @param {number} time @param {boolean} dark */
     at(time, dark) {
-      const [at, last] = [time / about.interval, frames - 1];
-      const before = Math.min(Math.max(Math.floor(at + 1e-6), 0), last);
-      const share = before < last ? Math.min(Math.max(at - before, 0), 1) : 0;
-      const [one, two] = [before * numbers, Math.min(before + 1, last) * numbers];
-      const both = new Float32Array(numbers);
-      for (let k = 0; k < numbers; k++) both[k] = places[one + k] + share * (places[two + k] - places[one + k]);
+      const at = time / about.interval;
+      const before = Math.min(Math.max(Math.floor(at + 1e-6), 0), frames.length - 1);
       const plan = present(plans, before)?.[dark ? "dark" : "light"];
       if (!plan) throw new Error("a frame has no plan");
-      const [lengthScale, angleShift, second] = heads.subarray(HEAD * before, HEAD * before + HEAD);
-      const positions = both.subarray(0, 2 * masses);
-      const ghost = second ? both.subarray(2 * masses) : null;
-      const frame = { generation: 0, wall: 0, time: about.start + time, lengthScale, angleShift, positions, ghost };
+      const [one, two] = frames.slice(before, before + 2);
+      const frame = two ? between(one, two, Math.max(at - before, 0)) : one;
       return { plan, frame, damage: present(damages, before)?.damage ?? UNHARMED };
     },
   };
@@ -140,7 +110,7 @@ function painter(about, motion, canvas) {
     const fine = devicePixelRatio;
     const [across, down] = [Math.round(width * fine), Math.round(height * fine)];
     if (canvas.width !== across || canvas.height !== down) [canvas.width, canvas.height] = [across, down];
-    const step = Math.min(width / (right - left), height / (high - low));
+    const step = Math.min(width / (right - left), height / (high - low)) / MARGIN;
     const on = { x: width / 2 - (step * (left + right)) / 2, y: height / 2 + (step * (low + high)) / 2, step };
     const { plan, frame, damage } = motion.at(time, night.matches);
     const world = draw.toWorld(plan, frame.positions);

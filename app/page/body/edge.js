@@ -5,7 +5,7 @@ import { fit } from "./camera.js";
 /** Pixels between the arrow's middle and the edge. */
 const INSET = 34;
 
-/** @typedef {import("../../drawing/static/around.js").Box} Box */
+/** @typedef {import("../../drawing/static/environment.js").Box} Box */
 
 /**
  * Where the arrow stands and where it points, clockwise from the right in degrees; null while a mass is in view.

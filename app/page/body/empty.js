@@ -26,15 +26,13 @@ export function addEmpty() {
   const touch = matchMedia("(pointer: coarse)");
   const building = () => editing.on && editing.tool === "build";
   onEditing(redrawMarks);
-  onSight(({ plan, box }) => {
+  onSight(({ plan, box, floor }) => {
     note.hidden = !isEditable() || plan.radius.length > 1 || plan.springs.length > 0 || (editing.on && !building());
     if (note.hidden) return;
     text.textContent = !building() ? BEFORE : touch.matches ? TAP : CLICK;
     button.hidden = building();
-    const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
-    const bottom = Math.min(box.bottom, dock?.top || Infinity);
     note.style.left = `${box.left + box.width / 2}px`;
-    note.style.top = `${box.top + LOW * (bottom - box.top)}px`;
+    note.style.top = `${box.top + LOW * (floor - box.top)}px`;
     note.style.maxWidth = `${0.8 * box.width}px`;
   });
 }

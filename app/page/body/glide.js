@@ -8,6 +8,8 @@
  *
  * @typedef {import("../../drawing/static/plan.js").Frame} Frame
  */
+import { between } from "../../drawing/static/plan.js";
+
 /** Seconds that a picture waits at most for the frame after it. */
 const LONGEST_WAIT = 0.05;
 /** Seconds between two frames beyond which the body stood in between: there is nothing to glide over. */
@@ -84,7 +86,7 @@ export class Glide {
     while (frames.length > 1 && frames[1].at <= this.shown) frames.shift();
     const [one, two] = frames;
     if (!two || this.shown <= one.at) return this.unlessShown(one);
-    return this.unlessShown(between(one, two, (this.shown - one.at) / (two.at - one.at)));
+    return this.unlessShown({ ...between(one, two, (this.shown - one.at) / (two.at - one.at)), at: this.shown });
   }
 
   /** Whether the newest frame has not been shown yet. */
@@ -98,26 +100,4 @@ export class Glide {
     this.last = frame;
     return frame;
   }
-}
-
-/**
- * @param {Timed} one
- * @param {Timed} two
- * @param {number} part of the way from one to two
- * @returns {Timed}
- */
-export function between(one, two, part) {
-  /** @param {number} a @param {number} b */
-  const mix = (a, b) => a + (b - a) * part;
-  /** @param {Float32Array} a @param {Float32Array} b */
-  const mixed = (a, b) => a.map((value, i) => mix(value, b[i]));
-  return {
-    ...two,
-    at: mix(one.at, two.at),
-    time: mix(one.time, two.time),
-    lengthScale: mix(one.lengthScale, two.lengthScale),
-    angleShift: mix(one.angleShift, two.angleShift),
-    positions: mixed(one.positions, two.positions),
-    ghost: one.ghost && two.ghost ? mixed(one.ghost, two.ghost) : two.ghost,
-  };
 }

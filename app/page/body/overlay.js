@@ -18,6 +18,7 @@ import { viser } from "../viser/viser.js";
  * @property {Screen} on
  * @property {Float64Array} places of the masses, x and y of each
  * @property {DOMRect} box of the canvas
+ * @property {number} floor where the canvas ends that can be seen: at its lower edge, or at the bar of time
  */
 
 /** Pixels from the mass at which a joint's arc is drawn, beyond the mass's own radius. */
@@ -32,6 +33,29 @@ const SHORTEST = 36;
 const CAMERA_MOVES = 1000;
 
 export const SVG = "http://www.w3.org/2000/svg";
+
+/**
+ * Makes an SVG element.
+ *
+ * @template {keyof SVGElementTagNameMap} K
+ * @param {K} kind @param {string} names of its classes @param {Element} [parent] to which it is added
+ * @returns {SVGElementTagNameMap[K]}
+ */
+export function makeSvg(kind, names, parent) {
+  const element = document.createElementNS(SVG, kind);
+  element.setAttribute("class", names);
+  if (kind === "svg") element.setAttribute("aria-hidden", "true");
+  parent?.append(element);
+  return element;
+}
+
+/** Sets what is not set already. @param {Element} element @param {Record<string, number | string>} attributes */
+export function set(element, attributes) {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (element.getAttribute(name) !== String(value)) element.setAttribute(name, String(value));
+  }
+}
+
 /** The mass that the keys have chosen, or -1. */
 let chosen = -1;
 
@@ -71,6 +95,12 @@ export function frameMarks(on) {
   if (!on) redraw();
 }
 
+/** Where the canvas ends that can be seen. @param {DOMRect} box of the canvas */
+export function floorOf(box) {
+  const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
+  return Math.min(box.bottom, dock?.top ?? Infinity);
+}
+
 /**
  * What is on the screen now; null while it is on its way to paper.
  *
@@ -82,12 +112,8 @@ export function sight(frame = shown().frame) {
   const { pictured: plan } = shown();
   const [on, canvas] = [screen(), viser()?.canvas];
   if (!plan || frame?.generation !== plan.generation || !on || !canvas) return null;
-  return { plan, frame, on, places: onScreen(plan, frame.positions, on), box: canvas.getBoundingClientRect() };
-}
-
-/** @param {Element} element @param {Record<string, number | string>} attributes */
-function set(element, attributes) {
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  const box = canvas.getBoundingClientRect();
+  return { plan, frame, on, places: onScreen(plan, frame.positions, on), box, floor: floorOf(box) };
 }
 
 /**
@@ -138,16 +164,9 @@ export function jointAngles(plan, frame, joint) {
 
 /** Puts up the marks. */
 export function addOverlay() {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-overlay");
-  svg.setAttribute("aria-hidden", "true");
+  const svg = makeSvg("svg", "softrod-overlay");
   /** @type {Add} */
-  const add = (kind, name) => {
-    const element = document.createElementNS(SVG, kind);
-    element.classList.add(name);
-    svg.append(element);
-    return element;
-  };
+  const add = (kind, name) => makeSvg(kind, name, svg);
   const marks = [jointMark(add), chosenMark(add), hintMark(add), scaleMark(add)];
   document.body.append(svg);
   const point = addEdgeArrow();
@@ -157,9 +176,8 @@ export function addOverlay() {
     drawnOver = seen.box;
     for (const mark of marks) mark(seen);
     const { left, right, top } = seen.box;
-    const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
     for (const draw of onlookers) draw(seen);
-    point(seen.places, { left, right, top, bottom: Math.min(seen.box.bottom, dock?.top ?? Infinity) });
+    point(seen.places, { left, right, top, bottom: seen.floor });
   };
   onPicture(redraw);
   onTold("pageState", redraw);

@@ -2,7 +2,7 @@
 /** Between the scene, the page's world and the screen: the camera looks straight at the plane z = 0. */
 import { viser } from "../viser/viser.js";
 
-/** @typedef {import("../../drawing/static/around.js").Screen} Screen */
+/** @typedef {import("../../drawing/static/environment.js").Screen} Screen */
 
 /** How the world lies on the screen now. @returns {Screen | null} */
 export function screen() {

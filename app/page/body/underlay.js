@@ -2,11 +2,11 @@
 /**
  * Behind the body: the grid, walls, how far contact reaches, what fills its loops, and the wind.
  */
-import { moving, standing, streaks } from "../../drawing/static/around.js";
+import { moving, standing, streaks } from "../../drawing/static/environment.js";
 import { LAYERS } from "../../drawing/static/looks.js";
 import { onPicture, shown } from "./canvas.js";
 import { onTold, told } from "../../wire/channel.js";
-import { SVG, sight } from "./overlay.js";
+import { makeSvg, set, sight } from "./overlay.js";
 import { timeNow } from "../time/transport.js";
 import { viser } from "../viser/viser.js";
 
@@ -20,9 +20,6 @@ const KINDS = /** @type {(keyof typeof LAYERS)[]} */ (Object.keys(LAYERS));
 const viewOf = ({ plan, on, box }) => [plan.generation, on.x, on.y, on.step, box.width, box.height].join(" ");
 
 /** @typedef {typeof KINDS[number]} Kind */
-
-/** @param {Element} element @param {string} name @param {string} value */
-const set = (element, name, value) => element.getAttribute(name) === value || element.setAttribute(name, value);
 
 /**
  * The streaks of the wind: gusts only drift, so the same streaks are moved along for a while. What is returned draws
@@ -41,11 +38,11 @@ function windMark(path) {
     if (view !== made || !(Math.hypot(u, v) * Math.abs(drift) < MARGIN)) {
       const { left, right, top, bottom } = box;
       const more = { left: left - MARGIN, right: right + MARGIN, top: top - MARGIN, bottom: bottom + MARGIN };
-      set(path, "d", streaks(plan, time, on, more));
+      set(path, { d: streaks(plan, time, on, more) });
       path.removeAttribute("transform");
       [made, since] = [view, time];
     } else {
-      set(path, "transform", `translate(${(u * drift).toFixed(2)} ${(-v * plan.flip * drift).toFixed(2)})`);
+      set(path, { transform: `translate(${(u * drift).toFixed(2)} ${(-v * plan.flip * drift).toFixed(2)})` });
     }
   };
 }
@@ -57,20 +54,13 @@ export const onUnderlay = (draw) => others.push(draw);
 
 /** Begins to draw. */
 export function addUnderlay() {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-underlay");
-  svg.setAttribute("aria-hidden", "true");
-  /** @param {string} kind */
-  const add = (kind) => {
-    const path = document.createElementNS(SVG, "path");
-    path.classList.add(`softrod-${kind}`);
-    svg.append(path);
-    return path;
-  };
-  const paths = /** @type {Record<Kind, SVGPathElement>} */ (Object.fromEntries(KINDS.map((kind) => [kind, add(kind)])));
+  const svg = makeSvg("svg", "softrod-underlay");
+  const paths = /** @type {Record<Kind, SVGPathElement>} */ (
+    Object.fromEntries(KINDS.map((kind) => [kind, makeSvg("path", `softrod-${kind}`, svg)]))
+  );
   /** @param {Partial<Record<Kind, string>>} outlines */
   const show = (outlines) => {
-    for (const kind of KINDS) if (kind in outlines) set(paths[kind], "d", outlines[kind] ?? "");
+    for (const kind of KINDS) if (kind in outlines) set(paths[kind], { d: outlines[kind] ?? "" });
   };
   const { wind } = paths;
   const blow = windMark(wind);
@@ -87,15 +77,15 @@ export function addUnderlay() {
     if (!seen) return;
     if (canvas.previousSibling !== svg) canvas.before(svg);
     const { left, top, width, height } = seen.box;
-    set(svg, "viewBox", `${left} ${top} ${width} ${height}`);
+    set(svg, { viewBox: `${left} ${top} ${width} ${height}` });
     const view = [viewOf(seen), told().width, told().height].join(" ");
     if (view !== stood) show(standing(seen, Math.max(told().width ?? 0, told().height ?? 0) / seen.plan.scale));
     stood = view;
     for (const other of others) other(seen, svg);
     show(moving(seen, shown().damage.broken));
-    set(paths.skin, "stroke-width", (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2));
+    set(paths.skin, { "stroke-width": (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2) });
     if (seen.plan.wind.length) blow(seen, still.matches ? 0 : timeNow());
-    else set(wind, "d", "");
+    else set(wind, { d: "" });
   };
   // As viser draws, so that all is seen from the same place. Its nodes are then as the picture before had them: they
   // take over what is new right after that, to be drawn the next time.

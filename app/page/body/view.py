@@ -7,7 +7,6 @@ masses (canvas.js). A frame in which nothing moved by a tenth of a pixel is not 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,8 @@ from ...drawing.colors import palette
 from ...drawing.plan import Picture, broken_of, encode_damage, encode_frame, encode_plan
 from ...drawing.shapes import meshes
 from ...drawing.sketch import Z_GIZMO, Floats, Sketch
+from ...session import commands
+from ...session.hand import GIZMO
 from ...session.session import Session
 from ...wire.carrier import Mail
 from ...wire.to_page import Damage, Frame, Plan
@@ -34,28 +35,20 @@ MAX_GIZMOS = 12
 _FLAT: dict[str, Any] = {"material": "toon3", "lod": "off", "cast_shadow": False, "receive_shadow": False}
 
 
-@dataclass(frozen=True)
-class Touch:
-    """What the user's hand did to a gizmo; positions in px."""
-
-    phase: str  # start, update, end
-    mass: int
-    x: float
-    y: float
-
-
 class Canvas:
     """The nodes of one page.
 
     Args:
         client: the page.
         mail: to its script.
-        on_touch: hears of gizmos that are dragged, on viser's event loop; it must not block.
+        post: hands on commands, as a gizmo is dragged, on viser's event loop; it must not block.
     """
 
-    def __init__(self, client: viser.ClientHandle, mail: Mail, on_touch: Callable[[Touch], None]) -> None:
+    def __init__(
+        self, client: viser.ClientHandle, mail: Mail, post: Callable[[commands.Command], None]
+    ) -> None:
         self._client, self._mail = client, mail
-        self._on_touch = on_touch
+        self._post = post
         self._nodes: dict[str, Any] = {}
         self._gizmos: list[tuple[int, viser.TransformControlsHandle]] = []
         self._built: tuple[Any, ...] = ()
@@ -80,14 +73,16 @@ class Canvas:
             rest_angles: (J,) degrees without the arrow keys' shift; None for the scene's own.
         """
         self.sketch = sketch = Sketch(scene, palette(scene.view.colors, dark))
-        shape = (scene.view, *self._kinds(sketch), *sketch.held.tolist())
+        kinds = self._kinds(sketch)
+        shape = (scene.view, kinds, *sketch.held.tolist())
         if rest_angles is None:
             rest_angles = np.array([joint.rest_angle for joint in scene.angular_springs])
         with self._client.atomic():
             if shape != self._built:
                 self._clear()
                 self._built = shape
-                self._add_nodes(sketch)
+                for name, mesh in kinds.items():
+                    self._add_empty(f"/body/{name}", mesh)
             plan = encode_plan(0, sketch, rest_angles)
             if self._plan is None or not np.array_equal(plan, self._plan):
                 self._plan = plan
@@ -96,28 +91,17 @@ class Canvas:
                 self._drawn = self._damaged = None
 
     @staticmethod
-    def _kinds(sketch: Sketch) -> tuple[Any, ...]:
-        """Which kinds of things there are to draw."""
-        return (
-            sketch.spring_shape if len(sketch.springs) else "",
-            sketch.yields,
-            len(sketch.joint_a) > 0,
-            len(sketch.pinned) > 0,
-            sketch.driven,
-        )
-
-    def _add_nodes(self, sketch: Sketch) -> None:
-        springs, yields, joints, pins, driven = self._kinds(sketch)
-        for name, mesh in (
-            ("springs", springs),
-            ("yielded", "bar" if yields else ""),
-            ("wedges", "slice" if joints else ""),
-            ("pins", "pin" if pins else ""),
-            ("ring", "ring" if driven is not None else ""),
-            ("masses", "disc"),
-        ):
-            if mesh:
-                self._add_empty(f"/body/{name}", mesh)
+    def _kinds(sketch: Sketch) -> dict[str, str]:
+        """The meshes of what there is to draw, by the names of their nodes."""
+        kinds = {
+            "springs": sketch.spring_shape if len(sketch.springs) else "",
+            "yielded": "bar" if sketch.yields else "",
+            "wedges": "slice" if len(sketch.joint_a) else "",
+            "pins": "pin" if len(sketch.pinned) else "",
+            "ring": "ring" if sketch.driven is not None else "",
+            "masses": "disc",
+        }
+        return {name: mesh for name, mesh in kinds.items() if mesh}
 
     def show_gizmos(self, on: bool) -> None:
         """Put up a gizmo at each held mass, or take them away."""
@@ -137,7 +121,7 @@ class Canvas:
             force: send even the smallest movement, so that a paused picture is exact.
         """
         sketch = self.sketch
-        if sketch is None or (self._is_drawn(picture) if force else self._is_still(picture)):
+        if sketch is None or self._is_drawn(picture, exactly=force):
             return False
         self._drawn = picture
         with self._client.atomic():
@@ -161,10 +145,9 @@ class Canvas:
         ghost = self._damaged.ghost_broken if self._damaged is not None else ()
         if ghost != picture.ghost_broken or broken_of(known) != broken_of(picture.damage):
             return False
-        if exactly or known is None or picture.damage is None or self.sketch is None:
+        if exactly or known is None or picture.damage is None:
             return known == picture.damage
-        pixel = 1.0 / (100.0 * self.sketch.mapping.scale)
-        return _near(known.set_lengths, picture.damage.set_lengths, STILL * pixel) and _near(
+        return _near(known.set_lengths, picture.damage.set_lengths, STILL * self._pixel) and _near(
             known.set_angles, picture.damage.set_angles, 0.5
         )
 
@@ -175,32 +158,26 @@ class Canvas:
         elif not wanted and "/body/ghost" in self._nodes:
             self._nodes.pop("/body/ghost").remove()
 
-    def _is_drawn(self, picture: Picture) -> bool:
-        """Whether exactly this was drawn last."""
-        drawn = self._drawn
-        if drawn is None or (drawn.ghost is None) != (picture.ghost is None):
-            return False
-        if not self._same_damage(picture, exactly=True):
-            return False
-        ghosts = picture.ghost is None or np.array_equal(drawn.ghost, picture.ghost)  # type: ignore[arg-type]
-        numbers, before = ((p.time, p.rest_length_scale, p.rest_angle_shift) for p in (picture, drawn))
-        return ghosts and numbers == before and np.array_equal(drawn.positions, picture.positions)
-
-    def _is_still(self, picture: Picture) -> bool:
+    def _is_drawn(self, picture: Picture, exactly: bool) -> bool:
+        """Whether this was drawn last, to what can be seen or exactly."""
         drawn, sketch = self._drawn, self.sketch
         if drawn is None or sketch is None or drawn.positions.shape != picture.positions.shape:
             return False
-        if (drawn.ghost is None) != (picture.ghost is None):
+        if (drawn.ghost is None) != (picture.ghost is None) or not self._same_damage(picture, exactly):
             return False
-        if not self._same_damage(picture, exactly=False):
-            return False
-        pixel = 1.0 / (100.0 * sketch.mapping.scale)  # the frame is 6 units, or 600 pixels, long
         moved = np.abs(picture.positions - drawn.positions).max(initial=0.0)
         if drawn.ghost is not None and picture.ghost is not None:
             moved = max(moved, np.abs(picture.ghost - drawn.ghost).max(initial=0.0))
         turned = abs(picture.rest_angle_shift - drawn.rest_angle_shift)
         grown = abs(picture.rest_length_scale / drawn.rest_length_scale - 1.0)
-        return bool(moved < STILL * pixel and turned < 0.5 and grown < 1e-3)
+        if exactly:
+            return picture.time == drawn.time and not (moved or turned or grown)
+        return bool(moved < STILL * self._pixel and turned < 0.5 and grown < 1e-3)
+
+    @property
+    def _pixel(self) -> float:
+        """A pixel of a frame that is 600 of them long, in px of the scene."""
+        return 1.0 / (100.0 * self.sketch.mapping.scale) if self.sketch is not None else 1.0
 
     def _clear(self) -> None:
         for node in self._nodes.values():
@@ -251,7 +228,12 @@ class Canvas:
                 return  # our own write
             self._gizmo_in_hand = None if event.phase == "end" else mass
             x, y = self.sketch.mapping.to_scene(*(float(c) for c in event.target.position[:2]))
-            self._on_touch(Touch(event.phase, mass, x, y))
+            if event.phase == "start":
+                self._post(commands.DragStart(mass, x, y, GIZMO))
+            elif event.phase == "update":
+                self._post(commands.Point(x, y, GIZMO, late=True))
+            else:
+                self._post(commands.DragEnd(GIZMO))
 
 
 def _near(before: tuple[float, ...], now: tuple[float, ...], most: float) -> bool:

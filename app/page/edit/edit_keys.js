@@ -9,14 +9,12 @@ import { pasteHere, toClipboard } from "./clipboard.js";
 import { line, stepBack } from "./edit.js";
 import { step } from "./edit_places.js";
 import { change, countSelected, editing, giveUp, isEditable, isTool, setTool } from "./editing.js";
-import { commandOf } from "../hands/key_table.js";
+import { ARROWS, commandOf } from "../hands/key_table.js";
 import { isFree, swallow } from "../hands/keys.js";
 import { moveSelected } from "./move.js";
 import { chosenMass, sight } from "../body/overlay.js";
 import { massAt } from "../hands/pointer.js";
 
-/** @type {Record<string, [number, number]>} */
-const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 /** By how much less an arrow moves with Shift. */
 const FINE = 0.1;
 
@@ -56,7 +54,7 @@ function withCtrl(event) {
 function nudge({ key, shiftKey }, mass) {
   const { pictured: plan } = shown();
   const by = step() * (plan?.scale ?? 1) * (shiftKey ? FINE : 1);
-  const [x, y] = MOVES[key];
+  const [x, y] = ARROWS[key];
   if (countSelected() || mass >= 0) moveSelected(x * by, y * by, { ...aim(mass), keys: true });
 }
 
@@ -103,7 +101,7 @@ function press(event) {
   }
   const mass = massOf(event);
   if (altKey) {
-    if (!editing.on || !MOVES[key] || !isFreeWithCtrl(event)) return;
+    if (!editing.on || !ARROWS[key] || !isFreeWithCtrl(event)) return;
     nudge(event, mass);
     swallow(event);
     return;

@@ -5,7 +5,7 @@ import { CORNER, partAt, snapped, turnable } from "./edit_places.js";
 import { editing, onEditing } from "./editing.js";
 import { wrapped } from "../../drawing/static/draw.js";
 import { restAt, restDirection } from "./joint_rest.js";
-import { degrees, onSight, putUp, sight, SVG } from "../body/overlay.js";
+import { degrees, makeSvg, onSight, putUp, set, sight } from "../body/overlay.js";
 import { armsOf, cornersOf, crossed, turnTo } from "./pick.js";
 import { massAt } from "../hands/pointer.js";
 
@@ -45,17 +45,11 @@ function sector(at, from, turn, radius) {
 
 /** Begins to draw. */
 export function addEditMarks() {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.classList.add("softrod-marks", "softrod-edit-marks");
-  svg.setAttribute("aria-hidden", "true");
-  const paths = /** @type {Record<Kind, SVGPathElement>} */ ({});
-  for (const kind of KINDS) {
-    paths[kind] = document.createElementNS(SVG, "path");
-    paths[kind].classList.add(`softrod-edit-${kind}`);
-    svg.append(paths[kind]);
-  }
-  const words = document.createElementNS(SVG, "text");
-  svg.append(words);
+  const svg = makeSvg("svg", "softrod-marks softrod-edit-marks");
+  const paths = /** @type {Record<Kind, SVGPathElement>} */ (
+    Object.fromEntries(KINDS.map((kind) => [kind, makeSvg("path", `softrod-edit-${kind}`, svg)]))
+  );
+  const words = makeSvg("text", "", svg);
   let empty = true;
   putUp(svg);
 
@@ -63,13 +57,10 @@ export function addEditMarks() {
   const draw = (seen) => {
     if (!editing.on && empty) return;
     const marks = editing.on ? { ...selection(seen), ...underWay(seen), ...jointMarks(seen) } : {};
-    for (const kind of KINDS) {
-      const d = marks[kind] ?? "";
-      if (paths[kind].getAttribute("d") !== d) paths[kind].setAttribute("d", d);
-    }
+    for (const kind of KINDS) set(paths[kind], { d: marks[kind] ?? "" });
     const said = editing.on ? knobText(seen) : null;
     words.textContent = said?.text ?? "";
-    if (said) for (const [name, value] of Object.entries(said.at)) words.setAttribute(name, value.toFixed(1));
+    if (said) set(words, { x: said.at.x.toFixed(1), y: said.at.y.toFixed(1) });
     empty = !editing.on;
   };
   onSight(draw);

@@ -1,13 +1,13 @@
 // @ts-check
 /** Where things are for an edit: what is under the pointer, the nearest crossing of the grid, directions and distances. */
-import { gridStep } from "../../drawing/static/around.js";
+import { gridStep } from "../../drawing/static/environment.js";
 import { shown } from "../body/canvas.js";
 import { told } from "../../wire/channel.js";
 import { editing } from "./editing.js";
 import { sight } from "../body/overlay.js";
 import { jointAt, rounded, springAt } from "./pick.js";
 import { massAt } from "../hands/pointer.js";
-import { worldAt } from "../body/screen.js";
+import { wireNumber, worldAt } from "../body/screen.js";
 
 /**
  * @typedef {import("./pick.js").Place} Place
@@ -73,7 +73,7 @@ export function snapped(at, free) {
 export function world(at) {
   const seen = sight();
   const point = seen ? worldAt(at, seen.on) : { x: 0, y: 0 };
-  return [Number(point.x.toFixed(6)), Number(point.y.toFixed(6))];
+  return [wireNumber(point.x), wireNumber(point.y)];
 }
 
 /** The direction of a place from a mass, degrees anticlockwise. @param {number} mass @param {Place} at */

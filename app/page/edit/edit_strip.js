@@ -9,7 +9,7 @@ import { change, countSelected, editing, isEditable, onEditing, setEditing, setT
 import { withKey } from "../hands/key_table.js";
 import { hasWords, larger } from "../looks/looks.js";
 import { setTakesNew, takesNew } from "./move.js";
-import { onSight } from "../body/overlay.js";
+import { floorOf, onSight } from "../body/overlay.js";
 import { perform } from "../../wire/perform.js";
 import { viser } from "../viser/viser.js";
 
@@ -121,12 +121,11 @@ export function addEditStrip(tracing) {
     const canvas = viser()?.canvas?.getBoundingClientRect();
     if (!canvas || strip.hidden) return;
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
-    const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
     const left = canvas.left + 14;
     const free = Math.max(canvas.top, hud?.bottom ?? 0) + 10;
     const top = free < above && above < free + STAYS ? above : free;
     above = editing.on ? top : 0;
-    const bottom = Math.min(canvas.bottom, dock?.top ?? Infinity);
+    const bottom = floorOf(canvas);
     // On a phone they stand in a row, without words.
     const low = bottom - top < COLUMN + (larger() - 1) * MORE;
     const beside = taken(".softrod-box-lid");

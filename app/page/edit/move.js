@@ -1,6 +1,7 @@
 // @ts-check
 /** Moving what is selected: whether its springs rest as they are then is asked once, and the tab remembers. */
 import { onTold, send, told } from "../../wire/channel.js";
+import { wireNumber } from "../body/screen.js";
 import { make, makeButton, makeDialog } from "../looks/dialog.js";
 import { change } from "./editing.js";
 import { kept, store } from "../files/storage.js";
@@ -31,7 +32,7 @@ export function setTakesNew(rest) {
  * @param {{under?: number, keys?: boolean}} [how]
  */
 export function moveSelected(x, y, how = {}) {
-  waiting = { x: Number(x.toFixed(6)), y: Number(y.toFixed(6)), ...how };
+  waiting = { x: wireNumber(x), y: wireNumber(y), ...how };
   if (chosen === null) offer();
   else send({ do: "move", ...waiting, rest: takesNew() });
 }

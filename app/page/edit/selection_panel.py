@@ -30,7 +30,8 @@ from sim.edit.values import (
 
 from ...session import commands
 from ...session.notices import Notice
-from ...session.session import Session
+from ..page import Page
+from ..viser.handlers import on_change
 from ..viser.slider_box import DECIMALS, TOUCHED, Limits, alike, rounded
 
 EVERY = 0.1
@@ -108,19 +109,12 @@ class SelectionPanel:
     """The folder of one page; it is made when anything is selected for the first time.
 
     Args:
-        client: the page.
-        session: its simulation.
-        tell: tells the user something.
+        page: whose body it is.
     """
 
-    def __init__(
-        self,
-        client: viser.ClientHandle,
-        session: Session,
-        tell: Callable[[Notice], None],
-    ) -> None:
-        self._client, self._session, self._tell = client, session, tell
-        self._selection = session.selection if not any(session.selection) else None
+    def __init__(self, page: Page) -> None:
+        self._page, self._client, self._session = page, page.client, page.session
+        self._selection = self._session.selection if not any(self._session.selection) else None
         self._scene: Scene | None = None
         self._due = -math.inf
         self._folder: viser.GuiFolderHandle | None = None
@@ -150,10 +144,10 @@ class SelectionPanel:
             shown = {each.of: each for each in numbers_of(scene, selection)}
             for row in self._rows:
                 row.take(shown.get(row.of), another)
-            _set(self._proportions, "visible", any(each.note == "mixed" for each in shown.values()))
-            _set(self._holding, "visible", bool(selection.masses))
-            _set(folder, "label", described(selection))
-            _set(folder, "visible", True)
+            self._proportions.visible = any(each.note == "mixed" for each in shown.values())
+            self._holding.visible = bool(selection.masses)
+            folder.label = described(selection)
+            folder.visible = True
         for row in self._rows:
             row.show()
 
@@ -162,33 +156,29 @@ class SelectionPanel:
         gui, post = self._client.gui, self._session.post
         folder = gui.add_folder("", order=FIRST)
         with folder:
-            self._rows = [_Row(self._client, of, self._set, self._tell) for of in (*STARTS, *NUMBERS)]
+            self._rows = [_Row(self._client, of, self._set, self._page.notify) for of in (*STARTS, *NUMBERS)]
             self._proportions = gui.add_checkbox(
                 "Keep proportions",
                 initial_value=False,
                 hint="a number is then that of the largest, and the others change with it",
             )
             self._holding = gui.add_button_group("Masses", (PIN, LET_GO))
-            rest = gui.add_button(
+            self._page.button(
                 "Rest as it is now",
-                icon=viser.Icon.RULER_2,
-                color="gray",
+                viser.Icon.RULER_2,
+                lambda: post(commands.Change(take_as_rest)),
                 hint="rest lengths and rest angles become the present ones",
             )
-            delete = gui.add_button("Delete", icon=viser.Icon.TRASH, color="gray")
+            self._page.button(
+                "Delete",
+                viser.Icon.TRASH,
+                lambda: post(commands.Change(lambda moment, selected: remove(moment.scene, selected))),
+            )
 
         @self._holding.on_click
         async def _(event: viser.GuiEvent[Any]) -> None:
             on = event.target.value == PIN
             post(commands.Change(lambda moment, selected: pin(moment.scene, selected.masses, on)))
-
-        @rest.on_click
-        async def _(_: object) -> None:
-            post(commands.Change(take_as_rest))
-
-        @delete.on_click
-        async def _(_: object) -> None:
-            post(commands.Change(lambda moment, selected: remove(moment.scene, selected)))
 
         return folder
 
@@ -218,10 +208,7 @@ class _Row:
         )
         self._box.precision = DECIMALS
 
-        @self._box.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is None:
-                return
+        def enter() -> None:
             value = self._box.value
             if self._limits.allow(value):
                 self._touched = time.monotonic()
@@ -229,17 +216,19 @@ class _Row:
             elif self._shown is not None:
                 self._box.value = rounded(self._shown.value)
 
+        on_change(self._box, enter)
+
     def take(self, shown: Shown | None, another: bool) -> None:
         """Have other numbers to show, or none; of other parts, whatever is being typed."""
         self._shown = shown
-        _set(self._box, "visible", shown is not None)
+        self._box.visible = shown is not None
         if shown is None:
             return
-        _set(self._box, "label", f"{self.of.label} ({shown.note})" if shown.note else self.of.label)
+        self._box.label = f"{self.of.label} ({shown.note})" if shown.note else self.of.label
         if another:
             self._touched = -math.inf
             size = abs(shown.value)
-            _set(self._box, "step", 10.0 ** (math.floor(math.log10(size)) - 1) if size > 1e-6 else 0.1)
+            self._box.step = 10.0 ** (math.floor(math.log10(size)) - 1) if size > 1e-6 else 0.1
 
     def show(self) -> None:
         """Show what is set, if that is not what its user is just typing."""
@@ -248,8 +237,3 @@ class _Row:
         value = self._shown.value
         if time.monotonic() - self._touched >= TOUCHED and not alike(value, self._box.value):
             self._box.value = rounded(value)
-
-
-def _set(handle: Any, attribute: str, value: object) -> None:
-    if getattr(handle, attribute) != value:
-        setattr(handle, attribute, value)

@@ -8,8 +8,9 @@
  */
 import { make, makeButton } from "../looks/dialog.js";
 import { editing, onEditing } from "./editing.js";
+import { ARROWS } from "../hands/key_table.js";
 import { isFree, swallow } from "../hands/keys.js";
-import { SVG } from "../body/overlay.js";
+import { makeSvg, set } from "../body/overlay.js";
 import { screen } from "../body/screen.js";
 import { kept, store } from "../files/storage.js";
 import { onUnderlay } from "../body/underlay.js";
@@ -22,8 +23,6 @@ const LONGEST = 1600;
 const MOST = 2_500_000;
 /** Width at first, and the range of the slider, in the world: a scene's frame is 6 wide. */
 const [FIRST, NARROWEST, WIDEST] = [5, 0.5, 30];
-/** @type {Record<string, [number, number]>} */
-const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 /** Milliseconds without a change after which it is stored. */
 const STORE_AFTER = 300;
 /** What does something else with the arrows. */
@@ -38,24 +37,8 @@ let storing = 0;
 /** Whether the pointer and the arrows move it. */
 let moving = false;
 
-/** Whether what was stored is a picture as it was kept. @param {unknown} value @returns {value is Picture} */
-function isPicture(value) {
-  const found = /** @type {Record<string, unknown> | null} */ (value);
-  const numbers = ["x", "y", "width", "ratio", "opacity"];
-  return (
-    typeof found === "object" && found !== null && /^data:image\/(webp|png|jpeg);base64,/.test(String(found.data)) &&
-    numbers.every((name) => Number.isFinite(found[name]))
-  );
-}
-
-function restored() {
-  try {
-    const value = JSON.parse(kept(STORED) ?? "null");
-    return isPicture(value) ? value : null;
-  } catch {
-    return null;
-  }
-}
+/** What was stored. @returns {Picture | null} */
+const restored = () => JSON.parse(kept(STORED) || "null");
 
 /**
  * Reads a file as a picture, not larger than is needed.
@@ -174,7 +157,7 @@ export function addTracing() {
     row.scrollIntoView({ block: "nearest", inline: "start" }); // on a phone, the bar is longer than it shows
   });
 
-  const image = document.createElementNS(SVG, "image");
+  const image = makeSvg("image", "");
   image.setAttribute("preserveAspectRatio", "none");
   onUnderlay(({ on }, svg) => {
     if (!picture) {
@@ -182,15 +165,12 @@ export function addTracing() {
       return;
     }
     if (svg.firstChild !== image) svg.prepend(image);
-    if (image.getAttribute("href") !== picture.data) image.setAttribute("href", picture.data);
     const wide = picture.width * on.step;
     const high = wide * picture.ratio;
     const [x, y] = [on.x + picture.x * on.step - wide / 2, on.y - picture.y * on.step - high / 2];
-    for (const [name, value] of Object.entries({ x, y, width: wide, height: high, opacity: picture.opacity })) {
-      image.setAttribute(name, value.toFixed(2));
-    }
+    set(image, { href: picture.data, x, y, width: wide, height: high, opacity: picture.opacity });
   });
-  listen(() => picture, put, () => {
+  listen(put, () => {
     moving = false;
     show();
   });
@@ -216,18 +196,17 @@ function slider(text, low, high, moved) {
 /**
  * Moves it with the pointer and with arrows, until Esc.
  *
- * @param {() => Picture | null} present @param {(changes: Partial<Picture>) => void} put @param {() => void} stop
+ * @param {(changes: Partial<Picture>) => void} put @param {() => void} stop
  */
-function listen(present, put, stop) {
+function listen(put, stop) {
   /** @type {{id: number, x: number, y: number, from: {x: number, y: number}} | null} */
   let hold = null;
   window.addEventListener("pointerdown", (event) => {
-    const now = present();
     const { canvas } = viser() ?? {};
-    if (!moving || !now || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
+    if (!moving || !picture || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
     swallow(event);
     canvas.setPointerCapture(event.pointerId);
-    hold = { id: event.pointerId, x: event.clientX, y: event.clientY, from: { x: now.x, y: now.y } };
+    hold = { id: event.pointerId, x: event.clientX, y: event.clientY, from: { ...picture } };
   }, true);
   window.addEventListener("pointermove", (event) => {
     if (!hold || event.pointerId !== hold.id) return;
@@ -243,10 +222,9 @@ function listen(present, put, stop) {
     }, true);
   }
   window.addEventListener("keydown", (event) => {
-    const now = present();
-    const way = MOVES[event.key];
+    const way = ARROWS[event.key];
     const { target } = event;
-    if (!moving || !now || !isFree(event)) return;
+    if (!moving || !picture || !isFree(event)) return;
     if (event.key === "Escape") {
       swallow(event);
       stop();
@@ -256,6 +234,6 @@ function listen(present, put, stop) {
     if (target instanceof Element && target.matches(OWN_ARROWS)) return;
     swallow(event);
     const step = event.shiftKey ? FINE : STEP;
-    put({ x: now.x + way[0] * step, y: now.y + way[1] * step });
+    put({ x: picture.x + way[0] * step, y: picture.y + way[1] * step });
   }, true);
 }

@@ -19,8 +19,8 @@ from sim.errors import InputError
 from ...export.clip import Clip, Shot
 from ...export.workshop import Breath, workshop
 from ...session.notices import Notice
-from ...session.session import Session
-from ..viser.comma_switch import CommaSwitch
+from ..page import Page
+from ..viser.handlers import add_command, on_press
 
 SECONDS = (1, 20)
 """Of a film or a replay that a page can have."""
@@ -54,71 +54,33 @@ class ExportPanel:
     """The controls.
 
     Args:
-        client: the page.
-        session: its simulation.
-        is_dark: whether the page is dark.
-        perform: does a command of the table.
-        notify: tells the user something.
-        commas: whether tables have decimal commas.
+        page: whose body it is.
     """
 
-    def __init__(
-        self,
-        client: viser.ClientHandle,
-        session: Session,
-        is_dark: Callable[[], bool],
-        perform: Callable[[str], None],
-        notify: Callable[[Notice], None],
-        commas: CommaSwitch,
-    ) -> None:
-        self._commas = commas
-        self._client, self._session, self._is_dark = client, session, is_dark
-        self._perform, self._notify = perform, notify
+    def __init__(self, page: Page) -> None:
+        self._page, self._client, self._session = page, page.client, page.session
         self._busy = threading.Lock()
-        gui = client.gui
+        gui = page.client.gui
         gui.add_divider()
         gui.add_html(ABOUT)
         self._seconds = gui.add_slider(
             "Seconds", *SECONDS, step=1, initial_value=5, hint="simulated seconds of a GIF or a replay"
         )
-        picture = gui.add_button("Picture", icon=viser.Icon.PHOTO, color="gray", hint="key I")
-        gif = gui.add_button("GIF", icon=viser.Icon.GIF, color="gray")
-        replay_file = gui.add_button("Replay file", icon=viser.Icon.MOVIE, color="gray")
-        model = gui.add_button("3D model", icon=viser.Icon.CUBE, color="gray")
+        page.button("Picture", viser.Icon.PHOTO, lambda: page.perform("picture"), hint="key I")
+        for label, icon, command, make in (
+            ("GIF", viser.Icon.GIF, "Film of the last seconds (GIF)", self._gif),
+            ("Replay file", viser.Icon.MOVIE, "Replay file of the last seconds (HTML)", self._replay),
+            ("3D model", viser.Icon.CUBE, "3D model (GLB)", self._model),
+        ):
+            page.button(label, icon, partial(self._start, make))
+            add_command(gui, command, partial(self._start, make))
         gui.add_html(PROGRAMS)
         programs = gui.add_button_group("Body as", tuple(_PROGRAMS))
-        commas.add(gui)
+        for kind, command in _PROGRAMS.items():
+            add_command(gui, command, partial(self._start, partial(self._body, kind)))
+        page.commas.add(gui)
         self._progress = gui.add_progress_bar(0.0, visible=False)
-
-        @picture.on_click
-        async def _(_: object) -> None:
-            self._perform("picture")
-
-        for button, label, action in (
-            (gif, "Film of the last seconds (GIF)", lambda: self._start(self._gif)),
-            (replay_file, "Replay file of the last seconds (HTML)", lambda: self._start(self._replay)),
-            (model, "3D model (GLB)", lambda: self._start(self._model)),
-        ):
-            command = gui.add_command(label)
-
-            @button.on_click
-            async def _(_: object, action: Callable[[], None] = action) -> None:
-                action()
-
-            @command.on_trigger
-            async def _(_: object, action: Callable[[], None] = action) -> None:
-                action()
-
-        @programs.on_click
-        async def _(_: object) -> None:
-            self._start(partial(self._body, programs.value))
-
-        for kind, label in _PROGRAMS.items():
-            command = gui.add_command(label)
-
-            @command.on_trigger
-            async def _(_: object, kind: str = kind) -> None:
-                self._start(partial(self._body, kind))
+        on_press(programs, lambda: self._start(partial(self._body, programs.value)))
 
     def _start(self, make: Make) -> None:
         """Have a file made, unless one is being made for this page."""
@@ -160,7 +122,7 @@ class ExportPanel:
     def _gif(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
         from ...export import film  # as the others: what a page can do without does not delay its start
 
-        return "gif", film.gif(self._clip(), dark=self._is_dark(), progress=tell)
+        return "gif", film.gif(self._clip(), dark=self._page.looks.dark, progress=tell)
 
     def _replay(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
         from ...export import replay
@@ -179,7 +141,7 @@ class ExportPanel:
         if kind == _JSON:
             return "json", body_json(body)
         if kind == _CSV:
-            return "zip", body_csv(body, self._commas.on)
+            return "zip", body_csv(body, self._page.commas.on)
         data, notes = (python_program if kind == _PYTHON else c_program)(body)
         if notes:
             self._tell("info", "About the program", _sentence("; ".join(notes)))
@@ -200,7 +162,7 @@ class ExportPanel:
         return moments[-1][0]
 
     def _tell(self, kind: Any, title: str, text: str) -> None:
-        self._notify(Notice(kind, title, text))
+        self._page.notify(Notice(kind, title, text))
 
 
 def _sentence(text: str) -> str:

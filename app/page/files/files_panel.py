@@ -7,8 +7,9 @@ unless a scene was read and found valid.
 from __future__ import annotations
 
 import html
+import urllib.parse
 from collections.abc import Callable
-from typing import Any
+from functools import partial
 
 import viser
 
@@ -20,7 +21,9 @@ from sim.store.places import as_utf8
 
 from ...session import commands, log
 from ...session.session import Notice, Session
-from ..scenes.shelf import Shelf
+from ..page import Page
+from ..viser.handlers import on_press
+from . import keeping
 
 ABOUT_LOGS = (
     '<div class="softrod-text">A log is all that was done since the start or the last reset; opened as a '
@@ -32,26 +35,13 @@ class FilesPanel:
     """The controls of one page's Share tab.
 
     Args:
-        client: the page.
-        session: its simulation.
-        notify: tells the user something.
-        share: has the page offer a link to the scene.
-        shelf: the page's scenes.
+        page: whose scene it is.
     """
 
-    def __init__(
-        self,
-        client: viser.ClientHandle,
-        session: Session,
-        notify: Callable[[Notice], None],
-        share: Callable[[], None],
-        shelf: Shelf,
-    ) -> None:
-        self._shelf = shelf
-        self._client = client
-        self._session = session
-        self._notify = notify
-        gui = client.gui
+    def __init__(self, page: Page) -> None:
+        self._shelf, self._client = page.shelf, page.client
+        self._session, self._notify = page.session, page.notify
+        gui = page.client.gui
         self._offered = ""
         self._name = gui.add_text("Name", initial_value="")
         self.build()
@@ -59,29 +49,16 @@ class FilesPanel:
             "With pose", initial_value=False, hint="save where every mass is now, too"
         )
         save = gui.add_button("Save", icon=viser.Icon.DEVICE_FLOPPY)
+        on_press(save, lambda: self._try(self._save), blocks=True)
         gui.add_divider()
-        link = gui.add_button("Share by a link", icon=viser.Icon.LINK, color="gray")
-        download = gui.add_button("Download as a file", icon=viser.Icon.DOWNLOAD, color="gray")
-        save_log = gui.add_button("Save a log", icon=viser.Icon.HISTORY, color="gray")
-        upload = gui.add_upload_button(
-            "Open a file", icon=viser.Icon.UPLOAD, color="gray", mime_type="application/json,.json,.jsonl"
-        )
-        gui.add_html(ABOUT_LOGS)
-        for button, action in (
-            (save, self._save),
-            (link, share),
-            (download, self._download),
-            (save_log, self._save_log),
+        page.button("Share by a link", viser.Icon.LINK, lambda: page.perform("share"))
+        for label, icon, action in (
+            ("Download as a file", viser.Icon.DOWNLOAD, self._download),
+            ("Save a log", viser.Icon.HISTORY, self._save_log),
         ):
-
-            @button.on_click
-            def _(_: object, action: Callable[[], None] = action) -> None:
-                self._try(action)
-
-        @upload.on_upload
-        def _(event: viser.GuiEvent[Any]) -> None:
-            file = upload.value
-            self._try(lambda: self._open_bytes(file.content, file.name))
+            page.button(label, icon, partial(self._try, action), blocks=True)
+        gui.add_button("Open a file", icon=viser.Icon.UPLOAD, color="gray")  # the script acts on it
+        gui.add_html(ABOUT_LOGS)
 
     def build(self) -> None:
         """Offer the scene's name; what its user typed stays, until the scene has another one."""
@@ -120,27 +97,37 @@ class FilesPanel:
         name, data = self._session.scene.name, self._session.log_file()
         self._client.send_file_download(f"{name}-log.jsonl", data, save_immediately=True)
 
-    def _open_bytes(self, data: bytes, name: str) -> None:
-        try:
-            data = as_utf8(data)
-        except UnicodeError as error:
-            raise InputError(f"{name}: {error}") from None
-        if log.is_recorded(data):
-            self._session.post(commands.Replay(log.decode_log(data, name)))
-        else:
-            self._session.post(commands.Open(files.decode_scene(data, name)))
-
     def _confirm(self, question: str, verb: str, action: Callable[[], None]) -> None:
         with self._client.gui.add_modal("Are you sure?") as modal:
             self._client.gui.add_html(f'<div class="softrod-text">{html.escape(question)}</div>')
             yes = self._client.gui.add_button(verb, color="red")
             no = self._client.gui.add_button("Cancel", color="gray")
 
-        @yes.on_click
-        def _(_: object) -> None:
+        def confirmed() -> None:
             modal.close()
             self._try(action)
 
-        @no.on_click
-        def _(_: object) -> None:
-            modal.close()
+        on_press(yes, confirmed, blocks=True)
+        on_press(no, modal.close)
+
+
+def open_file(session: Session, notify: Callable[[Notice], None], letters: str) -> None:
+    """Open a scene or a log that a page sends, or say why not.
+
+    Args:
+        session: of the page.
+        notify: tells the user something.
+        letters: the file's name as in an address, a colon, and the file as `keeping.unpacked` takes it.
+    """
+    quoted, _, packed = letters.partition(":")
+    name = urllib.parse.unquote(quoted)[:255]
+    try:
+        data = as_utf8(keeping.unpacked(packed))
+        if log.is_recorded(data):
+            session.post(commands.Replay(log.decode_log(data, name)))
+        else:
+            session.post(commands.Open(files.decode_scene(data, name)))
+    except (SceneError, InputError) as error:
+        notify(Notice("error", "That did not work", str(error)))
+    except ValueError as error:
+        notify(Notice("error", "That did not work", f"{name}: {error}"))

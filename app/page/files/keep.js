@@ -33,9 +33,9 @@ export function keepOnlyOf(asked) {
   store(ASKED, asked);
 }
 
-/** Compressed, as letters that a message can carry. @param {string} text */
-async function packed(text) {
-  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate"));
+/** Compressed, as letters that a message can carry. @param {BlobPart} data */
+export async function packed(data) {
+  const stream = new Blob([data]).stream().pipeThrough(new CompressionStream("deflate"));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
   let letters = "";
   for (let at = 0; at < bytes.length; at += 32768) letters += String.fromCharCode(...bytes.subarray(at, at + 32768));

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import binascii
 import zlib
 from typing import Annotated
 
@@ -57,11 +56,21 @@ def encode(session: bytes, looks: Looks, plots: tuple[Wish, ...] = (), undo: str
 def decode(letters: str) -> Kept | None:
     """What a page gives back; None if it makes no sense. Nothing in it is trusted."""
     try:
-        unpack = zlib.decompressobj()
-        data = unpack.decompress(base64.b64decode(letters, validate=True), MOST_BYTES)
-        return msgspec.json.decode(data, type=Kept)
-    except (binascii.Error, zlib.error, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+        return msgspec.json.decode(unpacked(letters), type=Kept)
+    except (ValueError, RecursionError):
         return None
+
+
+def unpacked(letters: str) -> bytes:
+    """What a page has packed, at most MOST_BYTES of it.
+
+    Raises:
+        ValueError: it was not packed so.
+    """
+    try:
+        return zlib.decompressobj().decompress(base64.b64decode(letters, validate=True), MOST_BYTES)
+    except zlib.error as error:
+        raise ValueError(str(error)) from None
 
 
 class Parts:

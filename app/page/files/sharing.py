@@ -14,10 +14,10 @@ from sim.store import files
 from sim.store.link import PATH, pack_scene
 
 from ...linking import short_address
-from ...session.session import Notice, Session
-from ...wire.carrier import Mail
+from ...session.notices import Notice
 from ...wire.from_page import Share
 from ...wire.to_page import Link
+from ..page import Page
 from ..panel import foremost
 
 MOST_IN_QR = 1200
@@ -29,26 +29,16 @@ class Sharing:
     """One page's links. What reads and makes scenes takes a while: call it in a thread.
 
     Args:
-        session: the page's simulation.
-        mail: to the page's script.
-        notify: tells the user something.
+        page: whose scene is shared.
         show: opens a scene.
         for_others: the address by which others reach the page, from that by which it was reached itself.
     """
 
     def __init__(
-        self,
-        session: Session,
-        mail: Mail,
-        notify: Callable[[Notice], None],
-        show: Callable[[Scene], None],
-        for_others: Callable[[str], str] = str,
+        self, page: Page, show: Callable[[Scene], None], for_others: Callable[[str], str] = str
     ) -> None:
-        self._session = session
-        self._mail = mail
-        self._notify = notify
-        self._show = show
-        self._for_others = for_others
+        self._session, self._mail, self._notify = page.session, page.mail, page.notify
+        self._show, self._for_others = show, for_others
 
     def share(self, ask: Share) -> None:
         """Send the page a link to its scene."""

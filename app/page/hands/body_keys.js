@@ -7,15 +7,13 @@ import { onPicture, shown } from "../body/canvas.js";
 import { onTold, send, told } from "../../wire/channel.js";
 import { choose, chosenMass } from "../body/overlay.js";
 import { freeHand, freshHand, handAt } from "./hands.js";
+import { ARROWS } from "./key_table.js";
 import { wireNumber } from "../body/screen.js";
 
 /** How far an arrow moves a mass, in units of the world: a hundredth of the scene's frame. */
 const STEP = 0.06;
 /** How many times farther with Shift. */
 const FAR = 5;
-
-/** @type {Record<string, [number, number]>} */
-const MOVES = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 
 /** @param {number} count of broken springs */
 const brokenText = (count) => `${count || "No"} ${count === 1 ? "spring" : "springs"} broken`;
@@ -78,7 +76,7 @@ export function addBodyKeys() {
   stop.addEventListener("keydown", (event) => {
     const { pictured: plan } = shown();
     if (!plan || event.ctrlKey || event.metaKey || event.altKey) return;
-    const move = MOVES[event.key];
+    const move = ARROWS[event.key];
     if (event.code === "Space" || event.key === "Enter") {
       const at = where();
       if (hand) letGo();

@@ -92,11 +92,10 @@ export function addMenu() {
     if (!(relatedTarget instanceof Node && element.contains(relatedTarget))) open(false);
   });
   onTold("pageState", () => (element.hidden = !has("view") && !has("help")));
-  onSight(({ box }) => {
-    const dock = document.querySelector(".softrod-dock")?.getBoundingClientRect();
+  onSight(({ box, floor }) => {
     element.classList.toggle("softrod-words", hasWords(box));
     element.style.right = `${window.innerWidth - box.right + 14}px`;
-    element.style.bottom = `${window.innerHeight - Math.min(box.bottom, dock?.top ?? Infinity) + 10}px`;
+    element.style.bottom = `${window.innerHeight - floor + 10}px`;
     if (!list.hidden) keepInView(list);
   });
 }

@@ -301,7 +301,7 @@ def energy(value: float, largest: float) -> str:
 
 def energy_table(session: Session) -> str:
     """The energies and what has changed them; what has never been anything is left out."""
-    if not session.books:
+    if not session.follows_energy:
         return ""
     if not session.simulation.keep_books(True):
         return table({"energy": "is followed when it is compiled"})

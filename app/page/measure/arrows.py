@@ -60,7 +60,7 @@ class Arrows:
         if not exactly and now < self._due:
             return
         simulation = session.simulation
-        held = {anchor.mass for anchor in simulation.anchors} | set(session.dragged)
+        held = {anchor.mass for anchor in simulation.anchors} | set(session.hands.masses)
         about = plan, frozenset(kinds), frozenset(held)
         numbers = _numbers(simulation, kinds)
         if self._least[0] != plan:

@@ -129,34 +129,12 @@ export const lapOrZero = (watch, now) =>
 
 /** @typedef {{kind: Kind, points: Point[], watch?: Watch}} Kept what is kept of an instrument */
 
-/** What was kept, as far as it makes sense. @param {string | null} text JSON @returns {Kept[]} */
+/** What was kept, unless by another version of the page. @param {string | null} text JSON @returns {Kept[]} */
 export function restored(text) {
-  /** @type {unknown} */
-  let found;
   try {
-    found = JSON.parse(text ?? "[]");
+    const found = /** @type {Kept[]} */ (JSON.parse(text ?? "[]"));
+    return found.filter(({ kind, points }) => points.length === POINTS[kind]);
   } catch {
     return [];
   }
-  const seen = new Set();
-  return (Array.isArray(found) ? found : []).filter((each) => {
-    const good = each && isPlaced(each) && (each.kind !== "stopwatch" || isWatch(each.watch)) && !seen.has(each.kind);
-    if (good) seen.add(each.kind);
-    return good;
-  });
 }
-
-/** @param {any} value */
-const isPlaced = ({ kind, points }) =>
-  Object.hasOwn(POINTS, kind) &&
-  Array.isArray(points) &&
-  points.length === POINTS[/** @type {Kind} */ (kind)] &&
-  points.every((point) => point && Number.isFinite(point.x) && Number.isFinite(point.y) && Number.isInteger(point.mass));
-
-/** @param {any} watch */
-const isWatch = (watch) =>
-  watch &&
-  (watch.since === null || Number.isFinite(watch.since)) &&
-  Number.isFinite(watch.before) &&
-  Array.isArray(watch.laps) &&
-  watch.laps.every(Number.isFinite);

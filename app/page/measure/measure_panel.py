@@ -1,13 +1,6 @@
-"""The Measure tab: what is plotted is chosen there, and the plots stand below.
-
-Handlers only say what is wanted; the ticker does it.
-"""
+"""The Measure tab: what is plotted is chosen there, and the plots stand below."""
 
 from __future__ import annotations
-
-from collections import deque
-from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import viser
@@ -18,9 +11,10 @@ from sim.scene.types import Scene
 
 from ...session.notices import Notice
 from ...session.plots import OFFERED, Wish
-from ...session.session import Session
+from ...wire.to_page import ShowMeasures
 from ..looks import readouts
-from ..viser.comma_switch import CommaSwitch
+from ..page import Page
+from ..viser.handlers import on_change, on_press
 from .plot_list import SPANS, PlotList
 
 MOST_PARTS = 24
@@ -47,33 +41,18 @@ class MeasurePanel:
     """The controls of one page's Measure tab, and its plots.
 
     Args:
-        client: the page.
+        page: whose body is measured.
         tab: where they stand.
-        session: what is measured.
-        notify: tells the user something.
-        commas: whether tables have decimal commas.
-        page: the page's lists of plots, see `PlotList`.
-        turn_to: has the page turn to this tab.
 
     Attributes:
         plots: those that are open.
     """
 
-    def __init__(
-        self,
-        client: viser.ClientHandle,
-        tab: viser.GuiTabHandle,
-        session: Session,
-        notify: Callable[[Notice], None],
-        commas: CommaSwitch,
-        page: list[PlotList],
-        turn_to: Callable[[], None],
-    ) -> None:
-        self._session, self._notify, self._turn_to = session, notify, turn_to
-        self._asked: deque[Callable[[], None]] = deque(maxlen=100)
+    def __init__(self, page: Page, tab: viser.GuiTabHandle) -> None:
+        self._page, self._session = page, page.session
         self._mass: int | None = None
         self._joint = -1
-        gui = client.gui
+        gui = page.client.gui
         with tab:
             gui.add_html(ABOUT, order=1)
             lists: list[viser.GuiDropdownHandle[str]] = [
@@ -86,29 +65,14 @@ class MeasurePanel:
             self.new = gui.add_button("New plot", icon=viser.Icon.CHART_LINE, order=5)
             self._span = gui.add_dropdown("Plots show", tuple(SPANS), initial_value="10 s", order=6)
             self._span.visible = False
-            self._comma_switch = commas.add(gui, order=7)
+            self._comma_switch = page.commas.add(gui, order=7)
             self._comma_switch.visible = False
             self._hint = gui.add_html("", order=8)
-        self.plots = PlotList(client, tab, session, notify, commas, page, lambda: self._chosen, self._changed)
-        for handle, action in (
-            (self._part, self._offer),
-            (self._what, self._offer),
-            (self._span, self._respan),
-        ):
-
-            @handle.on_update
-            async def _(event: viser.GuiEvent[Any], action: Callable[[], None] = action) -> None:
-                if event.client_id is not None:
-                    self._asked.append(action)
-
-        @self.new.on_click
-        async def _(_: object) -> None:
-            self._asked.append(self._add_chosen)
-
-    # --------------------------------------------------------------------- any thread
-    def plot_angle(self) -> None:
-        """Have the angle of the joint that is read out plotted, and the tab shown."""
-        self._asked.append(self._add_angle)
+        self.plots = PlotList(page, tab, lambda: self._chosen, self._changed)
+        on_change(self._part, lambda: page.later(self._offer))
+        on_change(self._what, lambda: page.later(self._offer))
+        on_change(self._span, lambda: page.later(self._respan))
+        on_press(self.new, lambda: page.later(self._add_chosen))
 
     # --------------------------------------------------------------------- the ticker's
     def choose(self, mass: int) -> None:
@@ -116,17 +80,15 @@ class MeasurePanel:
         self._mass = mass
         self._joint = -1  # what is offered is to be looked at again
 
-    def build(self, dark: bool) -> None:
+    def build(self) -> None:
         """Another scene, or other looks, see `PlotList.build`."""
         self._joint = -1
         if self._mass is not None and self._mass >= len(self._session.scene.masses):
             self._mass = None
-        self.plots.build(dark)
+        self.plots.build()
 
     def tick(self) -> None:
-        """Do what was asked for; offer what can be plotted now; show the plots."""
-        while self._asked:
-            self._asked.popleft()()
+        """Offer what can be plotted now, and show the plots."""
         if self._joint != self._session.joint:
             self._joint = self._session.joint
             self._offer()
@@ -139,7 +101,7 @@ class MeasurePanel:
         offered = OFFERED[part.rstrip("0123456789")]
         chosen = f"{part}.{_set_options(self._what, offered)}"
         beside = (f"{part}.{what}" for what in offered)
-        self._show_hint()
+        self._hint.content = OF_PLOTS if len(self.plots) else none_yet(self._chosen)
         others = [name for name in dict.fromkeys((*beside, *self.plots.names)) if name != chosen]
         _set_options(self._over, (TIME, *others))
 
@@ -171,15 +133,16 @@ class MeasurePanel:
     # --------------------------------------------------------------------- plots
     def _add_chosen(self) -> None:
         over = self._over.value
-        self._turn_to()
+        self._page.mail.tell(ShowMeasures())
         self.plots.add(Wish((self._chosen,), "" if over == TIME else over))
 
-    def _add_angle(self) -> None:
+    def plot_angle(self) -> None:
+        """Plot the angle of the joint that is read out, and show the tab."""
         session = self._session
         if not session.scene.angular_springs:
-            self._notify(Notice("warning", "Nothing to plot", "This scene has no joints."))
+            self._page.notify(Notice("warning", "Nothing to plot", "This scene has no joints."))
             return
-        self._turn_to()
+        self._page.mail.tell(ShowMeasures())
         wish = Wish((f"joint{session.joint}.angle",))
         if wish not in self.plots.wishes:
             self.plots.add(wish)
@@ -187,11 +150,6 @@ class MeasurePanel:
     def _changed(self) -> None:
         self._span.visible = self._comma_switch.visible = len(self.plots) > 0
         self._offer()
-
-    def _show_hint(self) -> None:
-        content = OF_PLOTS if len(self.plots) else none_yet(self._chosen)
-        if self._hint.content != content:
-            self._hint.content = content
 
     def _respan(self) -> None:
         self.plots.seconds = SPANS.get(self._span.value, 10.0)
@@ -213,7 +171,5 @@ def _set_options(handle: viser.GuiDropdownHandle[str], options: tuple[str, ...])
     value = handle.value
     if handle.options != options:
         handle.options = options
-    wanted = value if value in options else options[0]
-    if handle.value != wanted:
-        handle.value = wanted
-    return wanted
+    handle.value = value if value in options else options[0]
+    return handle.value

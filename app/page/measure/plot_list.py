@@ -1,11 +1,10 @@
 """Plots in a tab of the panel: they run with the body, with period and damping, and their tables.
 
-Handlers only say what is wanted; the ticker does it. Where no plot is open there is nothing to do.
+Where no plot is open there is nothing to do.
 """
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -20,8 +19,7 @@ from ...drawing.colors import palette
 from ...export.workshop import workshop
 from ...session.notices import Notice
 from ...session.plots import MOST_PLOTS, Plot, Wish, curve
-from ...session.session import Session
-from ..viser.comma_switch import CommaSwitch
+from ..page import Page
 from . import plots
 
 EVERY = 0.1
@@ -76,12 +74,8 @@ class PlotList:
     """Plots of a session, one below the other.
 
     Args:
-        client: the page.
+        page: whose body is plotted.
         tab: where they stand.
-        session: what is plotted.
-        notify: tells the user something.
-        commas: whether tables have decimal commas.
-        page: all such lists of the page, among which this one then is.
         extend: the name of the quantity that the button "Add to it" adds to a plot; None where plots are not
             the user's own to change.
         changed: called when plots came or went.
@@ -93,23 +87,16 @@ class PlotList:
 
     def __init__(
         self,
-        client: viser.ClientHandle,
+        page: Page,
         tab: viser.GuiTabHandle,
-        session: Session,
-        notify: Callable[[Notice], None],
-        commas: CommaSwitch,
-        page: list[PlotList],
         extend: Callable[[], str] | None = None,
         changed: Callable[[], None] = lambda: None,
     ) -> None:
-        self._client, self._tab, self._session, self._notify = client, tab, session, notify
-        self._commas, self._extend_by, self._changed = commas, extend, changed
-        self._page = page
-        page.append(self)
-        self._asked: deque[Callable[[], None]] = deque(maxlen=100)
+        self._page, self._client, self._session, self._tab = page, page.client, page.session, tab
+        self._extend_by, self._changed = extend, changed
+        page.plots.append(self)
         self._plots: list[_Shown] = []
         self._kept: tuple[Wish, ...] | None = None  # None for those that are open
-        self._dark = False
         self._due = self._read_due = 0.0
         self._numbers = 0
         self.looked_at = True
@@ -137,11 +124,10 @@ class PlotList:
         """Have these plots, and no others, as soon as the scene is there that they are of."""
         self._kept = wishes[:MOST_PLOTS]
 
-    def build(self, dark: bool) -> None:
+    def build(self) -> None:
         """Another scene, or other looks: plots of what is not there any more go, the others begin anew if
         their time does."""
         scene = self._session.scene
-        self._dark = dark
         wishes, self._kept = self._kept, None
         if wishes is not None:
             for shown in list(self._plots):
@@ -163,9 +149,7 @@ class PlotList:
         self.redraw()
 
     def tick(self) -> None:
-        """Do what was asked for; note the present values, and show them when it is time."""
-        while self._asked:
-            self._asked.popleft()()
+        """Note the present values, and show them when it is time."""
         if not self._plots:
             return
         session, now = self._session, self._session.now()
@@ -189,7 +173,7 @@ class PlotList:
                 raise InputError(f"a page has room for {MOST_PLOTS} plots; remove one first")
             plot = Plot(wish, self._session.scene)
         except InputError as error:
-            self._notify(Notice("error", "That cannot be plotted", f"{error}."))
+            self._page.notify(Notice("error", "That cannot be plotted", f"{error}."))
             return
         self._numbers += 1
         order, gui = 10.0 * self._numbers + FIRST, self._client.gui
@@ -205,7 +189,7 @@ class PlotList:
         async def _(event: viser.GuiEvent[Any]) -> None:
             actions = {ADD: self._extend, TABLE: self._download, PICTURE: self._picture, REMOVE: self._remove}
             if event.client_id is not None and event.target.value in mine:
-                self._asked.append(partial(actions[event.target.value], shown))
+                self._page.later(partial(actions[event.target.value], shown))
 
         plot.sample(self._session)
         self._changed()
@@ -222,7 +206,7 @@ class PlotList:
             return
         self._plots.remove(shown)
         shown.remove()
-        if not (self._session.books or any(plots.wants_energy for plots in self._page)):
+        if not (self._session.follows_energy or any(plots.wants_energy for plots in self._page.plots)):
             self._session.simulation.keep_books(False)
         self._changed()
 
@@ -235,7 +219,7 @@ class PlotList:
         try:
             plot = Plot(Wish((*wish.names, name), wish.over), self._session.scene)
         except InputError as error:
-            self._notify(Notice("error", "That cannot be added", f"{error}."))
+            self._page.notify(Notice("error", "That cannot be added", f"{error}."))
             return
         plot.take_over(shown.plot)
         shown.remove_chart()
@@ -245,7 +229,7 @@ class PlotList:
 
     def _download(self, shown: _Shown) -> None:
         name = f"{self._session.scene.name}-{shown.plot.wish.names[0]}.csv"
-        table = shown.plot.table(self._commas.on).encode()
+        table = shown.plot.table(self._page.commas.on).encode()
         self._client.send_file_download(name, table, save_immediately=True)
 
     def _picture(self, shown: _Shown) -> None:
@@ -267,7 +251,7 @@ class PlotList:
         """Send a plot."""
         plot, seconds = shown.plot, self.seconds
         drawn = curve(plot, seconds, WIDTH)
-        colors = palette(self._session.scene.view.colors, self._dark)
+        colors = palette(self._session.scene.view.colors, self._page.looks.dark)
         series = plots.colors_of(plot, colors)
         gui, chart = self._client.gui, shown.chart
         with self._client.atomic(), self._tab:
@@ -279,17 +263,14 @@ class PlotList:
                     shown.chart = gui.add_html(content, order=shown.order)
             else:
                 before = chart if isinstance(chart, viser.GuiUplotHandle) else None
-                add = partial(gui.add_uplot, height=HEIGHT, padding=(8, 4, 0, 0), order=shown.order)
+                # At the right there is an axis, or else room for half of the last number of the time.
+                padding = (8, 4 if len(plot.units) > 1 else 20, 0, 0)
+                add = partial(gui.add_uplot, height=HEIGHT, padding=padding, order=shown.order)
                 shown.chart, shown.looks = plots.draw_over_time(
                     before, add, plot, drawn, series, colors, shown.looks
                 )
             if reads:
-                _set(shown.title, plots.title(plot, series))
+                shown.title.content = plots.title(plot, series)
                 # In a lesson, it is not the user who asked for a plot of something that does not swing.
                 none = ("",) if self._extend_by is None else ()
-                _set(shown.reading, plots.reading(plot, seconds, *none))
-
-
-def _set(handle: viser.GuiHtmlHandle, content: str) -> None:
-    if handle.content != content:
-        handle.content = content
+                shown.reading.content = plots.reading(plot, seconds, *none)

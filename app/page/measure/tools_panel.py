@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Set
-from typing import Any
+from functools import partial
 
 import viser
 
-from ...session.session import Session
-from ...wire.carrier import Mail
 from ...wire.to_page import Tools
+from ..page import Page
+from ..viser.handlers import on_change
 from .arrows import KINDS, Arrows
 
 MOST_TRACES = 8
@@ -34,19 +33,15 @@ class ToolsPanel:
     """The switches of one page; made inside the tab.
 
     Args:
-        client: the page.
-        session: its simulation.
-        mail: to the page's script.
+        page: whose body is measured.
     """
 
-    def __init__(self, client: viser.ClientHandle, session: Session, mail: Mail) -> None:
-        self._session, self._mail = session, mail
-        self._asked: deque[tuple[str, Any]] = deque(maxlen=100)
-        self._arrows = Arrows(mail)
-        self._kinds: frozenset[str] = frozenset()
+    def __init__(self, page: Page) -> None:
+        self._session, self._mail = page.session, page.mail
+        self._arrows = Arrows(page.mail)
         self._chosen: int | None = None
         self._traced: tuple[int, ...] = ()
-        gui = client.gui
+        gui = page.client.gui
         self._switches = {
             kind: gui.add_checkbox(LABELS[kind], initial_value=False, hint=HINTS[kind], order=LAST + i / 10.0)
             for i, kind in enumerate(KINDS)
@@ -66,29 +61,18 @@ class ToolsPanel:
         self._length = gui.add_dropdown(
             "Length of a trace", tuple(LENGTHS), initial_value="5 s", order=LAST + 3
         )
-        clear = gui.add_button("Clear the traces", icon=viser.Icon.ERASER, color="gray", order=LAST + 4)
-
-        for kind, switch in self._switches.items():
-            self._listen(switch, kind)
-        self._listen(self._trace, "trace")
+        page.button(
+            "Clear the traces", viser.Icon.ERASER, lambda: page.later(self.clear_traces), order=LAST + 4
+        )
+        on_change(self._trace, lambda: page.later(partial(self.trace, self._trace.value)))
         for control in (self._coordinates, self._length):
-            self._listen(control, "tell")
-
-        @clear.on_click
-        async def _(_: object) -> None:
-            self._asked.append(("clear", None))
-
-    def _listen(self, control: Any, what: str) -> None:
-        @control.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                self._asked.append((what, control.value))
+            on_change(control, lambda: page.later(self._show))
 
     # --------------------------------------------------------------------- the ticker's
     @property
     def kinds(self) -> frozenset[str]:
         """The kinds of arrows that are on."""
-        return self._kinds
+        return frozenset(kind for kind, switch in self._switches.items() if switch.value)
 
     def build(self) -> None:
         """For another body: no mass of the one before is traced."""
@@ -104,43 +88,35 @@ class ToolsPanel:
 
     def show_arrows(self, kinds: Set[str]) -> None:
         """Have arrows of these kinds, and no others."""
-        self._kinds = frozenset(kinds)
         for kind, switch in self._switches.items():
-            if switch.value != (kind in kinds):
-                switch.value = kind in kinds
+            switch.value = kind in kinds
 
     def leave(self) -> frozenset[str]:
         """The panel is taken out of the page: take away the arrows, too, and return their kinds."""
         self._arrows.clear()
-        return self._kinds
+        return self.kinds
 
-    def tick(self) -> None:
-        """Do what was asked for; before another scene may take the place of the present one."""
-        while self._asked:
-            self.serve(*self._asked.popleft())
-
-    def serve(self, what: str, value: Any) -> None:
-        """Do what a control asks for: a kind of arrows, a trace of the chosen mass, none, or tell."""
-        if what in KINDS:
-            self._kinds = self._kinds | {what} if value else self._kinds - {what}
-        elif what == "trace" and self._chosen is not None:
+    def trace(self, on: bool) -> None:
+        """Trace the chosen mass, or no longer."""
+        if self._chosen is not None:
             others = tuple(mass for mass in self._traced if mass != self._chosen)
-            self._traced = (*others, self._chosen)[-MOST_TRACES:] if value else others
-        elif what == "clear":
-            self._traced = ()
+            self._traced = (*others, self._chosen)[-MOST_TRACES:] if on else others
+        self._show()
+
+    def clear_traces(self) -> None:
+        """Trace nothing any more."""
+        self._traced = ()
         self._show()
 
     def draw(self, plan: int, now: float, exactly: bool) -> None:
         """Send what the arrows need, see `Arrows.draw`."""
         session = self._session
-        kinds = self._kinds if session.scene.angular_springs else self._kinds - {"torques"}
+        kinds = self.kinds if session.scene.angular_springs else self.kinds - {"torques"}
         self._arrows.draw(session, kinds, plan, now, exactly)
 
     def _show(self) -> None:
         """Show what the controls have come to, in them and to the page's script (tools.js)."""
-        traced = self._chosen in self._traced
-        if self._trace.value != traced:
-            self._trace.value = traced
+        self._trace.value = self._chosen in self._traced
         tools = Tools(
             traced=self._traced,
             seconds=LENGTHS.get(str(self._length.value), 5),

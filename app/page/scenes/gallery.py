@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import base64
 import functools
-from collections.abc import Callable
 from pathlib import Path
 
 from sim.edit.texts import renamed
@@ -16,12 +15,11 @@ from sim.store import own_scenes
 from sim.store.files import read_scene
 
 from ...session import commands
-from ...session.session import Notice, Session
-from ...wire.carrier import Mail
+from ...session.notices import Notice
 from ...wire.from_page import ChangeScene, ListScenes, OpenScene
 from ...wire.to_page import OfferGallery, SceneChanged, ScenePictures, Scenes, ShelfChanged
+from ..page import Page
 from . import shelf, thumbnails
-from .shelf import Shelf
 
 MOST_PAINTED = 200
 """Saved scenes that get a picture; the others have their names."""
@@ -34,17 +32,12 @@ class Gallery:
     """One page's gallery.
 
     Args:
-        session: the page's simulation.
-        mail: to the page's script.
-        notify: tells the user something.
-        scenes: those of the page.
+        page: whose scenes they are.
     """
 
-    def __init__(self, session: Session, mail: Mail, notify: Callable[[Notice], None], scenes: Shelf) -> None:
-        self._shelf = scenes
-        self._session = session
-        self._mail = mail
-        self._notify = notify
+    def __init__(self, page: Page) -> None:
+        self._shelf, self._session = page.shelf, page.session
+        self._mail, self._notify = page.mail, page.notify
 
     def offer(self, why: str = "") -> None:
         """Have the page show it, with a sentence that says why, if there is one."""

@@ -129,7 +129,7 @@ function asked({ text, choices, answer: right }) {
   const box = make("fieldset", "");
   box.append(make("legend", "", text));
   choices.forEach((choice, i) => {
-    const made = makeButton(choice, () => answer(i), "softrod-choice");
+    const made = makeButton(choice, () => answer(i), "softrod-button softrod-choice");
     made.ariaPressed = String(i === chosen);
     made.disabled = known;
     if (known && i === right) made.dataset.right = "";
@@ -142,7 +142,7 @@ function asked({ text, choices, answer: right }) {
 /** What is right, and why; or the button that tells it. @param {Question} question */
 function answered({ choices, answer: right, because }) {
   const chosen = progress.answers[progress.at];
-  if (!progress.told[progress.at]) return makeButton("What is right?", reveal, "softrod-lesson-reveal");
+  if (!progress.told[progress.at]) return makeButton("What is right?", reveal, "softrod-button softrod-first softrod-lesson-reveal");
   const verdict = paragraph(chosen === right ? "That is right." : `The answer is: ${choices[right]}.`, because);
   verdict.className = "softrod-verdict";
   verdict.tabIndex = -1;
@@ -171,9 +171,9 @@ function show() {
     if (question) text.append(answered(question));
   }
   const foot = make("div", "softrod-lesson-foot");
-  const back = makeButton("Back", () => enter(progress.at - 1), "");
+  const back = makeButton("Back", () => enter(progress.at - 1));
   back.disabled = progress.at === 0;
-  const anew = makeButton("Again", again, "");
+  const anew = makeButton("Again", again);
   anew.title = "begin this step anew";
   const next = makeButton(progress.at + 1 < steps.length ? "Next" : "Start over", () => {
     if (progress.at + 1 === steps.length) {
@@ -181,10 +181,10 @@ function show() {
       progress.told.fill(false);
     }
     enter((progress.at + 1) % steps.length);
-  }, "softrod-lesson-next");
+  }, "softrod-button softrod-lesson-next");
   next.disabled = !open;
   // One thing to press next: first what is right.
-  next.toggleAttribute("data-quiet", question !== null && !progress.told[progress.at]);
+  next.classList.toggle("softrod-first", question === null || progress.told[progress.at]);
   foot.append(back, anew, next);
   card.replaceChildren(head, text, foot);
 }

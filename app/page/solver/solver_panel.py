@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 import viser
 
 from sim.methods.registry import METHODS
@@ -12,10 +9,10 @@ from sim.settings import CHOICES
 
 from ...session import commands
 from ...session.ghost import FINER, REFERENCE
-from ...session.notices import Notice
-from ...session.session import Session
 from ..looks import readouts
+from ..page import Page
 from ..viser.choice_box import ChoiceBox
+from ..viser.handlers import on_change
 from .tuning_panel import TuningPanel
 
 NO_GHOST = "nothing"
@@ -31,27 +28,26 @@ class SolverPanel:
     """The controls of one page's Solver tab; made inside the tab.
 
     Args:
-        client: the page.
-        session: its simulation.
-        notify: tells the user something.
+        page: whose body is solved.
     """
 
-    def __init__(
-        self, client: viser.ClientHandle, session: Session, notify: Callable[[Notice], None]
-    ) -> None:
-        self._session = session
-        gui = client.gui
+    def __init__(self, page: Page) -> None:
+        self._session = session = page.session
+        gui = page.client.gui
         methods, laws = CHOICES["method"].options, CHOICES["force_law"].options
-        self._method = ChoiceBox(client, session, "method", 1)
+        self._method = ChoiceBox(page, "method", 1)
         self._about = gui.add_html("", order=2)
-        self._law = ChoiceBox(client, session, "force_law", 3)
-        self._own_values = gui.add_button(
-            "Scene's own values", icon=viser.Icon.RESTORE, color="gray", order=LAST - 1
+        self._law = ChoiceBox(page, "force_law", 3)
+        self._own_values = page.button(
+            "Scene's own values",
+            viser.Icon.RESTORE,
+            lambda: session.post(commands.OwnValues("solver")),
+            order=LAST - 1,
         )
-        self._books = gui.add_checkbox(
+        self._energy = gui.add_checkbox(
             "Energy", initial_value=False, hint="follow what changes the energy", order=LAST
         )
-        self._energy = gui.add_html("", order=LAST + 1)
+        self._energies = gui.add_html("", order=LAST + 1)
         self._foretell = gui.add_checkbox(
             "Predictability",
             initial_value=False,
@@ -59,7 +55,7 @@ class SolverPanel:
             order=LAST + 1.2,
         )
         self._growth = gui.add_html("", order=LAST + 1.4)
-        self._tuning = TuningPanel(client, session, notify, LAST + 1.5)
+        self._tuning = TuningPanel(page, LAST + 1.5)
         self._other = gui.add_dropdown(
             "Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()), order=LAST + 2
         )
@@ -73,25 +69,9 @@ class SolverPanel:
         self._ghost = gui.add_html("", order=LAST + 5)
         self.rates = gui.add_html("", order=LAST + 6)
         for handle in (self._other, self._other_law, self._finer):
-
-            @handle.on_update
-            async def _(event: viser.GuiEvent[Any]) -> None:
-                if event.client_id is not None:
-                    self._compare()
-
-        @self._own_values.on_click
-        async def _(_: object) -> None:
-            session.post(commands.OwnValues("solver"))
-
-        @self._books.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                session.post(commands.KeepBooks(bool(self._books.value)))
-
-        @self._foretell.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                session.post(commands.Foretell(bool(self._foretell.value)))
+            on_change(handle, self._compare)
+        on_change(self._energy, lambda: session.post(commands.FollowEnergy(self._energy.value)))
+        on_change(self._foretell, lambda: session.post(commands.Foretell(self._foretell.value)))
 
     def build(self) -> None:
         """Show what the session's scene has a use for."""
@@ -100,7 +80,7 @@ class SolverPanel:
         moving = CHOICES["method"].applies(scene)
         self._law.handle.visible = jointed
         for handle in (
-            self._method.handle, self._about, self._own_values, self._books, self._foretell, self._other
+            self._method.handle, self._about, self._own_values, self._energy, self._foretell, self._other
         ):  # fmt: skip
             handle.visible = moving
         self._tuning.build(moving)
@@ -116,20 +96,16 @@ class SolverPanel:
             other = REFERENCE_LABEL if ghost.method == REFERENCE else METHODS[ghost.method].label
         self._method.show(scene)
         self._law.show(scene)
-        _show(self._other, other)
+        self._other.value = other
         # The ghost's own controls come with it, and its step is of no meaning to a reference.
         self._other_law.visible = ghost is not None and CHOICES["force_law"].applies(scene)
         self._finer.visible = ghost is not None and ghost.method != REFERENCE
         # Where there is none, the next one begins as the body is.
-        _show(self._other_law, laws[ghost.law] if ghost is not None and ghost.law else SAME_LAW)
-        _show(self._finer, FINER_LABELS[ghost.finer if ghost is not None else 1])
-        foretold = self._session.foresight is not None
-        for handle, on in ((self._books, self._session.books), (self._foretell, foretold)):
-            if handle.value != on:
-                handle.value = on
-        about = f'<div class="softrod-text softrod-about">{method.summary}</div>'
-        if self._about.content != about:
-            self._about.content = about
+        self._other_law.value = laws[ghost.law] if ghost is not None and ghost.law else SAME_LAW
+        self._finer.value = FINER_LABELS[ghost.finer if ghost is not None else 1]
+        self._energy.value = self._session.follows_energy
+        self._foretell.value = self._session.foresight is not None
+        self._about.content = f'<div class="softrod-text softrod-about">{method.summary}</div>'
 
     @property
     def waits(self) -> bool:
@@ -140,14 +116,10 @@ class SolverPanel:
         """Show the energies, the tuning, the ghost and the rates as they are now."""
         session = self._session
         self._tuning.refresh()
-        for element, content in (
-            (self._energy, readouts.energy_table(session)),
-            (self._growth, readouts.predictability_table(session)),
-            (self._ghost, readouts.ghost_table(session)),
-            (self.rates, readouts.rates_table(session)),
-        ):
-            if element.content != content:
-                element.content = content
+        self._energies.content = readouts.energy_table(session)
+        self._growth.content = readouts.predictability_table(session)
+        self._ghost.content = readouts.ghost_table(session)
+        self.rates.content = readouts.rates_table(session)
 
     def _compare(self) -> None:
         """The user chose what to compare with."""
@@ -162,8 +134,3 @@ class SolverPanel:
 
 def _key_of(options: dict[str, str], label: str) -> str:
     return next((key for key, text in options.items() if text == label), "")
-
-
-def _show(handle: viser.GuiDropdownHandle[str], label: str) -> None:
-    if handle.value != label:
-        handle.value = label

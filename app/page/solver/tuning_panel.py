@@ -9,7 +9,6 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import viser
 
@@ -24,6 +23,8 @@ from ...session import commands
 from ...session.notices import Notice
 from ...session.session import Session
 from ..looks import readouts
+from ..page import Page
+from ..viser.handlers import add_command, on_change
 
 MOST_MASSES = 200
 """Masses of a body of which a page is told; pages would notice the work for larger ones."""
@@ -91,23 +92,15 @@ class TuningPanel:
     """The controls.
 
     Args:
-        client: the page.
-        session: its simulation.
-        notify: tells the user something.
+        page: whose body is told of.
         order: of the first of them in the tab; the others come within 1 of it.
     """
 
-    def __init__(
-        self,
-        client: viser.ClientHandle,
-        session: Session,
-        notify: Callable[[Notice], None],
-        order: float,
-    ) -> None:
-        self._session, self._notify = session, notify
+    def __init__(self, page: Page, order: float) -> None:
+        self._session, self._notify = page.session, page.notify
         self._tuner: Tuner | None = None
         self._busy = threading.Lock()
-        gui = client.gui
+        gui = page.client.gui
         self._on = gui.add_checkbox(
             "Tuning",
             initial_value=False,
@@ -115,46 +108,26 @@ class TuningPanel:
             order=order,
         )
         self._table = gui.add_html("", order=order + 0.1)
-        self._stable = gui.add_button(
+        self._stable = page.button(
             "Make it stable at this time step",
-            icon=viser.Icon.SHIELD_CHECK,
-            color="gray",
+            viser.Icon.SHIELD_CHECK,
+            self._make_stable,
             hint="lowers no more stiffness and damping than it takes",
             visible=False,
             order=order + 0.2,
         )
-        self._damp = gui.add_button(
+        self._damp = page.button(
             "Critically damp",
-            icon=viser.Icon.WAVE_SINE,
-            color="gray",
+            viser.Icon.WAVE_SINE,
+            self._damp_it,
             hint="the selected springs, each by itself; or else the body's slowest elastic vibration",
             visible=False,
             order=order + 0.3,
         )
-
-        @self._on.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                self._switch(bool(self._on.value))
-
-        for label, action in (
-            ("Tuning: show it, or hide it", self._toggle),
-            ("Make it stable at this time step", self._make_stable),
-            ("Critically damp", self._damp_it),
-        ):
-            command = gui.add_command(label)
-
-            @command.on_trigger
-            async def _(_: object, action: Callable[[], None] = action) -> None:
-                action()
-
-        @self._stable.on_click
-        async def _(_: object) -> None:
-            self._make_stable()
-
-        @self._damp.on_click
-        async def _(_: object) -> None:
-            self._damp_it()
+        on_change(self._on, self._switch)
+        add_command(gui, "Tuning: show it, or hide it", self._toggle)
+        add_command(gui, "Make it stable at this time step", self._make_stable)
+        add_command(gui, "Critically damp", self._damp_it)
 
     @property
     def waits(self) -> bool:
@@ -176,19 +149,16 @@ class TuningPanel:
             content = _content(tuner, session)
         shown = tuner is not None and self._on.visible
         limited = is_limited(scene.integrator.method)
-        for handle, visible in ((self._stable, shown and limited), (self._damp, shown)):
-            if handle.visible != visible:
-                handle.visible = visible
-        if self._table.content != content:
-            self._table.content = content
+        self._stable.visible, self._damp.visible = shown and limited, shown
+        self._table.content = content
 
     # --------------------------------------------------------------------- what handlers do
     def _toggle(self) -> None:
         self._on.value = not self._on.value
-        self._switch(bool(self._on.value))
+        self._switch()
 
-    def _switch(self, on: bool) -> None:
-        self._tuner = Tuner() if on else None  # the ticker sees that there is something to show
+    def _switch(self) -> None:
+        self._tuner = Tuner() if self._on.value else None  # the ticker sees that there is something to show
 
     def _make_stable(self) -> None:
         # As it is shaped now, since that is what the meter shows.

@@ -2,43 +2,38 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import viser
-
 from sim.scene.types import Scene
 from sim.settings import CHOICES
 
 from ...session import commands
-from ...session.session import Session
+from ..page import Page
+from .handlers import on_change
 
 
 class ChoiceBox:
     """The list of one choice.
 
     Args:
-        client: the page.
-        session: what is told of the choice.
+        page: where it stands.
         key: of the choice.
-        order: where it stands.
+        order: in its tab.
 
     Attributes:
         handle: viser's handle of it.
     """
 
-    def __init__(self, client: viser.ClientHandle, session: Session, key: str, order: float) -> None:
+    def __init__(self, page: Page, key: str, order: float) -> None:
         self._choice = CHOICES[key]
         options = self._choice.options
-        self.handle = client.gui.add_dropdown(self._choice.label, tuple(options.values()), order=order)
+        self.handle = page.client.gui.add_dropdown(self._choice.label, tuple(options.values()), order=order)
 
-        @self.handle.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            chosen = [name for name, label in options.items() if label == self.handle.value]
-            if event.client_id is not None and chosen:
-                session.post(commands.SetChoice(key, chosen[0]))
+        def choose() -> None:
+            for name, label in options.items():
+                if label == self.handle.value:
+                    page.session.post(commands.SetChoice(key, name))
+
+        on_change(self.handle, choose)
 
     def show(self, scene: Scene) -> None:
         """Show what the scene has."""
-        label = self._choice.options[self._choice.read(scene)]
-        if self.handle.value != label:
-            self.handle.value = label
+        self.handle.value = self._choice.options[self._choice.read(scene)]

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import viser
+
+from .handlers import on_change
 
 
 class CommaSwitch:
@@ -37,16 +38,11 @@ class CommaSwitch:
         )
         self._shown.append(switch)
 
-        @switch.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                self._act(bool(switch.value))
-
+        on_change(switch, lambda: self._act(bool(switch.value)))
         return switch
 
     def show(self, on: bool) -> None:
         """Choose, and show it everywhere."""
         self.on = on
         for switch in self._shown:
-            if switch.value != on:
-                switch.value = on
+            switch.value = on

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
-from typing import Any
 
 import viser
 
@@ -15,6 +14,7 @@ from sim.settings import Setting
 
 from ...session.notices import Notice
 from ..looks import readouts
+from .handlers import on_change
 
 TOUCHED = 0.4
 """Seconds for which a slider that its user moved is left alone by the server."""
@@ -91,21 +91,20 @@ class SliderBox:
         )
         self.box.precision = DECIMALS
 
-        @self.slider.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                value = self._from_slider(self.slider.value)
-                if self._send(value):
-                    self.box.value = rounded(value)
+        def slide() -> None:
+            value = self._from_slider(self.slider.value)
+            if self._send(value):
+                self.box.value = rounded(value)
 
-        @self.box.on_update
-        async def _(event: viser.GuiEvent[Any]) -> None:
-            if event.client_id is not None:
-                value = self.box.value
-                if self._send(value):
-                    self.slider.value = self._place(value)
-                else:
-                    self.box.value = rounded(self._known)
+        def enter() -> None:
+            value = self.box.value
+            if self._send(value):
+                self.slider.value = self._place(value)
+            else:
+                self.box.value = rounded(self._known)
+
+        on_change(self.slider, slide)
+        on_change(self.box, enter)
 
     def retire(self) -> None:
         """It is about to be taken out of the page: what its user still sends is ignored."""

@@ -10,6 +10,8 @@ export const PANEL = ".mantine-Paper-root";
 export const CHARTS = ".uplot canvas";
 /** A row of the panel, with a label and a control. */
 const ROW = ".mantine-Flex-root:has(> div > p > label)";
+/** The icon of the button that opens a file. */
+export const OPEN = ".icon-tabler-upload";
 /** Buttons that are only an icon, by what they do. @type {Record<string, string>} */
 const ICONS = { "tabler-icon-list-search": "All commands" };
 /** The icon of "Open anew", which stands beside the scene's title; and of viser's own page for developers, which changes what

@@ -43,6 +43,12 @@ def outer(factor, a, b):
 
 
 @kernel(forceinline=True, fastmath=FAST)
+def from_left(vector, block):
+    """vectorᵀ block."""
+    return vector[0] * block[0] + vector[1] * block[2], vector[0] * block[1] + vector[1] * block[3]
+
+
+@kernel(forceinline=True, fastmath=FAST)
 def scaled(factor, block):
     """A block times a number."""
     return factor * block[0], factor * block[1], factor * block[2], factor * block[3]

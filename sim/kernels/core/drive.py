@@ -33,8 +33,8 @@ def refresh(body, state):
         if body.limits.present:
             degrees = wrap(degrees + state.set_angle[j])
         rest = math.radians(degrees)
-        state.torque_cos[j + 1] = body.joint_stiffness[j] * math.cos(rest)
-        state.torque_sin[j + 1] = body.joint_stiffness[j] * math.sin(rest)
+        state.torque_cos[j + 1] = body.torque_size[j + 1] * math.cos(rest)
+        state.torque_sin[j + 1] = body.torque_size[j + 1] * math.sin(rest)
         state.torque_rest[j + 1] = rest
     if body.ring:
         state.torque_cos[0] = state.torque_cos[body.joints]

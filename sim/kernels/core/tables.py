@@ -44,7 +44,6 @@ class Body(Table):
     rest_length: Floats  # (S padded + 1) px, before the scale
     joint_a: Indices  # (J,) first spring of each joint
     joint_b: Indices
-    joint_stiffness: Floats  # (J,) kg/s²
     joint_rest: Floats  # (J,) degrees, before the shift
     torque_size: Floats  # stiffness of joint j at index j + 1, kg/s²; at index 0 a ring's last, or zero
     torque_damping: Floats  # damping of joint j at index j + 1, kg/s
@@ -68,6 +67,11 @@ class Body(Table):
     more_spring_sign: Floats  # and the sign
     environment: Environment  # what else acts on the masses; see there
     limits: Limits  # what springs and joints bear; see there
+
+    @property
+    def joint_stiffness(self) -> Floats:
+        """(J,) a view of the joints' part of `torque_size`; for Python only."""
+        return self.torque_size[1 : self.joints + 1]
 
 
 class State(Table):
@@ -425,13 +429,13 @@ class Problem(Table):
     matrix: Matrix  # empty where no method is implicit
     integrator: IntegratorState
     balance: EnergyBalance
-    # Addresses of kernels, see `core.shared`; 0 where the method does not need one.
+    # Addresses of the kernels of `core.shared.BY_ADDRESS`; 0 for one that the run does not need.
     accelerations: int
-    accumulate: int
-    factorise: int
-    solve: int
-    resistance: int
-    apart: int
+    accumulate_work: int
+    factorise_matrix: int
+    solve_matrix: int
+    add_damping_product: int
+    no_tunnelling: int
     overstrained: int
     settle: int
     fixed: float  # the step, s, or 0 for error control

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import inspect
 from typing import Any
 
 from numba import types
@@ -15,9 +15,11 @@ def address_of(kernel: Any, signature: Any) -> int:
     return result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
 
 
-def caller(signature: Any) -> tuple[Any, Callable[..., Any]]:
-    """What an intrinsic returns that calls a kernel with a signature: its own signature, whose first argument
-    is the address, and the generator of its code."""
+def calls(signature: Any) -> Any:
+    """A function for kernels, which calls a kernel with a signature: (its address, its arguments ...)."""
+
+    def call(_context: Any, _address: Any, *_arguments: Any) -> Any:
+        return signature.return_type(types.int64, *signature.args), generate
 
     def generate(context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
         convention = context.call_conv
@@ -29,9 +31,8 @@ def caller(signature: Any) -> tuple[Any, Callable[..., Any]]:
         )
         return result
 
-    return signature.return_type(types.int64, *signature.args), generate
-
-
-def intrinsic_call(function: Any) -> Any:
-    """numba's `intrinsic`, whose first parameter is not one of the caller's."""
-    return intrinsic(function)
+    # numba would pack the arguments of a function with any number of them into a tuple.
+    names = ("context", "address", *(f"argument_{i}" for i in range(len(signature.args))))
+    kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
+    call.__signature__ = inspect.Signature([inspect.Parameter(name, kind) for name in names])  # type: ignore[attr-defined]
+    return intrinsic(call)

@@ -13,40 +13,29 @@ from llvmlite import ir
 from numba.core import types
 from numba.extending import intrinsic
 
+_INTEGER = ir.IntType(64)
 _SIGN = 1 << 63
 """The sign bit of a float."""
 
 
-def _size_bits(_context: Any, number: Any) -> Any:
+def _reinterpreted(to: types.Type, as_type: ir.Type, mask: int | None = None) -> Any:
+    """An intrinsic that reads the bits of a number as another type, without those that are not in a mask."""
 
-    def generate(_context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
-        integer = builder.bitcast(arguments[0], ir.IntType(64))
-        return builder.and_(integer, ir.Constant(ir.IntType(64), _SIGN - 1))
+    def reinterpret(_context: Any, number: Any) -> Any:
+        def generate(_context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
+            value = builder.bitcast(arguments[0], as_type)
+            return value if mask is None else builder.and_(value, ir.Constant(as_type, mask))
 
-    return types.int64(number), generate
+        return to(number), generate
 
-
-def _bits(_context: Any, number: Any) -> Any:
-
-    def generate(_context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
-        return builder.bitcast(arguments[0], ir.IntType(64))
-
-    return types.int64(number), generate
+    return intrinsic(reinterpret)
 
 
-def _from_bits(_context: Any, bits: Any) -> Any:
-
-    def generate(_context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
-        return builder.bitcast(arguments[0], ir.DoubleType())
-
-    return types.float64(bits), generate
-
-
-size_bits: Any = intrinsic(_size_bits)
+size_bits: Any = _reinterpreted(types.int64, _INTEGER, _SIGN - 1)
 """size_bits(number): the bit pattern of |number|, as an integer."""
 
-bits: Any = intrinsic(_bits)
+bits: Any = _reinterpreted(types.int64, _INTEGER)
 """bits(number): the bit pattern of a number that is not negative, as an integer."""
 
-from_bits: Any = intrinsic(_from_bits)
+from_bits: Any = _reinterpreted(types.float64, ir.DoubleType())
 """from_bits(bits): the float with this bit pattern."""

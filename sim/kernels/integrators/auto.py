@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+from ...forces.joints import joint_vectors
 from ..core.tables import ADAMS, ALPHA, CHOICES, CONTROL_SCALE, ROSENBROCK, VERLET
 from ..core.vectors import from_to
 from ..engine.jit import FAST, kernel
@@ -195,9 +196,7 @@ def _near_singular(body, state, q):
         if x * x + y * y < least * least:
             return True
     for j in range(body.joints):
-        a, b = body.joint_a[j], body.joint_b[j]
-        ax, ay = from_to(q, body.spring_a[a], body.spring_b[a])
-        bx, by = from_to(q, body.spring_a[b], body.spring_b[b])
+        (ax, ay), (bx, by) = joint_vectors(body, q, j)
         cosine, sine = state.torque_cos[j + 1], state.torque_sin[j + 1]
         if cosine * (ax * bx + ay * by) + sine * (ax * by - ay * bx) < 0.0:
             return True

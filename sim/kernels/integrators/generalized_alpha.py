@@ -94,24 +94,11 @@ def _begin(problem, drive, tolerance):
 @kernel(internal=True, fastmath=FAST)
 def _step(problem, drive, old, new, t, h, tolerance):
     """See `advance`. A fixed step may be divided by itself."""
-    body, state, integrator, matrix, fixed = (
-        problem.body,
-        problem.state,
-        problem.integrator,
-        problem.matrix,
-        problem.fixed,
-    )
+    body, state, integrator, fixed = problem.body, problem.state, problem.integrator, problem.fixed
     alpha, trial, rows = integrator.alpha, integrator.trial, integrator.rows
     q, v, to_q, to_v = old.q, old.v, new.q, new.v
-    start, speed, move, q_pred, force, pull, vector = (
-        rows[0],
-        rows[1],
-        rows[2],
-        rows[3],
-        rows[4],
-        rows[5],
-        rows[6],
-    )
+    start, speed, move, q_pred = rows[0], rows[1], rows[2], rows[3]
+    force, pull, vector = rows[4], rows[5], rows[6]
     a_prev, predictor_error = alpha.rows[0], alpha.rows[3]
     precision = 0.05 * _SPAN * tolerance if fixed == 0.0 else 1e-9
     if fixed > 0.0:
@@ -165,7 +152,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
         size = max_abs(move)
         if not size < 1e8 or (iteration >= 3 and size > 0.5 * last):
             break
-        turn_and_stretch(matrix, state.inverse_mass, to_q, move, vector)
+        turn_and_stretch(problem.matrix, state.inverse_mass, to_q, move, vector)
         if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
             converged = True
         elif iteration == 0 and surveyed:
@@ -195,12 +182,8 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
     """See `advance`."""
     integrator, fixed, planned = problem.integrator, problem.fixed, problem.integrator.run.step
     alpha, failures = integrator.alpha, integrator.trial.failures
-    start, q_pred, a_prev, predictor_error = (
-        integrator.rows[0],
-        integrator.rows[3],
-        alpha.rows[0],
-        alpha.rows[3],
-    )
+    start, q_pred = integrator.rows[0], integrator.rows[3]
+    a_prev, predictor_error = alpha.rows[0], alpha.rows[3]
     hopeless, error = error >= HOPELESS, _ACCEPTED * error
     if good:
         remember(problem, old.q, h, 0.0)

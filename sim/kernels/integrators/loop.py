@@ -52,20 +52,9 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         equal_steps: number of steps before the end that are made equally long; see `fitting_step`.
         knows_a: whether the method uses the accelerations at `old` and leaves those at `new`.
     """
-    body, state, scratch, integrator, balance = (
-        problem.body,
-        problem.state,
-        problem.scratch,
-        problem.integrator,
-        problem.balance,
-    )
-    run, trial, old, new, fixed = (
-        integrator.run,
-        integrator.trial,
-        integrator.old,
-        integrator.new,
-        problem.fixed,
-    )
+    body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
+    run, trial, fixed = integrator.run, integrator.trial, problem.fixed
+    old, new = integrator.old, integrator.new
     number = last = 0
     most = 1 if balance.active or problem.settle != 0 else _MOST_AT_ONCE
     if knows_a:
@@ -112,7 +101,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             trial.failures += 1
             continue
         # Before the energy balance, which evaluates forces elsewhere.
-        shortest = shortest_of(body, scratch) if trial.moved < math.inf else 0.0
+        shortest = shortest_of(body, problem.scratch) if trial.moved < math.inf else 0.0
         if balance.active:
             if not knows_a:
                 accelerate(problem, new.q, new.v, new.a)

@@ -4,9 +4,9 @@ Jx and Jv are the derivatives of the accelerations by positions, 1/s², and by v
 eliminated from the systems, so there are two unknowns a mass. The blocks that are always there are in
 `sparse`, those of contact that are not in `krylov`.
 
-The pressure of a filling depends on the area of its loop, which gives a product of two vectors: with
-c = -dp/dA, kg/(px² s²), and the area's gradient G, px, the matrix gets c M^-1 G Gᵀ. That is full, so it is
-not stored. With the rest of the matrix, A, the system (A + U Gᵀ) x = b, where U = c M^-1 G, is solved as
+The pressure of a filling depends on the area of its loop, which gives a product of two vectors, see
+`forces.fillings.write_area_product`: the matrix gets c M^-1 G Gᵀ. That is full, so it is not stored. With the
+rest of the matrix, A, the system (A + U Gᵀ) x = b, where U = c M^-1 G, is solved as
 x = y - A^-1 U (I + Gᵀ A^-1 U)^-1 Gᵀ y with A y = b (Sherman, Morrison and Woodbury), for all fillings at
 once.
 """
@@ -14,7 +14,7 @@ once.
 from __future__ import annotations
 
 from ...forces.all import add_damping
-from ...forces.fillings import area_by_mass, area_of, filling_at, pressure_at
+from ...forces.fillings import write_area_product
 from ...forces.joints import add_joint_damping
 from ...forces.springs import add_spring_damping
 from ..engine.jit import FAST, kernel
@@ -67,20 +67,10 @@ def _border(body, state, matrix, q):
 
     `borders` gets the gradients G, and then A^-1 U; `corrections` the inverse of I + Gᵀ A^-1 U.
     """
-    fillings, w, slots = body.environment.fillings, state.inverse_mass, q.size // 2
-    borders, small, count = matrix.borders, matrix.corrections, fillings.rows.shape[0]
+    borders, small, count = matrix.borders, matrix.corrections, body.environment.fillings.rows.shape[0]
     for k in range(count):
-        gradient, solved = borders[k], borders[count + k]
-        gradient[:], solved[:] = 0.0, 0.0
-        _, slope = pressure_at(filling_at(fillings, k), area_of(fillings, k, q))
-        for i in range(fillings.start[k], fillings.start[k + 1]):
-            m = fillings.loop[i]
-            dx, dy = area_by_mass(fillings, k, i, q)
-            gradient[m] += dx
-            gradient[slots + m] += dy
-            solved[m] = -slope * w[m] * gradient[m]
-            solved[slots + m] = -slope * w[m] * gradient[slots + m]
-        solve_with_contact(body, matrix, solved)
+        write_area_product(body, state, k, q, borders[k], borders[count + k])
+        solve_with_contact(body, matrix, borders[count + k])
     for i in range(count):
         for k in range(count):
             small[i, k] = dot(body.masses, borders[i], borders[count + k]) + (1.0 if i == k else 0.0)

@@ -74,13 +74,8 @@ def eliminate(body, state, matrix, v, a, g):
 def solve_sparse(body, matrix, b):
     """Solve with the sparse factors alone."""
     slots = b.size // 2
-    r, start, column, diagonal, order = (
-        matrix.blocks,
-        matrix.row_start,
-        matrix.column,
-        matrix.diagonal,
-        matrix.order,
-    )
+    r, order = matrix.blocks, matrix.order
+    start, column, diagonal = matrix.row_start, matrix.column, matrix.diagonal
     for i in range(body.masses):
         m = order[i]
         x, y = b[m], b[slots + m]

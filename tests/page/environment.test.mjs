@@ -1,7 +1,7 @@
 // Outlines of what surrounds a body, on the screen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { airAt, gridLines, hatching, loops, streaks, uncovered, wallInView } from "../../app/drawing/static/around.js";
+import { airAt, gridLines, hatching, loops, streaks, uncovered, wallInView } from "../../app/drawing/static/environment.js";
 import { showWalls } from "../../app/page/body/camera.js";
 
 const view = { left: 0, right: 800, top: 0, bottom: 600 };

@@ -1,0 +1,81 @@
+"""What the panels of one page have in common."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import viser
+
+from ..session.notices import Notice
+from ..session.session import Session
+from ..wire.carrier import Mail
+from .controls import ALL, Controls
+from .files.keeping import PLAIN, Looks
+from .scenes.shelf import Shelf
+from .viser.comma_switch import CommaSwitch
+from .viser.handlers import on_press
+
+if TYPE_CHECKING:
+    from .measure.plot_list import PlotList
+
+
+@dataclass
+class Page:
+    """A page, as its panels see it.
+
+    Attributes:
+        client: viser's handle of it.
+        session: its simulation.
+        mail: to its script.
+        notify: tells its user something.
+        perform: does a command of the table.
+        shelf: its scenes.
+        commas: whether its tables have decimal commas.
+        controls: which it has; what there is not is not made.
+        looks: how it looks.
+        plots: its lists of plots.
+    """
+
+    client: viser.ClientHandle
+    session: Session
+    mail: Mail
+    notify: Callable[[Notice], None]
+    perform: Callable[[str], None]
+    shelf: Shelf
+    commas: CommaSwitch
+    controls: Controls = ALL
+    looks: Looks = PLAIN
+    plots: list[PlotList] = field(default_factory=list)
+    _asked: deque[Callable[[], None]] = field(default_factory=lambda: deque(maxlen=100))
+
+    def later(self, act: Callable[[], None]) -> None:
+        """Have the ticker do something, before the next frame; any thread may ask."""
+        self._asked.append(act)
+
+    def serve(self) -> None:
+        """Do what was asked for; the ticker's."""
+        while self._asked:
+            self._asked.popleft()()
+
+    def clear(self) -> None:
+        """All controls are gone: forget them, and what was asked by them."""
+        self._asked.clear()
+        self.plots.clear()
+        self.commas.clear()
+
+    # --------------------------------------------------------------------- controls
+    def button(
+        self,
+        label: str,
+        icon: viser.IconName,
+        press: Callable[[], None],
+        blocks: bool = False,
+        **options: Any,
+    ) -> viser.GuiButtonHandle:
+        """A button that is not the first thing to press; see `on_press`."""
+        made = self.client.gui.add_button(label, icon=icon, color="gray", **options)
+        on_press(made, press, blocks)
+        return made

@@ -1,0 +1,42 @@
+"""Calling back when a page's user does something to a control; viser does so when the server does, too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import viser
+
+
+def on_change(handle: Any, act: Callable[[], None]) -> None:
+    """Call back, on viser's event loop, when the user changes a control."""
+
+    @handle.on_update
+    async def _(event: viser.GuiEvent[Any]) -> None:
+        if event.client_id is not None:
+            act()
+
+
+def on_press(button: Any, press: Callable[[], None], blocks: bool = False) -> None:
+    """Call back when a button is pressed.
+
+    Args:
+        button: which.
+        press: what is called, on viser's event loop.
+        blocks: whether it may take a while; then one of viser's threads calls it.
+    """
+    if blocks:
+        button.on_click(lambda _: press())
+        return
+
+    @button.on_click
+    async def _(_: object) -> None:
+        press()
+
+
+def add_command(gui: viser.GuiApi, label: str, act: Callable[[], None], keys: str | None = None) -> None:
+    """Add something to the command palette, which calls back on viser's event loop."""
+
+    @gui.add_command(label, description=keys).on_trigger
+    async def _(_: object) -> None:
+        act()

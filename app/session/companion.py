@@ -1,0 +1,82 @@
+"""What goes along with a session's body, in the time that this leaves of a frame."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+import sim
+
+from .pacing import smoothed
+
+
+class Companion(ABC):
+    """One of them.
+
+    Args and attributes:
+        bodies: its own, to which the same is done by hand.
+
+    Attributes:
+        span: simulated seconds of its past that it needs to go back.
+        cost: seconds of computing in the last frames, on average.
+        unit_cost: seconds of a step that it tries, on average.
+    """
+
+    span: ClassVar[float] = 0.0
+
+    def __init__(self, bodies: tuple[sim.Simulation, ...]) -> None:
+        self.bodies = bodies
+        self.cost = self.unit_cost = 0.0
+
+    @property
+    def waits(self) -> bool:
+        """Whether its method is still being compiled; by NumPy, it would say nothing of that method."""
+        return any(body.plain for body in self.bodies)
+
+    def is_ready(self, simulation: sim.Simulation) -> bool:
+        """Whether it may go on; when its method has just become ready, it begins with the body."""
+        if not self.waits:
+            return True
+        ready = [body.take_compiled() for body in self.bodies]
+        if all(ready):
+            self.begin(simulation)
+        return False
+
+    def _count(self, seconds: float) -> None:
+        """Note what a frame's steps took."""
+        self.cost += 0.1 * (seconds - self.cost)
+        stats = [body.stats() for body in self.bodies]
+        if tried := sum(one.steps + one.rejected for one in stats):
+            self.unit_cost = smoothed(self.unit_cost, seconds / tried)
+
+    @abstractmethod
+    def begin(self, simulation: sim.Simulation) -> None:
+        """Begin where the body is, as for another motion."""
+
+    @abstractmethod
+    def adapt(self, simulation: sim.Simulation) -> None:
+        """Go on after the body's settings have changed, or something else than steps was done to it."""
+
+    @abstractmethod
+    def capture(self) -> Any:
+        """What there is to come back to; None if there is nothing."""
+
+    @abstractmethod
+    def go_back(self, past: Sequence[tuple[float, Any]], simulation: sim.Simulation) -> None:
+        """Be as at a moment that the body has gone to.
+
+        Args:
+            past: what was kept of the `span` until that moment, with the times, s; empty if nothing was.
+            simulation: the body.
+        """
+
+    @abstractmethod
+    def follow(self, simulation: sim.Simulation, steps: int, budget: float) -> None:
+        """Go on by what the body has just done.
+
+        Args:
+            simulation: the body.
+            steps: time steps that it has done.
+            budget: seconds of computing that this may take.
+        """

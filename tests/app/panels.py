@@ -1,0 +1,33 @@
+"""A page of panels without a browser, for tests."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+from unittest.mock import MagicMock
+
+from app.page.page import Page
+from app.page.scenes.shelf import Shelf
+from app.page.viser.comma_switch import CommaSwitch
+from app.session.notices import Notice
+from app.session.session import Session
+from tests.app.letters import Letters
+
+
+def page_of(
+    session: Session,
+    client: Any = None,
+    letters: Letters | None = None,
+    notify: Callable[[Notice], None] = print,
+    owned: bool = True,
+) -> Page:
+    """What the panels of a page of that session have in common; `client` may be anything that has a `gui`."""
+    return Page(
+        client or MagicMock(),
+        session,
+        letters or Letters(),
+        notify,
+        print,
+        Shelf(owned),
+        CommaSwitch(print),
+    )
