@@ -107,8 +107,7 @@ def test_a_thumb_that_rests_keeps_no_other_finger_from_a_mass(open_page: OpenPag
         board.put(0, place)
         desk.pause(0.4)  # longer than it takes to put two fingers down at once
         board.put(1, desk.place(8))
-        held = f"the mass is in hand, a thumb on the {resting}"
-        desk.until(lambda: desk.session.hands.masses == (8,), held)
+        desk.until(
             lambda: desk.session.hands.masses == (8,), f"the mass is in hand, a thumb on the {resting}"
         )
         end = beside(desk, 8, 15.0, 10.0)
