@@ -17,6 +17,8 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
 
+from app.wire.from_page import FromPage
+
 FRAME_TIME, FRAME_PLACES = 2, 6
 """Where the time and the places are among the numbers of a frame, see `drawing.plan.encode_frame`."""
 
@@ -47,6 +49,17 @@ def options_of(address: str) -> dict[str, Any]:
 def is_frame(message: dict[str, Any]) -> bool:
     """Whether a message says where the masses are."""
     return str(message.get("text", "")).startswith('{"tell":"frame"')
+
+
+def saying(message: FromPage) -> dict[str, Any]:
+    """What a page says, as it travels."""
+    return {"type": "SoftrodMessage", "text": msgspec.json.encode(message).decode()}
+
+
+def state_of(message: dict[str, Any]) -> dict[str, Any] | None:
+    """How the page is, if a message says that; of what is left out there, nothing is so."""
+    text = str(message.get("text", ""))
+    return msgspec.json.decode(text) if text.startswith('{"tell":"pageState"') else None
 
 
 class Decoder:

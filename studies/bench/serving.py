@@ -16,8 +16,9 @@ from rich.console import Console
 from rich.table import Table
 
 import sim
+from app.wire import from_page
 
-from .client import FRAME_PLACES, FRAME_TIME, Page, is_frame
+from .client import FRAME_PLACES, FRAME_TIME, Page, is_frame, saying, state_of
 
 NODE = "/body/masses"
 
@@ -78,7 +79,8 @@ def _runs(message: dict[str, Any]) -> bool:
     """Whether simulated time has passed: in a picture, or of a body that is told to be at rest."""
     if is_frame(message):
         return float(message["numbers"][FRAME_TIME]) > 0.0
-    return 'data-rest="1"' in str(message.get("updates", {}).get("content", ""))
+    state = state_of(message)
+    return state is not None and bool(state.get("rest"))
 
 
 def _start(kind: str, shown: str | int, cache: str) -> dict[str, float]:
@@ -162,32 +164,17 @@ def _processor_share(kind: str, masses: int, seconds: float, cache: str) -> tupl
 def _latencies(masses: int, count: int, cache: str) -> list[float]:
     """Seconds from a pointer report to the frame in which the driven mass has moved, as a page sees it."""
     with served("softrod", masses, cache) as server, Page(server.port) as page:
-        channel = page.wait_for(
-            lambda m: m.get("type") == "GuiTextMessage" and m["props"]["label"] == "softrod"
-        )
+        page.wait_for(is_frame)
         page.read_for(4.0)
-        number = 0
         driven = slice(FRAME_PLACES, FRAME_PLACES + 2)  # the first mass, x and y
-
-        def say(text: str) -> None:
-            nonlocal number
-            number += 1
-            page.send(
-                {
-                    "type": "GuiUpdateMessage",
-                    "uuid": channel["uuid"],
-                    "updates": {"value": f"{number}|{text}"},
-                }
-            )
-
-        say("do|follow")
+        page.send(saying(from_page.Perform("follow")))
         page.read_for(1.0)
         result = []
         for i in range(count):
             page.read_for(0.03 + 0.01 * (i % 4))
             before = page.wait_for(is_frame)["numbers"][driven]
             began = time.perf_counter()
-            say(f"at|{0.5 * (i % 2):.6f},1.000000")
+            page.send(saying(from_page.At(((0, 0.5 * (i % 2), 1.0),))))
             page.wait_for(lambda m: is_frame(m) and (m["numbers"][driven] != before).any())  # noqa: B023
             result.append(time.perf_counter() - began)
         return result

@@ -16,10 +16,11 @@ from rich.table import Table
 from websockets.asyncio.client import connect
 
 import sim
+from app.wire import from_page
 from sim import Scene
 from sim.store.files import encode_scene
 
-from .client import CAMERA, FRAME_TIME, Decoder, is_frame, options_of
+from .client import CAMERA, FRAME_TIME, Decoder, is_frame, options_of, saying, state_of
 from .serving import Served, served, warm
 
 MASSES = 200
@@ -73,28 +74,24 @@ async def _visit(
     decoder = Decoder()
     async with connect(f"ws://{address}", **options_of(address)) as connection:
         await connection.send(decoder.encode(CAMERA))
-        channel = ""
+        drawn = asyncio.Event()
 
-        async def say(text: str) -> None:
-            message = {"type": "GuiUpdateMessage", "uuid": channel, "updates": {"value": text}}
-            await connection.send(decoder.encode(message))
+        async def say(message: from_page.FromPage) -> None:
+            await connection.send(decoder.encode(saying(message)))
 
         async def steer() -> None:
-            sequence, pressed = 0, False
-            while not channel:
-                await asyncio.sleep(STEER_EVERY)
+            await drawn.wait()
             if scene:
-                await say(f'0|ask|{{"do":"open","name":"{scene}"}}')
+                await say(from_page.OpenScene(scene))
                 await asyncio.sleep(1.0)
+            await say(from_page.Perform("follow"))
+            pressed = False
             while not stop.is_set():
-                sequence += 1
+                if press is not None and press.is_set() and not pressed:
+                    pressed = True
+                    await say(from_page.Perform("pause"))
                 angle = 2.0 * time.monotonic() + number
-                text = f"at|{0.6 * math.cos(angle):.6f},{1.0 + 0.6 * math.sin(angle):.6f}"
-                if sequence == 1:
-                    text = "do|follow"
-                elif press is not None and press.is_set() and not pressed:
-                    text, pressed = "do|pause", True
-                await say(f"{sequence}|{text}")
+                await say(from_page.At(((0, 0.6 * math.cos(angle), 1.0 + 0.6 * math.sin(angle)),)))
                 await asyncio.sleep(STEER_EVERY)
 
         steering = asyncio.create_task(steer())
@@ -105,13 +102,15 @@ async def _visit(
                 continue
             visitor.bytes += len(data)
             for message in decoder.decode(data):
+                state = state_of(message)
                 if is_frame(message):
                     visitor.arrivals.append(time.monotonic())
                     visitor.times.append(float(message["numbers"][FRAME_TIME]))
-                elif message.get("type") == "GuiTextMessage" and message["props"]["label"] == "softrod":
-                    channel = message["uuid"]
-                elif 'data-playing="0"' in str(message.get("updates", {}).get("content", "")):
-                    visitor.paused = time.monotonic()
+                elif state is not None:
+                    drawn.set()
+                    is_asked = press is not None and press.is_set()
+                    if is_asked and not state.get("playing") and visitor.paused == math.inf:
+                        visitor.paused = time.monotonic()
         await steering
 
 

@@ -29,8 +29,8 @@ def one_of_each_kind() -> list[str]:
     kinds: dict[object, str] = {}
     for name in PRESETS:
         scene = sim.load_scene(name)
-        shape, yields, joints, pins, driven = Canvas._kinds(Sketch(scene, palette("softrod", dark=False)))
-        kinds.setdefault((shape, yields, joints, pins, driven is None), name)
+        meshes = Canvas._kinds(Sketch(scene, palette("softrod", dark=False)))
+        kinds.setdefault(tuple(meshes.items()), name)
     return list(kinds.values())
 
 

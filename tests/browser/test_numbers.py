@@ -141,6 +141,13 @@ def test_one_visit_to_a_box_and_one_press_of_a_slider_are_one_step_of_undo(open_
                 let_pass(desk, 3.0)
             desk.page.mouse.up()
             x += 40.0
+            shown = desk.thumb(label)
+            desk.until(
+                lambda key=key, shown=shown: (
+                    float(shown.get_attribute("aria-valuenow") or 0) == value(desk, key)
+                ),
+                "the last move has come",
+            )
         assert steps(desk) == 2
         desk.tell(commands.Undo(), commands.Undo())
         assert value(desk, key) == before

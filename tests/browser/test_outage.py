@@ -215,6 +215,6 @@ def test_what_the_page_gives_back_is_not_lost_with_a_panel(open_page: OpenPage) 
     desk.open()
     with FRAME_LOCK:
         desk.page.evaluate("window.goOn()")
-        desk.until(lambda: len(desk.session._queue) > 0, "it comes to a panel that is about to go")
+        desk.until(lambda: len(desk.tab._requests) > 0, "it comes to a panel that is about to go")
         desk.tab._has_lesson, desk.tab._generation = True, -1
     desk.until(lambda: desk.session.scene.gravity == (0.0, 913.0), "the server goes on with it")

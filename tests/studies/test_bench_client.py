@@ -1,0 +1,24 @@
+"""The benchmarks' page without a browser speaks as the real one does."""
+
+from __future__ import annotations
+
+import sim
+from app.server.serve import serving
+from app.wire import from_page
+from studies.bench.client import FRAME_PLACES, Page, is_frame, saying, state_of
+
+
+def test_a_page_without_a_browser_leads_a_body_and_stops_it() -> None:
+    with serving(sim.load_scene("tutorial-3.3"), "127.0.0.1", 0) as (server, _, compiler):
+        compiler.start()
+        compiler.wait()
+        with Page(server.get_port()) as page:
+            before = page.wait_for(is_frame)["numbers"][FRAME_PLACES]
+            page.wait_for(state_of)  # before that, nobody listens
+            page.send(saying(from_page.Perform("follow")))
+            page.send(saying(from_page.At(((0, 0.5, 1.0),))))
+            page.wait_for(lambda message: is_frame(message) and message["numbers"][FRAME_PLACES] != before)
+            page.send(saying(from_page.Perform("pause")))
+            page.wait_for(
+                lambda message: (state := state_of(message)) is not None and not state.get("playing")
+            )
