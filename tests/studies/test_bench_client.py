@@ -13,8 +13,8 @@ def test_a_page_without_a_browser_leads_a_body_and_stops_it() -> None:
         compiler.start()
         compiler.wait()
         with Page(server.get_port()) as page:
-            before = page.wait_for(is_frame)["numbers"][FRAME_PLACES]
             page.wait_for(state_of)  # before that, nobody listens
+            before = page.wait_for(is_frame)["numbers"][FRAME_PLACES]
             page.send(saying(from_page.Perform("follow")))
             page.send(saying(from_page.At(((0, 0.5, 1.0),))))
             page.wait_for(lambda message: is_frame(message) and message["numbers"][FRAME_PLACES] != before)
