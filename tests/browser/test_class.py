@@ -187,10 +187,12 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
 
     # One run, the same everywhere, which stands at the moment that was predicted.
     school.go(desk, Phase.RUN)
-    until(desk, lambda: school.klass.front is not None and not school.klass.front.playing, "it stands")
-    front = school.klass.front
-    assert front is not None
-    assert front.picture.time >= 0.5
+
+    def stands() -> bool:
+        front = school.klass.front
+        return front is not None and not front.playing and front.picture.time >= 0.5
+
+    until(desk, stands, "it stands at the moment that was predicted")
     shown = [page.evaluate("[...window.__softrod.shown().frame.positions]") for page in (wall, *pupils)]
     assert all(positions == shown[0] for positions in shown)
     school.shoot("run")
