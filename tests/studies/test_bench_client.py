@@ -16,6 +16,7 @@ def test_a_page_without_a_browser_leads_a_body_and_stops_it() -> None:
             page.wait_for(state_of)  # before that, nobody listens
             before = page.wait_for(is_frame)["numbers"][FRAME_PLACES]
             page.send(saying(from_page.Perform("follow")))
+            page.wait_for(lambda message: (state := state_of(message)) is not None and state.get("follow"))
             page.send(saying(from_page.At(((0, 0.5, 1.0),))))
             page.wait_for(lambda message: is_frame(message) and message["numbers"][FRAME_PLACES] != before)
             page.send(saying(from_page.Perform("pause")))
