@@ -10,6 +10,7 @@ import time
 import warnings
 import webbrowser
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 import rich
 import viser
@@ -81,7 +82,8 @@ def serving(
         base = for_others(f"{page_addresses(host, server.get_port())[0]}/")
 
         def role(mail: Mail, classes: Classes = classes) -> Role | None:
-            return role_of_query(query, mail, classes, base, owned, client.send_file_download)
+            download = partial(client.send_file_download, save_immediately=True)
+            return role_of_query(query, mail, classes, base, owned, download)
 
         first = (klass and first_scene(klass)) or scene
         return Tab(client, first, compiler, query, owned, for_others, role)

@@ -116,7 +116,10 @@ class Ticker:
         while self._departures:
             gone = self.tabs.pop(self._departures.popleft(), None)
             if gone is not None:
-                gone.leave()
+                try:
+                    gone.leave()
+                except Exception:
+                    _log.exception("a page that is gone could not be taken out of its class")
 
 
 def _say_stopped(client: viser.ClientHandle) -> None:

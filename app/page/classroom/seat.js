@@ -103,7 +103,7 @@ function parts(seat) {
 
 /** What to do, in one sentence. @param {Seat} seat @param {Asking} asking */
 function sentence({ paused, away }, { phase, predict, question, round }) {
-  if (away && phase !== "try" && phase !== "collect") return "Your teacher's page is away for a moment: wait.";
+  if (away && !["lobby", "try", "collect"].includes(phase)) return "Your teacher's page is away for a moment: wait.";
   if (paused && (phase === "try" || phase === "collect")) return "Paused: look to the front.";
   if (phase === "lobby") return "You are in. It begins soon.";
   if (phase === "ask" && predict > 0) {

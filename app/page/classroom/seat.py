@@ -143,7 +143,8 @@ class SeatRole(ClassRole):
         if self.klass.pupils.get(self._number) is self:
             del self.klass.pupils[self._number]
             self.klass.doing.pop(self._number, None)
-            self.room.seats[self._number].hand = False
+            if (seat := self.room.seats.get(self._number)) is not None:  # none after the class's end
+                seat.hand = False
 
     # --------------------------------------------------------------------- the teacher's
     def begin(self) -> None:
