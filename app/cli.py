@@ -21,13 +21,13 @@ from sim.motion.quantities import PARTS
 from sim.store.files import read_scene
 
 from . import headless
-from .classroom.command import TeachClass
 from .command import CsvComma, Settings, fail, scene_of
 from .export.command import Export
 from .lessons import check_lesson
 from .linking import Link
 from .page.controls import of_scene
 from .session.log import Log, read_log
+from .teaching import TeachClass
 
 DEFAULT_SCENE = "rope"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sim
 from sim.errors import InputError
 from sim.methods.registry import METHODS
+from sim.motion.quantities import quantity
 from sim.settings import CHOICES, scene_of_step, setting_of
 
 from .session.ghost import REFERENCE
@@ -34,3 +35,9 @@ def check_lesson(scene: sim.Scene) -> None:
                 Plot(wish_of(text), scene)
             except InputError as error:
                 raise InputError(f"lesson.steps[{number}].plots[{i}]: {error}") from None
+        for field, reading in (("goal", step.goal), ("collect", step.collect)):
+            if reading is not None:
+                try:
+                    quantity(reading.quantity, scene)
+                except InputError as error:
+                    raise InputError(f"lesson.steps[{number}].{field}.quantity: {error}") from None

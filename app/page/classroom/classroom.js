@@ -2,6 +2,7 @@
 /** A class's part of the page, by what the page's address says that it is. */
 import { onTold } from "../../wire/channel.js";
 import { viser } from "../viser/viser.js";
+import { frameOf } from "../viser/widgets.js";
 import { addDesk } from "./desk.js";
 import { addSeat } from "./seat.js";
 import { addWall } from "./wall.js";
@@ -23,6 +24,7 @@ export function addClassroom() {
   onTold("wall", ({ asking }) => (dataset.softrodClass = asking.phase === "lobby" ? "wall lobby" : "wall"));
   onTold("desk", () => (dataset.softrodClass = "desk"));
   setInterval(() => {
-    if (dataset.softrodClass) viser()?.canvas?.closest("[data-dock-root] > div")?.setAttribute("data-softrod", "canvas");
+    const { canvas } = viser() ?? {};
+    if (dataset.softrodClass && canvas) frameOf(canvas)?.setAttribute("data-softrod", "canvas");
   }, LOOK_EVERY);
 }

@@ -9,7 +9,7 @@ from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
 
-from ..command import fail
+from .command import fail
 
 
 @dataclass
@@ -37,11 +37,11 @@ class TeachClass:
     def run(self) -> int:
         """Serve until told to stop."""
         # Here, not above: the other commands have no use for viser, which takes a second to import.
-        from ..gate.gate import GateError, PortBusy
-        from ..server.serve import serve
-        from .kept import forget, read_all
-        from .live import Classes
-        from .room import Refused
+        from .classroom.kept import forget, read_all
+        from .classroom.live import Classes
+        from .classroom.room import Refused
+        from .gate.gate import GateError, PortBusy
+        from .server.serve import serve
 
         if not 1 <= self.classes <= 20:
             return fail("--classes: a server holds 1 to 20 classes")
