@@ -103,6 +103,7 @@ class Panel:
 
     Attributes:
         lesson: the Lesson tab, if the scene has a lesson.
+        play_tab, measure_tab, files_tab: those tabs, if they are there.
     """
 
     def __init__(self, page: Page) -> None:
@@ -126,7 +127,8 @@ class Panel:
         if "edit" in controls:
             self._selection = SelectionPanel(page)
         self.lesson: LessonPanel | None = None
-        self._play_tab = self._solver_tab = None
+        self.play_tab: viser.GuiTabHandle | None = None
+        self._solver_tab: viser.GuiTabHandle | None = None
         self._play = self._solver = None
         self.measure_tab: viser.GuiTabHandle | None = None
         self.files_tab: viser.GuiTabHandle | None = None
@@ -142,8 +144,8 @@ class Panel:
         """The tabs that there are, with what stays in them."""
         controls = self._controls
         if controls.in_play_tab:
-            self._play_tab = tabs.add_tab("Play")
-            with self._play_tab:
+            self.play_tab = tabs.add_tab("Play")
+            with self.play_tab:
                 self._play = PlayPanel(self._page)
         if "measure" in controls or "tools" in controls:
             self.measure_tab = tabs.add_tab("Measure")
@@ -200,10 +202,10 @@ class Panel:
                     self._choices.append(choice)
                     self._body.append(choice.handle)
         foremost = self._foremost(applicable)
-        self._add_controls(self._play_tab, foremost)
-        if "body" in self._controls and self._play_tab is not None:
+        self._add_controls(self.play_tab, foremost)
+        if "body" in self._controls and self.play_tab is not None:
             others = [s for s in applicable if s not in foremost and s.key not in SOLVER_DIALS]
-            self._add_numbers(self._play_tab, others, moves=bool(applicable))
+            self._add_numbers(self.play_tab, others, moves=bool(applicable))
         self._add_controls(self._solver_tab, [s for s in applicable if s.key in SOLVER_DIALS])
 
     def _add_numbers(self, tab: viser.GuiTabHandle, others: list[Setting], moves: bool) -> None:

@@ -413,6 +413,9 @@ class Tab:
         """The panel, with the controls that there are."""
         page = self._page
         self._panel = Panel(page)
+        if self._role is not None and self._panel.play_tab is not None:
+            with self._panel.play_tab:
+                self.client.gui.add_html(self._role.place, order=0)
         self._has_lesson = session.scene.lesson is not None
         self._measure = self._tools = self._files = None
         if self._panel.measure_tab is not None:

@@ -213,6 +213,9 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     school.go(desk, Phase.TRY)
     expect(first.locator(".softrod-goal")).to_contain_text("Reached")
     expect(desk.locator(".softrod-seats path")).to_have_count(4)
+    # On a phone the sliders of the step stand below the card.
+    expect(first.locator("#softrod-seat .softrod-goal")).to_be_visible()
+    expect(first.get_by_text("Linear stiffness", exact=True)).to_be_visible()
     school.shoot("try")
     school.go(desk, Phase.COLLECT)
     first.locator("[data-focus=handin]").tap()

@@ -28,7 +28,13 @@ NOTHING = Controls(())
 
 
 class Role:
-    """What one page is, where it is no page of its own. The ticker alone calls it, but for `allows`."""
+    """What one page is, where it is no page of its own. The ticker alone calls it, but for `allows`.
+
+    Attributes:
+        place: HTML above the panel's sliders, where the page's script finds room.
+    """
+
+    place = ""
 
     @property
     def controls(self) -> Controls | None:

@@ -13,6 +13,10 @@ import { forgetAnswers, give, onOutbox, openOutbox, unsent } from "./outbox.js";
 /** @typedef {import("../../wire/wire.js").Asking} Asking */
 /** @typedef {import("../../wire/wire.js").Given} Given */
 
+/** On a screen this narrow the card is in the panel, above its sliders, where there are any. */
+const NARROW = matchMedia("(max-width: 799px)");
+/** Milliseconds between two looks whether viser has made that place anew. */
+const LOOK_EVERY = 100;
 /** Letters of a line. */
 const MOST_LETTERS = 140;
 
@@ -35,6 +39,10 @@ export function addSeat() {
   card = make("section", "softrod-class softrod-seat");
   card.ariaLabel = "Class";
   document.body.append(card);
+  setInterval(() => {
+    const place = (NARROW.matches && document.getElementById("softrod-seat")) || document.body;
+    if (card.parentElement !== place) place.append(card);
+  }, LOOK_EVERY);
   const ghosts = new Ghosts();
   ghost = new OwnGhost(show);
   openOutbox();

@@ -47,6 +47,8 @@ class SeatRole(ClassRole):
         mail: to the page's script.
     """
 
+    place = '<div id="softrod-seat"></div>'
+
     def __init__(self, klass: Class, mail: Mail) -> None:
         super().__init__(klass, mail)
         self._secret = ""
