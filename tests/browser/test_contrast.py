@@ -112,6 +112,11 @@ def test_every_text_of_the_tools_stands_out(open_page: OpenPage, look: str, tmp_
     desk.control("Tuning").click()
     desk.button("Critically damp").wait_for()
     desk.until(lambda: "Hz" in page.locator("body").inner_text(), "its numbers are there")
+    page.mouse.move(5.0, 300.0)
+    tip = page.get_by_text("what the stiffnesses mean: frequencies")
+    desk.until(
+        lambda: tip.count() == 0, "what the switch does is no longer said, which is pale while it goes"
+    )
     pale += poor(desk, "the tuning")
     page.keyboard.press("Alt+ArrowRight")
     page.get_by_role("dialog", name="Moved masses").wait_for()

@@ -122,7 +122,9 @@ def cluster(folder: Path) -> Iterator[Cluster]:
         started(*worker) as first,
     ):
         patience = time.monotonic() + PATIENCE
-        while not where.exists() and time.monotonic() < patience:
+        # The file is there before it is whole.
+        while not (where.exists() and where.read_bytes().rstrip().endswith(b"}")):
+            assert time.monotonic() < patience, "there is no scheduler"
             time.sleep(0.01)
         address = msgspec.json.decode(where.read_bytes())["address"]
         yield Cluster(address, scheduler, first, lambda: started(*worker))
