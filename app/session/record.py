@@ -65,12 +65,17 @@ class Recorder:
             self._make_room()
         if isinstance(act, log.FollowEnergy):
             self._follows_energy = act.on
+        if not isinstance(act, log.Set | log.Choose):  # of which there is one a frame while a hand leads
+            act.do(self.simulation)
+            self._note(act)
+            return
         masses = len(self.simulation.scene.masses)
         act.do(self.simulation)
         if len(self.simulation.scene.masses) != masses:
             self._restart()
         else:
             self._note(act)
+            # Another method may wait for other kernels.
             self._complete = self._complete and self.simulation.complete
 
     def set_scene(self, scene: sim.Scene, keys_too: bool) -> None:
