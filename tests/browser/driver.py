@@ -225,6 +225,11 @@ class Desk:
         """Let time go by in which something is not to happen."""
         self.page.wait_for_timeout(seconds * 1e3)
 
+    def made_room(self) -> None:
+        """Wait until the page has looked twice, each tenth of a second, whether the view needs other room."""
+        # The page's own clock: its looks come first, however late it is.
+        self.page.evaluate("() => new Promise((done) => setTimeout(done, 220))")
+
     def settled(self) -> None:
         """Wait until the body is at rest, as the page says."""
         self.until(lambda: "at rest" in self.hud(), "the body comes to rest", limit=60.0)

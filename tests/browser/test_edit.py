@@ -44,6 +44,7 @@ def tool(desk: Desk, name: str) -> None:
     button = desk.page.locator(".softrod-edit").get_by_role("button", name=name, exact=True)
     if not button.is_visible():
         desk.page.locator(".softrod-edit").get_by_role("button", name="Edit", exact=True).click()
+        desk.made_room()  # the tools push the body down
     button.click()
     desk.until(lambda: button.get_attribute("aria-pressed") == "true", f"{name} is taken")
 
