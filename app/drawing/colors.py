@@ -7,6 +7,7 @@ one that the tone map turns into the colour wanted.
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -92,6 +93,7 @@ class Palette:
         return "#" + "".join(f"{int(part):02x}" for part in getattr(self, name))
 
 
+@functools.cache
 def palette(colors: str, dark: bool) -> Palette:
     """The palette of a scene's colour scheme, on white or on dark."""
     pairs = COLORS | (TUTORIAL_COLORS if colors == "tutorial" else {})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import gc
 import math
 import signal
 import threading
@@ -160,14 +161,30 @@ def serve(
             address = _tell_classes(server, host, public_url, classes, console)
         if open_browser:
             webbrowser.open(address)
-        # The first page is drawn first, if it comes soon: both want the interpreter.
-        ticker.drawn.wait(timeout=0.5)
-        compiler.want(needed_by(scene.integrator.method))
-        compiler.start()
+        start_compiling(scene, ticker, compiler)
         threading.Thread(target=_show_progress, args=(compiler, console), daemon=True).start()
         while not signals:
             time.sleep(0.1)
     console.print("softrod has ended.")
+
+
+def start_compiling(scene: sim.Scene, ticker: Ticker, compiler: Compiler) -> None:
+    """Have everything compiled, what a scene needs first; returns when that has begun."""
+    # The first page is drawn first, if it comes soon: both want the interpreter.
+    ticker.drawn.wait(timeout=0.5)
+    compiler.want(needed_by(scene.integrator.method))
+    compiler.start()
+    threading.Thread(target=_keep_what_is_loaded, args=(compiler,), daemon=True).start()
+
+
+def _keep_what_is_loaded(compiler: Compiler) -> None:
+    """Spare the garbage collector what stays until the end: modules and kernels.
+
+    A look over all of them takes a tenth of a second, in which every page stands still.
+    """
+    compiler.wait()
+    gc.collect()
+    gc.freeze()
 
 
 def _set_stage(server: viser.ViserServer) -> None:

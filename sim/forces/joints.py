@@ -450,6 +450,7 @@ class JointsTwin:
         self._start, self._end = (
             np.stack((ends[first], ends[second])) for ends in (body.spring_a, body.spring_b)
         )  # (2, k) of both springs of each joint
+        self._ends = np.concatenate((self._end.ravel(), self._start.ravel()))
         self.stiffness, self.damping, self.rest_angle = (
             numbers[1 : body.joints + 1][rows]
             for numbers in (body.torque_size, body.torque_damping, state.torque_rest)
@@ -457,28 +458,27 @@ class JointsTwin:
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """See `Twin`."""
-        springs, torque, energy = self._bent(x, v)
-        if not self._has_energy:
-            energy = 0.0
+        springs, square, torque, energy = self._bent(x, v)
         # The torque turns both springs towards the rest angle. The energy grows with both lengths, so its
         # gradient also pulls along them.
-        tension = np.stack((1j * torque - energy, -1j * torque - energy)) * springs / self._square(springs)
-        at = np.concatenate((self._end.ravel(), self._start.ravel()))
-        return summed(at, np.concatenate((tension.ravel(), -tension.ravel())), x.size)
+        pull = energy if self._has_energy else 0.0
+        tension = springs / square
+        tension[0] *= 1j * torque - pull
+        tension[1] *= -1j * torque - pull
+        return summed(self._ends, np.concatenate((tension.ravel(), -tension.ravel())), x.size)
 
     def torques(self, x: Vectors, v: Vectors) -> Floats:
         """(k,) the torque of each joint, kg px²/s²: on its first spring; minus it acts on the second one."""
-        return self._bent(x, v)[1]
+        return self._bent(x, v)[2]
 
     def rates(self, x: Vectors, v: Vectors) -> Floats:
         """(k,) the rate at which the angle of each joint grows, 1/s."""
         springs = self._springs(x)
-        turning = (self._springs(v) * springs.conj()).imag / self._square(springs)
-        return turning[1] - turning[0]
+        return self._rates(springs, self._square(springs), v)
 
     def energy(self, x: Vectors) -> float:
         """See `Twin`; for the tutorial's law that of the conservative one."""
-        return float(self._bent(x, np.zeros_like(x))[2].sum())
+        return float(self._bent(x, np.zeros_like(x))[3].sum())
 
     def _springs(self, flat: Vectors) -> Vectors:
         """(2, k) the vectors of both springs of each joint: of positions, px, or of velocities, px/s."""
@@ -488,11 +488,19 @@ class JointsTwin:
         """(2, k) the squares of their lengths, px²."""
         return springs.real**2 + springs.imag**2 + self._softening
 
-    def _bent(self, x: Vectors, v: Vectors) -> tuple[Vectors, Floats, Floats]:
-        """(2, k) vectors of both springs of each joint, px; its torque, and its energy, kg px²/s²."""
+    def _rates(self, springs: Vectors, square: Floats, v: Vectors) -> Floats:
+        """As `rates`, from the vectors of the springs and the squares of their lengths."""
+        turning = (self._springs(v) * springs.conj()).imag / square
+        return turning[1] - turning[0]
+
+    def _bent(self, x: Vectors, v: Vectors) -> tuple[Vectors, Floats, Floats, Floats]:
+        """(2, k) vectors of both springs of each joint, px, and the squares of their lengths, px²; a joint's
+        torque, and its energy, kg px²/s²."""
         springs = self._springs(x)
+        square = self._square(springs)
         s = springs[0].conj() * springs[1] * np.exp(-1j * self.rest_angle)
         torque, energy = self._law(s)
-        lengths = np.sqrt(self._square(springs)).prod(0)  # |A||B|
+        lengths = np.sqrt(square[0] * square[1])  # |A||B|
         weight = self.stiffness if self._is_sine else self.stiffness * abs(s) / lengths  # as `blocks_of_law`
-        return springs, weight * torque + self.damping * lengths * self.rates(x, v), weight * energy
+        damped = self.damping * lengths * self._rates(springs, square, v)
+        return springs, square, weight * torque + damped, weight * energy

@@ -306,6 +306,6 @@ class SpringsTwin:
     def _tensions(self, x: Vectors, v: Vectors) -> tuple[Vectors, Floats]:
         """(k,) vectors of the springs, px, and the force on the b end of each per length, kg/s²."""
         spring, rate = x[self._b] - x[self._a], v[self._b] - v[self._a]
-        square = abs(spring) ** 2 + self._softening
+        square = spring.real**2 + spring.imag**2 + self._softening
         along = (rate * spring.conj()).real / square
         return spring, self.rest_tension / np.sqrt(square) - self.stiffness - self.damping * along

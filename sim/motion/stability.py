@@ -197,33 +197,34 @@ class StabilityMeter:
         """
         assert self._rule is not None
         weight, scale = self._rule.damping, self._limit or 1e-3
-        basis, k_basis, c_basis = [], [], []
+        # Each row is a vector of the space, and K and C times it.
+        basis, k_basis, c_basis = (np.empty((size, self._start.size)) for _ in range(3))
+        known = 0
         # Noise, for the motion found before may be that of another body than the one that is stiffest now.
         start = self._start / max(float(np.sqrt((np.abs(self._start) ** 2).sum())), 1e-300)
         # A complex motion spans two dimensions, from both of which the space grows.
         parts = [start.real, start.imag] if np.iscomplexobj(start) else [start]
-        coming = deque((part + _NOISE * self._noise) * (root > 0.0) for part in parts)
-        while coming and len(basis) < size:
-            q = coming.popleft()
+        coming = deque(((part + _NOISE * self._noise) * (root > 0.0)).ravel() for part in parts)
+        while coming and known < size:
+            q, others = coming.popleft(), basis[:known]
             for _ in range(2):  # twice makes it orthogonal up to rounding
-                for other in basis:
-                    q = q - (other * q).sum() * other
-            norm = float(np.sqrt((q * q).sum()))
+                q = q - (others @ q) @ others
+            norm = float(np.sqrt(q @ q))
             if not 1e-12 < norm < np.inf:
                 continue
-            basis.append(q / norm)
-            w = basis[-1] * root
-            k_basis.append(self._by_positions(physics, w) * root)
+            basis[known] = q / norm
+            w = basis[known].reshape(2, -1) * root
+            k_basis[known] = (self._by_positions(physics, w) * root).ravel()
             yield
-            c_basis.append(self._by_velocities(physics, w) * root)
-            q = scale * scale * k_basis[-1] + weight * scale * c_basis[-1]
-            coming.append(q / max(float(np.sqrt((q * q).sum())), 1e-300))
+            c_basis[known] = (self._by_velocities(physics, w) * root).ravel()
+            q = scale * scale * k_basis[known] + weight * scale * c_basis[known]
+            coming.append(q / max(float(np.sqrt(q @ q)), 1e-300))
+            known += 1
             yield
-        if not basis:
+        if not known:
             return np.inf, self._start
-        flat = np.array(basis).reshape(len(basis), -1)
-        k = flat @ np.array(k_basis).reshape(len(basis), -1).T
-        c = flat @ np.array(c_basis).reshape(len(basis), -1).T
+        flat = basis[:known]
+        k, c = flat @ k_basis[:known].T, flat @ c_basis[:known].T
         if not (np.isfinite(k).all() and np.isfinite(c).all()):
             return np.inf, self._start
         limit, mode = self._rule.solve(k, c)

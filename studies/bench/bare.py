@@ -83,8 +83,7 @@ def bare(masses: int) -> int:
 def softrod(shown: str) -> tuple[int, contextlib.ExitStack]:
     """Serve softrod's page of a preset, or of a rope of so many masses; returns the port and what ends it."""
     import sim
-    from app.server.serve import serving
-    from sim.compiling.compiler import needed_by
+    from app.server.serve import serving, start_compiling
 
     stack = contextlib.ExitStack()
     if shown.isdigit():
@@ -95,13 +94,7 @@ def softrod(shown: str) -> tuple[int, contextlib.ExitStack]:
     else:
         scene = sim.load_scene(shown)
     server, ticker, compiler = stack.enter_context(serving(scene, "127.0.0.1", 0))
-
-    def compile_soon() -> None:
-        ticker.drawn.wait(timeout=0.5)
-        compiler.want(needed_by(scene.integrator.method))
-        compiler.start()
-
-    threading.Thread(target=compile_soon, daemon=True).start()
+    threading.Thread(target=start_compiling, args=(scene, ticker, compiler), daemon=True).start()
     return server.get_port(), stack
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import gc
 import io
 import math
 import time
@@ -24,7 +25,7 @@ from app.page.files import keeping
 from app.page.scenes import owner
 from app.page.tab import Tab
 from app.server import serve as serve_module
-from app.server.serve import _tell_addresses, serving
+from app.server.serve import _tell_addresses, serving, start_compiling
 from app.server.ticker import Ticker
 from app.session import commands
 from app.session.commands import DragStart, Open
@@ -409,3 +410,17 @@ def test_the_address_for_others_never_has_the_owner_s_key(
         assert address == f"{own}#owner={owner.key()}"
         assert f"softrod is at {address}" in text.getvalue()
         assert shown.pop() == (public or own)
+
+
+def test_what_stays_until_the_end_is_none_of_the_garbage_collectors_business(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    scene = sim.load_scene("tutorial-3.3")
+    before = gc.get_freeze_count()
+    try:
+        with serving(scene, "127.0.0.1", 0) as (_, ticker, compiler):
+            monkeypatch.setattr(compiler, "start", lambda: None)
+            start_compiling(scene, ticker, compiler)
+            assert eventually(lambda: gc.get_freeze_count() > before)
+    finally:
+        gc.unfreeze()
