@@ -74,7 +74,7 @@ class PositionTable:
     def write(self, path: Path, decimal_comma: bool = False) -> None:
         """Write as CSV (17 significant digits) or NPZ (`step`, `time`, `positions` of shape (rows, n, 2)).
 
-        With energies, there is a column, or an array, for each field of `sim.EnergyBalance`.
+        With energies, there is a column, or an array, for each field of `sim.Energies`.
 
         Raises:
             InputError: the ending is neither, or the file cannot be written.

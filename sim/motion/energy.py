@@ -13,7 +13,7 @@ from .solver import Solver
 
 
 @dataclass(frozen=True)
-class EnergyBalance:
+class Energies:
     """The energies, and what has changed their sum since the balance was opened, in kg px²/s².
 
     Attributes:
@@ -66,7 +66,7 @@ class EnergyBalance:
 _OTHERS = tuple(term.name for term in WITH_ENERGY)
 
 ENERGY_FIELDS = tuple(
-    name for field in fields(EnergyBalance) for name in (_OTHERS if field.name == "others" else (field.name,))
+    name for field in fields(Energies) for name in (_OTHERS if field.name == "others" else (field.name,))
 )
 """Names of the entries of the balance."""
 
@@ -85,12 +85,12 @@ class EnergyTracker:
         self._energies = np.zeros(ENERGIES)
         self._start = self.total()
 
-    def read(self) -> EnergyBalance:
+    def read(self) -> Energies:
         """The present balance."""
         total = self.total()
         work = self._solver.balance.work
         energies = self._energies.tolist()
-        return EnergyBalance(
+        return Energies(
             *energies[:OTHERS],
             others=tuple(energies[OTHERS:]),
             anchors=work.anchors,

@@ -24,7 +24,7 @@ from ..scene.validate import validate
 from ..settings import shift_rest_angles
 from .divergence import Divergence, explain
 from .drag import Hands, within_bounds
-from .energy import EnergyBalance, EnergyTracker
+from .energy import Energies, EnergyTracker
 from .loads import LoadCalculator, Loads
 from .moment import Moment
 from .plain import PlainSolver
@@ -217,7 +217,7 @@ class Simulation:
         """What the method did since the last call of this."""
         return self._stepper.stats()
 
-    def energy(self) -> EnergyBalance:
+    def energy(self) -> Energies:
         """The energies, and what has changed them since this was first called, or since the last reset.
 
         Raises:

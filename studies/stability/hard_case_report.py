@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 from rich.console import Console
 
-from sim import EnergyBalance, Simulation
+from sim import Energies, Simulation
 from sim.methods.registry import METHODS
 
 from ..reporting.output import Watch, comma_separated, grid, make_folder, page, write_page, write_table
@@ -123,7 +123,7 @@ def _worth(case: HardCase) -> float:
     return weight * tolerance + 0.5 * stiffest * tolerance**2
 
 
-def _made(balance: EnergyBalance, tolerated: float) -> float:
+def _made(balance: Energies, tolerated: float) -> float:
     """The energy beyond all that was put in, less what is tolerated, in parts of what was turned over."""
     # What damping and air took counts as negative in the balance, and the residual leaves it out.
     beyond = balance.residual + balance.damping + balance.air - tolerated
