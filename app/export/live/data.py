@@ -1,0 +1,97 @@
+"""A body as the script of a live file has it; see `static/body.js` for the fields and their units."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+
+import sim
+from sim.body.system import System, build_system
+from sim.scene.types import is_damageable
+
+from ..body.body import Body
+
+ENDLESS = 1e300
+"""What stands for no limit, since JSON has no infinity."""
+
+
+def body_data(moment: sim.Moment) -> dict[str, Any]:
+    """The `BodyData` of a moment.
+
+    Raises:
+        InputError: a position or a velocity is not a finite number.
+    """
+    body, scene = Body.of(moment), moment.scene
+    system = build_system(scene)
+    air = system.body.environment.air
+    return {
+        "time": moment.time,
+        "law": scene.force_law,
+        "gravity": list(map(float, scene.gravity)),
+        "airFriction": scene.air_friction,
+        "wind": list(body.wind),
+        "waves": air.waves.tolist(),
+        "softening": system.body.softening,
+        "positions": body.positions.ravel().tolist(),
+        "velocities": body.velocities.ravel().tolist(),
+        "mass": body.mass.tolist(),
+        "held": body.held.astype(int).tolist(),
+        "loads": [[mass, *map(float, force)] for mass, force in body.loads.items()],
+        "circles": [
+            {"mass": mass, "x": x, "y": y, **msgspec.structs.asdict(circle)}
+            for mass, (circle, (x, y)) in body.circles.items()
+        ],
+        "ends": body.ends.ravel().tolist(),
+        "stiffness": [s.stiffness for s in scene.linear_springs],
+        "damping": [s.damping for s in scene.linear_springs],
+        "restLength": body.rest_length.tolist(),
+        "joints": body.joints.ravel().tolist(),
+        "jointStiffness": system.body.joint_stiffness[system.joint_order].tolist(),
+        "jointDamping": [j.damping for j in scene.angular_springs],
+        "restAngle": body.rest_angle.tolist(),
+        "broken": np.flatnonzero(body.broken).tolist(),
+        "walls": body.walls.tolist(),
+        "fillings": [
+            {
+                "masses": loop.masses,
+                "isGas": loop.is_gas,
+                "strength": loop.pressure,
+                "outside": loop.outside,
+                "area": loop.area,
+            }
+            for loop in body.loops
+        ],
+        "contact": _contact(system),
+        "limits": _limits(scene) if is_damageable(scene) else None,
+    }
+
+
+def _contact(system: System) -> dict[str, Any] | None:
+    contact = system.body.environment.contact
+    if not contact.present:
+        return None
+    apart: list[list[int]] = [[]] * system.body.springs
+    for s, spring in enumerate(system.spring_order.tolist()):
+        slots = contact.apart[contact.apart_start[s] : contact.apart_start[s + 1]]
+        apart[spring] = system.mass_order[slots - 1].tolist()
+    return {
+        "distance": contact.distance,
+        "stiffness": contact.stiffness,
+        "friction": contact.friction,
+        "slipSpeed": contact.slip_speed,
+        "damping": contact.damping,
+        "margin": contact.margin,
+        "apart": apart,
+    }
+
+
+def _limits(scene: sim.Scene) -> dict[str, list[float]]:
+    springs, joints = scene.linear_springs, scene.angular_springs
+    return {
+        "strength": [ENDLESS if s.strength is None else s.strength for s in springs],
+        "yieldForce": [ENDLESS if s.yield_force is None else s.yield_force for s in springs],
+        "hardening": [s.hardening for s in springs],
+        "yieldTorque": [ENDLESS if j.yield_torque is None else j.yield_torque for j in joints],
+    }

@@ -1,0 +1,329 @@
+// @ts-check
+/**
+ * The physics of a body, in plain JavaScript: masses, linear springs, joints that hold two springs at an angle, air and
+ * wind, walls, gases and liquids. `sim/physics.py` has the same with its derivations; the names are those of `sim`.
+ *
+ * Positions and velocities are flat: x and y of the first mass, of the second one, and so on. x grows to the right; which
+ * way y grows is the scene's matter, and no force asks for it. Lengths are in px, angles of rest in degrees.
+ */
+import { addContact } from "./contact.js";
+
+/**
+ * @typedef {"tutorial" | "conservative" | "angle"} ForceLaw
+ * @typedef {{mass: number, x: number, y: number, radius: number, frequency: number, ramp: number}} Circle a held mass that
+ *   goes round: where it would be at time zero, px; turns per second; the time constant with which it speeds up, s
+ * @typedef {{masses: number[], isGas: boolean, strength: number, outside: number, area: number}} Filling the pressure of a gas
+ *   at its area, or the bulk modulus of a liquid, and the pressure outside, kg/s²; px²; masses so that the area is positive
+ * @typedef {[x: number, y: number, nx: number, ny: number, hardness: number, friction: number, slipSpeed: number,
+ *   damping: number]} Wall a point, the unit vector to the free side, 1/(px s²), 1, px/s, s/px
+ * @typedef {[x: number, y: number, u: number, v: number, phase: number, rate: number]} Wave of gusts: its wave vector, 1/px,
+ *   its amplitude, px/s, its phase at time zero, and the rate of that, 1/s
+ * @typedef {{distance: number, stiffness: number, friction: number, slipSpeed: number, damping: number, margin: number,
+ *   apart: number[][]}} Contact px, kg/(px s²), 1, px/s, s/px, px; for each spring, the masses that never touch it
+ * @typedef {{strength: number[], yieldForce: number[], hardening: number[], yieldTorque: number[]}} Limits of springs and
+ *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
+ *
+ * @typedef {object} BodyData a body at one moment, as `app/export/live/data.py` writes it
+ * @property {number} time s
+ * @property {ForceLaw} law
+ * @property {[number, number]} gravity px/s²
+ * @property {number} airFriction kg/px
+ * @property {[number, number]} wind px/s
+ * @property {Wave[]} waves
+ * @property {number} softening px²: the length of a spring with the vector L is sqrt(L² + softening)
+ * @property {number[]} positions px
+ * @property {number[]} velocities px/s
+ * @property {number[]} mass kg
+ * @property {number[]} held 1 where a mass is held, else 0
+ * @property {[mass: number, x: number, y: number][]} loads constant forces, kg px/s²
+ * @property {Circle[]} circles
+ * @property {number[]} ends the two masses of each spring
+ * @property {number[]} stiffness kg/s²
+ * @property {number[]} damping kg/s
+ * @property {number[]} restLength px
+ * @property {number[]} joints the two springs of each joint
+ * @property {number[]} jointStiffness kg/s²
+ * @property {number[]} jointDamping kg/s
+ * @property {number[]} restAngle degrees
+ * @property {number[]} broken springs that are broken
+ * @property {Wall[]} walls
+ * @property {Filling[]} fillings
+ * @property {Contact | null} contact
+ * @property {Limits | null} limits
+ */
+
+/** Area of a gas, as a fraction of its own area, below which its pressure grows linearly. */
+const SMALLEST = 0.01;
+/** Damping of a softened push, in parts of the depth that is left in a step. */
+const CALMING = 0.5;
+const DEGREE = Math.PI / 180;
+const TURN = 2 * Math.PI;
+
+/** An angle, wrapped once into (-180, 180] degrees. @param {number} angle */
+const wrapped = (angle) => (angle > 180 ? angle - 360 : angle <= -180 ? angle + 360 : angle);
+
+/** A body, and what acts on it. */
+export class Body {
+  /** @param {BodyData} data */
+  constructor(data) {
+    this.data = data;
+    this.masses = data.mass.length;
+    this.springs = data.stiffness.length;
+    this.joints = data.jointStiffness.length;
+    this.time = data.time;
+    this.law = data.law;
+    this.gravity = [...data.gravity];
+    this.airFriction = data.airFriction;
+    this.wind = [...data.wind];
+    this.positions = Float64Array.from(data.positions);
+    this.velocities = Float64Array.from(data.velocities);
+    this.accelerations = new Float64Array(2 * this.masses);
+    this.mass = Float64Array.from(data.mass);
+    this.held = Uint8Array.from(data.held);
+    this.ends = Int32Array.from(data.ends);
+    this.stiffness = Float64Array.from(data.stiffness);
+    this.damping = Float64Array.from(data.damping);
+    this.restLength = Float64Array.from(data.restLength);
+    this.heldSprings = Int32Array.from(data.joints);
+    this.jointStiffness = Float64Array.from(data.jointStiffness);
+    this.jointDamping = Float64Array.from(data.jointDamping);
+    this.restAngle = Float64Array.from(data.restAngle);
+    this.broken = new Uint8Array(this.springs);
+    this.fillings = data.fillings.map((filling) => ({ ...filling }));
+    this.contact = data.contact;
+    /** What held keys have made of all rest lengths and rest angles: a factor, and degrees. */
+    this.scale = 1;
+    this.shift = 0;
+    // What has yielded: rest lengths, px, rest angles, degrees, and by how much yield forces have grown, kg px/s².
+    this.setLength = new Float64Array(this.springs);
+    this.setAngle = new Float64Array(this.joints);
+    this.hardened = new Float64Array(this.springs);
+    // In each evaluation: of each spring its vector, px, its length, px, and the force on its b end, kg px/s².
+    this.vectors = new Float64Array(2 * this.springs);
+    this.lengths = new Float64Array(this.springs);
+    this.forces = new Float64Array(2 * this.springs);
+    // Of each joint: its stiffness times the cosine and the sine of its rest angle, and that angle, radians.
+    this.cosine = new Float64Array(this.joints);
+    this.sine = new Float64Array(this.joints);
+    this.rest = new Float64Array(this.joints);
+    for (const spring of data.broken) this.broken[spring] = 1;
+    this.refresh();
+  }
+
+  /** The rest length of a spring, px. @param {number} s */
+  restLengthOf(s) {
+    return this.restLength[s] * this.scale + this.setLength[s];
+  }
+
+  /** The rest angle of a joint, degrees in (-180, 180]. @param {number} j */
+  restAngleOf(j) {
+    return wrapped(wrapped(this.restAngle[j] + this.shift) + this.setAngle[j]);
+  }
+
+  /** Whether a joint holds nothing any more, because one of its springs is broken. @param {number} j */
+  isLoose(j) {
+    return this.broken[this.heldSprings[2 * j]] + this.broken[this.heldSprings[2 * j + 1]] > 0;
+  }
+
+  /** Find anew what follows from rest angles and stiffnesses; to be called after these were changed. */
+  refresh() {
+    for (let j = 0; j < this.joints; j++) {
+      const rest = this.restAngleOf(j) * DEGREE;
+      const stiffness = this.isLoose(j) ? 0 : this.jointStiffness[j];
+      this.rest[j] = rest;
+      this.cosine[j] = stiffness * Math.cos(rest);
+      this.sine[j] = stiffness * Math.sin(rest);
+    }
+  }
+
+  /**
+   * Find the accelerations of all masses in their present state, px/s².
+   *
+   * @param {number} softeningStep length of the step, s, by which walls and contact are softened so that a bounce in few
+   *   steps gains no energy, see `sim/forces/push.py`
+   */
+  accelerate(softeningStep) {
+    const { accelerations: a, mass, held, gravity, data } = this;
+    a.fill(0);
+    for (const [m, x, y] of data.loads) {
+      a[2 * m] += x;
+      a[2 * m + 1] += y;
+    }
+    this.#addSprings();
+    this.#addFillings();
+    if (this.contact) addContact(this, this.contact, softeningStep);
+    this.#addAir();
+    for (let m = 0; m < this.masses; m++) {
+      const w = held[m] ? 0 : 1 / mass[m];
+      a[2 * m] = a[2 * m] * w + (held[m] ? 0 : gravity[0]);
+      a[2 * m + 1] = a[2 * m + 1] * w + (held[m] ? 0 : gravity[1]);
+    }
+    for (const wall of data.walls) this.#addWall(wall, softeningStep);
+  }
+
+  #addSprings() {
+    const { positions: x, velocities: v, accelerations: a, ends, vectors, lengths, forces, data } = this;
+    for (let s = 0; s < this.springs; s++) {
+      const [one, two] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
+      const [dx, dy] = [x[two] - x[one], x[two + 1] - x[one + 1]];
+      const square = dx * dx + dy * dy + data.softening;
+      const length = Math.sqrt(square);
+      vectors[2 * s] = dx;
+      vectors[2 * s + 1] = dy;
+      lengths[s] = length;
+      if (this.broken[s]) {
+        forces[2 * s] = forces[2 * s + 1] = 0;
+        continue;
+      }
+      const along = (dx * (v[two] - v[one]) + dy * (v[two + 1] - v[one + 1])) / square;
+      const pull = this.stiffness[s] * (this.restLengthOf(s) / length - 1) - this.damping[s] * along;
+      forces[2 * s] = pull * dx;
+      forces[2 * s + 1] = pull * dy;
+    }
+    this.#addJoints();
+    for (let s = 0; s < this.springs; s++) {
+      const [one, two] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
+      a[one] -= forces[2 * s];
+      a[one + 1] -= forces[2 * s + 1];
+      a[two] += forces[2 * s];
+      a[two + 1] += forces[2 * s + 1];
+    }
+  }
+
+  /** Rate at which a spring turns, 1/s. @param {number} s */
+  #turning(s) {
+    const { velocities: v, ends, vectors, lengths } = this;
+    const [one, two] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
+    const cross = vectors[2 * s] * (v[two + 1] - v[one + 1]) - vectors[2 * s + 1] * (v[two] - v[one]);
+    return cross / (lengths[s] * lengths[s]);
+  }
+
+  /**
+   * How a joint is bent: its torque without damping and its energy, both kg px²/s². The tutorial's law has the energy of
+   * the conservative one, but no force along the springs from it.
+   *
+   * @param {number} j
+   * @returns {[torque: number, energy: number]}
+   */
+  bent(j) {
+    const { heldSprings, vectors, lengths } = this;
+    const [p, q] = [heldSprings[2 * j], heldSprings[2 * j + 1]];
+    const [px, py, qx, qy] = [vectors[2 * p], vectors[2 * p + 1], vectors[2 * q], vectors[2 * q + 1]];
+    const [cross, dot] = [px * qy - py * qx, px * qx + py * qy];
+    const stiffness = this.isLoose(j) ? 0 : this.jointStiffness[j];
+    if (this.law === "angle") {
+      let off = Math.atan2(cross, dot) - this.rest[j];
+      if (off > Math.PI) off -= TURN;
+      else if (off < -Math.PI) off += TURN;
+      const torque = stiffness * lengths[p] * lengths[q] * off;
+      return [torque, 0.5 * torque * off];
+    }
+    const torque = this.cosine[j] * cross - this.sine[j] * dot;
+    return [torque, stiffness * lengths[p] * lengths[q] - this.cosine[j] * dot - this.sine[j] * cross];
+  }
+
+  #addJoints() {
+    const { heldSprings, vectors, lengths, forces } = this;
+    for (let j = 0; j < this.joints; j++) {
+      if (this.isLoose(j)) continue;
+      const [p, q] = [heldSprings[2 * j], heldSprings[2 * j + 1]];
+      const [undamped, stored] = this.bent(j);
+      const energy = this.law === "tutorial" ? 0 : stored;
+      let torque = undamped;
+      if (this.jointDamping[j]) {
+        torque += this.jointDamping[j] * lengths[p] * lengths[q] * (this.#turning(q) - this.#turning(p));
+      }
+      // The torque turns both springs towards the rest angle; the energy grows with their lengths, and pulls along them.
+      for (const [s, turn] of [[p, torque], [q, -torque]]) {
+        const [x, y, square] = [vectors[2 * s], vectors[2 * s + 1], lengths[s] * lengths[s]];
+        forces[2 * s] += (-turn * y - energy * x) / square;
+        forces[2 * s + 1] += (turn * x - energy * y) / square;
+      }
+    }
+  }
+
+  #addFillings() {
+    const { positions: x, accelerations: a } = this;
+    for (const { masses, isGas, strength, outside, area: size } of this.fillings) {
+      const n = masses.length;
+      const area = this.areaOf(masses);
+      const least = SMALLEST * size;
+      const parts = area > least ? size / area : (size / least) * (2 - area / least);
+      const pressure = isGas ? strength * parts - outside : strength * (1 - area / size);
+      for (let i = 0; i < n; i++) {
+        const [before, after] = [2 * masses[(i + n - 1) % n], 2 * masses[(i + 1) % n]];
+        a[2 * masses[i]] += 0.5 * pressure * (x[after + 1] - x[before + 1]);
+        a[2 * masses[i] + 1] -= 0.5 * pressure * (x[after] - x[before]);
+      }
+    }
+  }
+
+  /** The area that masses go round, px². @param {number[]} masses */
+  areaOf(masses) {
+    const { positions: x } = this;
+    const [x0, y0] = [x[2 * masses[0]], x[2 * masses[0] + 1]];
+    let twice = 0;
+    masses.forEach((m, i) => {
+      const n = masses[(i + 1) % masses.length];
+      twice += (x[2 * m] - x0) * (x[2 * n + 1] - y0) - (x[2 * n] - x0) * (x[2 * m + 1] - y0);
+    });
+    return 0.5 * twice;
+  }
+
+  /** The velocity of the air at a place, px/s. @param {number} x @param {number} y @returns {[number, number]} */
+  windAt(x, y) {
+    let [u, v] = this.wind;
+    for (const [kx, ky, du, dv, phase, rate] of this.data.waves) {
+      const size = Math.sin(kx * x + ky * y + phase + rate * this.time);
+      u += du * size;
+      v += dv * size;
+    }
+    return [u, v];
+  }
+
+  #addAir() {
+    const { positions: x, velocities: v, accelerations: a, airFriction } = this;
+    if (!airFriction) return;
+    const moves = this.wind[0] !== 0 || this.wind[1] !== 0 || this.data.waves.length > 0;
+    for (let i = 0; i < 2 * this.masses; i += 2) {
+      const [u, w] = moves ? this.windAt(x[i], x[i + 1]) : [0, 0];
+      const [past, beside] = [v[i] - u, v[i + 1] - w];
+      a[i] -= airFriction * past * Math.abs(past);
+      a[i + 1] -= airFriction * beside * Math.abs(beside);
+    }
+  }
+
+  /** @param {Wall} wall @param {number} h */
+  #addWall([px, py, nx, ny, hardness, friction, slipSpeed, damping], h) {
+    const { positions: x, velocities: v, accelerations: a, held } = this;
+    for (let m = 0; m < this.masses; m++) {
+      const i = 2 * m;
+      const depth = (px - x[i]) * nx + (py - x[i + 1]) * ny;
+      if (!(depth > 0) || held[m]) continue;
+      const [speed, along] = [v[i] * nx + v[i + 1] * ny, v[i + 1] * nx - v[i] * ny];
+      const [push, rub] = pushAndFriction(hardness, damping, friction, slipSpeed, h, 1, 1, depth, speed, along);
+      a[i] += push * nx + rub * ny;
+      a[i + 1] += push * ny - rub * nx;
+    }
+  }
+}
+
+/**
+ * The push and the friction of what is entered; see `sim/forces/push.py`.
+ *
+ * @param {number} stiffness @param {number} damping @param {number} friction @param {number} slipSpeed
+ * @param {number} h length of the step by which they are softened, s
+ * @param {number} mobility the acceleration by a push of one @param {number} mobilityAlong that by friction
+ * @param {number} depth px, positive @param {number} speed outwards, px/s @param {number} along the surface, px/s
+ * @returns {[push: number, friction: number]}
+ */
+export function pushAndFriction(
+  stiffness, damping, friction, slipSpeed, h, mobility, mobilityAlong, depth, speed, along,
+) {
+  const elastic = stiffness * depth * depth;
+  const power = (h * mobility * (damping * elastic + 4 * h * stiffness * depth)) ** 4;
+  const gain = 1 - damping * speed - (CALMING * h * speed * (power / depth)) / (1 + power);
+  const push = Math.max(elastic * gain, 0) / (1 + power) ** 0.25;
+  const slip = (slipSpeed ** 4 + (h * mobilityAlong * friction * push) ** 4) ** 0.25;
+  return [push, friction * push * Math.tanh(along / slip)];
+}

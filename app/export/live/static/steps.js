@@ -1,0 +1,159 @@
+// @ts-check
+/**
+ * Time steps of a body, and what leads it: hands, held keys, circles.
+ *
+ * @typedef {import("./body.js").Body} Body
+ * @typedef {{mass: number, x: number, y: number}} Hand a mass that is led, and where to, px
+ * @typedef {{factor: number, angle: number}} Presses what held keys do in a second: a factor of all rest lengths, and degrees
+ *   that all rest angles grow by
+ */
+import { settle } from "./limits.js";
+
+const TURN = 2 * Math.PI;
+/** Range of the factor of all rest lengths. */
+const [SCALE_MIN, SCALE_MAX] = [0.01, 100];
+
+/** Put the masses that go round where they are at a time (s). @param {Body} body @param {number} t */
+export function goRound(body, t) {
+  const { positions: x, velocities: v } = body;
+  for (const { mass, x: atX, y: atY, radius, frequency, ramp } of body.data.circles) {
+    const fade = Math.exp(-t / ramp);
+    const [phase, rate] = [TURN * frequency * (t - ramp * (1 - fade)), TURN * frequency * (1 - fade)];
+    const [sine, cosine] = [Math.sin(phase), Math.cos(phase)];
+    x[2 * mass] = atX + radius * sine;
+    x[2 * mass + 1] = atY + radius * (1 - cosine);
+    v[2 * mass] = radius * cosine * rate;
+    v[2 * mass + 1] = radius * sine * rate;
+  }
+}
+
+/** Let held keys act for some time (s). @param {Body} body @param {Presses} presses @param {number} h */
+function press(body, { factor, angle }, h) {
+  if (factor === 1 && angle === 0) return;
+  body.scale = Math.min(Math.max(body.scale * factor ** h, SCALE_MIN), SCALE_MAX);
+  const shift = body.shift + angle * h;
+  body.shift = 180 - ((((180 - shift) % 360) + 360) % 360);
+  body.refresh();
+}
+
+/**
+ * Symplectic Euler, the tutorial's method: v += h a(x, v), then x += h v.
+ *
+ * @param {Body} body @param {number} h s
+ * @param {(t: number) => void} lead puts the masses that are led where they are at a time
+ */
+function eulerStep(body, h, lead) {
+  const { positions: x, velocities: v, accelerations: a, held } = body;
+  const end = body.time + h;
+  lead(end);
+  body.time = end; // of the gusts
+  body.accelerate(h);
+  for (let i = 0; i < x.length; i++) {
+    if (held[i >> 1]) continue;
+    v[i] += h * a[i];
+    x[i] += h * v[i];
+  }
+}
+
+/**
+ * Velocity Verlet: x += h v + h²/2 a, v += h/2 (a + a'). Forces at the end of the step see the velocities v + h a.
+ *
+ * @param {Body} body @param {number} h s @param {(t: number) => void} lead as of `eulerStep`
+ */
+function verletStep(body, h, lead) {
+  const { positions: x, velocities: v, accelerations: a, held } = body;
+  const end = body.time + h;
+  const before = { v: v.slice(), a: a.slice() };
+  for (let i = 0; i < x.length; i++) {
+    if (held[i >> 1]) continue;
+    x[i] += h * (v[i] + 0.5 * h * a[i]);
+    v[i] += h * a[i];
+  }
+  lead(end);
+  body.time = end;
+  body.accelerate(h);
+  for (let i = 0; i < x.length; i++) {
+    if (!held[i >> 1]) v[i] = before.v[i] + 0.5 * h * (before.a[i] + a[i]);
+  }
+}
+
+/** The two methods: the tutorial's, and one of second order whose steps are chosen. */
+export const METHODS = /** @type {const} */ ({ symplectic_euler: eulerStep, verlet: verletStep });
+
+/**
+ * A bound below the largest stable step of velocity Verlet, s: rows of M⁻¹ K and M⁻¹ C are summed (Gershgorin), for springs
+ * that have their rest lengths. Infinite where nothing pulls.
+ *
+ * @param {Body} body
+ */
+export function longestStep(body) {
+  const [k, c] = [new Float64Array(body.masses), new Float64Array(body.masses)];
+  const { ends, heldSprings, held, mass } = body;
+  /** @param {number} s @param {number} stiffness @param {number} damping */
+  const add = (s, stiffness, damping) => {
+    for (const m of [ends[2 * s], ends[2 * s + 1]]) {
+      k[m] += stiffness;
+      c[m] += damping;
+    }
+  };
+  for (let s = 0; s < body.springs; s++) if (!body.broken[s]) add(s, 2 * body.stiffness[s], 2 * body.damping[s]);
+  for (let j = 0; j < body.joints; j++) {
+    // A joint of two springs in line bends by x1 - 2 x2 + x3.
+    for (const s of [heldSprings[2 * j], heldSprings[2 * j + 1]]) add(s, 4 * body.jointStiffness[j], 4 * body.jointDamping[j]);
+  }
+  let shortest = Infinity;
+  for (let m = 0; m < body.masses; m++) {
+    if (held[m]) continue;
+    const [kk, cc] = [k[m] / mass[m], c[m] / mass[m]];
+    if (kk + cc > 0) shortest = Math.min(shortest, 2 / (cc + Math.sqrt(cc * cc + kk)));
+  }
+  return shortest;
+}
+
+/**
+ * Do some steps of equal length.
+ *
+ * @param {Body} body
+ * @param {keyof typeof METHODS} method
+ * @param {number} h length of a step, s
+ * @param {number} count of steps
+ * @param {readonly Hand[]} hands masses that are led in straight lines, to be there in the end; they count as held
+ * @param {Presses} presses
+ * @returns {boolean} whether all is still finite
+ */
+export function advance(body, method, h, count, hands = [], presses = { factor: 1, angle: 0 }) {
+  const { positions: x, velocities: v } = body;
+  const start = body.time;
+  const duration = h * count;
+  // Under the tutorial's law, the damping treats a led mass as being at rest.
+  const seen = body.law === "tutorial" ? 0 : 1 / duration;
+  const ways = hands.map(({ mass, x: toX, y: toY }) => {
+    const i = 2 * mass;
+    return { i, x: x[i], y: x[i + 1], dx: toX - x[i], dy: toY - x[i + 1] };
+  });
+  const before = hands.map(({ mass }) => body.held[mass]);
+  for (const { mass } of hands) body.held[mass] = 1;
+  const lead = (/** @type {number} */ t) => {
+    goRound(body, t);
+    const part = Math.min((t - start) / duration, 1);
+    for (const way of ways) {
+      x[way.i] = way.x + part * way.dx;
+      x[way.i + 1] = way.y + part * way.dy;
+      v[way.i] = way.dx * seen;
+      v[way.i + 1] = way.dy * seen;
+    }
+  };
+  const step = METHODS[method];
+  lead(start);
+  if (method === "verlet") body.accelerate(h);
+  for (let i = 1; i <= count; i++) {
+    press(body, presses, h);
+    step(body, h, lead);
+    if (settle(body) && method === "verlet") body.accelerate(h);
+  }
+  hands.forEach(({ mass }, i) => {
+    body.held[mass] = before[i];
+    v[2 * mass] = v[2 * mass + 1] = 0;
+  });
+  return x.every(Number.isFinite) && v.every(Number.isFinite);
+}
