@@ -30,6 +30,7 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "time": moment.time,
         "law": scene.force_law,
         "gravity": list(map(float, scene.gravity)),
+        "down": 1 if scene.view.y_down else -1,
         "airFriction": scene.air_friction,
         "wind": list(body.wind),
         "waves": air.waves.tolist(),

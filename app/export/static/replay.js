@@ -12,22 +12,10 @@
  */
 import { between, readDamage, readFrame, readPlan, sections, UNHARMED } from "../../drawing/static/plan.js";
 import { paint } from "./paint.js";
+import { element, unpacked } from "./parts.js";
 
 /** Seconds that an arrow key goes. */
 const [NUDGE, LEAP] = [0.1, 1];
-/** @template {Element} T @param {string} id @param {new () => T} kind @returns {T} */
-function element(id, kind) {
-  const found = document.getElementById(id);
-  if (!(found instanceof kind)) throw new Error(`there is no ${id}`);
-  return found;
-}
-
-/** The bytes of the file's data. @param {string} text base64 of what was packed */
-async function unpack(text) {
-  const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Response(stream).arrayBuffer();
-}
 
 /** @param {About} about @param {ArrayBuffer} data the arrays of plans, damages and frames, as pages get them */
 function readMotion(about, data) {
@@ -131,7 +119,7 @@ function player(about, motion) {
 try {
   const [about, text] = ["about", "data"].map((id) => element(id, HTMLScriptElement).textContent ?? "");
   const told = /** @type {About} */ (JSON.parse(about));
-  const motion = readMotion(told, await unpack(JSON.parse(text)));
+  const motion = readMotion(told, await unpacked(JSON.parse(text)));
   player(told, motion);
 } catch (error) {
   const said = document.querySelector("[role=alert]");

@@ -7,6 +7,7 @@
  * way y grows is the scene's matter, and no force asks for it. Lengths are in px, angles of rest in degrees.
  */
 import { addContact } from "./contact.js";
+import { pushAndFriction } from "./push.js";
 
 /**
  * @typedef {"tutorial" | "conservative" | "angle"} ForceLaw
@@ -26,9 +27,10 @@ import { addContact } from "./contact.js";
  * @typedef {object} BodyData a body at one moment, as `app/export/live/data.py` writes it
  * @property {number} time s
  * @property {ForceLaw} law
- * @property {[number, number]} gravity px/s²
+ * @property {number[]} gravity px/s²
+ * @property {number} down sign of y on the way down the screen
  * @property {number} airFriction kg/px
- * @property {[number, number]} wind px/s
+ * @property {number[]} wind px/s
  * @property {Wave[]} waves
  * @property {number} softening px²: the length of a spring with the vector L is sqrt(L² + softening)
  * @property {number[]} positions px
@@ -54,8 +56,6 @@ import { addContact } from "./contact.js";
 
 /** Area of a gas, as a fraction of its own area, below which its pressure grows linearly. */
 const SMALLEST = 0.01;
-/** Damping of a softened push, in parts of the depth that is left in a step. */
-const CALMING = 0.5;
 const DEGREE = Math.PI / 180;
 const TURN = 2 * Math.PI;
 
@@ -89,8 +89,10 @@ export class Body {
     this.jointDamping = Float64Array.from(data.jointDamping);
     this.restAngle = Float64Array.from(data.restAngle);
     this.broken = new Uint8Array(this.springs);
+    this.walls = data.walls.map((wall) => /** @type {Wall} */ ([...wall]));
+    this.waves = data.waves;
     this.fillings = data.fillings.map((filling) => ({ ...filling }));
-    this.contact = data.contact;
+    this.contact = data.contact && { ...data.contact };
     /** What held keys have made of all rest lengths and rest angles: a factor, and degrees. */
     this.scale = 1;
     this.shift = 0;
@@ -158,24 +160,44 @@ export class Body {
       a[2 * m] = a[2 * m] * w + (held[m] ? 0 : gravity[0]);
       a[2 * m + 1] = a[2 * m + 1] * w + (held[m] ? 0 : gravity[1]);
     }
-    for (const wall of data.walls) this.#addWall(wall, softeningStep);
+    for (const wall of this.walls) this.#addWall(wall, softeningStep);
+  }
+
+  /** Find the vectors and lengths of all springs as they are now. */
+  measure() {
+    const { positions: x, ends, vectors, lengths, data } = this;
+    for (let s = 0; s < this.springs; s++) {
+      const [a, b] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
+      const [dx, dy] = [x[b] - x[a], x[b + 1] - x[a + 1]];
+      vectors[2 * s] = dx;
+      vectors[2 * s + 1] = dy;
+      lengths[s] = Math.sqrt(dx * dx + dy * dy + data.softening);
+    }
+  }
+
+  /** The angle of a joint, from its first spring to its second one, degrees. @param {number} j */
+  angleOf(j) {
+    this.measure();
+    const { heldSprings, vectors } = this;
+    const [p, q] = [2 * heldSprings[2 * j], 2 * heldSprings[2 * j + 1]];
+    const [cross, dot] = [
+      vectors[p] * vectors[q + 1] - vectors[p + 1] * vectors[q],
+      vectors[p] * vectors[q] + vectors[p + 1] * vectors[q + 1],
+    ];
+    return Math.atan2(cross, dot) / DEGREE;
   }
 
   #addSprings() {
-    const { positions: x, velocities: v, accelerations: a, ends, vectors, lengths, forces, data } = this;
+    const { velocities: v, accelerations: a, ends, vectors, lengths, forces } = this;
+    this.measure();
     for (let s = 0; s < this.springs; s++) {
-      const [one, two] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
-      const [dx, dy] = [x[two] - x[one], x[two + 1] - x[one + 1]];
-      const square = dx * dx + dy * dy + data.softening;
-      const length = Math.sqrt(square);
-      vectors[2 * s] = dx;
-      vectors[2 * s + 1] = dy;
-      lengths[s] = length;
       if (this.broken[s]) {
         forces[2 * s] = forces[2 * s + 1] = 0;
         continue;
       }
-      const along = (dx * (v[two] - v[one]) + dy * (v[two + 1] - v[one + 1])) / square;
+      const [one, two] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
+      const [dx, dy, length] = [vectors[2 * s], vectors[2 * s + 1], lengths[s]];
+      const along = (dx * (v[two] - v[one]) + dy * (v[two + 1] - v[one + 1])) / (length * length);
       const pull = this.stiffness[s] * (this.restLengthOf(s) / length - 1) - this.damping[s] * along;
       forces[2 * s] = pull * dx;
       forces[2 * s + 1] = pull * dy;
@@ -273,7 +295,7 @@ export class Body {
   /** The velocity of the air at a place, px/s. @param {number} x @param {number} y @returns {[number, number]} */
   windAt(x, y) {
     let [u, v] = this.wind;
-    for (const [kx, ky, du, dv, phase, rate] of this.data.waves) {
+    for (const [kx, ky, du, dv, phase, rate] of this.waves) {
       const size = Math.sin(kx * x + ky * y + phase + rate * this.time);
       u += du * size;
       v += dv * size;
@@ -284,7 +306,7 @@ export class Body {
   #addAir() {
     const { positions: x, velocities: v, accelerations: a, airFriction } = this;
     if (!airFriction) return;
-    const moves = this.wind[0] !== 0 || this.wind[1] !== 0 || this.data.waves.length > 0;
+    const moves = this.wind[0] !== 0 || this.wind[1] !== 0 || this.waves.length > 0;
     for (let i = 0; i < 2 * this.masses; i += 2) {
       const [u, w] = moves ? this.windAt(x[i], x[i + 1]) : [0, 0];
       const [past, beside] = [v[i] - u, v[i + 1] - w];
@@ -306,24 +328,4 @@ export class Body {
       a[i + 1] += push * ny - rub * nx;
     }
   }
-}
-
-/**
- * The push and the friction of what is entered; see `sim/forces/push.py`.
- *
- * @param {number} stiffness @param {number} damping @param {number} friction @param {number} slipSpeed
- * @param {number} h length of the step by which they are softened, s
- * @param {number} mobility the acceleration by a push of one @param {number} mobilityAlong that by friction
- * @param {number} depth px, positive @param {number} speed outwards, px/s @param {number} along the surface, px/s
- * @returns {[push: number, friction: number]}
- */
-export function pushAndFriction(
-  stiffness, damping, friction, slipSpeed, h, mobility, mobilityAlong, depth, speed, along,
-) {
-  const elastic = stiffness * depth * depth;
-  const power = (h * mobility * (damping * elastic + 4 * h * stiffness * depth)) ** 4;
-  const gain = 1 - damping * speed - (CALMING * h * speed * (power / depth)) / (1 + power);
-  const push = Math.max(elastic * gain, 0) / (1 + power) ** 0.25;
-  const slip = (slipSpeed ** 4 + (h * mobilityAlong * friction * push) ** 4) ** 0.25;
-  return [push, friction * push * Math.tanh(along / slip)];
 }

@@ -6,7 +6,7 @@
  * @typedef {import("./body.js").Body} Body
  * @typedef {import("./body.js").Contact} Contact
  */
-import { pushAndFriction } from "./body.js";
+import { pushAndFriction } from "./push.js";
 
 /** Pairs that may touch, and the positions for which they were found, by body. @type {WeakMap<Body, {at: Float64Array, pairs: Int32Array}>} */
 const found = new WeakMap();

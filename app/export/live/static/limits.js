@@ -19,7 +19,7 @@ const SHORTEST_REST = 0.01;
 export function settle(body) {
   const { limits } = body.data;
   if (!limits) return false;
-  measure(body);
+  body.measure();
   let [changed, broke] = [false, false];
   for (let s = 0; s < body.springs; s++) {
     const stiffness = body.stiffness[s];
@@ -43,17 +43,6 @@ export function settle(body) {
   for (let j = 0; j < body.joints; j++) changed = bend(body, j, limits.yieldTorque[j]) || changed;
   if (changed || broke) body.refresh();
   return broke;
-}
-
-/** The vectors and lengths of all springs as they are now. @param {Body} body */
-function measure({ positions: x, ends, vectors, lengths, springs, data }) {
-  for (let s = 0; s < springs; s++) {
-    const [a, b] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
-    const [dx, dy] = [x[b] - x[a], x[b + 1] - x[a + 1]];
-    vectors[2 * s] = dx;
-    vectors[2 * s + 1] = dy;
-    lengths[s] = Math.sqrt(dx * dx + dy * dy + data.softening);
-  }
 }
 
 /** Let a joint yield beyond a torque; says whether it did. @param {Body} body @param {number} j @param {number} yieldTorque */

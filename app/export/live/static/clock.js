@@ -1,0 +1,104 @@
+// @ts-check
+/**
+ * The time of a live file: how many steps each picture is due, and how long they are. What a browser cannot compute in
+ * time makes the clock late, and the file says so.
+ *
+ * @typedef {import("./body.js").Body} Body
+ * @typedef {import("./steps.js").Hand} Hand
+ * @typedef {import("./steps.js").Presses} Presses
+ */
+import { StabilityMeter } from "./stability.js";
+import { advance, METHODS } from "./steps.js";
+
+/** Longest time between two pictures that is caught up with, s. */
+const LONGEST = 0.1;
+/** Part of the stability limit that steps of chosen length have. */
+const SAFETY = 0.4;
+/** Steps of chosen length are this long at most, s: springs may turn far in a longer one. */
+const LONGEST_STEP = 1 / 240;
+/** Milliseconds of a picture that computing may take. */
+const BUDGET = 11;
+/** Seconds of computing after which how stiff the body is now is looked at again. */
+const LOOK_EVERY = 0.5;
+/** Coordinate, px, beyond which a body has run away. */
+const FAR = 1e6;
+
+/** A body in time. */
+export class Clock {
+  /**
+   * @param {Body} body
+   * @param {keyof typeof METHODS} method symplectic Euler has the step of its scene; Verlet one far below its limit
+   * @param {number} dt length of a step of symplectic Euler, s
+   */
+  constructor(body, method, dt) {
+    this.body = body;
+    this.method = method;
+    this.dt = dt;
+    this.meter = new StabilityMeter(body, method);
+    /** How much of real time the last pictures had. */
+    this.rate = 1;
+    this.exploded = false;
+    this.owed = 0;
+    this.due = 0;
+    /** What the last good picture had. */
+    this.good = { positions: body.positions.slice(), velocities: body.velocities.slice() };
+  }
+
+  /** The length of a step, s. */
+  get step() {
+    return this.method === "symplectic_euler" ? this.dt : Math.min(SAFETY * this.meter.limit, LONGEST_STEP);
+  }
+
+  /** The body has other numbers: look at its limit at once. */
+  changed() {
+    this.meter.looked = false;
+    this.due = 0;
+  }
+
+  /**
+   * Go on by what is due.
+   *
+   * @param {number} seconds since the picture before, times the speed
+   * @param {readonly Hand[]} hands @param {Presses} presses
+   */
+  go(seconds, hands, presses) {
+    const began = performance.now();
+    if (began >= this.due) {
+      this.meter.look();
+      this.due = began + 1e3 * LOOK_EVERY;
+    }
+    this.owed += Math.min(seconds, LONGEST);
+    const h = this.step;
+    let left = Math.floor(this.owed / h + 1e-9);
+    const all = left;
+    while (left > 0) {
+      // Hands move in proportion, also where computing ends early.
+      const count = Math.min(left, 16);
+      const part = count / left;
+      const ways = hands.map(({ mass, x, y }) => {
+        const [atX, atY] = [this.body.positions[2 * mass], this.body.positions[2 * mass + 1]];
+        return { mass, x: atX + part * (x - atX), y: atY + part * (y - atY) };
+      });
+      if (!this.advance(h, count, ways, presses)) return;
+      left -= count;
+      if (performance.now() - began > BUDGET) break;
+    }
+    this.owed -= all * h; // what is left is not caught up with
+    if (all) this.rate += 0.1 * ((all - left) / all - this.rate);
+  }
+
+  /** Do some steps; says whether the body is still there. @param {number} h @param {number} count @param {readonly Hand[]} hands @param {Presses} presses */
+  advance(h, count, hands, presses) {
+    const { body } = this;
+    const isFinite = advance(body, this.method, h, count, hands, presses);
+    if (isFinite && body.positions.every((value) => Math.abs(value) < FAR)) {
+      this.good.positions.set(body.positions);
+      this.good.velocities.set(body.velocities);
+      return true;
+    }
+    body.positions.set(this.good.positions);
+    body.velocities.set(this.good.velocities);
+    this.exploded = true;
+    return false;
+  }
+}
