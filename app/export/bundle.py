@@ -1,7 +1,7 @@
 """Modules of a script as one script, for a file that fetches nothing.
 
-Each module becomes a function that returns what it exports. It knows the forms of import and export that
-softrod's own modules use, and refuses others; it is no bundler for scripts in general.
+Each module becomes a function that returns what it exports, and comments are left out. It knows the forms of
+import and export that softrod's own modules use, and refuses others; it is no bundler for scripts in general.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ _NAMED = re.compile(r'^import \{([\w\s,]+)\} from "(\.[\w./-]+)";$', re.MULTILIN
 _WHOLE = re.compile(r'^import \* as (\w+) from "(\.[\w./-]+)";$', re.MULTILINE)
 _AS = re.compile(r"(\w+) as (\w+)")
 _EXPORT = re.compile(r"^export ((?:async )?function|const|class) (\w+)", re.MULTILINE)
+_COMMENT = re.compile(r"[ \t]*/\*\*.*?\*/\n?|^[ \t]*//[^\n]*\n", re.DOTALL | re.MULTILINE)
 _LEFT = re.compile(r"^(import|export)\b.*", re.MULTILINE)
 
 
@@ -34,7 +35,7 @@ def bundle(start: Path) -> str:
 
 def _included(path: Path, names: dict[Path, str], parts: list[str]) -> tuple[str, list[str]]:
     """The text of a module without its imports and exports, after all that it needs, and what it exports."""
-    text = path.read_text(encoding="utf-8")
+    text = _COMMENT.sub("", path.read_text(encoding="utf-8"))
 
     def module(where: str) -> str:
         other = (path.parent / where).resolve()

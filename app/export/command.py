@@ -27,10 +27,10 @@ PICTURE = 1280
 
 _SIZE = re.compile(r"(\d{2,4})x(\d{2,4})")
 
-_ENDINGS = {"csv": "zip", "python": "py"}
+_ENDINGS = {"csv": "zip", "python": "py", "live": "html"}
 """Of files whose option has another name."""
 
-_OF_BODY = frozenset(("json", "csv", "python", "c"))
+_OF_BODY = frozenset(("live", "json", "csv", "python", "c"))
 """What needs no motion."""
 
 
@@ -47,6 +47,8 @@ class Export:
     """A film, FILE.gif."""
     html: Path | None = None
     """A replay that any browser shows without a network, FILE.html."""
+    live: Path | None = None
+    """The body itself, which moves and is dragged in any browser without a network, FILE.html."""
     glb: Path | None = None
     """A model of the end in three dimensions, FILE.glb."""
     json: Path | None = None
@@ -80,7 +82,7 @@ class Export:
             InputError, SceneError, SettingError: it cannot be done; what is not written yet is not written.
         """
         wanted = {"png": self.png, "gif": self.gif, "html": self.html, "glb": self.glb}
-        wanted |= {"json": self.json, "csv": self.csv, "python": self.python, "c": self.c}
+        wanted |= {"live": self.live, "json": self.json, "csv": self.csv, "python": self.python, "c": self.c}
         outputs = {kind: path for kind, path in wanted.items() if path is not None}
         size = self._checked(outputs)
         moments = self._moments(0.0 if set(outputs) <= _OF_BODY else self.seconds)
@@ -101,7 +103,8 @@ class Export:
 
         if not outputs:
             raise InputError(
-                "export: name what to write, with --png, --gif, --html, --glb, --json, --csv, --python or --c"
+                "export: name what to write, with --png, --gif, --html, --live, --glb, --json, --csv, "
+                "--python or --c"
             )
         for kind, path in outputs.items():
             ending = _ENDINGS.get(kind, kind)
@@ -146,6 +149,7 @@ class Export:
         from .body.body import Body
         from .body.data import body_csv, body_json
         from .body.program import c_program, python_program
+        from .live.live import live_html
 
         last = Shot.of(moments[-1])
         # The start of a film; of a log there is only its end.
@@ -154,8 +158,8 @@ class Export:
         def clip() -> Clip:
             return Clip(map(Shot.of, moments), self.seconds)
 
-        def program(make: Callable[[Body], tuple[bytes, list[str]]], path: Path | None) -> bytes:
-            data, notes = make(Body.of(begin))
+        def noted(made: tuple[bytes, list[str]], path: Path | None) -> bytes:
+            data, notes = made
             for note in notes:
                 print(f"softrod: {path}: {note}", file=sys.stderr)
             return data
@@ -178,6 +182,7 @@ class Export:
             "glb": model,
             "json": lambda: body_json(Body.of(begin)),
             "csv": lambda: body_csv(Body.of(begin), self.csv_comma),
-            "python": lambda: program(python_program, self.python),
-            "c": lambda: program(c_program, self.c),
+            "live": lambda: noted(live_html(begin), self.live),
+            "python": lambda: noted(python_program(Body.of(begin)), self.python),
+            "c": lambda: noted(c_program(Body.of(begin)), self.c),
         }

@@ -27,8 +27,8 @@ SECONDS = (1, 20)
 
 ABOUT = (
     '<div class="softrod-text"><b>Take it home.</b> A picture of the page, a film of the last seconds for '
-    "slides and messages, a replay that any browser shows without a network, or a model of the body for "
-    "Blender and the like.</div>"
+    "slides and messages, a replay that any browser shows without a network, a live file in which the body "
+    "can be dragged and tuned there, too, or a model of it for Blender and the like.</div>"
 )
 
 PROGRAMS = (
@@ -70,6 +70,7 @@ class ExportPanel:
         for label, icon, command, make in (
             ("GIF", viser.Icon.GIF, "Film of the last seconds (GIF)", self._gif),
             ("Replay file", viser.Icon.MOVIE, "Replay file of the last seconds (HTML)", self._replay),
+            ("Live file", viser.Icon.WORLD, "Live file of the body as it is now (HTML)", self._live),
             ("3D model", viser.Icon.CUBE, "3D model (GLB)", self._model),
         ):
             page.button(label, icon, partial(self._start, make))
@@ -130,6 +131,15 @@ class ExportPanel:
         clip = self._clip()
         tell(0.3)
         return "html", replay.replay_html(clip)
+
+    def _live(self, tell: Callable[[float], None]) -> tuple[str, bytes]:
+        from ...export.live.live import live_html
+
+        data, notes = live_html(self._moment())
+        tell(0.3)
+        if notes:
+            self._tell("info", "About the file", _sentence("; ".join(notes)))
+        return "live.html", data
 
     def _body(self, kind: str, tell: Callable[[float], None]) -> tuple[str, bytes]:
         from ...export.body.body import Body

@@ -40,6 +40,8 @@ export class Clock {
     this.exploded = false;
     this.owed = 0;
     this.due = 0;
+    /** The smallest limit that was found since the body's numbers changed, s: on its way out a body has others. */
+    this.least = Infinity;
     /** What the last good picture had. */
     this.good = { positions: body.positions.slice(), velocities: body.velocities.slice() };
   }
@@ -53,6 +55,7 @@ export class Clock {
   changed() {
     this.meter.looked = false;
     this.due = 0;
+    this.least = Infinity;
   }
 
   /**
@@ -64,7 +67,7 @@ export class Clock {
   go(seconds, hands, presses) {
     const began = performance.now();
     if (began >= this.due) {
-      this.meter.look();
+      this.least = Math.min(this.least, this.meter.look());
       this.due = began + 1e3 * LOOK_EVERY;
     }
     this.owed += Math.min(seconds, LONGEST);
@@ -99,6 +102,7 @@ export class Clock {
     body.positions.set(this.good.positions);
     body.velocities.set(this.good.velocities);
     this.exploded = true;
+    this.meter.limit = this.least;
     return false;
   }
 }

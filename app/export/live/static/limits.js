@@ -12,7 +12,7 @@ const STEEPEST = 0.999;
 const SHORTEST_REST = 0.01;
 
 /**
- * Let springs and joints yield and break, after a step; says whether any spring broke.
+ * Let springs and joints yield and break, after a step; says whether any did.
  *
  * @param {Body} body
  */
@@ -42,7 +42,7 @@ export function settle(body) {
   if (broke) leak(body);
   for (let j = 0; j < body.joints; j++) changed = bend(body, j, limits.yieldTorque[j]) || changed;
   if (changed || broke) body.refresh();
-  return broke;
+  return changed || broke;
 }
 
 /** Let a joint yield beyond a torque; says whether it did. @param {Body} body @param {number} j @param {number} yieldTorque */

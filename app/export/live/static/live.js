@@ -100,7 +100,7 @@ function run(about, plans) {
   before = performance.now();
   requestAnimationFrame(next);
   // For the browser tests.
-  Object.assign(window, { __softrod: { now: () => now, place, playing: () => playing } });
+  Object.assign(window, { __softrod: { now: () => now, place, plan } });
 }
 
 try {

@@ -80,9 +80,11 @@ export function addPanel(about, does) {
 
   /** @param {Setting} setting */
   function slider(setting) {
-    const row = make("label");
+    const row = make("div");
+    const label = /** @type {HTMLLabelElement} */ (make("label", setting.label));
     const input = /** @type {HTMLInputElement} */ (make("input"));
     const told = make("output");
+    label.htmlFor = input.id = `setting-${setting.key}`;
     const unit = setting.unit ? ` ${setting.unit}` : "";
     Object.assign(input, { type: "range", min: "0", max: String(PLACES), value: String(placeOf(setting, setting.value)) });
     const tell = (/** @type {number} */ value) => {
@@ -95,14 +97,16 @@ export function addPanel(about, does) {
       tell(value);
       change(setting, value);
     });
-    row.append(make("span", setting.label), told, input);
+    row.append(label, told, input);
     return row;
   }
 
   /** @param {Setting} setting the angles of the tutorial's templates */
   function templates(setting) {
-    const row = make("label");
+    const row = make("div");
+    const label = /** @type {HTMLLabelElement} */ (make("label", setting.label));
     const list = /** @type {HTMLSelectElement} */ (make("select"));
+    label.htmlFor = list.id = `setting-${setting.key}`;
     for (const angle of Object.keys(setting.stiffness ?? {}).sort((a, b) => Number(a) - Number(b))) {
       const option = /** @type {HTMLOptionElement} */ (make("option", `${angle}°`));
       option.value = angle;
@@ -110,7 +114,7 @@ export function addPanel(about, does) {
       list.append(option);
     }
     list.addEventListener("change", () => change(setting, Number(list.value)));
-    row.append(make("span", setting.label), list);
+    row.append(label, list);
     return row;
   }
 

@@ -1,0 +1,175 @@
+"""The live file: its physics is the solver's, and it is one file that asks nobody for anything."""
+
+from __future__ import annotations
+
+import dataclasses
+import html
+import json
+import re
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+import sim
+from app.cli import main
+from app.export.live.data import body_data
+from app.export.live.live import live_html
+from sim.store.files import list_scenes
+from tests.page.check import FOLDER, NODE
+from tests.sim.fuzzing import wild_scene, wild_world
+
+STEPS = 400
+CLOSE = 1e-9
+"""px"""
+PRESETS = [info.name for info in list_scenes() if info.built_in]
+METHODS = {"symplectic_euler": "symplectic_euler", "velocity_verlet": "verlet"}
+"""The solver's, and the file's."""
+
+
+def by(scene: sim.Scene, method: Any) -> sim.Scene:
+    """The scene by a method, with a step that is stable at its start."""
+    integrator = sim.Integrator(method=method, dt=min(scene.integrator.dt, 2e-3))
+    scene = replace(scene, integrator=integrator)
+    limit = sim.Simulation(scene).stability().limit
+    return replace(scene, integrator=replace(integrator, dt=min(integrator.dt, 0.5 * limit)))
+
+
+def by_script(scenes: list[sim.Scene], steps: int = STEPS) -> list[dict[str, np.ndarray]]:
+    """Where the masses of scenes are after some steps in the script of live files."""
+    told = [
+        {
+            "data": body_data(sim.Simulation(scene).capture()),
+            "method": METHODS[scene.integrator.method],
+            "h": scene.integrator.dt,
+            "count": steps,
+        }
+        for scene in scenes
+    ]
+    return run_script(told)
+
+
+def run_script(told: list[dict[str, Any]]) -> list[dict[str, np.ndarray]]:
+    """What comes of bodies in the script, see `tests/page/steps.mjs`."""
+    lines = "".join(json.dumps(one) + "\n" for one in told)
+    run = subprocess.run(
+        [NODE, FOLDER / "steps.mjs"], input=lines, capture_output=True, text=True, check=False
+    )
+    assert run.returncode == 0, run.stderr
+    return [{k: np.array(v) for k, v in json.loads(line).items()} for line in run.stdout.splitlines()]
+
+
+def moved(scene: sim.Scene, steps: int = STEPS) -> sim.Simulation:
+    simulation = sim.Simulation(scene)
+    simulation.step(steps)
+    return simulation
+
+
+# ------------------------------------------------------------------------- physics
+def test_every_preset_moves_as_the_solver_moves_it() -> None:
+    scenes = [by(sim.load_scene(name), method) for name in PRESETS for method in METHODS]
+    for scene, script in zip(scenes, by_script(scenes), strict=True):
+        off = np.abs(script["positions"].reshape(-1, 2) - moved(scene).positions).max()
+        assert off < CLOSE, (scene.name, scene.integrator.method, off)
+
+
+def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() -> None:
+    """But for those that run away, and those in which the last digit of a coordinate grows to be seen."""
+    scenes = []
+    for seed in range(60):
+        rng = np.random.default_rng(seed)
+        scene = by(wild_world(wild_scene(rng), rng), list(METHODS)[seed % 2])
+        dt = max(1e-6, min(scene.integrator.dt, 2e-4))
+        scenes.append(replace(scene, integrator=replace(scene.integrator, dt=dt)))
+    compared = broke = 0
+    for seed, (scene, script) in enumerate(zip(scenes, by_script(scenes, 100), strict=True)):
+        simulation, shaken = moved(scene, 100), sim.Simulation(scene)
+        moment = shaken.capture()
+        noise = 1e-15 * np.random.default_rng(seed).normal(size=moment.rows.shape)
+        shaken.restore(dataclasses.replace(moment, rows=moment.rows * (1.0 + noise)))
+        shaken.step(100)
+        grown = float(np.abs(shaken.positions - simulation.positions).max())
+        if simulation.divergence is not None or grown > CLOSE:
+            continue
+        compared += 1
+        off = np.abs(script["positions"].reshape(-1, 2) - simulation.positions).max()
+        assert off < CLOSE, (seed, off)
+        damage = simulation.damage
+        broken = np.flatnonzero(script["broken"]).tolist()
+        assert broken == sorted(damage.broken if damage is not None else ()), seed
+        broke += bool(broken)
+        if damage is not None and damage.set_lengths:
+            assert script["setLength"] == pytest.approx(np.array(damage.set_lengths), abs=1e-9), seed
+    assert compared >= 40
+    assert broke >= 10
+
+
+def test_a_step_of_the_tutorial_is_its_own_also_where_keys_are_held() -> None:
+    scene = sim.load_scene("tutorial-3.3")
+    simulation = sim.Simulation(scene)
+    simulation.keys = ("up", "right")
+    simulation.step(200)
+    about = about_of(live_html(sim.Simulation(scene).capture())[0])
+    presses = {"factor": about["up"]["factor"], "angle": about["right"]["angle"]}
+    told = {
+        "data": about["body"],
+        "method": about["method"],
+        "h": about["dt"],
+        "count": 200,
+        "presses": presses,
+    }
+    assert np.abs(run_script([told])[0]["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
+
+
+# ------------------------------------------------------------------------- the file
+def about_of(data: bytes) -> dict[str, Any]:
+    """What the script of a file is told."""
+    match = re.search(r'<script type="application/json" id="about">(.*?)</script>', data.decode(), re.DOTALL)
+    assert match is not None
+    return json.loads(match[1])
+
+
+def test_the_files_of_all_presets_are_small_and_say_what_they_cannot_do() -> None:
+    for name in PRESETS:
+        scene = sim.load_scene(name)
+        data, notes = live_html(sim.Simulation(scene).capture())
+        assert len(data) < 250_000, name
+        text = html.unescape(data.decode())
+        for note in notes:
+            assert note in text
+        assert (scene.lesson is not None) == any("lesson" in note for note in notes)
+        if scene.integrator.method == "symplectic_euler":
+            assert about_of(data)["dt"] == scene.integrator.dt
+
+
+def test_a_file_asks_nobody_and_runs_nothing_but_its_script() -> None:
+    text = live_html(sim.Simulation(sim.load_scene("rope")).capture())[0].decode()
+    policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]+)"', text)
+    assert policy is not None
+    rules = dict(rule.split(" ", 1) for rule in policy[1].split("; "))
+    assert rules["default-src"] == "'none'"
+    assert re.fullmatch(r"'sha256-[\w+/=]+'", rules["script-src"])
+    assert not re.search(r"""(src|href|action)\s*=|@import|url\(|fetch\(|XMLHttp|WebSocket|import\(""", text)
+
+
+def test_what_comes_from_a_scene_is_text() -> None:
+    wicked = "</script><script>alert(1)</script><img src=x onerror=alert(1)>\u2028"
+    scene = replace(sim.load_scene("rope"), title=wicked[:60], description=wicked)
+    text = live_html(sim.Simulation(scene).capture())[0].decode()
+    assert text.count("<script") == text.count("</script>") == 2
+    assert "<img" not in text
+    unit = replace(scene, view=replace(scene.view, unit="<b>"))
+    assert "<b>" not in live_html(sim.Simulation(unit).capture())[0].decode().partition("<body>")[2]
+
+
+def test_the_command_writes_a_file_and_says_what_it_cannot_do(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["export", "cloth", "--live", str(tmp_path / "cloth.html")])
+    assert not ended.value.code
+    assert "velocity Verlet" in capsys.readouterr().err
+    assert about_of((tmp_path / "cloth.html").read_bytes())["method"] == "verlet"
