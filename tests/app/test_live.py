@@ -76,6 +76,15 @@ def test_every_preset_moves_as_the_solver_moves_it() -> None:
         assert off < CLOSE, (scene.name, scene.integrator.method, off)
 
 
+def test_the_limit_of_the_step_is_that_of_the_solver() -> None:
+    scenes = [by(sim.load_scene(name), method) for name in PRESETS for method in METHODS]
+    for scene, script in zip(scenes, by_script(scenes, 1), strict=True):
+        simulation = sim.Simulation(scene)
+        simulation.stability()
+        limit = min(simulation.stability().limit, 1.0)
+        assert script["limit"] == pytest.approx(limit, rel=0.05), (scene.name, scene.integrator.method)
+
+
 def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() -> None:
     """But for those that run away, and those in which the last digit of a coordinate grows to be seen."""
     scenes = []

@@ -9,6 +9,8 @@
 
 /** Power iterations of a first look, and of a later one that begins with the motion found before. */
 const [FIRST, LATER] = [60, 6];
+/** Size of the start of a first look that a later one begins with, too, relative to the motion found before. */
+const NOISE = 0.03;
 /** Of the damping in the condition above. */
 const WEIGHT = { symplectic_euler: 2, verlet: 4 };
 
@@ -21,7 +23,8 @@ export class StabilityMeter {
     /** The largest stable step, s. */
     this.limit = Infinity;
     // Alternating signs are close to the stiffest motion of a chain, and no motion is without a part of the rest.
-    this.motion = Float64Array.from(body.positions, (_, i) => ((i >> 1) % 2 ? -1 : 1) + Math.sin(1 + 12.9898 * i));
+    this.start = Float64Array.from(body.positions, (_, i) => ((i >> 1) % 2 ? -1 : 1) + Math.sin(1 + 12.9898 * i));
+    this.motion = this.start;
     this.looked = false;
   }
 
@@ -30,7 +33,12 @@ export class StabilityMeter {
     const { body } = this;
     const keep = [body.positions.slice(), body.velocities.slice()];
     const scale = this.limit < Infinity ? this.limit : 1e-3;
-    let limit = scale;
+    let limit = Infinity;
+    // A little of all motions, for the one found before may be that of another body than the one that is stiffest now.
+    const size = Math.sqrt(this.#product(this.motion, this.motion)) / Math.sqrt(this.#product(this.start, this.start));
+    const noise = this.looked ? NOISE * size : Infinity;
+    if (Number.isFinite(noise)) this.motion = this.motion.map((value, i) => value + noise * this.start[i]);
+    else this.motion = this.start;
     for (let i = 0; i < (this.looked ? LATER : FIRST); i++) {
       const norm = Math.sqrt(this.#product(this.motion, this.motion));
       if (!(norm > 0)) break;
