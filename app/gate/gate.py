@@ -78,6 +78,9 @@ MAX_QUEUED_FRAMES = 4
 
 PAGE_PATHS = ("/", "/index.html", "/s")
 
+CHECK = "/check"
+"""The page on which a device tries whether it can take part in a class."""
+
 REACH = "/reach"
 """A page that gets no connection asks here why: a browser does not tell it what a refusal says."""
 
@@ -193,6 +196,7 @@ class Gate:
                 response.headers["Location"] = "./"
         elif "Upgrade" not in request.headers and request.path == REACH:
             response = connection.respond(HTTPStatus.OK, "")
+            response.headers["Cache-Control"] = "no-store"
         elif "Upgrade" not in request.headers and (file := self._files.get(request.path.partition("?")[0])):
             response = respond(file, request)
         else:
@@ -221,7 +225,7 @@ class Gate:
                 return self._refusal_of_page(hosts[0], own, request, "X-Softrod-Origin")
             path, _, query = request.path.partition("?")
             # viser's page would connect to whatever server a query names and run its scripts.
-            if query and (path not in PAGE_PATHS or page_query(query) is None):
+            if query and (path not in (*PAGE_PATHS, CHECK) or page_query(query) is None):
                 return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no such parameters."
             if path not in PAGE_PATHS and path not in self._files:
                 return "path", HTTPStatus.NOT_FOUND, "There is no such page."
@@ -254,6 +258,11 @@ class Gate:
         """The query with which a page connected, which may be anything; empty if it is gone."""
         request = self._request_of(client_id)
         return request.path.partition("?")[2] if request is not None else ""
+
+    def host_of(self, client_id: int) -> str:
+        """The name and port by which a page reached the server; empty if it is gone."""
+        request = self._request_of(client_id)
+        return request.headers["Host"] if request is not None else ""
 
     def is_local(self, client_id: int) -> bool:
         """Whether a page is certainly of this machine: nobody else can connect, and no proxy says that it did

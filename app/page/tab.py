@@ -223,7 +223,7 @@ class Tab:
                 self._answers.ask(said)
                 if role is not None and isinstance(said, from_page.Who):
                     self._requests.append(lambda now: role.introduce(said, now))
-            case from_page.InSeat() | from_page.Lead():
+            case from_page.InSeat() | from_page.Lead() | from_page.Checked():
                 if role is not None:
                     self._requests.append(lambda now: role.hear(said, now))
             case from_page.Edit():

@@ -274,6 +274,22 @@ class TakeOver(InSeat, frozen=True):
     digits: Annotated[str, Meta(pattern=r"^[0-9]{2}$")]
 
 
+class Checked(FromPage, frozen=True):
+    """What a device found that tried whether it can take part in a class.
+
+    Attributes:
+        trip: round trip, ms; -1 if no answer came.
+        rate: pictures that arrived a second.
+        works: whether it can take part.
+        doubts: whether its page has anything marked.
+    """
+
+    trip: Annotated[int, Meta(ge=-1, le=99_999)]
+    rate: Annotated[int, Meta(ge=0, le=999)]
+    works: bool
+    doubts: bool
+
+
 # ------------------------------------------------------------------------- in a class, the teacher
 class Lead(FromPage, frozen=True):
     """What the teacher's page says in a class; nobody else's is heard."""

@@ -343,6 +343,15 @@ class DeskAnswer(Struct, frozen=True, kw_only=True):
     doubt: str
 
 
+class DeskTried(Struct, frozen=True, kw_only=True):
+    """What a device found that tried whether it can take part; see `from_page.Checked`."""
+
+    trip: int
+    rate: int
+    works: bool
+    doubts: bool
+
+
 class DeskStop(Struct, frozen=True, kw_only=True):
     """A stop of the class's plan."""
 
@@ -360,11 +369,17 @@ class Desk(State, frozen=True, kw_only=True):
         bars: votes for each choice, also while they are sealed.
         on_wall: the answer that is shown alone.
         saved: whether all that there is is on the disk.
+        check: the address at which a device tries whether it can take part.
+        check_qr: a picture of its QR code; empty once the class has begun.
+        tried: what the last devices found that did.
     """
 
     code: str
     address: str
     qr: str
+    check: str
+    check_qr: str
+    tried: tuple[DeskTried, ...]
     stops: tuple[DeskStop, ...]
     asking: Asking
     next: tuple[int, PhaseName, int] | None

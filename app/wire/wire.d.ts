@@ -58,6 +58,8 @@ export type SitTogether = { do: "sitTogether"; two: boolean };
 export type LeaveBy = { do: "leaveBy" };
 /** This page is to have the seat that offers itself by two digits. */
 export type TakeOver = { do: "takeOver"; digits: string };
+/** What a device found that tried whether it can take part in a class. */
+export type Checked = { do: "checked"; trip: number; rate: number; works: boolean; doubts: boolean };
 /** The class goes to a stop and a phase. */
 export type Stage = { do: "stage"; stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round?: number };
 /** Something that needs no place. */
@@ -88,7 +90,7 @@ export type Stroke = { do: "stroke"; points: [number, number][] };
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "mirror" | "pin" | "remove" | "rest" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Stage | Arrange | Star | ToWall | SendAway | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
+export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Checked | Stage | Arrange | Star | ToWall | SendAway | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
@@ -101,6 +103,8 @@ export type Given = { stop: number; round: number; twin: number; kind: "ghost" |
 export type WallLine = { text: string; color: string };
 /** What one seat found: a point of the class's plot. */
 export type Found = { setting: number; found: number };
+/** What a device found that tried whether it can take part; see `from_page.Checked`. */
+export type DeskTried = { trip: number; rate: number; works: boolean; doubts: boolean };
 /** A stop of the class's plan. */
 export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number][] };
 /** A seat, as the teacher sees it. */
@@ -132,7 +136,7 @@ export type Predictions = { tell: "predictions"; bodies: [number, number][][] };
 /** Where the bodies of the seats are, by their numbers: thousandths of the scene's frame from its left and upper edge. */
 export type Posters = { tell: "posters"; places: Record<string, [number, number][]>; springs: [number, number][] };
 /** What the teacher's page has to know of the class. */
-export type Desk = { tell: "desk"; code: string; address: string; qr: string; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; on_wall: string; open: boolean; own_names: boolean; paused: boolean; saved: boolean };
+export type Desk = { tell: "desk"; code: string; address: string; qr: string; check: string; check_qr: string; tried: DeskTried[]; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; on_wall: string; open: boolean; own_names: boolean; paused: boolean; saved: boolean };
 /** The server has these answers, or has refused one: then it says why. */
 export type Taken = { tell: "taken"; ids: string[]; refused: string };
 /** The class is over: nothing of it is to be kept. */
