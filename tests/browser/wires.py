@@ -100,8 +100,8 @@ def wire(port: int, tls: ssl.SSLContext | None = None, folder: str = "/") -> Ite
         made.close()
 
 
-def self_signed(folder: Path) -> ssl.SSLContext:
-    """TLS by a certificate that nobody has signed."""
+def certified(folder: Path) -> tuple[Path, Path]:
+    """The files of a certificate for `localhost` that nobody has signed, and of its key."""
     key, certificate = folder / "key.pem", folder / "certificate.pem"
     command = [
         "openssl",
@@ -117,6 +117,12 @@ def self_signed(folder: Path) -> ssl.SSLContext:
     ]
     command += ["-addext", "subjectAltName=DNS:localhost", "-keyout", str(key), "-out", str(certificate)]
     subprocess.run(command, check=True, capture_output=True)
+    return certificate, key
+
+
+def self_signed(folder: Path) -> ssl.SSLContext:
+    """TLS by a certificate that nobody has signed."""
+    certificate, key = certified(folder)
     context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
     context.load_cert_chain(certificate, key)
     return context
