@@ -61,6 +61,11 @@ __all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_ser
 
 MAX_TABS = 64
 
+# All pages of a full server may come back at once, and go on doing so for a while. Who tries the letters of a
+# class one after the other needs half a day for all of them.
+CONNECTIONS_PER_SECOND = 5.0
+CONNECTION_BURST = 200.0
+
 # A page sends at most some 300 messages a second: the pointer once per frame of a fast screen (240 Hz), the
 # camera and each slider at 20 Hz.
 MESSAGES_PER_SECOND = 1000.0
@@ -94,11 +99,17 @@ class _Budget:
         self._left = burst
         self._updated = time.monotonic()
 
+    @property
+    def left(self) -> float:
+        """What can be spent now."""
+        now = time.monotonic()
+        self._left = min(self._burst, self._left + (now - self._updated) * self._rate)
+        self._updated = now
+        return self._left
+
     def spend(self, amount: float) -> float:
         """Take `amount` and return the seconds until the budget is no longer overdrawn."""
-        now = time.monotonic()
-        self._left = min(self._burst, self._left + (now - self._updated) * self._rate) - amount
-        self._updated = now
+        self._left = self.left - amount
         return max(0.0, -self._left / self._rate)
 
 
@@ -177,6 +188,7 @@ class Gate:
         self._hosts = hosts
         self._server: viser.ViserServer | None = None
         self._tabs: set[Connection] = set()
+        self._connections = _Budget(CONNECTIONS_PER_SECOND, CONNECTION_BURST)
 
     def open(self, server: viser.ViserServer) -> None:
         """Begin to admit; until now every request is refused."""
@@ -206,6 +218,7 @@ class Gate:
                 former.transport.abort()
             connection.page = page_name(request.path.partition("?")[0])
             self._tabs.add(connection)
+            self._connections.spend(1)
         else:
             response.headers.update(self._headers)
         return response
@@ -247,6 +260,8 @@ class Gate:
             return "origin", HTTPStatus.FORBIDDEN, not_this_origin(*origins[:1])
         if len(self._tabs - self._former(request)) >= MAX_TABS:
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, "Too many tabs are open."
+        if self._connections.left < 1:
+            return "rate", HTTPStatus.TOO_MANY_REQUESTS, "Too many pages connect at once. Wait for a minute."
         return None
 
     def _former(self, request: Request) -> set[Connection]:

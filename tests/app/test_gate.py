@@ -59,6 +59,27 @@ def test_the_page_is_served_and_cannot_be_framed(sandbox: Sandbox) -> None:
     assert headers["X-Content-Type-Options"] == "nosniff"
 
 
+def test_what_is_kept_of_a_class_s_pages_on_the_way_has_nothing_of_the_class() -> None:
+    """Browsers and proxies may keep them: all that is told of a class goes by the connection."""
+    server = open_server("127.0.0.1", 0, files=page_files())
+    port = server.get_port()
+    host = {"Host": f"localhost:{port}"}
+    try:
+        asked = ("ABCD", "ABCD&as=desk", "ABCD&as=wall", "EFGH&as=seat")
+        pages = {body(port, host, f"/?room={room}") for room in asked}
+        checks = {body(port, host, f"/check?room={code}") for code in ("ABCD", "EFGH")}
+        for path in ("/?room=ABCD&as=desk", "/check?room=ABCD"):
+            _, headers = answer(port, list(host.items()), path)
+            assert headers["Cache-Control"] == "no-cache"
+            assert headers["Referrer-Policy"] == "no-referrer"
+    finally:
+        server.stop()
+    # Whatever was asked for, the same came.
+    for (code, _), *others in (pages, checks):
+        assert code == 200
+        assert not others
+
+
 @pytest.mark.parametrize("host", ["localhost", "LOCALHOST", "127.0.0.1", "[::1]"])
 def test_the_page_may_connect_by_every_name_of_this_machine(sandbox: Sandbox, host: str) -> None:
     assert status(sandbox.port, own(sandbox.port, host)) == 101
