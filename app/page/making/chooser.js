@@ -18,7 +18,7 @@ export class Chooser {
     this.part = makeSelect(`${label}: part`);
     this.what = makeSelect(`${label}: quantity`);
     this.of = makeSelect(`${label}: of it`);
-    setOptions(this.of, [["value", "its value"], ["period", "its period"]], "value");
+    setOptions(this.of, [["value", "value"], ["period", "period"]], "value");
     this.element = make("div", "softrod-making-row");
     this.element.append(this.part, this.what, this.of);
     this.refused = refusal(name);

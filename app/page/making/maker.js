@@ -86,7 +86,7 @@ export function addMaker() {
     wantsPhone = true;
     send({ do: "share", pose: false, page: new URL(".", location.href).href });
   });
-  const drop = makeButton("Delete the lesson", () => send({ do: "dropLesson" }));
+  const drop = makeButton("Delete lesson", () => send({ do: "dropLesson" }));
   drop.title = "Undo brings it back";
   foot.append(attempt, phone, drop);
   const body = make("div", "softrod-making-body");

@@ -208,7 +208,7 @@ class LessonMaker:
             )
             assert match is not None, "it takes any text"
             field = match[1] or part
-            sentence = f"{match[2][:1].upper()}{match[2][1:]}."
+            sentence = re.sub(r"^[a-z]+ ", lambda first: first[0].capitalize(), f"{match[2]}.")  # no name
             if not part:
                 self._page.notify(Notice("error", "That cannot be done", sentence))
         self._mail.tell(LessonTaken(step=step, part=part, field=field, refused=sentence))
