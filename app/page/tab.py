@@ -232,7 +232,7 @@ class Tab:
                     self._answers.edits.do(said)
             case from_page.Prepare():
                 if "edit" in self._page.controls and role is None:
-                    self._requests.append(lambda _: self._maker.do(said, self._measured()))
+                    self._requests.append(lambda _: self._maker.do(said))
             case from_page.Seen():
                 self._seen = said
                 self._show_where_seen()
@@ -361,7 +361,7 @@ class Tab:
         if "edit" in self._page.controls:
             self._answers.edits.tell()
         if self._maker.is_told:
-            self._maker.tell(self._measured())
+            self._maker.tell()
         self._tell(session)
 
     @staticmethod
@@ -384,7 +384,7 @@ class Tab:
             controls=self._wanted_controls(session.scene),
         )  # fmt: skip
         self._answers = Answers(self._page, resume, show, self._for_others)
-        self._maker = LessonMaker(self._page)
+        self._maker = LessonMaker(self._page, self._measured)
         self._make_panel(session)
         self._session = session
         return session
@@ -499,7 +499,8 @@ class Tab:
                 tools.show_arrows(before.arrows)
             if self._measure is not None:
                 self._measure.plots.remember(before.plots)
-            session.post(before.ghost)
+            if not self._page.makes_lesson:  # where a step was tried, it is back already
+                session.post(before.ghost)
 
     def _switched_on(self, session: Session) -> BeforeLesson:
         """What the user has switched on; a ghost in the middle of a lesson is the lesson's."""
@@ -644,7 +645,7 @@ class Tab:
     def make_lesson(self) -> None:
         """Open the form of the scene's lesson."""
         if self._role is None:
-            self._maker.do(from_page.MakeLesson(True), self._measured())
+            self._maker.do(from_page.MakeLesson(True))
         else:
             text = "Open softrod by itself, without a class: the lesson that is made there can be held here."
             self.notify(Notice("info", "Not in a class", text))

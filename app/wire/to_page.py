@@ -145,7 +145,7 @@ class LessonOffers(State, frozen=True, kw_only=True):
 
     Attributes:
         parts: that can be measured: what is at the mass that was clicked last, and what there is one of.
-        quantities: of each kind of part.
+        quantities: of each kind of part, with their units.
         controls: that the scene has a use for.
         methods: of a second body, by their names for people.
         settings: what is set otherwise than the steps, or the scene as it was opened, have it; in words.
@@ -153,7 +153,7 @@ class LessonOffers(State, frozen=True, kw_only=True):
     """
 
     parts: tuple[str, ...]
-    quantities: dict[str, tuple[str, ...]]
+    quantities: dict[str, dict[str, str]]
     controls: tuple[LessonControl, ...]
     methods: dict[str, str]
     settings: str

@@ -162,7 +162,7 @@ export type Lesson = { tell: "lesson"; steps: LessonStep[] };
 /** The lesson that is being made, which the page shows as a form. */
 export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[] };
 /** What a step of the lesson can have, as things are now. */
-export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, string[]>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
+export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
 /** What is selected. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
 /** What undo takes back, and what redo does again; empty for nothing. */

@@ -38,16 +38,16 @@ class Form:
     def __init__(self, name: str = "rope") -> None:
         self.page, self.letters, self.notices = SessionPage(sim.load_scene(name)), Letters(), list[Notice]()
         self.seen = page_of(self.page.session, None, self.letters, self.notices.append)
-        self.maker = LessonMaker(self.seen)
+        self.maker = LessonMaker(self.seen, lambda: MEASURED)
         self.say(asks.MakeLesson(True))
 
     def say(self, *said: asks.Prepare) -> None:
         """Say something as the page does, and let a frame pass."""
         for one in said:
             assert read(msgspec.json.encode(one).decode()) == one
-            self.maker.do(one, MEASURED)
+            self.maker.do(one)
             self.page.frames(1)
-            self.maker.tell(MEASURED)
+            self.maker.tell()
 
     def undo(self, *more: commands.Command) -> None:
         self.page.frames(1, *(more or (commands.Undo(),)))
@@ -264,13 +264,17 @@ def test_the_form_offers_what_there_is_now() -> None:
     form = Form()
     offers = form.letters.last(LessonOffers)
     assert offers.parts == ("joint0", "mass3"), "nobody can aim at a ghost"
+    assert (offers.quantities["mass"]["vy"], offers.quantities["stability"]["dt_over_limit"]) == ("px/s", "")
     assert (offers.plots, offers.arrows, offers.settings) == (MEASURED.plots, ("forces",), "")
     assert {"gravity", "method", "force_law"} <= {control.key for control in offers.controls}
     assert all(text_of(wish_of(text)) == text for text in MEASURED.plots)
     form.page.frames(30, commands.SetValue("gravity", 20.0), commands.SetChoice("method", "rk4"))
-    form.maker.tell(MEASURED)
+    form.maker.tell()
     assert form.letters.last(LessonOffers).settings == "Integrator: Runge-Kutta 4, Gravity 20 px/s²"
-    assert in_words(form.scene, ("hope=1", "gravity=many")) == "hope 1, gravity many"
+    assert in_words(form.scene, ("hope=1", "gravity=many")) == "gravity many, hope 1"
+    assert in_words(form.scene, ("gravity=1", "method=rk4")) == in_words(
+        form.scene, ("method=rk4", "gravity=1")
+    )
 
 
 @pytest.mark.parametrize(

@@ -43,10 +43,11 @@ export class Chooser {
     const chosen = reading?.quantity ? partOf(reading.quantity) : (parts.find((part) => part.startsWith("mass")) ?? parts[0] ?? "");
     const known = parts.includes(chosen) || !chosen ? parts : [chosen, ...parts];
     setOptions(this.part, known.map((part) => [part, part]), chosen);
-    const whats = quantities[kindOf(chosen)] ?? [];
+    const units = quantities[kindOf(chosen)] ?? {};
+    const whats = Object.keys(units);
     const before = reading?.quantity.slice(chosen.length + 1) ?? "";
     const usual = chosen.startsWith("mass") ? "y" : (whats[0] ?? "");
-    setOptions(this.what, whats.map((what) => [what, what.replaceAll("_", " ")]), whats.includes(before) ? before : usual);
+    setOptions(this.what, whats.map((what) => [what, `${what.replaceAll("_", " ")}${units[what] && ` (${units[what]})`}`]), whats.includes(before) ? before : usual);
     if (reading) this.of.value = reading.of;
   }
 }

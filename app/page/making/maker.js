@@ -5,6 +5,7 @@
  */
 import { onTold, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
+import { kept, store } from "../files/storage.js";
 import { make, makeButton } from "../looks/dialog.js";
 import { beginNextAt } from "../scenes/lesson.js";
 import { viser } from "../viser/viser.js";
@@ -13,6 +14,8 @@ import { StepForm } from "./step_form.js";
 
 /** @typedef {import("../../wire/wire.js").LessonForm} LessonForm */
 
+/** Under which the browser keeps that the form is open. */
+const NAME = "softrod-making";
 const MOST_STEPS = 20;
 /** Milliseconds between two looks whether viser has made its canvas anew. */
 const LOOK_EVERY = 200;
@@ -88,9 +91,9 @@ export function addMaker() {
   });
   const drop = makeButton("Delete lesson", () => send({ do: "dropLesson" }));
   drop.title = "Undo brings it back";
-  foot.append(attempt, phone, drop);
+  foot.append(attempt, phone);
   const body = make("div", "softrod-making-body");
-  body.append(about, list, add, said, fields.element);
+  body.append(about, list, add, said, fields.element, drop);
   box.append(head, body, foot);
 
   const bar = make("aside", "softrod-trying");
@@ -192,13 +195,14 @@ export function addMaker() {
     add.textContent = some ? "Add a step" : "Add the first step";
     add.classList.toggle("softrod-first", !some);
     add.disabled = steps.length >= MOST_STEPS;
-    fields.element.hidden = foot.hidden = !some || offers === null;
+    fields.element.hidden = foot.hidden = drop.hidden = !some || offers === null;
     if (some && offers) fields.show(steps[at], at, begins[at] ?? "", offers);
   };
 
   onTold("lessonForm", (now) => {
     const was = form;
     form = now;
+    store(NAME, now.open ? "1" : "");
     const shows = now.open && now.trying < 0;
     if (shows && !box.parentNode) {
       document.body.append(box);
@@ -234,12 +238,12 @@ export function addMaker() {
     const url = new URL(link);
     window.open(new URL(`s${url.search}${url.hash}`, new URL(".", location.href)), "_blank", `noopener,popup,${PHONE}`);
   });
-  // After an outage the server has another page, which knows of no form.
+  // After a reload or an outage the server has another page, which knows of no form.
   let page = "";
   onTold("pageState", (state) => {
-    const another = page !== "" && state.page !== page;
+    if (state.page === page) return;
     page = state.page;
-    if (another && form.open) send({ do: "makeLesson", on: true });
+    if (kept(NAME) === "1") send({ do: "makeLesson", on: true });
   });
   setInterval(() => {
     const { canvas } = viser() ?? {};

@@ -13,7 +13,7 @@ from sim.edit import lesson
 from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
 from sim.methods.registry import METHODS
-from sim.motion.quantities import PARTS
+from sim.motion.quantities import KINDS, PARTS, unit_in
 from sim.scene.lesson import Goal, Question, Reading, Step
 from sim.settings import CHOICES, scene_of_step, settings_of
 
@@ -61,13 +61,15 @@ class LessonMaker:
 
     Args:
         page: whose scene it is.
+        measured: what is measured there now.
 
     Attributes:
         is_told: whether the page has been told of the form.
     """
 
-    def __init__(self, page: Page) -> None:
+    def __init__(self, page: Page, measured: Callable[[], Measured]) -> None:
         self._page, self._session, self._mail = page, page.session, page.mail
+        self._measured = measured
         self._open = self.is_told = False
         self._trying = -1
         self._before: tuple[bytes, Versions] | None = None  # what was there before a step was tried
@@ -75,7 +77,7 @@ class LessonMaker:
         self._begins: tuple[str, ...] = ()
         self._due = 0.0
 
-    def do(self, ask: asks.Prepare, measured: Measured) -> None:
+    def do(self, ask: asks.Prepare) -> None:
         """Do what the form asks for."""
         scene = self._session.scene
         match ask:
@@ -99,11 +101,11 @@ class LessonMaker:
                 opened = self._session.opened
                 self._change(ask, lambda now: lesson.begin_as(now, step, scene, opened), "settings")
             case asks.OfStep():
-                self._change_step(ask, measured)
+                self._change_step(ask)
             case _:
                 pass
 
-    def tell(self, measured: Measured) -> None:
+    def tell(self) -> None:
         """Tell the page what is in the form, and what could be."""
         scene = self._session.scene
         steps = scene.lesson.steps if scene.lesson is not None and self._open else ()
@@ -112,7 +114,7 @@ class LessonMaker:
         self._mail.tell(LessonForm(open=self._open, trying=self._trying, steps=steps, begins=self._begins))
         if self._page.makes_lesson and self._session.now() >= self._due:
             self._due = self._session.now() + OFFERED_EVERY
-            self._mail.tell(self._offers(measured))
+            self._mail.tell(self._offers())
 
     # --------------------------------------------------------------------- inside
     def _show(self, on: bool) -> None:
@@ -150,7 +152,7 @@ class LessonMaker:
         self._trying, self._before = -1, None
         self._rearrange()
 
-    def _change_step(self, ask: asks.OfStep, measured: Measured) -> None:
+    def _change_step(self, ask: asks.OfStep) -> None:
         """Change what is in a step."""
         match ask:
             case asks.WriteStep(_, field, text):
@@ -173,9 +175,9 @@ class LessonMaker:
                 if ghost in ("", REFERENCE, *METHODS):
                     self._set(ask, "second body", {"ghost": ghost or None})
             case asks.TakeInStep(_, "plots"):
-                self._set(ask, "plots", {"plots": measured.plots})
+                self._set(ask, "plots", {"plots": self._measured().plots})
             case asks.TakeInStep():
-                arrows = tuple(kind for kind in ARROWS if kind in measured.arrows)
+                arrows = tuple(kind for kind in ARROWS if kind in self._measured().arrows)
                 self._set(ask, "arrows", {"arrows": arrows})
             case asks.DropFromStep(_, what):
                 self._set(ask, what, {what: None})
@@ -213,15 +215,19 @@ class LessonMaker:
                 self._page.notify(Notice("error", "That cannot be done", sentence))
         self._mail.tell(LessonTaken(step=step, part=part, field=field, refused=sentence))
 
-    def _offers(self, measured: Measured) -> LessonOffers:
-        session = self._session
+    def _offers(self) -> LessonOffers:
+        session, measured = self._session, self._measured()
+        length = session.scene.view.unit
         scene = session.scene
         choices = [(key, choice.label) for key, choice in CHOICES.items() if choice.applies(scene)]
         sliders = [(setting.key, setting.label) for setting in settings_of(scene)]
         wanted = lesson.settings_to_set(scene, scene, session.opened)
         return LessonOffers(
             parts=tuple(part for part in measured.parts if part.rstrip("0123456789") in PARTS),
-            quantities=PARTS,
+            quantities={
+                of: {kind.what: unit_in(kind.unit, length) for kind in KINDS.values() if kind.of == of}
+                for of in PARTS
+            },
             controls=tuple(LessonControl(*each) for each in (*sliders, *choices)),
             methods={REFERENCE: "Reference", **{name: method.label for name, method in METHODS.items()}},
             settings=in_words(scene, tuple(f"{key}={value}" for key, value in wanted.items())),
@@ -231,10 +237,13 @@ class LessonMaker:
 
 
 def in_words(scene: sim.Scene, settings: tuple[str, ...]) -> str:
-    """What a step sets, as in "Gravity 980 px/s², Integrator RK4"."""
+    """What a step sets, as in "Integrator: RK4, Gravity 980 px/s²", in the order of the panel."""
     known = {setting.key: setting for setting in settings_of(scene)}
+    order = [*CHOICES, *known]
+    values = {key: value for key, _, value in (each.partition("=") for each in settings)}
     words = []
-    for key, _, value in (each.partition("=") for each in settings):
+    for key in sorted(values, key=lambda key: order.index(key) if key in order else len(order)):
+        value = values[key]
         if key in CHOICES:
             words.append(f"{CHOICES[key].label}: {CHOICES[key].options.get(value, value)}")
         elif key in known and math.isfinite(number := _number(value)):
