@@ -225,3 +225,6 @@ def test_on_a_phone_a_lesson_is_made_below_the_body(open_page: OpenPage) -> None
     assert sim.load_scene(file.value.path()).lesson == desk.session.scene.lesson
     press(desk, "Show")
     desk.until(lambda: field(desk, "Title").is_visible(), "it is back")
+    # It outlives a reload, with the lesson.
+    desk.open()
+    desk.until(lambda: listed(desk) == ["1. Step 2", "2. First"], "it is there again")
