@@ -29,6 +29,7 @@ _STYLES = (
     "scenes/gallery.css",
     "scenes/lesson.css",
     "classroom/classroom.css",
+    "making/maker.css",
     "looks/menu.css",
     "looks/looks.css",
 )
