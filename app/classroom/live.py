@@ -26,7 +26,7 @@ from ..session.log import decode_log
 from . import kept, names
 from .judge import Verdict, judge
 from .room import MOST_STOPS, Answer, Refused, Room, Work, digest
-from .takeaway import log_path
+from .takeaway import log_path, pack
 
 WRITE_EVERY = 0.1
 """Seconds between two writings of a class; what was given in between is acknowledged together."""
@@ -43,7 +43,7 @@ class Front:
 
     Attributes:
         scene: of the body.
-        opening: another number for every body that took the place of another.
+        opening: another number for every body that took the place of another, on whatever page.
         revision: another number whenever anything but the motion changed.
         rest_angles: (J,) degrees, as the page draws them.
         picture: where the masses are.
@@ -71,10 +71,12 @@ class Doing:
     Attributes:
         word: in a word.
         places: of its masses, thousandths of the scene's frame from its left and upper edge.
+        begun: whether anything has been done to it.
     """
 
     word: Word = ""
     places: tuple[tuple[int, int], ...] = ()
+    begun: bool = False
 
 
 class Pupil(Protocol):
@@ -102,6 +104,8 @@ class Class:
         desk: the teacher's page whose body all look at.
         pupils: the page that each seat has, by its number; the last one, where there are several.
         doing: what each seat's body does.
+        lent: what the wall shows of the seat that is on it; None without one.
+        run: the log of the present stop's run, once that has stood; empty before.
         written: version of the room that is on the disk.
         ended: whether it is over.
     """
@@ -118,6 +122,8 @@ class Class:
         self.desk: object | None = None
         self.pupils: dict[int, Pupil] = {}
         self.doing: dict[int, Doing] = {}
+        self.lent: Front | None = None
+        self.run = b""
         self._judged: list[tuple[str, Future[Verdict]]] = []
         self.ended = False
         self._clock = clock
@@ -186,6 +192,11 @@ class Class:
                 if content != answer.content:
                     self.room.answers[id] = msgspec.structs.replace(answer, content=content)
                     self.room.version += 1
+
+    def pack(self) -> Future[bytes]:
+        """Have made what the teacher takes home: it takes longer than other pages can wait for."""
+        present = msgspec.json.decode(kept.encode(self.room), type=Room)
+        return self._writer.submit(pack, present)
 
     def tend(self) -> None:
         """Have written what is new, if it is time; whatever is acknowledged is on the disk before."""

@@ -58,16 +58,18 @@ export type SitTogether = { do: "sitTogether"; two: boolean };
 export type LeaveBy = { do: "leaveBy" };
 /** This page is to have the seat that offers itself by two digits. */
 export type TakeOver = { do: "takeOver"; digits: string };
+/** The page is to show the teacher's body where it could show its own, or its own again. */
+export type Follow = { do: "follow"; on: boolean };
 /** The class goes to a stop and a phase. */
 export type Stage = { do: "stage"; stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round?: number };
 /** Something that needs no place. */
-export type Arrange = { do: "arrange"; what: "asMine" | "close" | "end" | "givenNames" | "goOn" | "open" | "ownNames" | "pause" | "reset" | "zip" };
+export type Arrange = { do: "arrange"; what: "again" | "asMine" | "close" | "end" | "gather" | "giveBack" | "givenNames" | "goOn" | "law" | "noLaw" | "open" | "ownNames" | "pause" | "reset" | "zip" };
 /** An answer is picked out, or no longer. */
 export type Star = { do: "star"; answer: string; on: boolean };
 /** An answer is to be shown alone on the wall; none for "". */
 export type ToWall = { do: "toWall"; answer: string };
-/** A seat is closed, and all that it gave goes. */
-export type SendAway = { do: "sendAway"; seat: number };
+/** Something is to be done with one seat. */
+export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
 /** The scene is to have another name and another description. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
 /** Some parts are to be selected; with `toggle`, they change sides and the others stay as they are. */
@@ -88,7 +90,7 @@ export type Stroke = { do: "stroke"; points: [number, number][] };
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "mirror" | "pin" | "remove" | "rest" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Stage | Arrange | Star | ToWall | SendAway | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
+export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Stage | Arrange | Star | ToWall | OneSeat | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
@@ -101,12 +103,14 @@ export type Given = { stop: number; round: number; twin: number; kind: "ghost" |
 export type WallLine = { text: string; color: string };
 /** What one seat found: a point of the class's plot. */
 export type Found = { setting: number; found: number };
+/** The power law, found = factor * setting ** exponent, that the class's points are closest to. */
+export type Law = { factor: number; exponent: number };
 /** A stop of the class's plan. */
 export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number][] };
 /** A seat, as the teacher sees it. */
-export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string };
+export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
 /** An answer, as the teacher sees it. */
-export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string };
+export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
 /** A scene as the gallery shows it. */
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What the script has to know of the session and of the page. */
@@ -124,15 +128,15 @@ export type Versions = { tell: "versions"; undo: string; redo: string; count: nu
 /** What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
 /** What a pupil's page has to know of the class. */
-export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; paused: boolean; away: boolean; elsewhere: boolean; reached: boolean; asking: Asking | null; given: Given[] };
+export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: boolean; reached: boolean; asking: Asking | null; given: Given[] };
 /** What the class sees in front; no name is in it. */
-export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; doing: Record<string, number> };
+export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; law: Law | null; doing: Record<string, number> };
 /** Where the class has said that the masses will be, in the page's world: one body a prediction, without names. */
 export type Predictions = { tell: "predictions"; bodies: [number, number][][] };
 /** Where the bodies of the seats are, by their numbers: thousandths of the scene's frame from its left and upper edge. */
 export type Posters = { tell: "posters"; places: Record<string, [number, number][]>; springs: [number, number][] };
 /** What the teacher's page has to know of the class. */
-export type Desk = { tell: "desk"; code: string; address: string; qr: string; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; on_wall: string; open: boolean; own_names: boolean; paused: boolean; saved: boolean };
+export type Desk = { tell: "desk"; code: string; address: string; qr: string; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; over: string; law: Law | null; shows_law: boolean; on_wall: string; seat_on_wall: number; gathered: boolean; again: "no" | "now" | "yes"; open: boolean; own_names: boolean; paused: boolean; saved: boolean };
 /** The server has these answers, or has refused one: then it says why. */
 export type Taken = { tell: "taken"; ids: string[]; refused: string };
 /** The class is over: nothing of it is to be kept. */
