@@ -250,10 +250,19 @@ def _keep_and_judge(code: str, name: str, data: bytes, step: Step, scene: sim.Sc
     return judge(decode_log(data, "the log"), scene, step)
 
 
-class Classes:
-    """The classes of one server, by their codes."""
+MOST_CLASSES = 20
+"""Classes that go on at once on a server."""
 
-    def __init__(self) -> None:
+
+class Classes:
+    """The classes of one server, by their codes.
+
+    Args:
+        alone: whether the server is for classes alone: whoever else comes is asked to which one.
+    """
+
+    def __init__(self, alone: bool = True) -> None:
+        self.alone = alone
         self._classes: dict[str, Class] = {}
 
     def __iter__(self) -> Iterator[Class]:
@@ -263,8 +272,10 @@ class Classes:
         """Begin a class with these scenes.
 
         Raises:
-            Refused: they have too many steps.
+            Refused: they have too many steps, or there are too many classes.
         """
+        if sum(not klass.ended for klass in self) >= MOST_CLASSES:
+            raise Refused(f"A server holds {MOST_CLASSES} classes at most.")
         code = names.new_code(self._classes)
         room = Room(code=code, key=secrets.token_urlsafe(16), scenes=tuple(scenes))
         if len(room.stops) > MOST_STOPS:

@@ -191,6 +191,12 @@ class OpenScene(Ask, frozen=True):
     name: SceneName
 
 
+class UseInClass(Ask, frozen=True):
+    """Begin a class with a scene, by its name."""
+
+    name: SceneName
+
+
 class ChangeScene(Ask, frozen=True):
     """Do something with one of the page's own scenes; `name` is that of a deleted one for "restore".
 

@@ -484,10 +484,15 @@ class Entry(Struct, frozen=True, kw_only=True):
 
 
 class Scenes(Event, frozen=True, kw_only=True):
-    """All scenes, and the name of the present one."""
+    """All scenes, and the name of the present one.
+
+    Attributes:
+        teaches: whether the page may use them in a class.
+    """
 
     scenes: tuple[Entry, ...]
     present: str
+    teaches: bool
 
 
 class ScenePictures(Event, frozen=True, kw_only=True):
@@ -505,6 +510,19 @@ class SceneChanged(Event, frozen=True, kw_only=True):
 
     text: str
     undo: str
+
+
+class UsedInClass(Event, frozen=True, kw_only=True):
+    """How a scene is used in a class.
+
+    Attributes:
+        address: of the teacher's page of a class that has begun, from the present page's; empty where others
+            cannot reach this server.
+        command: by which a server begins one that they can.
+    """
+
+    address: str
+    command: str
 
 
 class Link(Event, frozen=True, kw_only=True):

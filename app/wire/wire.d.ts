@@ -38,6 +38,8 @@ export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string
 export type ListScenes = { do: "listScenes"; dark: boolean };
 /** Open a scene by its name. */
 export type OpenScene = { do: "openScene"; name: string };
+/** Begin a class with a scene, by its name. */
+export type UseInClass = { do: "useInClass"; name: string };
 /** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
 export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
 /** One of the choices of a question. */
@@ -90,7 +92,7 @@ export type Stroke = { do: "stroke"; points: [number, number][] };
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "mirror" | "pin" | "remove" | "rest" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Stage | Arrange | Star | ToWall | OneSeat | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
+export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Stage | Arrange | Star | ToWall | OneSeat | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
@@ -156,11 +158,13 @@ export type OfferGallery = { tell: "offerGallery"; why: string };
 /** There are other scenes than before. */
 export type ShelfChanged = { tell: "shelfChanged" };
 /** All scenes, and the name of the present one. */
-export type Scenes = { tell: "scenes"; scenes: Entry[]; present: string };
+export type Scenes = { tell: "scenes"; scenes: Entry[]; present: string; teaches: boolean };
 /** Pictures of scenes by their names, as addresses that an image can have. */
 export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, string> };
 /** What was done with a scene of the page's own. */
 export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
+/** How a scene is used in a class. */
+export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
 /** What a body is made of, see `drawing.plan.encode_plan`. */
@@ -171,6 +175,6 @@ export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 export type Damage = { tell: "damage"; numbers: Float32Array };
 /** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
-export type ToPage = PageState | Tools | Hud | Lesson | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link | Plan | Frame | Damage | Arrows;
+export type ToPage = PageState | Tools | Hud | Lesson | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | Frame | Damage | Arrows;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows };
+export type Told = { pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows };
