@@ -25,6 +25,7 @@ from tests.browser.wires import Wire
 
 expect.set_options(timeout=LIMIT * 1e3)
 
+CONTRAST = (Path(__file__).parent / "contrast.js").read_text(encoding="utf-8")
 PHONE, LAPTOP, WALL = (390, 844), (1280, 720), (1920, 1080)
 
 
@@ -84,9 +85,14 @@ class School:
         until(desk, lambda: (self.klass.room.phase, self.klass.room.round) == (phase, round), f"to {phase}")
 
     def shoot(self, name: str) -> None:
+        """Keep pictures of all pages, and look whether every text of the class stands out."""
         ARTIFACTS.mkdir(exist_ok=True)
         for i, page in enumerate(self.pages):
             page.screenshot(path=ARTIFACTS / f"class-{name}-{i}.png")
+            shown = set(page.locator(".softrod-class").all_inner_texts())
+            judged = [one for one in page.evaluate(CONTRAST) if any(one["text"] in text for text in shown)]
+            assert judged, name
+            assert not [one for one in judged if one["ratio"] < one["needed"]], name
 
 
 @pytest.fixture
@@ -272,6 +278,11 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     first.locator("[data-focus=handin]").tap()
     expect(first.locator(".softrod-verdict").last).to_contain_text("Handed in")
     until(first, lambda: room.given(0, 0, Work)[0].content.reached is True, "the goal is judged")  # type: ignore[union-attr]
+    # A picture of what was handed in, for the wall; its pupil reads that it is there.
+    desk.get_by_text("Handed in: 1").click()
+    desk.get_by_role("button", name=f"Show the body of {names[0]} on the wall").click()
+    expect(first.locator(".softrod-on-wall")).to_be_visible()
+    expect(desk.locator(".softrod-lines svg.softrod-poster path")).to_be_visible()
     school.shoot("collect")
 
     with desk.expect_download() as download:
