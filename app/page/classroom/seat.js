@@ -62,6 +62,7 @@ export function addSeat() {
   onTold("classEnded", () => {
     forgetAnswers();
     ghost.show(false);
+    spoken.textContent = "The class is over.";
     card.replaceChildren(make("h1", "", "The class is over."), make("p", "", "Nothing that you gave is kept here."));
   });
   onOutbox((refused) => {
