@@ -27,7 +27,7 @@ from ..session.log import decode_log
 from . import kept, names
 from .judge import Verdict, judge
 from .room import MOST_STOPS, Answer, Refused, Room, Work, digest
-from .takeaway import log_path
+from .takeaway import log_path, pack
 
 WRITE_EVERY = 0.1
 """Seconds between two writings of a class; what was given in between is acknowledged together."""
@@ -47,7 +47,7 @@ class Front:
 
     Attributes:
         scene: of the body.
-        opening: another number for every body that took the place of another.
+        opening: another number for every body that took the place of another, on whatever page.
         revision: another number whenever anything but the motion changed.
         rest_angles: (J,) degrees, as the page draws them.
         picture: where the masses are.
@@ -75,10 +75,12 @@ class Doing:
     Attributes:
         word: in a word.
         places: of its masses, thousandths of the scene's frame from its left and upper edge.
+        begun: whether anything has been done to it.
     """
 
     word: Word = ""
     places: tuple[tuple[int, int], ...] = ()
+    begun: bool = False
 
 
 @dataclass(frozen=True)
@@ -117,6 +119,8 @@ class Class:
         pupils: the page that each seat has, by its number; the last one, where there are several.
         doing: what each seat's body does.
         tried: what the last devices found that tried whether they can take part.
+        lent: what the wall shows of the seat that is on it; None without one.
+        run: the log of the present stop's run, once that has stood; empty before.
         written: version of the room that is on the disk.
         ended: whether it is over.
     """
@@ -134,6 +138,8 @@ class Class:
         self.pupils: dict[int, Pupil] = {}
         self.doing: dict[int, Doing] = {}
         self.tried: deque[Tried] = deque(maxlen=MOST_TRIED)
+        self.lent: Front | None = None
+        self.run = b""
         self._judged: list[tuple[str, Future[Verdict]]] = []
         self.ended = False
         self._clock = clock
@@ -203,6 +209,11 @@ class Class:
                     self.room.answers[id] = msgspec.structs.replace(answer, content=content)
                     self.room.version += 1
 
+    def pack(self) -> Future[bytes]:
+        """Have made what the teacher takes home: it takes longer than other pages can wait for."""
+        present = msgspec.json.decode(kept.encode(self.room), type=Room)
+        return self._writer.submit(pack, present)
+
     def tend(self) -> None:
         """Have written what is new, if it is time; whatever is acknowledged is on the disk before."""
         self._take_verdicts()
@@ -255,10 +266,19 @@ def _keep_and_judge(code: str, name: str, data: bytes, step: Step, scene: sim.Sc
     return judge(decode_log(data, "the log"), scene, step)
 
 
-class Classes:
-    """The classes of one server, by their codes."""
+MOST_CLASSES = 20
+"""Classes that go on at once on a server."""
 
-    def __init__(self) -> None:
+
+class Classes:
+    """The classes of one server, by their codes.
+
+    Args:
+        alone: whether the server is for classes alone: whoever else comes is asked to which one.
+    """
+
+    def __init__(self, alone: bool = True) -> None:
+        self.alone = alone
         self._classes: dict[str, Class] = {}
 
     def __iter__(self) -> Iterator[Class]:
@@ -268,8 +288,10 @@ class Classes:
         """Begin a class with these scenes.
 
         Raises:
-            Refused: they have too many steps.
+            Refused: they have too many steps, or there are too many classes.
         """
+        if sum(not klass.ended for klass in self) >= MOST_CLASSES:
+            raise Refused(f"A server holds {MOST_CLASSES} classes at most.")
         code = names.new_code(self._classes)
         room = Room(code=code, key=secrets.token_urlsafe(16), scenes=tuple(scenes))
         if len(room.stops) > MOST_STOPS:

@@ -13,6 +13,7 @@ from __future__ import annotations
 import enum
 import hashlib
 import math
+import secrets
 import unicodedata
 from typing import Annotated
 
@@ -21,6 +22,7 @@ from msgspec import Meta, Struct
 
 import sim
 from sim.scene.lesson import Step
+from sim.scene.types import Damage
 
 from . import names
 
@@ -100,7 +102,8 @@ class Work(Content, frozen=True):
         setting: the first number that the step has a slider for: the abscissa of the class's plot.
         reached: whether the step's goal was reached; None without a goal.
         doubt: why the log cannot be what a pupil did; empty if it can.
-        points: where the masses were, for a picture.
+        points: where the masses were, and
+        damage: what had yielded and broken, for a picture; empty where a mass was nowhere.
     """
 
     log: Annotated[str, Meta(max_length=40)] = ""
@@ -109,6 +112,7 @@ class Work(Content, frozen=True):
     reached: bool | None = None
     doubt: str = ""
     points: tuple[tuple[float, float], ...] = ()
+    damage: Damage | None = None
 
 
 class Answer(Struct, frozen=True):
@@ -156,6 +160,7 @@ class Seat(Struct):
         removed: whether the teacher has sent it away.
         given: name that the class gave it, if that is another one.
         move: two digits by which another device can take it over, or empty.
+        follows: whether it looks at the teacher's body where it could have its own.
     """
 
     number: int
@@ -167,6 +172,7 @@ class Seat(Struct):
     hand: bool = False
     removed: bool = False
     move: str = ""
+    follows: bool = False
 
 
 class Stop(Struct, frozen=True):
@@ -238,7 +244,10 @@ class Room(Struct, kw_only=True):
         own_names: whether pupils may choose their names.
         paused: whether all bodies stand.
         seats, answers: by number, and by id.
+        gathered: whether all look at the teacher's body where each one could have their own.
         on_wall: the answer that is shown alone on the wall, or empty.
+        seat_on_wall: number of the seat whose body the wall shows, or 0.
+        law: whether the class's plot has the law that its points follow.
         version: counts the changes.
     """
 
@@ -254,7 +263,10 @@ class Room(Struct, kw_only=True):
     paused: bool = False
     seats: dict[int, Seat] = msgspec.field(default_factory=dict)
     answers: dict[str, Answer] = msgspec.field(default_factory=dict)
+    gathered: bool = False
     on_wall: str = ""
+    seat_on_wall: int = 0
+    law: bool = False
     version: int = 0
 
     # --------------------------------------------------------------------- the plan
@@ -317,7 +329,10 @@ class Room(Struct, kw_only=True):
             return
         for asked in self.asked:
             asked.shown = asked.shown or asked.phase in SEALED
-        self.at, self.phase, self.round, self.on_wall = stop, phase, round, ""
+        self.at, self.phase, self.round = stop, phase, round
+        self.on_wall, self.seat_on_wall, self.law, self.gathered = "", 0, False, False
+        for seat in self.seats.values():
+            seat.follows = False
         if phase in PHASE_OF.values() and self._asked(stop, round, phase) is None:
             self.asked.append(Asked(stop, round, phase))
         self.version += 1
@@ -351,7 +366,45 @@ class Room(Struct, kw_only=True):
         """
         if id and self._is_sealed(self._answer(id)):
             raise Refused("Nobody sees the answers before all are shown.")
-        self.on_wall = id
+        self.on_wall, self.seat_on_wall = id, 0
+        self.version += 1
+
+    def put_seat_on_wall(self, number: int) -> None:
+        """Show the body of a seat on the wall, as it moves; the teacher's again for 0.
+
+        Raises:
+            Refused: there is no such seat, or it has no body of its own now.
+        """
+        if number:
+            self._seat(number)
+            if self.phase not in FREE:
+                raise Refused("Seats have no bodies of their own now.")
+        self.on_wall, self.seat_on_wall = "", number
+        self.version += 1
+
+    def is_on_wall(self, number: int) -> bool:
+        """Whether the wall shows something of a seat alone."""
+        shown = self.answers.get(self.on_wall)
+        return number == self.seat_on_wall or (shown is not None and shown.seat == number)
+
+    def gather(self, on: bool) -> None:
+        """Have all look at the teacher's body, or give each one theirs back."""
+        self.gathered = on
+        if not on:
+            for seat in self.seats.values():
+                seat.follows = False
+        self.version += 1
+
+    def follow(self, number: int, on: bool) -> None:
+        """Have a seat look at the teacher's body where it could have its own, or at its own again.
+
+        Raises:
+            Refused: there is no such seat, or all look at the teacher's body.
+        """
+        seat = self._seat(number)
+        if self.phase not in FREE or self.gathered:
+            raise Refused("All look at the teacher's now.")
+        seat.follows = on
         self.version += 1
 
     def remove(self, number: int) -> None:
@@ -362,6 +415,8 @@ class Room(Struct, kw_only=True):
         """
         seat = self._seat(number)
         seat.removed, seat.hand, seat.move = True, False, ""
+        if self.seat_on_wall == number:
+            self.seat_on_wall = 0
         self.answers = {id: answer for id, answer in self.answers.items() if answer.seat != number}
         if self.on_wall not in self.answers:
             self.on_wall = ""
@@ -416,15 +471,15 @@ class Room(Struct, kw_only=True):
             seat.name = name
         self.version += 1
 
-    def offer_move(self, number: int, digits: str) -> None:
+    def offer_move(self, number: int) -> None:
         """Let another device take a seat over, by two digits that no other seat offers.
 
         Raises:
-            Refused: another seat offers the same.
+            Refused: there is no such seat.
         """
-        if any(seat.move == digits for seat in self.seats.values()):
-            raise Refused("Try again.")
-        self._seat(number).move = digits
+        seat = self._seat(number)
+        taken = {other.move for other in self.seats.values()}
+        seat.move = secrets.choice([text for i in range(100) if (text := f"{i:02}") not in taken])
         self.version += 1
 
     def move(self, secret: str, digits: str) -> Seat:

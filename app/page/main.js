@@ -57,7 +57,7 @@ const NO_WEBGL =
 sayWhose();
 takeLink();
 keepAddress();
-keepOnlyOf(askedScene(location.search));
+keepOnlyOf(new URLSearchParams(location.search).get("room") || askedScene(location.search));
 watchConnection(mindAbsence(), () => !hasKept());
 const plotsAreLoaded = tellApart();
 /** @type {ReturnType<typeof setTimeout> | undefined} */

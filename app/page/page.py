@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import viser
 
+from sim.scene.types import Scene
+
 from ..session.notices import Notice
 from ..session.session import Session
 from ..wire.carrier import Mail
@@ -38,6 +40,8 @@ class Page:
         looks: how it looks.
         plots: its lists of plots.
         makes_lesson: whether the scene's lesson is being made; it is not shown meanwhile.
+        begin_class: begins a class with a scene, and returns the address of the teacher's page, from this
+            page's; None where others cannot reach the server. The ticker's; raises `Refused`.
     """
 
     client: viser.ClientHandle
@@ -51,6 +55,7 @@ class Page:
     looks: Looks = PLAIN
     plots: list[PlotList] = field(default_factory=list)
     makes_lesson: bool = False
+    begin_class: Callable[[Scene], str] | None = None
     _asked: deque[Callable[[], None]] = field(default_factory=lambda: deque(maxlen=100))
 
     @property

@@ -126,6 +126,7 @@ class Tab:
         owned: whether it is known to be the page of this computer's owner.
         for_others: the address by which others reach the page, from that by which it was reached itself.
         role_of: what the page is in a class, if it is in one, from its mail.
+        begin_class: see `Page`.
     """
 
     def __init__(
@@ -137,6 +138,7 @@ class Tab:
         owned: bool = False,
         for_others: Callable[[str], str] = str,
         role_of: Callable[[Mail], Role | None] = lambda _: None,
+        begin_class: Callable[[sim.Scene], str] | None = None,
     ) -> None:
         self.client = client
         self._compiler = compiler
@@ -164,6 +166,7 @@ class Tab:
         self._wanted = ""
         self._all_ready = False
         self._for_others = for_others
+        self._begin_class = begin_class
         self._first = scene = self._asked_scene(query) or scene
         self._mail = Mail(client)
         self._view = Canvas(client, self._mail, self._post)
@@ -381,7 +384,7 @@ class Tab:
         commas = CommaSwitch(lambda on: self._requests.append(lambda now: self._switch(now, "commas", on)))
         self._page = Page(
             self.client, session, self._mail, self.notify, self.perform, self._shelf, commas,
-            controls=self._wanted_controls(session.scene),
+            controls=self._wanted_controls(session.scene), begin_class=self._begin_class,
         )  # fmt: skip
         self._answers = Answers(self._page, resume, show, self._for_others)
         self._maker = LessonMaker(self._page, self._measured)

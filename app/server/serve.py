@@ -63,13 +63,15 @@ def serving(
         embed: origins of the sites that may show the page in a frame, as in "https://school.example".
         allow_hosts: further names by which a browser may reach the server, as in "laptop.local".
         public_url: the address by which others reach the page, as in "https://school.example/lab/".
-        classes: those that others may come to; without these, every page is one of its own.
+        classes: those that others may come to; without these, every page is one of its own until the owner
+            begins a class in the gallery.
 
     Raises:
         GateError: the gate could not be put in place, or an origin or address is none; nothing is served.
         PortBusy: something else listens on the port.
     """
     compiler = Compiler()
+    held = Classes(alone=False) if classes is None else classes
 
     public = None if public_url is None else public_address(public_url)
 
@@ -79,21 +81,23 @@ def serving(
     def make_tab(client: viser.ClientHandle) -> Tab:
         gate, client_id = server.gate, client.client_id
         query, owned = gate.query_of(client_id), gate.is_local(client_id)
-        klass = None if classes is None else class_of_query(query, classes)
+        klass = class_of_query(query, held)
         if is_check(query):
             check = CheckRole(klass)
             return Tab(client, sim.load_scene("rope"), compiler, "", owned, for_others, lambda _: check)
-        if classes is None:
-            return Tab(client, scene, compiler, query, owned, for_others)
         # What the teacher's page is in is the pupils' network, where there are several.
         base = for_others(f"http://{gate.host_of(client_id)}/")
 
-        def role(mail: Mail, classes: Classes = classes) -> Role | None:
+        def role(mail: Mail) -> Role | None:
             download = partial(client.send_file_download, save_immediately=True)
-            return role_of_query(query, mail, classes, base, owned, download)
+            return role_of_query(query, mail, held, base, owned, download)
+
+        def begin_class(scene: sim.Scene) -> str:
+            return desk_address("", held.begin((scene,)))
 
         first = (klass and first_scene(klass)) or scene
-        return Tab(client, first, compiler, query, owned, for_others, role)
+        begin = None if gate.loopback and public is None else begin_class
+        return Tab(client, first, compiler, query, owned, for_others, role, begin)
 
     ticker = Ticker(make_tab)
 
@@ -116,8 +120,7 @@ def serving(
     finally:
         compiler.stop()
         ticker.stop()
-        if classes is not None:
-            classes.close()
+        held.close()
         with _viser_is_quiet():
             server.stop()
 

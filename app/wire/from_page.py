@@ -196,6 +196,12 @@ class OpenScene(Ask, frozen=True):
     name: SceneName
 
 
+class UseInClass(Ask, frozen=True):
+    """Begin a class with a scene, by its name."""
+
+    name: SceneName
+
+
 class ChangeScene(Ask, frozen=True):
     """Do something with one of the page's own scenes; `name` is that of a deleted one for "restore".
 
@@ -295,6 +301,12 @@ class Checked(FromPage, frozen=True):
     doubts: bool
 
 
+class Follow(InSeat, frozen=True):
+    """The page is to show the teacher's body where it could show its own, or its own again."""
+
+    on: bool
+
+
 # ------------------------------------------------------------------------- in a class, the teacher
 class Lead(FromPage, frozen=True):
     """What the teacher's page says in a class; nobody else's is heard."""
@@ -311,11 +323,29 @@ class Stage(Lead, frozen=True):
 class Arrange(Lead, frozen=True):
     """Something that needs no place.
 
-    All bodies are to stand, to go on, or to begin anew, or are to be the teacher's as it is now; the door and
-    whether names can be typed; what was given is to be saved as a file; and the end.
+    All bodies are to stand, to go on, or to begin anew, or are to be the teacher's as it is now; all are to
+    look at the teacher's, or to have their own back; the run is to be seen again, slowly; the class's plot is
+    to have the law of its points, or no longer; the door and whether names can be typed; what was given is to
+    be saved as a file; and the end.
     """
 
-    what: Literal["pause", "goOn", "reset", "asMine", "open", "close", "ownNames", "givenNames", "zip", "end"]
+    what: Literal[
+        "pause",
+        "goOn",
+        "reset",
+        "asMine",
+        "gather",
+        "giveBack",
+        "again",
+        "law",
+        "noLaw",
+        "open",
+        "close",
+        "ownNames",
+        "givenNames",
+        "zip",
+        "end",
+    ]
 
 
 class Star(Lead, frozen=True):
@@ -331,10 +361,15 @@ class ToWall(Lead, frozen=True):
     answer: Annotated[str, Meta(pattern=r"^([0-9a-f]{16})?$")]
 
 
-class SendAway(Lead, frozen=True):
-    """A seat is closed, and all that it gave goes."""
+class OneSeat(Lead, frozen=True):
+    """Something is to be done with one seat.
+
+    Its body is to begin anew, or to be shown on the wall, or no longer; another device may take it over by
+    two digits; or it is closed, and all that it gave goes.
+    """
 
     seat: Annotated[int, Meta(ge=1, le=9999)]
+    what: Literal["reset", "show", "hide", "move", "sendAway"]
 
 
 # ------------------------------------------------------------------------- the scene's lesson

@@ -270,8 +270,10 @@ class Seat(State, frozen=True, kw_only=True):
         types_name: whether names can be typed.
         digits: by which another device takes the seat over; empty if it is not to.
         follows: whether the page shows the teacher's body.
+        gathered: whether it has to, where it could have its own.
         paused: whether all bodies stand.
         away: whether the teacher is not there.
+        on_wall: whether the wall shows something of this pupil's alone.
         elsewhere: whether a later page of the same browser has the seat.
         reached: whether the page's body has reached the step's goal.
     """
@@ -286,8 +288,10 @@ class Seat(State, frozen=True, kw_only=True):
     types_name: bool = False
     digits: str = ""
     follows: bool = False
+    gathered: bool = False
     paused: bool = False
     away: bool = False
+    on_wall: bool = False
     elsewhere: bool = False
     reached: bool = False
     asking: Asking | None = None
@@ -308,6 +312,13 @@ class Found(Struct, frozen=True, kw_only=True):
     found: float
 
 
+class Law(Struct, frozen=True, kw_only=True):
+    """The power law, found = factor * setting ** exponent, that the class's points are closest to."""
+
+    factor: float
+    exponent: float
+
+
 class Wall(State, frozen=True, kw_only=True):
     """What the class sees in front; no name is in it.
 
@@ -319,7 +330,8 @@ class Wall(State, frozen=True, kw_only=True):
         lines: what was picked out.
         alone: whether one prediction is shown alone.
         found: what was handed in, a point a seat; over what, and what it is.
-        doing: how many bodies do what, while each one has their own.
+        law: of these points, if it is to be seen.
+        doing: how many seats' bodies do what, while each one has their own.
     """
 
     code: str
@@ -334,6 +346,7 @@ class Wall(State, frozen=True, kw_only=True):
     paused: bool
     found: tuple[Found, ...]
     over: str
+    law: Law | None
     doing: dict[str, int]
 
 
@@ -359,6 +372,8 @@ class DeskSeat(Struct, frozen=True, kw_only=True):
         here: whether a page of it is connected.
         answered: whether it has given what is asked for.
         doing: what its body does, in a word.
+        follows: whether it looks at the teacher's body where it could have its own.
+        digits: by which another device takes the seat over; empty if it is not to.
     """
 
     number: int
@@ -369,10 +384,16 @@ class DeskSeat(Struct, frozen=True, kw_only=True):
     hand: bool
     answered: bool
     doing: str
+    follows: bool
+    digits: str
 
 
 class DeskAnswer(Struct, frozen=True, kw_only=True):
-    """An answer, as the teacher sees it."""
+    """An answer, as the teacher sees it.
+
+    Attributes:
+        places: of a run that was handed in, where its masses were, as of `Posters`.
+    """
 
     id: str
     seat: int
@@ -385,6 +406,7 @@ class DeskAnswer(Struct, frozen=True, kw_only=True):
     setting: float | None
     reached: bool | None
     doubt: str
+    places: tuple[tuple[int, int], ...]
 
 
 class DeskTried(Struct, frozen=True, kw_only=True):
@@ -411,7 +433,13 @@ class Desk(State, frozen=True, kw_only=True):
         next: where the class goes next: stop, phase, round; None at the end.
         answers: to the present stop and round, or to what was asked last there.
         bars: votes for each choice, also while they are sealed.
+        over: what the first slider of the step sets: the abscissa of the class's plot.
+        law: of the points of that plot; None where they have none.
+        shows_law: whether the wall shows it.
         on_wall: the answer that is shown alone.
+        seat_on_wall: the seat whose body is on the wall, or 0.
+        gathered: whether all look at the teacher's body where each one could have their own.
+        again: whether there is a run to be seen again, slowly: "no", "yes", or "now" while it is.
         saved: whether all that there is is on the disk.
         check: the address at which a device tries whether it can take part.
         check_qr: a picture of its QR code; empty once the class has begun.
@@ -431,7 +459,13 @@ class Desk(State, frozen=True, kw_only=True):
     answers: tuple[DeskAnswer, ...]
     bars: tuple[int, ...]
     right: int
+    over: str
+    law: Law | None
+    shows_law: bool
     on_wall: str
+    seat_on_wall: int
+    gathered: bool
+    again: Literal["no", "yes", "now"]
     open: bool
     own_names: bool
     paused: bool
@@ -525,10 +559,15 @@ class Entry(Struct, frozen=True, kw_only=True):
 
 
 class Scenes(Event, frozen=True, kw_only=True):
-    """All scenes, and the name of the present one."""
+    """All scenes, and the name of the present one.
+
+    Attributes:
+        teaches: whether the page may use them in a class.
+    """
 
     scenes: tuple[Entry, ...]
     present: str
+    teaches: bool
 
 
 class ScenePictures(Event, frozen=True, kw_only=True):
@@ -546,6 +585,19 @@ class SceneChanged(Event, frozen=True, kw_only=True):
 
     text: str
     undo: str
+
+
+class UsedInClass(Event, frozen=True, kw_only=True):
+    """How a scene is used in a class.
+
+    Attributes:
+        address: of the teacher's page of a class that has begun, from the present page's; empty where others
+            cannot reach this server.
+        command: by which a server begins one that they can.
+    """
+
+    address: str
+    command: str
 
 
 class Link(Event, frozen=True, kw_only=True):

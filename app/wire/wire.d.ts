@@ -38,6 +38,8 @@ export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string
 export type ListScenes = { do: "listScenes"; dark: boolean };
 /** Open a scene by its name. */
 export type OpenScene = { do: "openScene"; name: string };
+/** Begin a class with a scene, by its name. */
+export type UseInClass = { do: "useInClass"; name: string };
 /** Do something with one of the page's own scenes; `name` is that of a deleted one for "restore". */
 export type ChangeScene = { do: "changeScene"; how: "delete" | "duplicate" | "rename" | "restore"; name: string; to?: string };
 /** One of the choices of a question. */
@@ -58,18 +60,20 @@ export type SitTogether = { do: "sitTogether"; two: boolean };
 export type LeaveBy = { do: "leaveBy" };
 /** This page is to have the seat that offers itself by two digits. */
 export type TakeOver = { do: "takeOver"; digits: string };
+/** The page is to show the teacher's body where it could show its own, or its own again. */
+export type Follow = { do: "follow"; on: boolean };
 /** What a device found that tried whether it can take part in a class. */
 export type Checked = { do: "checked"; trip: number; rate: number; works: boolean; doubts: boolean };
 /** The class goes to a stop and a phase. */
 export type Stage = { do: "stage"; stop: number; phase: "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try"; round?: number };
 /** Something that needs no place. */
-export type Arrange = { do: "arrange"; what: "asMine" | "close" | "end" | "givenNames" | "goOn" | "open" | "ownNames" | "pause" | "reset" | "zip" };
+export type Arrange = { do: "arrange"; what: "again" | "asMine" | "close" | "end" | "gather" | "giveBack" | "givenNames" | "goOn" | "law" | "noLaw" | "open" | "ownNames" | "pause" | "reset" | "zip" };
 /** An answer is picked out, or no longer. */
 export type Star = { do: "star"; answer: string; on: boolean };
 /** An answer is to be shown alone on the wall; none for "". */
 export type ToWall = { do: "toWall"; answer: string };
-/** A seat is closed, and all that it gave goes. */
-export type SendAway = { do: "sendAway"; seat: number };
+/** Something is to be done with one seat. */
+export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
 /** The form of the lesson is to be open, or not. */
 export type MakeLesson = { do: "makeLesson"; on: boolean };
 /** A new step, which is to have that number, counted from 0. */
@@ -124,7 +128,7 @@ export type Stroke = { do: "stroke"; points: [number, number][] };
 export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: number | null; keys?: boolean };
 /** Something that needs no place: to a mass; or to what is selected, else what is under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "mirror" | "pin" | "remove" | "rest" | "triangulate"; mass?: number | null; under?: number | null };
-export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Checked | Stage | Arrange | Star | ToWall | SendAway | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
+export type FromPage = Perform | Keys | At | Grab | Drop | Pick | GoTo | Speed | Visit | Seen | BeginStep | Part | Share | Unread | Unsent | Who | ListScenes | OpenScene | UseInClass | ChangeScene | GiveVote | GivePlaces | GiveLine | HandIn | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | Follow | Checked | Stage | Arrange | Star | ToWall | OneSeat | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | WriteStep | AskInStep | PredictInStep | AimInStep | CollectInStep | OfferInStep | CompareInStep | TakeInStep | DropFromStep | TryStep | EndTrying | DropLesson | SetTexts | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | Act;
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null };
 /** A question with answers to choose from. */
@@ -145,14 +149,16 @@ export type Given = { stop: number; round: number; twin: number; kind: "ghost" |
 export type WallLine = { text: string; color: string };
 /** What one seat found: a point of the class's plot. */
 export type Found = { setting: number; found: number };
+/** The power law, found = factor * setting ** exponent, that the class's points are closest to. */
+export type Law = { factor: number; exponent: number };
 /** What a device found that tried whether it can take part; see `from_page.Checked`. */
 export type DeskTried = { trip: number; rate: number; works: boolean; doubts: boolean };
 /** A stop of the class's plan. */
 export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number][] };
 /** A seat, as the teacher sees it. */
-export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string };
+export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
 /** An answer, as the teacher sees it. */
-export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string };
+export type DeskAnswer = { id: string; seat: number; kind: "ghost" | "line" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
 /** A scene as the gallery shows it. */
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What the script has to know of the session and of the page. */
@@ -174,15 +180,15 @@ export type Versions = { tell: "versions"; undo: string; redo: string; count: nu
 /** What the browser is to keep, and to give back after a reload or an outage, see `keeping`: JSON. */
 export type Keepsake = { tell: "keepsake"; kept: string };
 /** What a pupil's page has to know of the class. */
-export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; paused: boolean; away: boolean; elsewhere: boolean; reached: boolean; asking: Asking | null; given: Given[] };
+export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: boolean; reached: boolean; asking: Asking | null; given: Given[] };
 /** What the class sees in front; no name is in it. */
-export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; doing: Record<string, number> };
+export type Wall = { tell: "wall"; code: string; address: string; qr: string; seats: number; answered: number; asking: Asking; bars: number[]; lines: WallLine[]; alone: boolean; paused: boolean; found: Found[]; over: string; law: Law | null; doing: Record<string, number> };
 /** Where the class has said that the masses will be, in the page's world: one body a prediction, without names. */
 export type Predictions = { tell: "predictions"; bodies: [number, number][][] };
 /** Where the bodies of the seats are, by their numbers: thousandths of the scene's frame from its left and upper edge. */
 export type Posters = { tell: "posters"; places: Record<string, [number, number][]>; springs: [number, number][] };
 /** What the teacher's page has to know of the class. */
-export type Desk = { tell: "desk"; code: string; address: string; qr: string; check: string; check_qr: string; tried: DeskTried[]; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; on_wall: string; open: boolean; own_names: boolean; paused: boolean; saved: boolean };
+export type Desk = { tell: "desk"; code: string; address: string; qr: string; check: string; check_qr: string; tried: DeskTried[]; stops: DeskStop[]; asking: Asking; next: [number, "ask" | "collect" | "explain" | "lobby" | "results" | "run" | "show" | "try", number] | null; seats: DeskSeat[]; answers: DeskAnswer[]; bars: number[]; right: number; over: string; law: Law | null; shows_law: boolean; on_wall: string; seat_on_wall: number; gathered: boolean; again: "no" | "now" | "yes"; open: boolean; own_names: boolean; paused: boolean; saved: boolean };
 /** The server has these answers, or has refused one: then it says why. */
 export type Taken = { tell: "taken"; ids: string[]; refused: string };
 /** The class is over: nothing of it is to be kept. */
@@ -204,11 +210,13 @@ export type OfferGallery = { tell: "offerGallery"; why: string };
 /** There are other scenes than before. */
 export type ShelfChanged = { tell: "shelfChanged" };
 /** All scenes, and the name of the present one. */
-export type Scenes = { tell: "scenes"; scenes: Entry[]; present: string };
+export type Scenes = { tell: "scenes"; scenes: Entry[]; present: string; teaches: boolean };
 /** Pictures of scenes by their names, as addresses that an image can have. */
 export type ScenePictures = { tell: "scenePictures"; pictures: Record<string, string> };
 /** What was done with a scene of the page's own. */
 export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
+/** How a scene is used in a class. */
+export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
 /** A link to the scene. */
 export type Link = { tell: "link"; link: string; qr: string; problem: string };
 /** What a body is made of, see `drawing.plan.encode_plan`. */
@@ -219,6 +227,6 @@ export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 export type Damage = { tell: "damage"; numbers: Float32Array };
 /** Forces, velocities and torques, see `measure.arrows.encode`; no numbers where nobody looks at any. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
-export type ToPage = PageState | Tools | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | Link | Plan | Frame | Damage | Arrows;
+export type ToPage = PageState | Tools | Hud | Lesson | LessonForm | LessonOffers | Selected | Versions | Keepsake | Seat | Wall | Predictions | Posters | Desk | Taken | ClassEnded | Run | Resumed | ShowMeasures | Copied | TextsTaken | LessonTaken | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Link | Plan | Frame | Damage | Arrows;
 /** What the page is told, by its tag. */
-export type Told = { pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows };
+export type Told = { pageState: PageState; tools: Tools; hud: Hud; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; selected: Selected; versions: Versions; keepsake: Keepsake; seat: Seat; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; taken: Taken; classEnded: ClassEnded; run: Run; resumed: Resumed; showMeasures: ShowMeasures; copied: Copied; textsTaken: TextsTaken; lessonTaken: LessonTaken; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; link: Link; plan: Plan; frame: Frame; damage: Damage; arrows: Arrows };

@@ -2,29 +2,41 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from typing import Any, Literal
 
 import numpy as np
 
 import sim
+from app.classroom.law import power_law
 from app.classroom.live import Class, Front
 from app.classroom.room import Content, Ghost, Line, Phase, Room, Vote, Work
-from sim.errors import InputError
+from sim.errors import InputError, SettingError
 from sim.motion.quantities import quantity
 from sim.scene.lesson import Goal, Reading
+from sim.settings import CHOICES, setting_of
 
 from ...drawing.sketch import Mapping
 from ...session.session import Session
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...wire.to_page import Asking, ClassEnded, Predictions, Seat
+from ...wire.to_page import Asking, ClassEnded, Found, Law, Predictions, Seat
+from ..body.view import picture_of
 from ..controls import Controls
 
 Kind = Literal["vote", "ghost", "line", "work"]
 _KINDS: dict[type[Content], Kind] = {Vote: "vote", Ghost: "ghost", Line: "line", Work: "work"}
 
 NOTHING = Controls(())
+
+MOST_PLACES = 60
+"""Masses in a small picture of a body."""
+
+MOST_OPENINGS = 1_000_000
+"""Bodies that one page has in turn, at most, for their numbers to be those of no other page."""
+
+_numbers = itertools.count()
 
 
 class Role:
@@ -34,7 +46,7 @@ class Role:
         place: HTML above the panel's sliders, where the page's script finds room.
     """
 
-    place = ""
+    place = '<div id="softrod-class-place"></div>'
 
     @property
     def controls(self) -> Controls | None:
@@ -98,6 +110,7 @@ class ClassRole(Role):
         self._mail = mail
         self._told_end = False
         self._known: tuple[Any, ...] = ()
+        self._first_opening = MOST_OPENINGS * next(_numbers)
 
     @property
     def room(self) -> Room:
@@ -107,6 +120,22 @@ class ClassRole(Role):
     @property
     def front(self) -> Front | None:
         return self.klass.front
+
+    def _shown(self, session: Session) -> Front:
+        """What the page shows of its own body, for others to look at."""
+        damage, angles = session.simulation.damage, session.simulation.rest_angles
+        angles = angles - session.simulation.rest_angle_shift
+        if damage is not None and damage.set_angles:
+            angles = angles - np.array(damage.set_angles)
+        return Front(
+            session.scene,
+            self._first_opening + session.openings,
+            session.revision,
+            angles,
+            picture_of(session),
+            session.playing,
+            session.pacer.speed,
+        )
 
     def _is_new(self, *things: Any) -> bool:
         """Whether the class, or one of these things, is another than the last time that this was asked."""
@@ -195,6 +224,58 @@ def predictions(klass: Class) -> Predictions:
             _in_world(mapping, a.content.points) for a in alone or given if isinstance(a.content, Ghost)
         )
     )
+
+
+def found_by(room: Room) -> tuple[Found, ...]:
+    """The points of the class's plot: what was handed in at the present stop, over what was set."""
+    return tuple(
+        Found(setting=work.setting, found=work.found)
+        for answer in room.given(room.at, 0, Work)
+        if isinstance(work := answer.content, Work)
+        and work.setting is not None
+        and work.found is not None
+        and not work.doubt
+    )
+
+
+def law_of(found: Sequence[Found]) -> Law | None:
+    """The power law of the class's plot; None where it has none."""
+    law = power_law([(one.setting, one.found) for one in found])
+    return None if law is None else Law(factor=law.factor, exponent=law.exponent)
+
+
+def over(klass: Class) -> str:
+    """What the class's plot is over: what the first slider of the present step sets."""
+    step = klass.room.step
+    for key in step.controls if step is not None else ():
+        if key not in CHOICES:
+            try:
+                return setting_of(klass.scene(klass.room.at), key).label.lower()
+            except SettingError:
+                return key
+    return ""
+
+
+def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int], ...]:
+    """Where masses are, for a small picture: thousandths of the scene's frame from its left and upper edge.
+
+    Args:
+        positions: (n, 2), in the scene's units.
+        scene: that they are of.
+
+    Returns:
+        of the first `MOST_PLACES` masses; nothing where one is nowhere.
+    """
+    xmin, ymin, xmax, ymax = scene.view.frame
+    positions = positions[:MOST_PLACES]
+    if not np.isfinite(positions).all():
+        return ()
+    x = (positions[:, 0] - xmin) / (xmax - xmin)
+    y = (positions[:, 1] - ymin) / (ymax - ymin)
+    if not scene.view.y_down:
+        y = 1.0 - y
+    rounded = np.clip(np.rint(1000.0 * np.column_stack((x, y))), -1000, 2000).astype(int)
+    return tuple((x, y) for x, y in rounded.tolist())
 
 
 def _in_world(mapping: Mapping, points: Sequence[tuple[float, float]]) -> tuple[tuple[float, float], ...]:

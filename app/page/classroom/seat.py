@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import secrets
-
 import msgspec
 import numpy as np
 
@@ -23,7 +21,7 @@ from ...wire import from_page
 from ...wire.carrier import Mail
 from ...wire.to_page import Given, Seat, Taken
 from ..controls import Controls
-from .role import NOTHING, ClassRole, asking, kind_of, predictions, text_of
+from .role import NOTHING, ClassRole, asking, kind_of, places_of, predictions, text_of
 
 _HANDS = (from_page.At, from_page.Grab, from_page.Drop, from_page.Keys, from_page.GoTo, from_page.Speed)
 _OWN = (*_HANDS, from_page.Visit, from_page.Perform, from_page.Pick, from_page.Seen)
@@ -35,9 +33,6 @@ _ALWAYS = (from_page.InSeat, from_page.Who, from_page.Unread)
 LOOK_EVERY = 0.5
 """Seconds between two looks at what a pupil's body does."""
 
-MOST_PLACES = 60
-"""Masses in a picture of a pupil's body."""
-
 
 class SeatRole(ClassRole):
     """One pupil's page; of several pages of one browser, the one that came last has the seat.
@@ -46,8 +41,6 @@ class SeatRole(ClassRole):
         klass: the class.
         mail: to the page's script.
     """
-
-    place = '<div id="softrod-seat"></div>'
 
     def __init__(self, klass: Class, mail: Mail) -> None:
         super().__init__(klass, mail)
@@ -61,7 +54,7 @@ class SeatRole(ClassRole):
         self._watch: GoalWatch | None = None
         self._meter: Meter | None = None
         self._begun = -1
-        self._reached = False
+        self._reached = self._touched = False
         self._found: float | None = None
         self._look_due = 0.0
 
@@ -74,7 +67,8 @@ class SeatRole(ClassRole):
 
     @property
     def front(self) -> Front | None:
-        if self.seat is not None and self.room.phase in FREE:
+        seat, room = self.seat, self.room
+        if seat is not None and room.phase in FREE and not room.gathered and not seat.follows:
             return None
         return self.klass.front
 
@@ -108,7 +102,9 @@ class SeatRole(ClassRole):
                     self._of_room().twins = two
                     self.room.version += 1
                 case from_page.LeaveBy():
-                    self.room.offer_move(self._of_room().number, f"{secrets.randbelow(100):02}")
+                    self.room.offer_move(self._of_room().number)
+                case from_page.Follow(on):
+                    self.room.follow(self._of_room().number, on)
         except Refused as error:
             ids = (said.id,) if isinstance(said, from_page.Give) else ()
             self._mail.tell(Taken(ids=ids, refused=str(error)))
@@ -129,6 +125,8 @@ class SeatRole(ClassRole):
                 else:
                     self.begin()
             self._look(session)
+            if self.room.seat_on_wall == self._number:
+                self.klass.lent = self._shown(session)
             if self._paused != self.room.paused:
                 self._paused = self.room.paused
                 session.post(commands.Play(not self._paused))
@@ -170,6 +168,7 @@ class SeatRole(ClassRole):
         step = self.room.step
         if self._begun != session.openings:
             self._begun, self._reached, self._found = session.openings, False, None
+            self._touched = False
             goal, collect = (step.goal, step.collect) if step is not None else (None, None)
             try:
                 self._watch = GoalWatch(goal, session.scene) if goal is not None else None
@@ -180,12 +179,14 @@ class SeatRole(ClassRole):
             self._reached = True
         if self._meter is not None:
             self._found = self._meter.take(session.simulation)
+        self._touched = self._touched or session.recorder.acts > 0
         now = session.now()
         if now >= self._look_due:
             self._look_due = now + LOOK_EVERY
-            self.klass.doing[self._number] = Doing(self._word(session), _places(session))
+            places = places_of(session.simulation.positions, session.scene)
+            self.klass.doing[self._number] = Doing(self._word(session, places), places, self._touched)
 
-    def _word(self, session: Session) -> Word:
+    def _word(self, session: Session, places: tuple[tuple[int, int], ...]) -> Word:
         if session.simulation.divergence is not None:
             return "exploded"
         if self._reached:
@@ -193,7 +194,7 @@ class SeatRole(ClassRole):
         if not session.playing:
             return "paused"
         before = self.klass.doing.get(self._number, Doing()).places
-        return "at rest" if before == _places(session) else "moving"
+        return "at rest" if before == places else "moving"
 
     def _enter(self) -> None:
         try:
@@ -245,11 +246,14 @@ class SeatRole(ClassRole):
             raise Refused("There is no run to hand in now.")
         if session.replay is not None:
             raise Refused("A log is being played; there is nothing to hand in.")
+        positions = session.simulation.positions[:2000]
+        is_somewhere = bool(np.isfinite(positions).all())
         content = Work(
             found=self._found,
             setting=_setting(session.scene, step),
             reached=None if self._watch is None else self._reached,
-            points=tuple((float(x), float(y)) for x, y in session.simulation.positions[:2000]),
+            points=tuple((float(x), float(y)) for x, y in positions) if is_somewhere else (),
+            damage=session.simulation.damage if is_somewhere else None,
         )
         answer = Answer(said.id, said.turn, seat.number, said.twin, said.stop, said.round, content)
         if step is None:
@@ -275,8 +279,10 @@ class SeatRole(ClassRole):
             types_name=room.own_names,
             digits=seat.move,
             follows=self.front is not None,
+            gathered=room.gathered,
             paused=room.paused,
             away=not self.klass.teachers,
+            on_wall=room.is_on_wall(seat.number),
             reached=self._reached,
             asking=asking(room),
             given=tuple(
@@ -292,20 +298,6 @@ class SeatRole(ClassRole):
                 if answer.stop == room.at
             ),
         )
-
-
-def _places(session: Session) -> tuple[tuple[int, int], ...]:
-    """Where masses are, thousandths of the scene's frame."""
-    xmin, ymin, xmax, ymax = session.scene.view.frame
-    positions = session.simulation.positions[:MOST_PLACES]
-    if not np.isfinite(positions).all():
-        return ()
-    x = (positions[:, 0] - xmin) / (xmax - xmin)
-    y = (positions[:, 1] - ymin) / (ymax - ymin)
-    if not session.scene.view.y_down:
-        y = 1.0 - y
-    rounded = np.clip(np.rint(1000.0 * np.column_stack((x, y))), -1000, 2000).astype(int)
-    return tuple((x, y) for x, y in rounded.tolist())
 
 
 def _setting(scene: sim.Scene, step: Step | None) -> float | None:
