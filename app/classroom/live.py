@@ -11,7 +11,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol
 
 import msgspec
 
@@ -28,6 +28,9 @@ from .judge import Verdict, judge
 from .room import MOST_STOPS, Answer, Refused, Room, Work, digest
 from .takeaway import log_path
 
+if TYPE_CHECKING:
+    import viser
+
 WRITE_EVERY = 0.1
 """Seconds between two writings of a class; what was given in between is acknowledged together."""
 
@@ -42,18 +45,20 @@ class Front:
     """What the teacher's page shows, for all who look at it: none of it changes any more.
 
     Attributes:
+        number: of the plan of what is drawn: another one for everything that changed but the motion.
+        audience: the pages that have that plan or an earlier one, and are sent the pictures.
         scene: of the body.
         opening: another number for every body that took the place of another.
-        revision: another number whenever anything but the motion changed.
         rest_angles: (J,) degrees, as the page draws them.
         picture: where the masses are.
         playing: whether the clock runs.
         speed: simulated seconds per second.
     """
 
+    number: int
+    audience: set[viser.ClientHandle]
     scene: sim.Scene
     opening: int
-    revision: int
     rest_angles: Floats
     picture: Picture
     playing: bool
@@ -98,6 +103,7 @@ class Class:
     Attributes:
         room: as above.
         front: what the teacher's page shows; None until there was one.
+        audience: the pages that look at it.
         teachers: how many pages of teachers there are.
         desk: the teacher's page whose body all look at.
         pupils: the page that each seat has, by its number; the last one, where there are several.
@@ -114,6 +120,7 @@ class Class:
         self._bodies_are_new = False
         self._bodies_due = 0.0
         self.front: Front | None = None
+        self.audience: set[viser.ClientHandle] = set()
         self.teachers = 0
         self.desk: object | None = None
         self.pupils: dict[int, Pupil] = {}

@@ -128,7 +128,7 @@ class Connection(ServerConnection):
     async def _answer_beat(self) -> None:
         # What is on its way is a sign of life, too; to wait behind it would hold up the page's messages.
         if not self.transport.get_write_buffer_size():
-            await self.send(viser_inside.no_messages())
+            await self.send(viser_inside.batch())
 
     def process_event(self, event: Event) -> None:
         """Cut the connection if it sends endless frames that are no messages."""

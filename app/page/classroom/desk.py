@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 
 import msgspec
 import numpy as np
 
-from app.classroom.live import Class, Front, is_key
+from app.classroom.live import Class, Doing, Front, is_key
 from app.classroom.room import FREE, PHASE_OF, Phase, Refused, Vote, Work
 from app.classroom.takeaway import pack
 from sim.errors import SettingError
@@ -19,11 +20,16 @@ from ...wire.carrier import Mail
 from ...wire.to_page import Desk, DeskAnswer, DeskSeat, DeskStop, Posters
 from ..body.view import picture_of
 from ..controls import Controls
+from .front import looks_alike, send
 from .role import NOTHING, ClassRole, asking, kind_of, predictions, text_of
 from .seat import MOST_PLACES
 
 STILL = frozenset((Phase.SHOW, Phase.ASK))
 """Phases that begin with the body as its step has it, at rest in time."""
+
+
+_numbers = itertools.count(1_000_000)
+"""Of plans that all pages of a class have: no page has so many of its own."""
 
 
 class DeskRole(ClassRole):
@@ -46,6 +52,10 @@ class DeskRole(ClassRole):
         self._address, self._qr, self._download = address, qr, download
         self._is_teacher = False
         self._opened: tuple[int, Phase, int] | None = None
+        self._plan: tuple[int, int] = (-1, -1)
+        self._number = 0
+        self._posters: tuple[tuple[int, Doing], ...] | None = None
+        self._angles = np.empty(0)
 
     @property
     def controls(self) -> Controls | None:
@@ -94,13 +104,15 @@ class DeskRole(ClassRole):
         if self.klass.desk is self:
             self._lead(session)
         doing = self.klass.doing if self.room.phase in FREE else {}
-        springs = self.klass.scene(self.room.at).linear_springs if doing else ()
-        self._mail.tell(
-            Posters(
-                places={str(number): one.places for number, one in doing.items()},
-                springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MOST_PLACES),
+        if (posters := tuple(doing.items())) != self._posters:
+            self._posters = posters
+            springs = self.klass.scene(self.room.at).linear_springs if doing else ()
+            self._mail.tell(
+                Posters(
+                    places={str(number): one.places for number, one in posters},
+                    springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MOST_PLACES),
+                )
             )
-        )
         if self._is_new(self.klass.written, *(one.word for one in doing.values())):
             self._mail.tell(self._state())
             self._mail.tell(predictions(self.klass))
@@ -154,19 +166,30 @@ class DeskRole(ClassRole):
         predicted = step.predict if step is not None and room.phase is Phase.RUN else None
         if predicted is not None and session.playing and session.simulation.time >= predicted:
             session.post(commands.Play(False))
-        damage, angles = session.simulation.damage, session.simulation.rest_angles
-        angles = angles - session.simulation.rest_angle_shift
-        if damage is not None and damage.set_angles:
-            angles = angles - np.array(damage.set_angles)
-        self.klass.front = Front(
+        self._show(session)
+
+    def _show(self, session: Session) -> None:
+        """Have all see what this page does."""
+        before, simulation = self.klass.front, session.simulation
+        plan = session.openings, session.revision
+        if plan != self._plan or before is None:
+            self._plan, self._number = plan, next(_numbers)
+            self._angles = simulation.rest_angles - simulation.rest_angle_shift
+            if (damage := simulation.damage) is not None and damage.set_angles:
+                self._angles = self._angles - np.array(damage.set_angles)
+        front = Front(
+            self._number,
+            self.klass.audience,
             session.scene,
             session.openings,
-            session.revision,
-            angles,
+            self._angles,
             picture_of(session),
             session.playing,
             session.pacer.speed,
         )
+        if before is None or not looks_alike(before, front):
+            self.klass.front = front
+            send(front, session.now())
 
     def _open(self, session: Session) -> None:
         try:
