@@ -125,11 +125,12 @@ class Class:
         self.desk: object | None = None
         self.pupils: dict[int, Pupil] = {}
         self.doing: dict[int, Doing] = {}
-        self._judged: list[tuple[str, Future[Verdict]]] = []
+        self._judged: list[tuple[str, Future[Verdict | None]]] = []
         self.ended = False
         self._clock = clock
         self._scenes: dict[int, sim.Scene] = {}
         self._writer = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-class-{room.code}")
+        self._judge = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-judge-{room.code}")
         self._writing: tuple[int, Future[None]] | None = None
         self._due = 0.0
         self.written = -1
@@ -171,9 +172,20 @@ class Class:
         content = answer.content
         if isinstance(content, Work):
             answer = msgspec.structs.replace(answer, content=msgspec.structs.replace(content, log=name))
-        if self.room.take(answer.seat, answer):
-            work = self._writer.submit(_keep_and_judge, self.room.code, name, log, step, scene)
-            self._judged.append((answer.id, work))
+        before = self.room.before(answer)
+        if not self.room.take(answer.seat, answer):
+            return
+        # Before the class's file, which says that it is there; nothing waits until it is judged.
+        written = self._writer.submit(_keep_log, self.room.code, name, log)
+        if before is not None and isinstance(before.content, Work):
+            self._writer.submit(log_path(self.room.code, before.content.log).unlink, missing_ok=True)
+
+        def look() -> Verdict | None:
+            written.result()
+            is_last = answer.id in self.room.answers
+            return judge(decode_log(log, "the log"), scene, step) if is_last else None
+
+        self._judged.append((answer.id, self._judge.submit(look)))
 
     def _take_verdicts(self) -> None:
         """What the logs say goes before what was seen of the runs."""
@@ -182,8 +194,11 @@ class Class:
             answer = self.room.answers.get(id)
             if (error := future.exception()) is not None:
                 _log.error("a log of the class %s was not kept: %s", self.room.code, error)
-            elif answer is not None and isinstance(answer.content, Work):
-                verdict = future.result()
+            elif (
+                answer is not None
+                and isinstance(answer.content, Work)
+                and (verdict := future.result()) is not None
+            ):
                 content = msgspec.structs.replace(
                     answer.content,
                     reached=verdict.reached and not verdict.refused,
@@ -218,6 +233,7 @@ class Class:
 
     def close(self) -> None:
         """Write what is new, and wait for it; the server ends."""
+        self._judge.shutdown(wait=False, cancel_futures=True)
         self._writer.shutdown(wait=True)
         if not self.ended:
             kept.write(kept.encode(self.room), self.room.code)
@@ -229,6 +245,7 @@ class Class:
         Raises:
             OSError: something of it is still on the disk; the class goes on.
         """
+        self._judge.shutdown(wait=False, cancel_futures=True)
         self._writer.shutdown(wait=True)
         kept.forget(self.room.code)
         self.ended = True
@@ -238,12 +255,11 @@ class Class:
         self.room.version += 1
 
 
-def _keep_and_judge(code: str, name: str, data: bytes, step: Step, scene: sim.Scene) -> Verdict:
-    """Write a log that was handed in, and do it again."""
+def _keep_log(code: str, name: str, data: bytes) -> None:
+    """Write a log that was handed in."""
     path = log_path(code, name)
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     write_atomically(path, data)
-    return judge(decode_log(data, "the log"), scene, step)
 
 
 class Classes:

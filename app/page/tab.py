@@ -62,6 +62,9 @@ KEEP_EVERY, KEEP_SHARE, KEEP_LATEST = 1.0, 0.001, 3.0
 """Seconds between two keepsakes, at least; the share of processor time that making them may take; and seconds
 between two, at most, whatever they take."""
 
+MOST_REQUESTS = 20
+"""What one page may ask the ticker for in a frame; what comes faster waits, or is dropped."""
+
 SHELF_EVERY = 0.3
 """Seconds between two looks whether scenes were saved or deleted, in whatever page."""
 
@@ -608,7 +611,8 @@ class Tab:
 
     def _serve_requests(self, session: Session) -> None:
         self._page.serve()
-        while self._requests:
+        # No more in a frame than a person can ask for: others wait for the same thread.
+        for _ in range(min(len(self._requests), MOST_REQUESTS)):
             self._requests.popleft()(session)
 
     # --------------------------------------------------------------------- what was asked for

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any, Literal
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
 import sim
 from app.classroom.live import Class, Front
-from app.classroom.room import Content, Ghost, Line, Phase, Room, Vote, Work
+from app.classroom.room import Answer, Content, Ghost, Line, Phase, Room, Vote, Work
 from sim.errors import InputError
 from sim.motion.quantities import quantity
 from sim.scene.lesson import Goal, Reading
@@ -188,13 +189,17 @@ def predictions(klass: Class) -> Predictions:
     if room.phase not in (Phase.RESULTS, Phase.RUN, Phase.EXPLAIN):
         return Predictions()
     given = room.given(room.at, room.round if room.phase is Phase.RESULTS else 0, Ghost)
-    alone = [answer for answer in given if answer.id == room.on_wall]
-    mapping = Mapping.of(klass.scene(room.at))
-    return Predictions(
-        bodies=tuple(
-            _in_world(mapping, a.content.points) for a in alone or given if isinstance(a.content, Ghost)
-        )
-    )
+    shown = tuple(answer for answer in given if answer.id == room.on_wall) or tuple(given)
+    known = _known.get(klass)
+    if known is None or known[0] != shown:
+        mapping = Mapping.of(klass.scene(room.at))
+        points = (answer.content.points for answer in shown if isinstance(answer.content, Ghost))
+        _known[klass] = known = shown, Predictions(bodies=tuple(_in_world(mapping, one) for one in points))
+    return known[1]
+
+
+_known: WeakKeyDictionary[Class, tuple[tuple[Answer, ...], Predictions]] = WeakKeyDictionary()
+"""The predictions that each class saw last: all of its pages ask for the same."""
 
 
 def _in_world(mapping: Mapping, points: Sequence[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
