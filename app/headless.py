@@ -66,15 +66,15 @@ class PositionTable:
 
     def add(self, simulation: sim.Simulation) -> None:
         """As `Table` says."""
-        book = simulation.energy() if self._energies else None
-        energies = (getattr(book, name) for name in self._energies)
+        balance = simulation.energy() if self._energies else None
+        energies = (getattr(balance, name) for name in self._energies)
         places = simulation.positions.ravel().tolist()
         self._rows.append((simulation.step_count, simulation.time, *energies, *places))
 
     def write(self, path: Path, decimal_comma: bool = False) -> None:
         """Write as CSV (17 significant digits) or NPZ (`step`, `time`, `positions` of shape (rows, n, 2)).
 
-        With energies, there is a column, or an array, for each field of `sim.EnergyBook`.
+        With energies, there is a column, or an array, for each field of `sim.Energies`.
 
         Raises:
             InputError: the ending is neither, or the file cannot be written.

@@ -16,7 +16,7 @@ from .analysis.tuning import Tuning, Vibration, tuning
 from .analysis.vibrations import Vibrations, vibrations
 from .edit.tune import damp_vibration, make_stable
 from .errors import InputError, SceneError, SettingError
-from .motion.energy import EnergyBook
+from .motion.energy import Energies
 from .motion.moment import Moment
 from .motion.quantities import KINDS as QUANTITIES
 from .motion.quantities import Quantity, quantity
@@ -72,7 +72,7 @@ __all__ = [
     "Cloth",
     "Contact",
     "Divergence",
-    "EnergyBook",
+    "Energies",
     "FlagPole",
     "Gas",
     "Girder",

@@ -163,13 +163,13 @@ class Choose(Act, frozen=True, tag_field="do", tag="choose"):
         simulation.replace(sim.set_choice(simulation.scene, self.key, self.value))
 
 
-class FollowEnergy(Act, frozen=True, tag_field="do", tag="books"):
+class FollowEnergy(Act, frozen=True, tag_field="do", tag="energy"):
     """Whether the energy is followed from here on."""
 
     on: bool
 
     def do(self, simulation: sim.Simulation) -> None:
-        simulation.keep_books(self.on)
+        simulation.track_energy(self.on)
 
 
 class Restore(Entry, frozen=True, tag_field="do", tag="restore"):

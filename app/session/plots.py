@@ -301,7 +301,7 @@ def _value(session: Session, quantity: sim.Quantity) -> float:
         value = math.nan if ghost is None or ghost.waits else ghost.distance
     elif of == "stability":
         value = simulation.dt / session.stability.limit  # the meter is looked at now and then
-    elif of == "energy" and not simulation.keep_books(True):
+    elif of == "energy" and not simulation.track_energy(True):
         value = math.nan  # its kernels are still being compiled
     else:
         value = quantity.read(simulation)

@@ -194,7 +194,7 @@ class Recorder:
         self._put_off(moment, with_scene=True)
         for mass in grabbed:
             self.do(log.Grab(mass=mass))
-        self.simulation.keep_books(self._follows_energy)
+        self.simulation.track_energy(self._follows_energy)
         self._note_holding()
         self._complete = self.simulation.complete
 

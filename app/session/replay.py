@@ -36,7 +36,7 @@ class Player:
     def __init__(self, record: Log, simulation: sim.Simulation, energy: bool = False) -> None:
         self.record, self.simulation, self._energy = record, simulation, energy
         if energy:
-            simulation.keep_books(True)
+            simulation.track_energy(True)
         self.steps = 0
         self.difference: str | None = None
         self._index = self._times = self._checks = 0

@@ -22,7 +22,7 @@ from ..scene.validate import validate
 
 _MOST_STEPS = 3000
 """Largest number of steps."""
-_TURN = 0.5
+_MAX_ROTATION = 0.5
 """Largest relative movement of a spring's ends in a step, as a fraction of its length."""
 _CONTRACTION = 0.5
 """Largest size of each iteration of a step relative to the one before."""
@@ -369,7 +369,7 @@ def _continuation(body: Resting) -> Floats:
                 shift = neutral
                 continue
             turned = body.turn(q, move)
-            if turned <= _TURN:
+            if turned <= _MAX_ROTATION:
                 ratio, to_q = _settle(body, q, move, shift)
                 if not body.no_tunnelling(q, to_q):
                     ratio = np.inf
@@ -381,7 +381,7 @@ def _continuation(body: Resting) -> Floats:
                     f"equilibrium: the body would leave ±{MAX_COORDINATE:g} px; nothing stops it{friction}"
                 )
             # In the end a step is one of Newton's method, and its second iteration hardly moves.
-            calm = max(turned / _TURN, ratio / _CONTRACTION)
+            calm = max(turned / _MAX_ROTATION, ratio / _CONTRACTION)
             shift = max(shift * max(2.0 * calm, 1e-3), _LOWEST)
         elif shift < 1e6:
             shift = max(10.0 * shift, _LOWEST)
@@ -446,7 +446,7 @@ def _search(body: Resting, q: Floats, a: Floats) -> tuple[float, Floats, Floats]
     along = np.zeros(q.size)
     along[free] = move[free] / np.tile(body.state.inverse_mass, 2)[free]  # a times this is a power
     power = float(a @ along)
-    part = min(1.0, _TURN / max(body.turn(q, move), 1e-300))
+    part = min(1.0, _MAX_ROTATION / max(body.turn(q, move), 1e-300))
     to_q, to_a = q, a
     for _ in range(_HALVINGS):
         to_q = q + part * move

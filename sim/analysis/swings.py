@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-_TURN = 0.03
+_RIPPLE = 0.03
 """Part of the curve's range by which it must go back after an extreme, or that is a ripple and none."""
 
 _REGULAR = 0.25
@@ -65,7 +65,7 @@ def swings(time: Floats, values: Floats) -> Swings | None:
     reach = float(np.ptp(values)) if values.size else 0.0
     if values.size < 8 or not reach > _STILL * size:
         return None
-    at = _turns(values, _TURN * reach)
+    at = _turns(values, _RIPPLE * reach)
     if len(at) < 4:
         return None
     extremes = np.array([_vertex(values, i) for i in at])

@@ -32,7 +32,7 @@ _PART = 1.0 / 3.0
 _SLOWEST = 100.0
 """Speed, px/s, that is always allowed."""
 
-_EAGERNESS = 30.0
+_APPROACH_RATE = 30.0
 """Rate at which a hand approaches the pointer, 1/s."""
 
 LONGEST_PART = 0.02
@@ -105,12 +105,12 @@ class Hand:
     @property
     def is_there(self) -> bool:
         """Whether it has come to rest at its goal."""
-        return self.distance < _THERE and float(np.abs(self._state[1]).max()) < _EAGERNESS * _THERE
+        return self.distance < _THERE and float(np.abs(self._state[1]).max()) < _APPROACH_RATE * _THERE
 
     def next_motion(self, duration: float) -> HandMotion:
         """Its motion during the next `duration` seconds, at most `LONGEST_PART`."""
         position, speed, acceleration = self._state
-        way, w = self.goal - position, _EAGERNESS
+        way, w = self.goal - position, _APPROACH_RATE
         # It would follow a goal that keeps this distance with its largest speed.
         most = 3.0 * self._fastest / w
         way *= min(1.0, most / max(float(np.hypot(*way)), most))

@@ -13,7 +13,7 @@ from .solver import Solver
 
 
 @dataclass(frozen=True)
-class EnergyBook:
+class Energies:
     """The energies, and what has changed their sum since the balance was opened, in kg px²/s².
 
     Attributes:
@@ -66,12 +66,12 @@ class EnergyBook:
 _OTHERS = tuple(term.name for term in WITH_ENERGY)
 
 ENERGY_FIELDS = tuple(
-    name for field in fields(EnergyBook) for name in (_OTHERS if field.name == "others" else (field.name,))
+    name for field in fields(Energies) for name in (_OTHERS if field.name == "others" else (field.name,))
 )
 """Names of the entries of the balance."""
 
 
-class Books:
+class EnergyTracker:
     """Keeps the energy balance of a simulation; made only when it is asked for.
 
     Args:
@@ -85,12 +85,12 @@ class Books:
         self._energies = np.zeros(ENERGIES)
         self._start = self.total()
 
-    def read(self) -> EnergyBook:
+    def read(self) -> Energies:
         """The present balance."""
         total = self.total()
         work = self._solver.balance.work
         energies = self._energies.tolist()
-        return EnergyBook(
+        return Energies(
             *energies[:OTHERS],
             others=tuple(energies[OTHERS:]),
             anchors=work.anchors,
@@ -116,11 +116,11 @@ class Books:
         """Enter that held masses were moved at once, grabbed or released; the total was `before`."""
         self._solver.balance.work.anchors += self.total() - before
 
-    def take_over(self, old: Books) -> None:
+    def take_over(self, old: EnergyTracker) -> None:
         """Continue the balance of a simulation with other settings."""
         self._solver.balance.work.take_over(old._solver.balance.work)
-        book = old._last
-        self._changes = book.changes + self.total() - book.total
+        balance = old._last
+        self._changes = balance.changes + self.total() - balance.total
         self._start = old._start
 
     def close(self) -> None:

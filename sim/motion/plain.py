@@ -17,7 +17,7 @@ from ..scene.types import Scene
 from .solver import UNLIMITED, SolverStats
 from .stability import damped_limit
 
-_CAREFULLY = 0.2
+_SAFETY = 0.2
 """Step of Verlet relative to the estimated stability limit, which is for a body near its rest lengths."""
 
 
@@ -46,7 +46,7 @@ class PlainSolver:
         # Euler takes the scene's step. Verlet stands in for methods that may handle longer steps than it
         # does.
         self._euler = method.order == 1
-        self._longest = dt if self._euler else min(dt, _CAREFULLY * damped_limit(system))
+        self._longest = dt if self._euler else min(dt, _SAFETY * damped_limit(system))
         self._a: Vectors | None = None  # of the present state
 
     @property
@@ -64,7 +64,7 @@ class PlainSolver:
         self.time, self._a = time, None
 
     @property
-    def keeps_books(self) -> bool:
+    def tracks_energy(self) -> bool:
         """Whether it keeps an energy balance: never."""
         return False
 

@@ -23,7 +23,7 @@ from ..forces.joints import JointsTwin
 from ..forces.springs import SpringsTwin
 from ..kernels.core.tables import CONTROL_SCALE, State
 from ..scene.types import Scene
-from .energy import ENERGY_FIELDS, EnergyBook
+from .energy import ENERGY_FIELDS, Energies
 from .stability import StabilityEstimate
 
 Floats = NDArray[np.float64]
@@ -51,7 +51,7 @@ class Moving(Protocol):
     def time(self) -> float: ...
     @property
     def dt(self) -> float: ...
-    def energy(self) -> EnergyBook: ...
+    def energy(self) -> Energies: ...
     def stability(self) -> StabilityEstimate: ...
 
 

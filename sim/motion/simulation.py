@@ -24,7 +24,7 @@ from ..scene.validate import validate
 from ..settings import shift_rest_angles
 from .divergence import Divergence, explain
 from .drag import Hands, within_bounds
-from .energy import Books, EnergyBook
+from .energy import Energies, EnergyTracker
 from .loads import LoadCalculator, Loads
 from .moment import Moment
 from .plain import PlainSolver
@@ -217,30 +217,30 @@ class Simulation:
         """What the method did since the last call of this."""
         return self._stepper.stats()
 
-    def energy(self) -> EnergyBook:
+    def energy(self) -> Energies:
         """The energies, and what has changed them since this was first called, or since the last reset.
 
         Raises:
-            InputError: the kernels for that are still being compiled, see `keep_books`.
+            InputError: the kernels for that are still being compiled, see `track_energy`.
         """
-        self.keep_books(True)
-        if self._books is None:
+        self.track_energy(True)
+        if self._tracker is None:
             raise InputError("energy: its kernels are still being compiled")
-        return self._books.read()
+        return self._tracker.read()
 
-    def keep_books(self, on: bool) -> bool:
+    def track_energy(self, on: bool) -> bool:
         """Whether what changes the energy is followed from now on, which takes time in every step.
 
         It cannot be as long as a simulation that does not `wait` lacks the kernels for that.
         """
         solver = self._stepper.solver
         if not on:
-            self._books = None
+            self._tracker = None
             if isinstance(solver, Solver):
                 solver.close_balance()
-        elif self._books is None and isinstance(solver, Solver) and (self._wait or is_ready(FOR_ENERGY)):
-            self._books = self._new_books()
-        return self._books is not None
+        elif self._tracker is None and isinstance(solver, Solver) and (self._wait or is_ready(FOR_ENERGY)):
+            self._tracker = self._new_tracker()
+        return self._tracker is not None
 
     # --------------------------------------------------------------------- acting
     @property
@@ -403,10 +403,10 @@ class Simulation:
         """Back to a moment of this scene, or of another: settings, rest lengths and angles, motion and time.
 
         Hands let go, a divergence is forgotten, and the method begins anew: going on twice from one moment
-        gives the same bits. Keys stay held. The energy's books, if kept, begin anew, and so does what
+        gives the same bits. Keys stay held. The energy balance, if tracked, begins anew, and so does what
         `advance` keeps.
         """
-        kept = self._books is not None
+        kept = self._tracker is not None
         if moment.scene is not self._scene or self._lacks_room_for(moment.damage):
             self._install(moment.scene, moment.damage)
         self._adopt(moment.rows, moment.damage)
@@ -415,7 +415,7 @@ class Simulation:
         controls = moment.rest_length_scale, moment.rest_angle_shift
         self._restart(moment.time, moment.step_count, controls)
         if kept:
-            self.keep_books(True)
+            self.track_energy(True)
 
     def take_state(self, other: Simulation, shift: NDArray[np.float64] | None = None) -> None:
         """Take over positions, velocities, time and held masses of a simulation of the same topology.
@@ -449,16 +449,16 @@ class Simulation:
             self.reset()
             return
         time, steps, rows, damage = self.time, self.step_count, self._rows(), self.damage
-        hands, books = self._hands, self._books
-        if books is not None:
-            books.close()
+        hands, tracker = self._hands, self._tracker
+        if tracker is not None:
+            tracker.close()
         self._install(scene, damage)
         self._adopt(rows, damage)
         self._hands.take_over(hands)
         self._restart(time, steps)
-        # Where the kernels of the new method are still being compiled, there are no books for now.
-        if books is not None and self.keep_books(True) and self._books is not None:
-            self._books.take_over(books)
+        # Where the kernels of the new method are still being compiled, there is no balance for now.
+        if tracker is not None and self.track_energy(True) and self._tracker is not None:
+            self._tracker.take_over(tracker)
 
     # --------------------------------------------------------------------- inside
     def _install(self, scene: Scene, damage: Damage | None = None) -> None:
@@ -478,7 +478,7 @@ class Simulation:
         self._scratch = new_scratch(system)
         self._stepper = self._new_stepper()
         self._meter: StabilityMeter | None = None
-        self._books: Books | None = None
+        self._tracker: EnergyTracker | None = None
         self._load_calculator: LoadCalculator | None = None
         self._damage: Damage | None = None  # as `damage` found it last
         self._hands = Hands(system, self._state, METHODS[self.method].adaptive)
@@ -510,15 +510,15 @@ class Simulation:
 
     @contextmanager
     def _by_hand(self) -> Iterator[None]:
-        """Enter what a hand changes at once into the books, if there are any."""
-        before = self._books.total() if self._books else 0.0
+        """Enter what a hand changes at once into the energy balance, if it is tracked."""
+        before = self._tracker.total() if self._tracker else 0.0
         yield
-        if self._books:
-            self._books.moved(before)
+        if self._tracker:
+            self._tracker.moved(before)
 
-    def _new_books(self) -> Books:
+    def _new_tracker(self) -> EnergyTracker:
         assert isinstance(self._stepper.solver, Solver)
-        return Books(self._state, self._stepper.solver)
+        return EnergyTracker(self._state, self._stepper.solver)
 
     def _with_overrides(self, scene: Scene) -> Scene:
         if isinstance(scene, Scene) and self._overrides:
@@ -559,8 +559,8 @@ class Simulation:
             self._look_at_tables()
         refresh(self._body, self._state)
         self._set_inverse_masses()
-        if self._books is not None:
-            self._books = self._new_books()
+        if self._tracker is not None:
+            self._tracker = self._new_tracker()
 
     def _look_at_tables(self) -> None:
         """Take over the tables of the solver, which lose the springs that break."""

@@ -376,7 +376,7 @@ class Solver:
         self.integrator.run.fastest = speed
 
     @property
-    def keeps_books(self) -> bool:
+    def tracks_energy(self) -> bool:
         """Whether it keeps an energy balance."""
         return bool(self.balance.active)
 

@@ -146,7 +146,7 @@ class Stepper:
                 drive = self._drive(until, targets, presses)
                 if not targets:
                     self._kept, self._presses = drive, presses
-            if all_held and drive.moving and self._adaptive and solver.keeps_books:
+            if all_held and drive.moving and self._adaptive and solver.tracks_energy:
                 what = self._halt(until, drive, min(_HALTS * steps, attempts), attempts)
             else:
                 what = solver.run(until, drive, attempts)

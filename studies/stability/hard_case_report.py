@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 from rich.console import Console
 
-from sim import EnergyBook, Simulation
+from sim import Energies, Simulation
 from sim.methods.registry import METHODS
 
 from ..reporting.output import Watch, comma_separated, grid, make_folder, page, write_page, write_table
@@ -80,25 +80,25 @@ class Ending:
 
 
 def run(
-    case: HardCase, method: str, tolerance: float = 1.0, attempts: int = ATTEMPTS, books: bool = True
+    case: HardCase, method: str, tolerance: float = 1.0, attempts: int = ATTEMPTS, tracks: bool = True
 ) -> Ending:
     """Run a case by a method.
 
     Args:
         tolerance: in those of the case.
         attempts: per sixtieth of a second.
-        books: whether to keep books of the energy.
+        tracks: whether to track the energy.
     """
     asked = case.scene.integrator
     integrator = replace(asked, method=method, tolerance=tolerance * asked.tolerance)
     simulation = Simulation(replace(case.scene, integrator=integrator))
-    simulation.keep_books(books)
+    simulation.track_energy(tracks)
     behind = fallbacks = 0
     for missing in frames_of(case, simulation, attempts):
         behind += missing
         fallbacks += simulation.stats().fallbacks
     stopped = simulation.time if simulation.divergence is not None else None
-    made = _made(simulation.energy(), _worth(case)) if books and stopped is None else math.nan
+    made = _made(simulation.energy(), _worth(case)) if tracks and stopped is None else math.nan
     late = behind * simulation.dt if stopped is None else 0.0
     return Ending(stopped, late, made, simulation.positions, fallbacks)
 
@@ -123,12 +123,12 @@ def _worth(case: HardCase) -> float:
     return weight * tolerance + 0.5 * stiffest * tolerance**2
 
 
-def _made(book: EnergyBook, tolerated: float) -> float:
+def _made(balance: Energies, tolerated: float) -> float:
     """The energy beyond all that was put in, less what is tolerated, in parts of what was turned over."""
-    # What damping and air took counts as negative in the books, and the residual leaves it out.
-    beyond = book.residual + book.damping + book.air - tolerated
-    over = book.kinetic + book.linear + book.angular
-    over += abs(book.anchors) + abs(book.keys) + abs(book.changes)
+    # What damping and air took counts as negative in the balance, and the residual leaves it out.
+    beyond = balance.residual + balance.damping + balance.air - tolerated
+    over = balance.kinetic + balance.linear + balance.angular
+    over += abs(balance.anchors) + abs(balance.keys) + abs(balance.changes)
     return max(beyond, 0.0) / over if over > 0.0 else 0.0
 
 
@@ -136,7 +136,7 @@ def reference(case: HardCase, strict: Sequence[tuple[str, float]] = REFERENCES) 
     """Where the masses end, or None where two strict methods do not agree about it."""
     ends = []
     for method, tolerance in strict:
-        outcome = run(case, method, tolerance, REFERENCE_ATTEMPTS, books=False)
+        outcome = run(case, method, tolerance, REFERENCE_ATTEMPTS, tracks=False)
         if not outcome.survived or outcome.fallbacks:
             return None
         ends.append(outcome.positions)
@@ -178,8 +178,8 @@ def hard_case_report(out: Path, console: Console, only: Sequence[str] = ()) -> i
             row: Row = {}
             for method in ("auto",) if name in long else METHODS:
                 watch.say(f"{name}: {method}")
-                # The books take the work of an anchor from too few looks at a long rod's vibrations.
-                outcome = run(case, method, books=name not in long)
+                # The balance takes the work of an anchor from too few looks at a long rod's vibrations.
+                outcome = run(case, method, tracks=name not in long)
                 if end is not None and outcome.survived:
                     error = _apart(outcome.positions, end) / case.scene.integrator.tolerance
                     outcome = dataclasses.replace(outcome, error=error)

@@ -101,7 +101,7 @@ class Track:
         self._times: list[float] = []
         self._centres: list[Floats] = []
         self._errors = GrowthMeter(simulation) if "growth" in self._wanted else None
-        simulation.keep_books("energy_residual" in self._wanted)
+        simulation.track_energy("energy_residual" in self._wanted)
 
     def look(self) -> None:
         """Note the present state."""
@@ -121,11 +121,11 @@ class Track:
         if self._errors is not None:
             self._errors.look(self._simulation)
         if "energy_residual" in self._wanted:
-            book = self._simulation.energy()
-            self._height = book.gravity if self._height is None else self._height
-            height = abs(book.gravity - self._height)
-            self._moved = max(self._moved, book.kinetic + book.linear + book.angular + height)
-            self._residual = max(self._residual, abs(book.residual))
+            balance = self._simulation.energy()
+            self._height = balance.gravity if self._height is None else self._height
+            height = abs(balance.gravity - self._height)
+            self._moved = max(self._moved, balance.kinetic + balance.linear + balance.angular + height)
+            self._residual = max(self._residual, abs(balance.residual))
             self._farthest = max(self._farthest, distance(positions, self._start))
 
     def values(self, measures: Sequence[str], reference: Floats | None) -> tuple[Value, ...]:

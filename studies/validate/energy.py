@@ -18,8 +18,8 @@ TOLERANCES = (1e-4, 1e-5, 1e-6)
 SAMPLES = 20
 """Times at which energies are looked at, within half a second."""
 DURATION = 0.5
-BOOKS_ORDER = 6
-"""Order at which the books add up powers."""
+BALANCE_ORDER = 6
+"""Order at which the balance adds up powers."""
 
 
 def swinging_rope(
@@ -53,23 +53,23 @@ def swinging_rope(
 
 def drift(method: Method, size: float) -> float:
     """The largest change of the energy of a rope without damping, in parts of its largest kinetic energy."""
-    return _worst(swinging_rope(method, size), books=False)
+    return _worst(swinging_rope(method, size), of_balance=False)
 
 
 def residual(method: Method, size: float) -> float:
-    """The largest residual of the energy books of a damped rope on a moving anchor, in the same parts."""
+    """The largest residual of the energy balance of a damped rope on a moving anchor, in the same parts."""
     circle = Circle(radius=30.0, frequency=2.0, ramp=0.1)
-    return _worst(swinging_rope(method, size, 20.0, circle), books=True)
+    return _worst(swinging_rope(method, size, 20.0, circle), of_balance=True)
 
 
-def _worst(simulation: sim.Simulation, books: bool) -> float:
+def _worst(simulation: sim.Simulation, of_balance: bool) -> float:
     first = simulation.energy().total
     worst = largest = 0.0
     for _ in range(SAMPLES):
         simulation.step(round(DURATION / (SAMPLES * simulation.dt)))
-        book = simulation.energy()
-        worst = max(worst, abs(book.residual if books else book.total - first))
-        largest = max(largest, book.kinetic)
+        balance = simulation.energy()
+        worst = max(worst, abs(balance.residual if of_balance else balance.total - first))
+        largest = max(largest, balance.kinetic)
     return worst / largest
 
 
@@ -88,7 +88,7 @@ def _drifts(fast: bool) -> Iterator[Result]:
 def _residuals(fast: bool) -> Iterator[Result]:
     for method in METHODS.values():
         order = METHODS["adams"].order if method.kernel is None else method.order
-        expected = min(order, BOOKS_ORDER) / (order if method.adaptive else 1.0)
+        expected = min(order, BALANCE_ORDER) / (order if method.adaptive else 1.0)
         yield over_sizes(method, _sizes(method, fast), partial(residual, method.name), expected)
 
 
@@ -102,11 +102,11 @@ CASES = (
         _drifts,
     ),
     Case(
-        "books",
-        "Energy books",
+        "balance",
+        "Energy balance",
         "The same rope with damping, its first mass led round a circle of 30 px twice a second: energy, "
         "less the work of the anchor, plus what the damping took, as `Simulation.energy()` has it. The "
-        "books add up powers to sixth order, so that under a method of order 8 the residual goes with the "
+        "balance adds up powers to sixth order, so that under a method of order 8 the residual goes with the "
         "tolerance to the power 6/8.",
         _residuals,
     ),

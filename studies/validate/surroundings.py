@@ -1,4 +1,4 @@
-"""Walls, wind and fillings against exact results, and the energy books of a balloon that meets them all."""
+"""Walls, wind and fillings against exact results, and the energy balance of a balloon that meets them all."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ EXPECTED = {
     "generalized_alpha": 2.0,
     "stable_spring": 1.0,
 }
-"""Slopes of residuals over the step; over the tolerance see `_books`."""
+"""Slopes of residuals over the step; over the tolerance see `_balance`."""
 
 
 def balloon(filling: Gas | Liquid, **spring: float) -> Scene:
@@ -144,10 +144,10 @@ def _moved(seconds: float, **fields: Any) -> sim.Simulation:
     return simulation
 
 
-# ------------------------------------------------------------------------- energy books
+# ------------------------------------------------------------------------- energy balance
 @cache
 def residual(method: Method, what: str, size: float) -> float:
-    """The largest residual of the books, in parts of the energy of the fall.
+    """The largest residual of the balance, in parts of the energy of the fall.
 
     The balloon is thrown sideways over a floor.
 
@@ -162,8 +162,8 @@ def residual(method: Method, what: str, size: float) -> float:
     simulation = sim.Simulation(
         replace(scene, masses=thrown, gravity=(0.0, 1000.0), walls=(FLOOR,), integrator=integrator)
     )
-    book = simulation.energy()
-    fall = book.kinetic + sum(mass.mass for mass in thrown) * 1000.0 * (500.0 - Y)
+    balance = simulation.energy()
+    fall = balance.kinetic + sum(mass.mass for mass in thrown) * 1000.0 * (500.0 - Y)
     worst = 0.0
     for _ in range(SAMPLES):
         simulation.step(round(DURATION / SAMPLES / simulation.dt))
@@ -171,7 +171,7 @@ def residual(method: Method, what: str, size: float) -> float:
     return worst / fall
 
 
-def _books(fast: bool) -> Iterator[Result]:
+def _balance(fast: bool) -> Iterator[Result]:
     for what in list(FRAGILE)[: 1 if fast else None]:
         for method in METHODS.values():
             sizes: tuple[float, ...] = TOLERANCES if method.adaptive else STEPS
@@ -202,10 +202,10 @@ CASES = (
     Case("wind", "Wind", "A mass at rest in a steady wind.", _winds),
     Case(
         "world",
-        "Energy books through bounce, friction, break and yield",
+        "Energy balance through bounce, friction, break and yield",
         "A ring of 24 springs and joints around a gas is thrown sideways over a floor, where it bounces and "
-        "slides; its springs bear everything, or break, or yield. The largest residual of the energy books "
+        "slides; its springs bear everything, or break, or yield. The largest residual of the energy balance "
         "at sixty times within 0.6 s, in parts of the energy of the fall.",
-        _books,
+        _balance,
     ),
 )

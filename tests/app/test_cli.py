@@ -405,7 +405,7 @@ def test_run_records_quantities_with_units_instead_of_positions(
     header, *rows = rows_of(out)
     assert header == ["time [s]", "mass11.y [px]", "energy.residual [kg px^2/s^2]", "joint3.angle [deg]"]
     simulation = sim.Simulation(sim.load_scene("tutorial-3.3"))
-    simulation.keep_books(True)
+    simulation.track_energy(True)
     simulation.step(100)
     row = [simulation.time, simulation.positions[11, 1], simulation.energy().residual, simulation.angles[3]]
     assert [float(value) for value in rows[-1]] == row

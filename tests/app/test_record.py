@@ -38,15 +38,15 @@ def test_a_log_leads_to_the_same_bits_for_any_topology(preset: str) -> None:
     agrees(busy_page(sim.load_scene(preset)))
 
 
-def test_a_log_of_a_follower_of_choices_and_of_books() -> None:
+def test_a_log_of_a_follower_of_choices_and_of_the_energy() -> None:
     page = SessionPage(sim.load_scene("tutorial-3.3"))
     page.frames(20, commands.FollowEnergy(True), commands.Follow(True), commands.Point(290.0, 170.0))
     page.frames(20, commands.SetChoice("method", "adams"), commands.Point(340.0, 190.0))
     page.frames(20, commands.Follow(False), commands.SetChoice("force_law", "conservative"))
     page.frames(20, commands.SetValue("template", 90.0))
     # With another method they begin anew.
-    books = [entry.on for entry in agrees(page).record.entries if isinstance(entry, log.FollowEnergy)]
-    assert books == [True, False, True]
+    followed = [entry.on for entry in agrees(page).record.entries if isinstance(entry, log.FollowEnergy)]
+    assert followed == [True, False, True]
 
 
 def test_a_log_of_a_machine_that_is_too_slow() -> None:

@@ -234,11 +234,11 @@ def test_opening_a_scene_starts_it_anew(page: SessionPage) -> None:
     assert page.session.simulation.step_count > 0
 
 
-def test_opening_a_scene_goes_on_keeping_the_books(page: SessionPage) -> None:
+def test_opening_a_scene_goes_on_tracking_the_energy(page: SessionPage) -> None:
     page.frames(1, commands.FollowEnergy(True), commands.Open(tutorial_preset("ring")))
     assert page.session.follows_energy
     page.frames(30)
-    # Books that were opened only when they are asked for would know nothing of what was damped before.
+    # A balance that was opened only when it is asked for would know nothing of what was damped before.
     assert page.session.simulation.energy().damping < 0.0
 
 

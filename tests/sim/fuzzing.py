@@ -216,7 +216,7 @@ class Ending:
         simulation: as it was left.
         tries: steps tried in the worst frame.
         made: energy that came from nowhere, as a part of all that was turned over.
-        unexplained: the books' residual, as a part of all that was turned over or lost.
+        unexplained: the balance's residual, as a part of all that was turned over or lost.
     """
 
     simulation: Simulation
@@ -236,7 +236,7 @@ def run_case(seed: int, frames: int, budget: int, world: bool = False) -> Ending
             simulation = Simulation(wild_world(scene, rng) if world else scene)
         except sim.SceneError:
             continue
-    simulation.keep_books(True)
+    simulation.track_energy(True)
     simulation.energy()
     does = rng.choice(["nothing", "move", "lead", "keys", "sliders", "tear", "grab"])
     worst = 0
@@ -247,17 +247,22 @@ def run_case(seed: int, frames: int, budget: int, world: bool = False) -> Ending
         worst = max(worst, stats.steps + stats.rejected)
         if simulation.divergence is not None:
             break
-    book = simulation.energy()
+    balance = simulation.energy()
     turned_over = (
-        book.kinetic + book.linear + book.angular + abs(book.anchors) + abs(book.keys) + abs(book.changes)
-    ) + abs(book.law)
-    turned_over += book.walls + abs(book.fillings) + max(book.air, 0.0)
-    lost = -book.damping - min(book.air, 0.0) - book.friction - book.plastic - book.broken
+        balance.kinetic
+        + balance.linear
+        + balance.angular
+        + abs(balance.anchors)
+        + abs(balance.keys)
+        + abs(balance.changes)
+    ) + abs(balance.law)
+    turned_over += balance.walls + abs(balance.fillings) + max(balance.air, 0.0)
+    lost = -balance.damping - min(balance.air, 0.0) - balance.friction - balance.plastic - balance.broken
     return Ending(
         simulation,
         worst,
-        made=(book.residual - lost) / max(turned_over, 1e-9),
-        unexplained=abs(book.residual) / max(turned_over + lost, 1e-9),
+        made=(balance.residual - lost) / max(turned_over, 1e-9),
+        unexplained=abs(balance.residual) / max(turned_over + lost, 1e-9),
     )
 
 

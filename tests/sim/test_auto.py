@@ -113,7 +113,7 @@ def test_no_tolerance_lets_a_light_mass_on_a_strong_damper_run_away(law: ForceLa
     start = simulation.energy().total
     for _ in range(5):
         assert simulation.step(attempts=400) == 1
-        book = simulation.energy()
-        assert book.total <= start
-        assert abs(book.residual) < 0.01 * start
+        balance = simulation.energy()
+        assert balance.total <= start
+        assert abs(balance.residual) < 0.01 * start
     assert simulation.divergence is None

@@ -63,13 +63,13 @@ def test_a_filling_gets_out_of_a_burst_skin(method: Method, kind: str) -> None:
     while simulation.damage is None:
         before = simulation.energy()
         assert simulation.step() == 1 and simulation.time < 1.0
-    book = simulation.energy()
+    balance = simulation.energy()
     assert simulation.damage.broken == (5,)
     # Its energy is gone with it, and the balance says where.
-    assert before.fillings != 0.0 and book.fillings == 0.0
-    assert book.broken == pytest.approx(-before.fillings - 8000.0**2 / (2.0 * 2000.0), rel=0.1)
-    assert abs(book.residual) <= (1e-2 if METHODS[method].order == 1 else 1e-3) * max(
-        abs(start), book.kinetic
+    assert before.fillings != 0.0 and balance.fillings == 0.0
+    assert balance.broken == pytest.approx(-before.fillings - 8000.0**2 / (2.0 * 2000.0), rel=0.1)
+    assert abs(balance.residual) <= (1e-2 if METHODS[method].order == 1 else 1e-3) * max(
+        abs(start), balance.kinetic
     )
     # From then on it moves as a body without it.
     empty = REPLACE(scene, fillings=(), pose=simulation.pose())

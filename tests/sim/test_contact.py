@@ -234,8 +234,8 @@ def test_a_ring_inside_another_bounces_off_and_stays_in(method: Method) -> None:
         gap = at[:10].mean(0) - at[10:].mean(0)
         approaching.append(gap @ (speed[:10].mean(0) - speed[10:].mean(0)) > 0.0)
     assert np.diff(np.array(approaching, int)).tolist().count(-1) >= 2  # it leaves where it has been pushed
-    book = simulation.energy()
-    assert abs(book.residual) <= 0.01 * (abs(book.friction) + book.kinetic)
+    balance = simulation.energy()
+    assert abs(balance.residual) <= 0.01 * (abs(balance.friction) + balance.kinetic)
 
 
 @pytest.mark.parametrize("method", ["auto", "symplectic_euler", "velocity_verlet", "rodas5p"])
@@ -252,7 +252,7 @@ def test_very_rough_bodies_stay_finite(method: Method) -> None:
 
 
 @pytest.mark.parametrize("method", ["auto", "adams", "rodas5p", "rk4", "velocity_verlet"])
-def test_the_books_balance(method: Method) -> None:
+def test_the_balance_closes(method: Method) -> None:
     scene = crumpled("girder", 5, held=(2,))
     simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=2e-5, tolerance=1e-8)))
     simulation.energy()
@@ -262,11 +262,11 @@ def test_the_books_balance(method: Method) -> None:
         simulation.lead(2, (x + i, y - 2.0 * i))
         simulation.step(250)
         worst = max(worst, abs(simulation.energy().residual))
-    book = simulation.energy()
-    assert worst <= 1e-4 * (abs(book.kinetic) + abs(book.linear) + abs(book.damping))
-    assert book.contact > 0.0
-    assert book.friction < -100.0
-    assert abs(book.anchors) > 100.0
+    balance = simulation.energy()
+    assert worst <= 1e-4 * (abs(balance.kinetic) + abs(balance.linear) + abs(balance.damping))
+    assert balance.contact > 0.0
+    assert balance.friction < -100.0
+    assert abs(balance.anchors) > 100.0
 
 
 def test_the_same_bits_again_and_after_going_back() -> None:

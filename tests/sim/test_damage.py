@@ -62,11 +62,11 @@ def test_a_spring_breaks_at_its_strength(method: Method) -> None:
     # It flies on with what the spring has not taken: strength² / 2k.
     taken = 20_000.0**2 / 2000.0
     tolerated = 1e-5 if METHODS[method].adaptive else 0.1
-    book = simulation.energy()
-    assert book.broken == pytest.approx(-taken, rel=3e-3 if METHODS[method].adaptive else 0.1)
-    assert book.kinetic == pytest.approx(500_000.0 + book.broken, rel=tolerated)
-    assert book.linear == 0.0
-    assert abs(book.residual) <= (1e-5 if METHODS[method].adaptive else 0.05) * 500_000.0
+    balance = simulation.energy()
+    assert balance.broken == pytest.approx(-taken, rel=3e-3 if METHODS[method].adaptive else 0.1)
+    assert balance.kinetic == pytest.approx(500_000.0 + balance.broken, rel=tolerated)
+    assert balance.linear == 0.0
+    assert abs(balance.residual) <= (1e-5 if METHODS[method].adaptive else 0.05) * 500_000.0
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -132,7 +132,7 @@ def test_a_spring_yields_by_what_its_energy_says(method: Method, hardening: floa
     simulation = Simulation(flung(method=method, yield_force=10_000.0, hardening=hardening))
     simulation.energy()
     simulation.advance(0.12)  # out, and not so far back that it could yield again
-    damage, book = simulation.damage, simulation.energy()
+    damage, balance = simulation.damage, simulation.energy()
     assert damage is not None and not damage.broken
     # At the turning point all energy is elastic, (Y + H s)² / 2k, or went into yielding, Y s + H s² / 2.
     a, b, c = 0.5 * hardening * (1.0 + hardening / 1000.0), 10_000.0 * (1.0 + hardening / 1000.0), -450_000.0
@@ -141,11 +141,11 @@ def test_a_spring_yields_by_what_its_energy_says(method: Method, hardening: floa
     assert damage.set_lengths[0] == pytest.approx(way, rel=tolerated)
     assert damage.hardened[0] == pytest.approx(hardening * damage.set_lengths[0], rel=1e-9)
     lost = 10_000.0 * way + 0.5 * hardening * way * way
-    assert book.plastic == pytest.approx(-lost, rel=tolerated)
-    assert abs(book.residual) <= 0.03 * 500_000.0
+    assert balance.plastic == pytest.approx(-lost, rel=tolerated)
+    assert abs(balance.residual) <= 0.03 * 500_000.0
 
 
-def test_yielding_is_of_first_order_and_its_books_are_of_the_methods() -> None:
+def test_yielding_is_of_first_order_and_its_balance_is_of_the_methods() -> None:
     ways, residuals = [], []
     for dt in (4e-4, 2e-4, 1e-4):
         scene = flung(method="rk4", yield_force=10_000.0)
@@ -198,14 +198,14 @@ def test_a_joint_yields_and_stays_bent(method: Method, law: ForceLaw) -> None:
     simulation = Simulation(scene)
     simulation.energy()
     simulation.advance(0.2)
-    damage, book = simulation.damage, simulation.energy()
+    damage, balance = simulation.damage, simulation.energy()
     assert damage is not None
     # Its elastic deflection is asin(0.2), or 0.2 under the law of the angle; the rest of the way is for good.
     assert abs(damage.set_angles[0]) > 10.0
     assert simulation.rest_angles[0] == pytest.approx(damage.set_angles[0])
-    assert book.plastic < -1e5
+    assert balance.plastic < -1e5
     tolerated = 0.1 if METHODS[method].order == 1 else 0.02
-    assert abs(book.residual) <= tolerated * 4.5e6
+    assert abs(balance.residual) <= tolerated * 4.5e6
     weaker = Simulation(bent(law, method, yield_torque=1e6, damping=2.0))
     weaker.advance(0.2)
     assert weaker.damage is not None
@@ -362,11 +362,11 @@ def test_the_energy_of_what_touches_a_spring_goes_with_it(method: Method) -> Non
     before = simulation.energy()
     assert before.contact == pytest.approx(300.0 * 7.0**3 / 3.0)
     simulation.step(20)
-    book = simulation.energy()
+    balance = simulation.energy()
     assert simulation.damage is not None and simulation.damage.broken == (0,)
-    assert book.contact == 0.0
-    assert book.broken == pytest.approx(-before.contact - 500.0, rel=1e-3)
-    assert abs(book.residual) <= 1e-3 * before.contact
+    assert balance.contact == 0.0
+    assert balance.broken == pytest.approx(-before.contact - 500.0, rel=1e-3)
+    assert abs(balance.residual) <= 1e-3 * before.contact
 
 
 @pytest.mark.parametrize("method", ADAPTIVE)

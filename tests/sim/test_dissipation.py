@@ -1,4 +1,4 @@
-"""What dampers take away, however strong they are: closed forms, and books that balance."""
+"""What dampers take away, however strong they are: closed forms, and an energy balance that closes."""
 
 from __future__ import annotations
 
@@ -59,9 +59,9 @@ def test_a_damper_takes_what_its_masses_had_of_each_other(method: Method, dampin
     simulation.step(400)
     calmed = 1.0 - math.exp(-2.0 * damping * simulation.time / REDUCED)
     taken = 0.5 * REDUCED * SPEED**2 * calmed
-    book = simulation.energy()
-    assert first.total - book.total == pytest.approx(taken, rel=0.01)
-    assert -book.damping == pytest.approx(taken, rel=0.6 if damping == 1e6 else 0.05)
+    balance = simulation.energy()
+    assert first.total - balance.total == pytest.approx(taken, rel=0.01)
+    assert -balance.damping == pytest.approx(taken, rel=0.6 if damping == 1e6 else 0.05)
 
 
 @pytest.mark.parametrize("damping", STRENGTHS[:6])
@@ -69,14 +69,14 @@ def test_a_damper_of_a_joint_takes_no_more_than_there_is(damping: float) -> None
     simulation = Simulation(hinge(damping), integrator="auto")
     first = simulation.energy()
     simulation.step(400)
-    book = simulation.energy()
-    assert -book.damping <= 1.05 * first.total
-    assert abs(book.residual) < 0.05 * first.total
+    balance = simulation.energy()
+    assert -balance.damping <= 1.05 * first.total
+    assert abs(balance.residual) < 0.05 * first.total
 
 
 @pytest.mark.parametrize("key", ["linear_damping", "angular_damping"])
 @pytest.mark.parametrize("name", ["tutorial-3.3", "ring", "flag-pole", "study-cloth"])
-def test_books_balance_at_any_damping(name: str, key: str) -> None:
+def test_the_balance_closes_at_any_damping(name: str, key: str) -> None:
     scene = sim.load_scene(name)
     scene = REPLACE(scene, force_law="conservative", integrator=sim.Integrator())
     for damping in (1e1, 1e2, 1e3, 1e4, 1e5):
@@ -84,9 +84,9 @@ def test_books_balance_at_any_damping(name: str, key: str) -> None:
         first = simulation.energy()
         for _ in range(30):
             simulation.step(7)
-        book = simulation.energy()
-        put_in = abs(first.gravity - book.gravity) + first.linear + first.angular
-        assert abs(book.residual) < 0.05 * (put_in + book.kinetic), damping
+        balance = simulation.energy()
+        put_in = abs(first.gravity - balance.gravity) + first.linear + first.angular
+        assert abs(balance.residual) < 0.05 * (put_in + balance.kinetic), damping
 
 
 @pytest.mark.parametrize("friction", [5.0, 100.0])
@@ -107,6 +107,6 @@ def test_strong_friction_takes_what_there_is(method: Any, friction: float) -> No
     simulation = sim.Simulation(scene)
     simulation.energy()
     simulation.advance(1.5)
-    book = simulation.energy()
-    assert abs(book.residual) < 0.015 * abs(book.friction)
-    assert -2.0e5 < book.friction < -1.5e5
+    balance = simulation.energy()
+    assert abs(balance.residual) < 0.015 * abs(balance.friction)
+    assert -2.0e5 < balance.friction < -1.5e5

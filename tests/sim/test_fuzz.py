@@ -15,7 +15,7 @@ MADE = 0.1
 """Energy that may come from nowhere, as a part of all that was turned over. What is damped away at once does
 not count, since that is where most errors of a method end."""
 UNEXPLAINED = 0.3
-"""Energy that the books cannot account for, as a part of all that was turned over or lost."""
+"""Energy that the balance cannot account for, as a part of all that was turned over or lost."""
 
 
 @pytest.mark.parametrize("first", part_of(range(0, CASES, BATCH), 8))
@@ -39,11 +39,11 @@ def nothing_explodes(world: bool, seeds: range) -> None:
         assert ending.made < MADE, f"{told}: made {ending.made:.2g}"
         assert ending.unexplained < UNEXPLAINED, f"{told}: {ending.unexplained:.2g} unexplained"
         assert ending.tries <= BUDGET, told
-        # The tutorial's law has no energy: it may drive a body ever faster, and the books say that it did.
+        # The tutorial's law has no energy: it may drive a body ever faster, and the balance says that it did.
         if simulation.divergence is not None:
             assert scene.force_law == "tutorial", told
             assert "has no energy" in str(simulation.divergence)
-            book = simulation.energy()
+            balance = simulation.energy()
             # A slider flung may put in any energy, where it makes stiff what is stretched.
-            held = book.kinetic + book.linear + book.angular - max(book.changes, 0.0)
-            assert book.law > 0.5 * held, told
+            held = balance.kinetic + balance.linear + balance.angular - max(balance.changes, 0.0)
+            assert balance.law > 0.5 * held, told

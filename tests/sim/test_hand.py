@@ -182,7 +182,7 @@ def test_a_hand_waits_when_attempts_run_out() -> None:
     assert way < 0.02 * 200.0 + 900.0 * abs(late.time - whole.time)
 
 
-def test_books_of_a_gentle_hand_balance() -> None:
+def test_the_balance_of_a_gentle_hand_closes() -> None:
     laws: tuple[ForceLaw, ...] = ("tutorial", "conservative")
     for law in laws:
         scene = REPLACE(rod(60, law=law), integrator=Integrator(tolerance=1e-3))
@@ -191,9 +191,9 @@ def test_books_of_a_gentle_hand_balance() -> None:
         for frame in range(60):
             simulation.follow(0, (100.0 + 300.0 * (frame // 20 % 2), 100.0))
             simulation.step(7)
-        book = simulation.energy()
-        assert book.anchors > 1e5
-        assert abs(book.residual) < 1e-3 * book.anchors
+        balance = simulation.energy()
+        assert balance.anchors > 1e5
+        assert abs(balance.residual) < 1e-3 * balance.anchors
 
 
 def test_a_moving_mass_is_stopped_gently() -> None:

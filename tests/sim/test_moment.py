@@ -160,9 +160,9 @@ def test_an_anchor_goes_on_round_its_circle() -> None:
     assert simulation.positions[0] == pytest.approx(straight.positions[0], abs=1e-9)
 
 
-def test_the_books_of_the_energy_begin_anew() -> None:
+def test_the_energy_balance_begins_anew() -> None:
     simulation = Simulation(sim.load_scene("tutorial-3.3"))
-    simulation.keep_books(True)
+    simulation.track_energy(True)
     simulation.step(50)
     moment = simulation.capture()
     simulation.step(200)
@@ -172,25 +172,25 @@ def test_the_books_of_the_energy_begin_anew() -> None:
     assert abs(simulation.energy().residual) < 1e3
 
 
-def test_books_bear_a_method_that_is_still_being_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_balance_bears_a_method_that_is_still_being_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     ready = [True]
     monkeypatch.setattr("sim.motion.simulation.is_ready", lambda names: ready[0])
     simulation = Simulation(sim.load_scene("tutorial-3.3"), wait=False)
-    assert simulation.keep_books(True)
+    assert simulation.track_energy(True)
     moment = simulation.capture()
     ready[0] = False
     simulation.replace(sim.set_choice(simulation.scene, "method", "rk4"))
     assert simulation.plain
-    assert not simulation.keep_books(True)
+    assert not simulation.track_energy(True)
     simulation.step(3)
     ready[0] = True
     simulation.restore(moment)
     assert not simulation.plain
 
 
-def test_books_bear_a_change_of_the_method() -> None:
+def test_the_balance_bears_a_change_of_the_method() -> None:
     simulation = Simulation(sim.load_scene("tutorial-3.3"))
-    simulation.keep_books(True)
+    simulation.track_energy(True)
     moment = simulation.capture()
     simulation.replace(sim.set_choice(simulation.scene, "method", "rk4"))
     simulation.restore(moment)

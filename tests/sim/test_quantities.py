@@ -130,9 +130,9 @@ def test_every_entry_of_the_balance_is_there_and_the_meter() -> None:
     simulation = oscillator(damping=3.0)
     simulation.energy()
     simulation.step(100)
-    book = simulation.energy()
+    balance = simulation.energy()
     for name in ("total", *ENERGY_FIELDS):
-        assert read(simulation, f"energy.{name}") == getattr(book, name)
+        assert read(simulation, f"energy.{name}") == getattr(balance, name)
     ratios = [read(simulation, "stability.dt_over_limit") for _ in range(5)]
     assert ratios[-1] == pytest.approx(1e-3 / simulation.stability().limit, rel=1e-3)
     free = REPLACE(simulation.scene, integrator=sim.Integrator(method="auto"))

@@ -21,26 +21,26 @@ REPLACE = msgspec.structs.replace
 FLOWS: tuple[Method, ...] = tuple(m.name for m in METHODS.values() if m.order != 1)
 
 
-def test_methods_and_books_may_be_changed_on_the_way() -> None:
+def test_methods_and_tracking_may_be_changed_on_the_way() -> None:
     # Whatever is handed over once has to be handed over again when it is replaced.
     scene = body("chain", "conservative", 3)
     simulation = Simulation(scene)
     simulation.step(5)
-    simulation.keep_books(True)
+    simulation.track_energy(True)
     simulation.energy()
     simulation.step(5)
     moving = simulation.energy()
     assert moving.damping < 0.0
-    simulation.keep_books(False)
+    simulation.track_energy(False)
     simulation.step(5)
-    simulation.keep_books(True)
+    simulation.track_energy(True)
     assert simulation.energy().damping == 0.0
     simulation.step(5)
     assert simulation.energy().damping < 0.0
 
 
 @pytest.mark.parametrize("masses", [7, 8, 9, 15, 16, 17, LONG])
-def test_books_see_the_hand_at_the_end_of_a_rope_of_any_length(masses: int) -> None:
+def test_the_balance_sees_the_hand_at_the_end_of_a_rope_of_any_length(masses: int) -> None:
     scene = sim.rope(masses, driven=None, integrator=Integrator(tolerance=1e-5))
     scene = REPLACE(scene, bodies=(), anchors=(Anchor(mass=0), Anchor(mass=masses - 1, driven=True)))
     simulation = Simulation(scene)
@@ -48,9 +48,9 @@ def test_books_see_the_hand_at_the_end_of_a_rope_of_any_length(masses: int) -> N
     x, y = simulation.positions[masses - 1]
     simulation.lead(masses - 1, (float(x) + 20.0, float(y) + 10.0))
     simulation.step(20)
-    book = simulation.energy()
-    assert book.anchors > 0.0
-    assert abs(book.residual) < 1e-3 * book.anchors
+    balance = simulation.energy()
+    assert balance.anchors > 0.0
+    assert abs(balance.residual) < 1e-3 * balance.anchors
 
 
 def test_lengths_are_softened_far_below_the_tolerance_and_not_at_all_for_the_tutorial() -> None:

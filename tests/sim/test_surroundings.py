@@ -60,11 +60,11 @@ def test_the_kernels_do_what_the_physics_in_numpy_says(kind: str, step: Method) 
 @pytest.mark.parametrize("kind", ["walls", "fillings", "all"])
 def test_the_energies_are_those_of_the_physics_in_numpy(kind: str) -> None:
     scene = surrounded(kind, seed=2)
-    book, arrays = Simulation(scene).energy(), Arrays(scene)
+    balance, arrays = Simulation(scene).energy(), Arrays(scene)
     expected = Physics(arrays.body, arrays.state).energies(arrays.state.x + 1j * arrays.state.y)
-    assert book.walls == pytest.approx(expected["walls"], rel=1e-12)
-    assert book.fillings == pytest.approx(expected["fillings"], rel=1e-12)
-    assert book.walls + abs(book.fillings) > 1.0
+    assert balance.walls == pytest.approx(expected["walls"], rel=1e-12)
+    assert balance.fillings == pytest.approx(expected["fillings"], rel=1e-12)
+    assert balance.walls + abs(balance.fillings) > 1.0
 
 
 @pytest.mark.parametrize("kind", ["gas", "fillings"])
@@ -315,7 +315,7 @@ def test_errors_fall_with_the_order_of_the_method(kind: str, method: Method, ord
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("method", ["auto", "adams", "rodas5p", "rk4", "velocity_verlet"])
-def test_the_books_balance(method: Method, kind: str) -> None:
+def test_the_balance_closes(method: Method, kind: str) -> None:
     scene = surrounded(kind, seed=5, held=(2,))
     simulation = Simulation(REPLACE(scene, integrator=Integrator(method=method, dt=1e-5, tolerance=1e-8)))
     simulation.energy()
@@ -325,12 +325,12 @@ def test_the_books_balance(method: Method, kind: str) -> None:
         simulation.lead(2, (x + i, y - 2.0 * i))
         simulation.step(500)
         worst = max(worst, abs(simulation.energy().residual))
-    book = simulation.energy()
-    largest = abs(book.kinetic) + abs(book.linear) + abs(book.damping) + abs(book.air)
+    balance = simulation.energy()
+    largest = abs(balance.kinetic) + abs(balance.linear) + abs(balance.damping) + abs(balance.air)
     assert worst <= 1e-4 * largest
-    assert (book.walls > 0.0 or book.friction < 0.0) == bool(scene.walls)
-    assert (book.fillings != 0.0) == bool(scene.fillings)
-    assert (book.friction == 0.0) == (not scene.walls)
+    assert (balance.walls > 0.0 or balance.friction < 0.0) == bool(scene.walls)
+    assert (balance.fillings != 0.0) == bool(scene.fillings)
+    assert (balance.friction == 0.0) == (not scene.walls)
 
 
 def test_the_same_bits_again_and_after_going_back() -> None:

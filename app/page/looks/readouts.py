@@ -303,13 +303,13 @@ def energy_table(session: Session) -> str:
     """The energies and what has changed them; what has never been anything is left out."""
     if not session.follows_energy:
         return ""
-    if not session.simulation.keep_books(True):
+    if not session.simulation.track_energy(True):
         return table({"energy": "is followed when it is compiled"})
-    book = session.simulation.energy()
+    balance = session.simulation.energy()
     rows = {"unit": html.escape(unit_in(ENERGY_UNIT, session.scene.view.unit))}
-    largest = max(abs(getattr(book, key)) for key in _ENERGY_NAMES)
+    largest = max(abs(getattr(balance, key)) for key in _ENERGY_NAMES)
     for key, name in _ENERGY_NAMES.items():
-        value = getattr(book, key)
+        value = getattr(balance, key)
         if key in _LOSSES:
             value = -value
         if value or key in ("kinetic", "residual"):

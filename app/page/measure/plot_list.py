@@ -207,7 +207,7 @@ class PlotList:
         self._plots.remove(shown)
         shown.remove()
         if not (self._session.follows_energy or any(plots.wants_energy for plots in self._page.plots)):
-            self._session.simulation.keep_books(False)
+            self._session.simulation.track_energy(False)
         self._changed()
 
     def _extend(self, shown: _Shown) -> None:

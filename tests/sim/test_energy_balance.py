@@ -1,4 +1,4 @@
-"""Keeping books of the energy only reads: the motion is the same with them and without."""
+"""Tracking the energy only reads: the motion is the same with it and without."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ REPLACE = msgspec.structs.replace
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("shape", ["chain", "ring"])
 @pytest.mark.parametrize("method", METHODS)
-def test_books_do_not_change_the_motion(method: Method, shape: str, law: ForceLaw) -> None:
+def test_tracking_the_energy_does_not_change_the_motion(method: Method, shape: str, law: ForceLaw) -> None:
     # With a first mass that is free, and with one that is held and led.
     for held in ((), (0,)):
         scene = body(shape, law, 1, twist=0.0, held=held)
         scene = REPLACE(scene, integrator=Integrator(method=method, dt=1e-4, tolerance=1e-4))
-        with_books, without = Simulation(scene), Simulation(scene)
-        with_books.keep_books(True)
+        with_tracking, without = Simulation(scene), Simulation(scene)
+        with_tracking.track_energy(True)
         x, y = scene.masses[0].position
         for i in range(5):
-            for simulation in (with_books, without):
+            for simulation in (with_tracking, without):
                 if held:
                     simulation.lead(0, (x + i, y - i))
-                # One step each, since books of symplectic Euler are kept step by step.
+                # One step each, since the balance of symplectic Euler is kept step by step.
                 for _ in range(20):
                     assert simulation.step() == 1
-        assert same_state(with_books, without)
+        assert same_state(with_tracking, without)
 
 
 def test_nor_do_they_change_whole_frames_of_wild_scenes() -> None:
@@ -44,15 +44,15 @@ def test_nor_do_they_change_whole_frames_of_wild_scenes() -> None:
         scene = wild_scene(np.random.default_rng(seed))
         scene = REPLACE(scene, integrator=Integrator(method="auto", tolerance=1.0))
         try:
-            with_books, without = Simulation(scene), Simulation(scene)
+            with_tracking, without = Simulation(scene), Simulation(scene)
         except SceneError:
             continue
         looked_at += 1
-        with_books.keep_books(True)
+        with_tracking.track_energy(True)
         for _ in range(6):
-            for simulation in (with_books, without):
+            for simulation in (with_tracking, without):
                 simulation.step(STEPS, attempts=400)
-        assert same_state(with_books, without), seed
+        assert same_state(with_tracking, without), seed
     assert looked_at > 100
 
 
@@ -98,13 +98,13 @@ def test_what_a_hand_takes_and_gives_back_is_entered(method: Method, law: ForceL
     simulation.step(500)
     # Nothing comes from nowhere: neither at once nor while it is in hand.
     wrong = 0.05 * kinetic if method == "symplectic_euler" else 0.01 * abs(of_height())
-    for book in (grabbed, led, released, simulation.energy()):
-        assert abs(book.residual) < wrong
+    for balance in (grabbed, led, released, simulation.energy()):
+        assert abs(balance.residual) < wrong
 
 
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("method", [name for name, info in METHODS.items() if info.adaptive])
-def test_a_body_in_many_hands_has_books_that_balance(method: Method, law: ForceLaw) -> None:
+def test_a_body_in_many_hands_has_a_balance_that_closes(method: Method, law: ForceLaw) -> None:
     """No error of a free mass keeps the steps short."""
     scene = body("tree", law, 1, held=tuple(range(15)))
     anchors = tuple(Anchor(mass=i, circle=Circle(radius=5.0 + i, frequency=20.0)) for i in range(15))
@@ -117,13 +117,13 @@ def test_a_body_in_many_hands_has_books_that_balance(method: Method, law: ForceL
     assert abs(simulation.energy().residual) < 1e-4 * first.total
 
 
-def test_a_body_that_starts_elsewhere_starts_with_new_books() -> None:
+def test_a_body_that_starts_elsewhere_starts_with_a_new_balance() -> None:
     scene = body("chain", "conservative", 1, twist=0.0, held=())
     simulation, other = Simulation(scene), Simulation(scene)
     simulation.energy()
     simulation.step(10)
     other.step(50)
     simulation.take_state(other)
-    book = simulation.energy()
-    assert book.damping == book.residual == 0.0
-    assert book.kinetic > 0.0
+    balance = simulation.energy()
+    assert balance.damping == balance.residual == 0.0
+    assert balance.kinetic > 0.0
