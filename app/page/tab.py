@@ -320,13 +320,16 @@ class Tab:
             self._front_view.leave()
         if front is None:
             return False
-        if self._generation != session.generation:
-            self._front_view.leave()
-            with self.client.atomic():
+        show, anew = self._front_view.show, self._generation != session.generation
+        if not (anew or session.notices or self._notices or self._runaway):
+            return show(front, self._page.looks.dark, session.now())
+        with self.client.atomic():
+            if anew:
+                self._front_view.leave()
                 self._rebuild(session)
-        told = bool(session.notices or self._notices)
-        self._tell(session)
-        return self._front_view.show(front, self._page.looks.dark, session.now()) or told
+            self._tell(session)
+            show(front, self._page.looks.dark, session.now())
+        return True
 
     def _send(self, session: Session) -> None:
         """Send what the page does not know yet."""

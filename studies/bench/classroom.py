@@ -619,7 +619,7 @@ def _bench_cost(console: Console, repeats: int, cache: str) -> None:
         box=None,
     )  # fmt: skip
     best: dict[str, tuple[float, ...]] = {}
-    names = ("strangers, each with a body", "pupils, each with a body", "pupils who follow the teacher's")
+    names = ("strangers", "pupils", "followers")
     for _ in range(repeats):
         for name in names:
             if name == names[0]:
@@ -634,11 +634,14 @@ def _bench_cost(console: Console, repeats: int, cache: str) -> None:
             best[name] = min(best.get(name, row), row)
     for name, (share, rate, clock, size) in best.items():
         table.add_row(
-            f"{PUPILS} {name}", f"{rate:.1f}", f"{clock:.2f}", f"{100 * share:.0f}",
+            name, f"{rate:.1f}", f"{clock:.2f}", f"{100 * share:.0f}",
             f"{share / best[names[0]][0]:.2f}", f"{size:.0f}",
         )  # fmt: skip
     console.print(table)
-    console.print("The pupils' server has the teacher's page and the wall, too.")
+    console.print(
+        f"{PUPILS} pages each: strangers and pupils with a body of their own, followers with the teacher's. "
+        "The server of a class has the teacher's page and the wall, too."
+    )
 
 
 def _tell(console: Console, outcome: Outcome) -> None:
