@@ -49,7 +49,12 @@ class SoftrodMessage(viser._messages.Message, include_in_scene_serialization=Fal
 
 def send(client: viser.ClientHandle, message: SoftrodMessage) -> None:
     """Send a page a message; any thread may."""
-    client._websock_connection.queue_message(message)
+    try:
+        client._websock_connection.queue_message(message)
+    except RuntimeError:
+        # viser 1.1.1 sets an `asyncio.Event` from this thread, which raises if its event loop is just waking
+        # up. The message is in the queue then; by its key, a second one takes the place of the first.
+        client._websock_connection.queue_message(message)
 
 
 def listen(client: viser.ClientHandle, heard: Callable[[str], None]) -> None:

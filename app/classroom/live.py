@@ -8,6 +8,7 @@ from __future__ import annotations
 import logging
 import secrets
 import time
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
@@ -36,6 +37,9 @@ WRITE_EVERY = 0.1
 
 BODIES_EVERY = 5.0
 """Seconds between two writings of where the pupils' bodies are."""
+
+MOST_TRIED = 5
+"""Devices that tried whether they can take part, of which the teacher is told."""
 
 _log = logging.getLogger(__name__)
 
@@ -82,6 +86,16 @@ class Doing:
     places: tuple[tuple[int, int], ...] = ()
 
 
+@dataclass(frozen=True)
+class Tried:
+    """What a device found that tried whether it can take part; see `app.wire.from_page.Checked`."""
+
+    trip: int
+    rate: int
+    works: bool
+    doubts: bool
+
+
 class Pupil(Protocol):
     """A pupil's page, as the teacher's can turn to it."""
 
@@ -108,6 +122,7 @@ class Class:
         desk: the teacher's page whose body all look at.
         pupils: the page that each seat has, by its number; the last one, where there are several.
         doing: what each seat's body does.
+        tried: what the last devices found that tried whether they can take part.
         written: version of the room that is on the disk.
         ended: whether it is over.
     """
@@ -125,6 +140,7 @@ class Class:
         self.desk: object | None = None
         self.pupils: dict[int, Pupil] = {}
         self.doing: dict[int, Doing] = {}
+        self.tried: deque[Tried] = deque(maxlen=MOST_TRIED)
         self._judged: list[tuple[str, Future[Verdict | None]]] = []
         self.ended = False
         self._clock = clock

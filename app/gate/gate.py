@@ -64,6 +64,11 @@ MAX_TABS = 64
 
 A class of 60 seats has room in it, with its teacher and its wall."""
 
+# All pages of a full server may come back at once, and go on doing so for a while. Who tries the letters of a
+# class one after the other needs half a day for all of them.
+CONNECTIONS_PER_SECOND = 5.0
+CONNECTION_BURST = 200.0
+
 # A page sends at most some 300 messages a second: the pointer once per frame of a fast screen (240 Hz), the
 # camera and each slider at 20 Hz.
 MESSAGES_PER_SECOND = 1000.0
@@ -81,6 +86,9 @@ MAX_QUEUED_FRAMES = 4
 
 PAGE_PATHS = ("/", "/index.html", "/s")
 
+CHECK = "/check"
+"""The page on which a device tries whether it can take part in a class."""
+
 REACH = "/reach"
 """A page that gets no connection asks here why: a browser does not tell it what a refusal says."""
 
@@ -94,11 +102,17 @@ class _Budget:
         self._left = burst
         self._updated = time.monotonic()
 
+    @property
+    def left(self) -> float:
+        """What can be spent now."""
+        now = time.monotonic()
+        self._left = min(self._burst, self._left + (now - self._updated) * self._rate)
+        self._updated = now
+        return self._left
+
     def spend(self, amount: float) -> float:
         """Take `amount` and return the seconds until the budget is no longer overdrawn."""
-        now = time.monotonic()
-        self._left = min(self._burst, self._left + (now - self._updated) * self._rate) - amount
-        self._updated = now
+        self._left = self.left - amount
         return max(0.0, -self._left / self._rate)
 
 
@@ -179,6 +193,7 @@ class Gate:
         self._hosts = hosts
         self._server: viser.ViserServer | None = None
         self._tabs: set[Connection] = set()
+        self._connections = _Budget(CONNECTIONS_PER_SECOND, CONNECTION_BURST)
 
     def open(self, server: viser.ViserServer) -> None:
         """Begin to admit; until now every request is refused."""
@@ -198,6 +213,7 @@ class Gate:
                 response.headers["Location"] = "./"
         elif "Upgrade" not in request.headers and request.path == REACH:
             response = connection.respond(HTTPStatus.OK, "")
+            response.headers["Cache-Control"] = "no-store"
         elif "Upgrade" not in request.headers and (file := self._files.get(request.path.partition("?")[0])):
             response = respond(file, request)
         else:
@@ -207,6 +223,7 @@ class Gate:
                 former.transport.abort()
             connection.page = page_name(request.path.partition("?")[0])
             self._tabs.add(connection)
+            self._connections.spend(1)
         else:
             response.headers.update(self._headers)
         return response
@@ -226,7 +243,7 @@ class Gate:
                 return self._refusal_of_page(hosts[0], own, request, "X-Softrod-Origin")
             path, _, query = request.path.partition("?")
             # viser's page would connect to whatever server a query names and run its scripts.
-            if query and (path not in PAGE_PATHS or page_query(query) is None):
+            if query and (path not in (*PAGE_PATHS, CHECK) or page_query(query) is None):
                 return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no such parameters."
             if path not in PAGE_PATHS and path not in self._files:
                 return "path", HTTPStatus.NOT_FOUND, "There is no such page."
@@ -250,6 +267,8 @@ class Gate:
         if len(self._tabs - self._former(request)) >= most:
             sentence = f"This server is full: it has room for {most} pages. Close one that nobody needs."
             return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, sentence
+        if self._connections.left < 1:
+            return "rate", HTTPStatus.TOO_MANY_REQUESTS, "Too many pages connect at once. Wait for a minute."
         return None
 
     def _former(self, request: Request) -> set[Connection]:
@@ -261,6 +280,11 @@ class Gate:
         """The query with which a page connected, which may be anything; empty if it is gone."""
         request = self._request_of(client_id)
         return request.path.partition("?")[2] if request is not None else ""
+
+    def host_of(self, client_id: int) -> str:
+        """The name and port by which a page reached the server; empty if it is gone."""
+        request = self._request_of(client_id)
+        return request.headers["Host"] if request is not None else ""
 
     def is_local(self, client_id: int) -> bool:
         """Whether a page is certainly of this machine: nobody else can connect, and no proxy says that it did

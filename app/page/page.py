@@ -37,6 +37,7 @@ class Page:
         controls: which it has; what there is not is not made.
         looks: how it looks.
         plots: its lists of plots.
+        makes_lesson: whether the scene's lesson is being made; it is not shown meanwhile.
     """
 
     client: viser.ClientHandle
@@ -49,7 +50,13 @@ class Page:
     controls: Controls = ALL
     looks: Looks = PLAIN
     plots: list[PlotList] = field(default_factory=list)
+    makes_lesson: bool = False
     _asked: deque[Callable[[], None]] = field(default_factory=lambda: deque(maxlen=100))
+
+    @property
+    def has_lesson(self) -> bool:
+        """Whether a lesson is shown."""
+        return self.session.scene.lesson is not None and not self.makes_lesson
 
     def later(self, act: Callable[[], None]) -> None:
         """Have the ticker do something, before the next frame; any thread may ask."""

@@ -30,7 +30,7 @@ from ..drawing.plan import Picture, broken_of
 from ..drawing.sketch import Mapping, world_size
 from ..session import commands
 from ..session.pacing import is_large
-from ..session.plots import Wish
+from ..session.plots import Wish, text_of
 from ..session.session import Changed, Notice, Session
 from ..viser_inside import element_id
 from ..wire import from_page
@@ -47,6 +47,7 @@ from .files import keeping, pasts
 from .files.export_panel import ExportPanel
 from .files.files_panel import FilesPanel
 from .looks import readouts
+from .making.maker import LessonMaker, Measured
 from .measure.measure_panel import MeasurePanel
 from .measure.tools_panel import ToolsPanel
 from .opening import asked_scene
@@ -222,12 +223,15 @@ class Tab:
                 self._answers.ask(said)
                 if role is not None and isinstance(said, from_page.Who):
                     self._requests.append(lambda now: role.introduce(said, now))
-            case from_page.InSeat() | from_page.Lead():
+            case from_page.InSeat() | from_page.Lead() | from_page.Checked():
                 if role is not None:
                     self._requests.append(lambda now: role.hear(said, now))
             case from_page.Edit():
                 if "edit" in self._page.controls:
                     self._answers.edits.do(said)
+            case from_page.Prepare():
+                if "edit" in self._page.controls and role is None:
+                    self._requests.append(lambda _: self._maker.do(said))
             case from_page.Seen():
                 self._seen = said
                 self._show_where_seen()
@@ -345,6 +349,8 @@ class Tab:
         self._panel.show_selection()
         if "edit" in self._page.controls:
             self._answers.edits.tell()
+        if self._maker.is_told:
+            self._maker.tell()
         self._tell(session)
 
     @staticmethod
@@ -367,6 +373,7 @@ class Tab:
             controls=self._wanted_controls(session.scene),
         )  # fmt: skip
         self._answers = Answers(self._page, resume, show, self._for_others)
+        self._maker = LessonMaker(self._page, self._measured)
         self._make_panel(session)
         self._session = session
         return session
@@ -405,7 +412,7 @@ class Tab:
         if self._role is not None and self._panel.play_tab is not None:
             with self._panel.play_tab:
                 self.client.gui.add_html(self._role.place, order=0)
-        self._has_lesson = session.scene.lesson is not None
+        self._has_lesson = page.has_lesson
         self._measure = self._tools = self._files = None
         if self._panel.measure_tab is not None:
             if "measure" in page.controls:
@@ -441,7 +448,7 @@ class Tab:
         """Another body: other nodes and other controls."""
         self._plan(session)
         self._view.show_gizmos(self._page.looks.gizmos)
-        wanted, has_lesson = self._wanted_controls(session.scene), session.scene.lesson is not None
+        wanted, has_lesson = self._wanted_controls(session.scene), self._page.has_lesson
         if has_lesson and self._before_lesson is None:
             self._before_lesson = self._switched_on(session)
         if (wanted, has_lesson) != (self._page.controls, self._has_lesson):
@@ -481,7 +488,8 @@ class Tab:
                 tools.show_arrows(before.arrows)
             if self._measure is not None:
                 self._measure.plots.remember(before.plots)
-            session.post(before.ghost)
+            if not self._page.makes_lesson:  # where a step was tried, it is back already
+                session.post(before.ghost)
 
     def _switched_on(self, session: Session) -> BeforeLesson:
         """What the user has switched on; a ghost in the middle of a lesson is the lesson's."""
@@ -557,7 +565,7 @@ class Tab:
             gizmos=self._page.looks.gizmos,
             meter=self._page.looks.meter,
             measuring=element_id(measures) if measures is not None else "",
-            lesson=session.lesson_begun if session.scene.lesson else None,
+            lesson=session.lesson_begun if self._has_lesson else None,
         )
         self._mail.tell(state)
 
@@ -623,6 +631,23 @@ class Tab:
         """Plot the angle of the joint that is read out."""
         if self._measure is not None:
             self._measure.plot_angle()
+
+    def make_lesson(self) -> None:
+        """Open the form of the scene's lesson."""
+        if self._role is None:
+            self._maker.do(from_page.MakeLesson(True))
+        else:
+            text = "Open softrod by itself, without a class: the lesson that is made there can be held here."
+            self.notify(Notice("info", "Not in a class", text))
+
+    def _measured(self) -> Measured:
+        """What is measured on the page now."""
+        measure, tools = self._measure, self._tools
+        return Measured(
+            measure.parts if measure is not None else (),
+            tuple(map(text_of, measure.plots.wishes)) if measure is not None else (),
+            tools.kinds if tools is not None else frozenset(),
+        )
 
     def show_help(self) -> None:
         """Open the help."""

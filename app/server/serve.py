@@ -23,10 +23,12 @@ from sim.compiling.compiler import Compiler, cache_trouble, needed_by
 
 from ..classroom.live import Classes
 from ..drawing.colors import LIGHT_GAIN
-from ..gate.address import address_for_others, public_address
+from ..gate.address import address_for_others, class_exposure, interfaces, is_virtual, public_address
 from ..gate.gate import GatedServer, exposure, open_server, page_addresses
 from ..linking import print_qr_code
 from ..page.assets import page_files
+from ..page.check.page import check_address
+from ..page.check.role import CheckRole, is_check
 from ..page.classroom.role import Role
 from ..page.classroom.roles import (
     class_of_query,
@@ -80,10 +82,14 @@ def serving(
     def make_tab(client: viser.ClientHandle) -> Tab:
         gate, client_id = server.gate, client.client_id
         query, owned = gate.query_of(client_id), gate.is_local(client_id)
+        klass = None if classes is None else class_of_query(query, classes)
+        if is_check(query):
+            check = CheckRole(klass)
+            return Tab(client, sim.load_scene("rope"), compiler, "", owned, for_others, lambda _: check)
         if classes is None:
             return Tab(client, scene, compiler, query, owned, for_others)
-        klass = class_of_query(query, classes)
-        base = for_others(f"{page_addresses(host, server.get_port())[0]}/")
+        # What the teacher's page is in is the pupils' network, where there are several.
+        base = for_others(f"http://{gate.host_of(client_id)}/")
 
         def role(mail: Mail, classes: Classes = classes) -> Role | None:
             download = partial(client.send_file_download, save_immediately=True)
@@ -245,13 +251,30 @@ def _tell_classes(
             ("the teacher, and nobody else", desk_address(own if public is None else base, klass)),
             ("the wall", wall_address(own if public is None else base, code)),
             ("pupils", seat_address(base, code)),
+            ("before the class, your phone", check_address(base, code)),
         ):
             console.print(f"  {label}: [bold]{address}[/bold]", highlight=False, soft_wrap=True)
         if base != own or public is not None:
             print_qr_code(seat_address(base, code))
-    if server.gate.loopback and public is None:
-        console.print("[yellow]Only this computer reaches these; --host 0.0.0.0 lets others in.[/yellow]")
+    if public is None and (others := _other_networks(base, page_addresses(host, port))):
+        console.print(
+            f"This computer is in other networks, too, as {others}. If pupils are in one of those, open the "
+            "teacher's page and the wall there: their QR codes name the address that they were opened at.",
+            highlight=False,
+        )
+    console.print(f"[yellow]{class_exposure(host, public)}[/yellow]", highlight=False)
     return desk_address(own, next(iter(classes)))
+
+
+def _other_networks(base: str, addresses: Sequence[str]) -> str:
+    """What can be typed besides `base` from other machines, with the names of the networks' interfaces."""
+    names = interfaces()
+    others = []
+    for address in addresses[1:]:
+        name = names.get(address.removeprefix("http://").rpartition(":")[0], "")
+        if f"{address}/" != base and not is_virtual(name):
+            others.append(f"{address} ({name})" if name else address)
+    return " and ".join(others)
 
 
 def _show_progress(compiler: Compiler, console: Console) -> None:

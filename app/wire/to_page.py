@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 from msgspec import Struct
 
-from sim.scene.lesson import Question
+from sim.scene.lesson import Question, Step
 
 from .from_page import CommandName, PhaseName, leaves, tag_of
 
@@ -115,6 +115,50 @@ class Lesson(State, frozen=True, kw_only=True):
     """The scene's lesson, which may be anyone's: the script shows it as text only."""
 
     steps: tuple[LessonStep, ...]
+
+
+class LessonForm(State, frozen=True, kw_only=True):
+    """The lesson that is being made, which the page shows as a form.
+
+    Attributes:
+        open: whether it is to be shown.
+        trying: the step that is tried; -1 for none.
+        steps: of the lesson, which may be anyone's: the script shows them as text only.
+        begins: what each of them sets, in words; empty for nothing.
+    """
+
+    open: bool = False
+    trying: int = -1
+    steps: tuple[Step, ...] = ()
+    begins: tuple[str, ...] = ()
+
+
+class LessonControl(Struct, frozen=True):
+    """A slider or a list that a step can have."""
+
+    key: str
+    label: str
+
+
+class LessonOffers(State, frozen=True, kw_only=True):
+    """What a step of the lesson can have, as things are now.
+
+    Attributes:
+        parts: that can be measured: what is at the mass that was clicked last, and what there is one of.
+        quantities: of each kind of part, with their units.
+        controls: that the scene has a use for.
+        methods: of a second body, by their names for people.
+        settings: what is set otherwise than the steps, or the scene as it was opened, have it; in words.
+        plots, arrows: that are open, and on.
+    """
+
+    parts: tuple[str, ...]
+    quantities: dict[str, dict[str, str]]
+    controls: tuple[LessonControl, ...]
+    methods: dict[str, str]
+    settings: str
+    plots: tuple[str, ...]
+    arrows: tuple[str, ...]
 
 
 class Selected(State, frozen=True, kw_only=True):
@@ -343,6 +387,15 @@ class DeskAnswer(Struct, frozen=True, kw_only=True):
     doubt: str
 
 
+class DeskTried(Struct, frozen=True, kw_only=True):
+    """What a device found that tried whether it can take part; see `from_page.Checked`."""
+
+    trip: int
+    rate: int
+    works: bool
+    doubts: bool
+
+
 class DeskStop(Struct, frozen=True, kw_only=True):
     """A stop of the class's plan."""
 
@@ -360,11 +413,17 @@ class Desk(State, frozen=True, kw_only=True):
         bars: votes for each choice, also while they are sealed.
         on_wall: the answer that is shown alone.
         saved: whether all that there is is on the disk.
+        check: the address at which a device tries whether it can take part.
+        check_qr: a picture of its QR code; empty once the class has begun.
+        tried: what the last devices found that did.
     """
 
     code: str
     address: str
     qr: str
+    check: str
+    check_qr: str
+    tried: tuple[DeskTried, ...]
     stops: tuple[DeskStop, ...]
     asking: Asking
     next: tuple[int, PhaseName, int] | None
@@ -414,6 +473,22 @@ class Copied(Event, frozen=True, kw_only=True):
 class TextsTaken(Event, frozen=True, kw_only=True):
     """Whether the scene has its new texts: a sentence that says why not, or nothing."""
 
+    refused: str
+
+
+class LessonTaken(Event, frozen=True, kw_only=True):
+    """What was done of the lesson that is being made.
+
+    Attributes:
+        step: at which.
+        part: of the step: what was to be changed.
+        field: what was refused, as in "question.choices[1]"; empty if nothing was.
+        refused: a sentence that says why, or nothing.
+    """
+
+    step: int
+    part: str
+    field: str
     refused: str
 
 

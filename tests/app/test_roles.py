@@ -10,8 +10,9 @@ import pytest
 
 import sim
 from app.classroom import kept
-from app.classroom.live import Class, Classes
+from app.classroom.live import MOST_TRIED, Class, Classes
 from app.classroom.room import Phase, Vote
+from app.page.check.role import CheckRole
 from app.page.classroom.desk import DeskRole
 from app.page.classroom.role import ClassRole
 from app.page.classroom.seat import SeatRole
@@ -149,3 +150,29 @@ def test_the_wall_has_no_name_and_no_sealed_bar(klass: Class, session: Session) 
     told = [message for message in letters.sent if isinstance(message, Wall)][-1]
     assert told.bars == (0, 1, 0)
     assert all("Zaphod" not in str(message) for message in letters.sent)
+
+
+def test_a_device_that_only_tries_is_told_to_the_teacher_and_to_nobody_else(
+    klass: Class, session: Session
+) -> None:
+    letters = Letters()
+    desk = DeskRole(klass, letters, "http://here/", "", no_download)
+    desk.introduce(who(9, klass.room.key), session)
+    found = from_page.Checked(23, 58, True, False)
+    for role in (SeatRole(klass, Letters()), WallRole(klass, Letters(), "", "")):
+        assert not role.allows(found)
+    check = CheckRole(klass)
+    assert not any(check.allows(said) for said in (*LED, a_vote(1, 0), from_page.RaiseHand(True)))
+    for _ in range(MOST_TRIED + 3):
+        check.hear(found, session)
+    desk.frame(session)
+    told = letters.last(Desk)
+    assert [(one.trip, one.rate) for one in told.tried] == MOST_TRIED * [(23, 58)]
+    assert told.check == f"http://here/check?room={klass.room.code}"
+    assert told.check_qr
+    # Once the class has begun, it is in the way.
+    klass.room.go(0, Phase.SHOW)
+    desk.frame(session)
+    assert not letters.last(Desk).check_qr
+    # A server without classes has the page, too.
+    CheckRole(None).hear(found, session)

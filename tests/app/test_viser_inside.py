@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from typing import TypeVar
+from unittest.mock import MagicMock, call
 
 import msgspec
 import numpy as np
@@ -106,6 +107,13 @@ def test_a_batch_goes_to_several_pages_at_once(server: GatedServer) -> None:
     # To pages that are gone, and to none, nothing goes.
     viser_inside.send_at_once(clients, viser_inside.batch())
     viser_inside.send_at_once((), viser_inside.batch())
+
+
+def test_a_message_is_sent_though_the_event_loop_is_just_waking_up() -> None:
+    client, message = MagicMock(), SoftrodMessage("hello")
+    client._websock_connection.queue_message.side_effect = [RuntimeError("deque mutated"), None]
+    viser_inside.send(client, message)
+    assert client._websock_connection.queue_message.call_args_list == [call(message)] * 2
 
 
 def test_the_script_of_the_page_is_found() -> None:

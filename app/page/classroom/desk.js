@@ -4,6 +4,7 @@ import { onTold, send } from "../../wire/channel.js";
 import { make, makeButton } from "../looks/dialog.js";
 import { Ghosts } from "./ghost.js";
 import { SVG } from "../body/overlay.js";
+import { beforehand } from "./beforehand.js";
 import { plot, voted } from "./wall.js";
 
 /** @typedef {import("../../wire/wire.js").Desk} Desk */
@@ -76,7 +77,7 @@ export function addDesk() {
 
 /** @param {Desk} desk @returns {HTMLElement[]} */
 function parts(desk) {
-  return [head(desk), steps(desk), ...asked(desk), seats(desk), ...lines(desk), foot(desk)];
+  return [head(desk), steps(desk), ...beforehand(desk), ...asked(desk), seats(desk), ...lines(desk), foot(desk)];
 }
 
 /** A button that keeps the focus when the part is made anew. @param {string} text @param {() => void} press @param {string} [name] */

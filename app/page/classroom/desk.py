@@ -17,9 +17,11 @@ from ...session import commands
 from ...session.session import Notice, Session
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...wire.to_page import Desk, DeskAnswer, DeskSeat, DeskStop, Posters
+from ...wire.to_page import Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
 from ..body.view import picture_of
+from ..check.page import check_address
 from ..controls import Controls
+from ..files.sharing import qr_code
 from .front import looks_alike, send
 from .role import NOTHING, ClassRole, asking, kind_of, predictions, text_of
 from .seat import MOST_PLACES
@@ -50,6 +52,8 @@ class DeskRole(ClassRole):
     ) -> None:
         super().__init__(klass, mail)
         self._address, self._qr, self._download = address, qr, download
+        self._check = check_address(address, klass.room.code)
+        self._check_qr = qr_code(self._check)
         self._is_teacher = False
         self._opened: tuple[int, Phase, int] | None = None
         self._plan: tuple[int, int] = (-1, -1)
@@ -113,7 +117,7 @@ class DeskRole(ClassRole):
                     springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MOST_PLACES),
                 )
             )
-        if self._is_new(self.klass.written, *(one.word for one in doing.values())):
+        if self._is_new(self.klass.written, tuple(self.klass.tried), *(one.word for one in doing.values())):
             self._mail.tell(self._state())
             self._mail.tell(predictions(self.klass))
 
@@ -209,6 +213,12 @@ class DeskRole(ClassRole):
             code=room.code,
             address=self._address,
             qr=self._qr,
+            check=self._check,
+            check_qr=self._check_qr if room.phase is Phase.LOBBY else "",
+            tried=tuple(
+                DeskTried(trip=one.trip, rate=one.rate, works=one.works, doubts=one.doubts)
+                for one in klass.tried
+            ),
             stops=tuple(
                 DeskStop(
                     title=(
