@@ -12,7 +12,7 @@ from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol
 
 import msgspec
 
@@ -28,6 +28,9 @@ from . import kept, names
 from .judge import Verdict, judge
 from .room import MOST_STOPS, Answer, Refused, Room, Work, digest
 from .takeaway import log_path, pack
+
+if TYPE_CHECKING:
+    import viser
 
 WRITE_EVERY = 0.1
 """Seconds between two writings of a class; what was given in between is acknowledged together."""
@@ -46,18 +49,20 @@ class Front:
     """What the teacher's page shows, for all who look at it: none of it changes any more.
 
     Attributes:
+        number: of the plan of what is drawn: another one for everything that changed but the motion.
+        audience: the pages that have that plan or an earlier one, and are sent the pictures.
         scene: of the body.
         opening: another number for every body that took the place of another, on whatever page.
-        revision: another number whenever anything but the motion changed.
         rest_angles: (J,) degrees, as the page draws them.
         picture: where the masses are.
         playing: whether the clock runs.
         speed: simulated seconds per second.
     """
 
+    number: int
+    audience: set[viser.ClientHandle]
     scene: sim.Scene
     opening: int
-    revision: int
     rest_angles: Floats
     picture: Picture
     playing: bool
@@ -114,6 +119,7 @@ class Class:
     Attributes:
         room: as above.
         front: what the teacher's page shows; None until there was one.
+        audience: the pages that look at it.
         teachers: how many pages of teachers there are.
         desk: the teacher's page whose body all look at.
         pupils: the page that each seat has, by its number; the last one, where there are several.
@@ -133,6 +139,7 @@ class Class:
         self._bodies_are_new = False
         self._bodies_due = 0.0
         self.front: Front | None = None
+        self.audience: set[viser.ClientHandle] = set()
         self.teachers = 0
         self.desk: object | None = None
         self.pupils: dict[int, Pupil] = {}
@@ -140,11 +147,12 @@ class Class:
         self.tried: deque[Tried] = deque(maxlen=MOST_TRIED)
         self.lent: Front | None = None
         self.run = b""
-        self._judged: list[tuple[str, Future[Verdict]]] = []
+        self._judged: list[tuple[str, Future[Verdict | None]]] = []
         self.ended = False
         self._clock = clock
         self._scenes: dict[int, sim.Scene] = {}
         self._writer = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-class-{room.code}")
+        self._judge = ThreadPoolExecutor(1, thread_name_prefix=f"softrod-judge-{room.code}")
         self._writing: tuple[int, Future[None]] | None = None
         self._due = 0.0
         self.written = -1
@@ -186,9 +194,20 @@ class Class:
         content = answer.content
         if isinstance(content, Work):
             answer = msgspec.structs.replace(answer, content=msgspec.structs.replace(content, log=name))
-        if self.room.take(answer.seat, answer):
-            work = self._writer.submit(_keep_and_judge, self.room.code, name, log, step, scene)
-            self._judged.append((answer.id, work))
+        before = self.room.before(answer)
+        if not self.room.take(answer.seat, answer):
+            return
+        # Before the class's file, which says that it is there; nothing waits until it is judged.
+        written = self._writer.submit(_keep_log, self.room.code, name, log)
+        if before is not None and isinstance(before.content, Work):
+            self._writer.submit(log_path(self.room.code, before.content.log).unlink, missing_ok=True)
+
+        def look() -> Verdict | None:
+            written.result()
+            is_last = answer.id in self.room.answers
+            return judge(decode_log(log, "the log"), scene, step) if is_last else None
+
+        self._judged.append((answer.id, self._judge.submit(look)))
 
     def _take_verdicts(self) -> None:
         """What the logs say goes before what was seen of the runs."""
@@ -197,8 +216,11 @@ class Class:
             answer = self.room.answers.get(id)
             if (error := future.exception()) is not None:
                 _log.error("a log of the class %s was not kept: %s", self.room.code, error)
-            elif answer is not None and isinstance(answer.content, Work):
-                verdict = future.result()
+            elif (
+                answer is not None
+                and isinstance(answer.content, Work)
+                and (verdict := future.result()) is not None
+            ):
                 content = msgspec.structs.replace(
                     answer.content,
                     reached=verdict.reached and not verdict.refused,
@@ -238,6 +260,7 @@ class Class:
 
     def close(self) -> None:
         """Write what is new, and wait for it; the server ends."""
+        self._judge.shutdown(wait=False, cancel_futures=True)
         self._writer.shutdown(wait=True)
         if not self.ended:
             kept.write(kept.encode(self.room), self.room.code)
@@ -249,6 +272,7 @@ class Class:
         Raises:
             OSError: something of it is still on the disk; the class goes on.
         """
+        self._judge.shutdown(wait=False, cancel_futures=True)
         self._writer.shutdown(wait=True)
         kept.forget(self.room.code)
         self.ended = True
@@ -258,12 +282,11 @@ class Class:
         self.room.version += 1
 
 
-def _keep_and_judge(code: str, name: str, data: bytes, step: Step, scene: sim.Scene) -> Verdict:
-    """Write a log that was handed in, and do it again."""
+def _keep_log(code: str, name: str, data: bytes) -> None:
+    """Write a log that was handed in."""
     path = log_path(code, name)
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     write_atomically(path, data)
-    return judge(decode_log(data, "the log"), scene, step)
 
 
 MOST_CLASSES = 20

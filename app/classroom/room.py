@@ -15,6 +15,7 @@ import hashlib
 import math
 import secrets
 import unicodedata
+from collections.abc import Collection
 from typing import Annotated
 
 import msgspec
@@ -35,6 +36,9 @@ MOST_LETTERS = 140
 MOST_NAME = 20
 """Letters of a name that a pupil has chosen, where the teacher allows that."""
 
+MOST_MARKS = 3
+"""Marks above and below one letter; no language has more, and heaps of them cover other lines."""
+
 MOST_ANSWERS = 200
 """Answers of one seat, which no lesson comes near."""
 
@@ -42,7 +46,10 @@ MOST_STOPS = 60
 """Stops of a class."""
 
 Id = Annotated[str, Meta(pattern=r"^[0-9a-f]{16}$")]
-Coordinate = Annotated[float, Meta(ge=-1e7, le=1e7)]
+FARTHEST = 1e7
+"""Coordinate of a prediction, in the scene's units."""
+
+Coordinate = Annotated[float, Meta(ge=-FARTHEST, le=FARTHEST)]
 
 
 class Phase(enum.Enum):
@@ -192,14 +199,17 @@ def digest(secret: str) -> str:
 
 
 def plain(text: str, most: int) -> str:
-    """A text that a pupil typed, on one line and without what cannot be seen.
+    """A text that a pupil typed, on one line and without what cannot be seen or covers the lines around it.
 
     Args:
         most: letters that are kept.
     """
-    seen = "".join(
-        c if unicodedata.category(c)[0] not in "CZ" else " " for c in unicodedata.normalize("NFC", text)
-    )
+    seen, marks = "", 0
+    for c in unicodedata.normalize("NFC", text):
+        kind = unicodedata.category(c)[0]
+        marks = marks + 1 if kind == "M" else 0
+        if marks <= MOST_MARKS:
+            seen += " " if kind in "CZ" else c
     return " ".join(seen.split())[:most].strip()
 
 
@@ -423,11 +433,15 @@ class Room(Struct, kw_only=True):
         self.version += 1
 
     # --------------------------------------------------------------------- the pupils
-    def enter(self, secret: str) -> Seat:
+    def enter(self, secret: str, here: Collection[int] | None = None) -> Seat:
         """The seat of a browser: the one that it had, or a new one.
+
+        In a full class a new one takes the place of one where nobody sits and that gave nothing: nobody keeps
+        others out by coming in again and again.
 
         Args:
             secret: of the browser.
+            here: numbers of the seats that somebody sits at; None for all.
 
         Raises:
             Refused: the class is closed or full, or the seat was sent away.
@@ -441,7 +455,13 @@ class Room(Struct, kw_only=True):
         if not self.is_open:
             raise Refused("The class has begun; ask your teacher to open the door.")
         if sum(not seat.removed for seat in self.seats.values()) >= MOST_SEATS:
-            raise Refused(f"The class is full: it has {MOST_SEATS} seats.")
+            needed = {answer.seat for answer in self.answers.values()} | set(
+                self.seats if here is None else here
+            )
+            idle = next((n for n, seat in self.seats.items() if n not in needed and not seat.removed), None)
+            if idle is None:
+                raise Refused(f"The class is full: it has {MOST_SEATS} seats.")
+            del self.seats[idle]
         number = max(self.seats, default=0) + 1
         name = names.new_name([seat.given for seat in self.seats.values()])
         seat = Seat(number, token, name, names.color_of(name), name)
@@ -531,7 +551,7 @@ class Room(Struct, kw_only=True):
         if asked is None:
             raise Refused("The class has not been asked for that.")
         content = self._fitting(answer)
-        before = next((a for a in self.answers.values() if a.place == answer.place), None)
+        before = self.before(answer)
         if before is not None and before.turn >= answer.turn:
             return False
         if before is not None and asked.shown:
@@ -544,6 +564,11 @@ class Room(Struct, kw_only=True):
         self.answers[answer.id] = taken
         self.version += 1
         return True
+
+    def before(self, answer: Answer) -> Answer | None:
+        """The answer whose place another one takes."""
+        mine = (other for other in self.answers.values() if other.seat == answer.seat)
+        return next((other for other in mine if other.place == answer.place), None)
 
     # --------------------------------------------------------------------- what there is
     def given(self, stop: int, round: int, kind: type[Content]) -> list[Answer]:
@@ -597,12 +622,20 @@ class Room(Struct, kw_only=True):
                 masses = len(self.scenes[self.stops[answer.stop].scene].masses)
                 if step is None or step.predict is None or len(points) != masses:
                     raise Refused("That is no place for this body.")
-                if not all(math.isfinite(x) and math.isfinite(y) for x, y in points):
+                # What is on the disk is read by the same bounds, which NaN is not within either.
+                if not all(-FARTHEST <= c <= FARTHEST for point in points for c in point):
                     raise Refused("That is no place for this body.")
             case Line(text):
                 if not (text := plain(text, MOST_LETTERS)):
                     raise Refused("A line needs a letter.")
                 return Line(text)
-            case Work():
-                pass
+            case Work(found=found, setting=setting, points=points):
+                # A body that has exploded may be handed in, but JSON has no NaN.
+                finite = all(math.isfinite(c) for point in points for c in point)
+                return msgspec.structs.replace(
+                    content,
+                    found=found if found is not None and math.isfinite(found) else None,
+                    setting=setting if setting is not None and math.isfinite(setting) else None,
+                    points=points if finite else (),
+                )
         return content

@@ -60,6 +60,9 @@ from .replies import StaticFile, not_this_host, not_this_origin, respond, safety
 __all__ = ["Gate", "GateError", "GatedServer", "PortBusy", "exposure", "open_server", "page_addresses"]
 
 MAX_TABS = 64
+"""Pages at once: each has a simulation with its past, of up to some hundred MB, and a share of one thread.
+
+A class of 60 seats has room in it, with its teacher and its wall."""
 
 # All pages of a full server may come back at once, and go on doing so for a while. Who tries the letters of a
 # class one after the other needs half a day for all of them.
@@ -142,7 +145,7 @@ class Connection(ServerConnection):
     async def _answer_beat(self) -> None:
         # What is on its way is a sign of life, too; to wait behind it would hold up the page's messages.
         if not self.transport.get_write_buffer_size():
-            await self.send(viser_inside.no_messages())
+            await self.send(viser_inside.batch())
 
     def process_event(self, event: Event) -> None:
         """Cut the connection if it sends endless frames that are no messages."""
@@ -179,9 +182,11 @@ class Gate:
         embed: Sequence[str] = (),
         public: Public | None = None,
         loopback: bool = False,
+        more_tabs: int = 0,
     ) -> None:
         self.refused: Counter[Reason] = Counter()
         self.loopback = loopback
+        self._more_tabs = more_tabs
         self._public = public
         self._files = files
         self._headers = safety_headers(embed)
@@ -258,8 +263,10 @@ class Gate:
             known.add(self._public.origin)
         if len(origins) != 1 or origins[0] not in known:
             return "origin", HTTPStatus.FORBIDDEN, not_this_origin(*origins[:1])
-        if len(self._tabs - self._former(request)) >= MAX_TABS:
-            return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, "Too many tabs are open."
+        most = MAX_TABS + self._more_tabs
+        if len(self._tabs - self._former(request)) >= most:
+            sentence = f"This server is full: it has room for {most} pages. Close one that nobody needs."
+            return "tabs", HTTPStatus.SERVICE_UNAVAILABLE, sentence
         if self._connections.left < 1:
             return "rate", HTTPStatus.TOO_MANY_REQUESTS, "Too many pages connect at once. Wait for a minute."
         return None
@@ -356,6 +363,7 @@ def open_server(
     files: Mapping[str, StaticFile] | None = None,
     embed: Sequence[str] = (),
     public_url: str | None = None,
+    more_tabs: int = 0,
 ) -> GatedServer:
     """Serve viser's page on `host` and `port` (0 for any free port) behind the gate.
 
@@ -363,7 +371,7 @@ def open_server(
     (``"localhost:9000"`` for a forwarded one). `files` are served by their paths, before viser's own.
     `embed` are the origins of the sites that may show the page in a frame (``"https://school.example"``).
     `public_url` is the address by which others reach the page, through a proxy
-    (``"https://school.example/lab/"``).
+    (``"https://school.example/lab/"``). There is room for MAX_TABS pages, and `more_tabs`.
 
     Raises PortBusy if the port is taken, and GateError if the gate cannot be put in place or an origin, a
     name or an address makes no sense.
@@ -377,7 +385,7 @@ def open_server(
     address, port = listener.getsockname()[:2]
     hosts = own_authorities(address, host, port, extra_hosts)
     loopback = ipaddress.ip_address(address).is_loopback and not extra_hosts and public is None
-    gate = Gate(hosts, files or {}, embed, public, loopback)
+    gate = Gate(hosts, files or {}, embed, public, loopback, more_tabs)
 
     def options_of(viser_answer: Callable[..., Response | None]) -> dict[str, Any]:
         return {

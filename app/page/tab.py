@@ -27,7 +27,7 @@ from sim.methods.registry import METHODS
 from sim.scene.types import shown_name
 
 from ..drawing.plan import Picture, broken_of
-from ..drawing.sketch import WORLD_SIZE, Mapping
+from ..drawing.sketch import Mapping, world_size
 from ..session import commands
 from ..session.pacing import is_large
 from ..session.plots import Wish, text_of
@@ -40,6 +40,7 @@ from ..wire.to_page import Keepsake, PageState, Resumed, Run
 from . import controls
 from .answers import Answers
 from .body.view import Canvas, picture_of
+from .classroom.front import FrontView
 from .classroom.role import Role
 from .controls import Controls
 from .files import keeping, pasts
@@ -61,6 +62,9 @@ READOUTS_EVERY = 0.1
 KEEP_EVERY, KEEP_SHARE, KEEP_LATEST = 1.0, 0.001, 3.0
 """Seconds between two keepsakes, at least; the share of processor time that making them may take; and seconds
 between two, at most, whatever they take."""
+
+MOST_REQUESTS = 20
+"""What one page may ask the ticker for in a frame; what comes faster waits, or is dropped."""
 
 SHELF_EVERY = 0.3
 """Seconds between two looks whether scenes were saved or deleted, in whatever page."""
@@ -91,13 +95,6 @@ def told_of_compiling(ready: int, of: int, busy_with: str, awaited: str) -> str:
         return ""
     trouble = cache_trouble()
     return f"{text}; {trouble}" if trouble else text
-
-
-def world_size(scene: sim.Scene) -> tuple[float, float]:
-    """Width and height of a scene's frame, in the page's world."""
-    xmin, ymin, xmax, ymax = scene.view.frame
-    size = WORLD_SIZE / max(xmax - xmin, ymax - ymin)
-    return (xmax - xmin) * size, (ymax - ymin) * size
 
 
 class Submit(Protocol):
@@ -172,6 +169,7 @@ class Tab:
         self._view = Canvas(client, self._mail, self._post)
         self._role = role_of(self._mail)
         self._front: Front | None = None
+        self._front_view = FrontView(client, self._mail, self._view, self._number)
         listen(client, self.hear)
         self._asked_controls = self._checked(controls.of_query, query)
         self._scenes_controls = controls.ALL
@@ -189,6 +187,7 @@ class Tab:
 
     def leave(self) -> None:
         """The page is gone."""
+        self._front_view.leave()
         if self._role is not None:
             self._role.leave()
 
@@ -275,8 +274,8 @@ class Tab:
             self._session.post(command)
 
     # --------------------------------------------------------------------- the ticker's
-    def frame(self, budget: float, beside: Submit) -> None:
-        """One frame: `budget` seconds of computing may go into it.
+    def frame(self, budget: float, beside: Submit) -> bool:
+        """One frame, of `budget` seconds of computing at most; returns whether the page is told anything.
 
         What a heavy body needs is done by `beside`, in another thread. Until that is done the session is that
         thread's, and the page keeps its picture.
@@ -286,13 +285,13 @@ class Tab:
             if not self._under_way.done():
                 if session is not None:
                     self._set_state(session.will_play)
-                return
+                return True
             done, self._under_way = self._under_way, None
             made = done.result()
         elif session is None:
             if is_large(self._first):
                 self._under_way = beside(Session, self._first, wait=False)
-                return
+                return True
             made = Session(self._first, wait=False)
         else:
             made = session
@@ -300,12 +299,13 @@ class Tab:
             self._serve_requests(session)
             if self._role is not None:
                 self._role.frame(session)
-                if self._shows_front(session, self._role.front):
-                    return
+                told = self._looks_on(session, self._role.front)
+                if self._front is not None:
+                    return told
             self._prepare(session)
             if session.heavy:
                 self._under_way = beside(self._advance, session, budget)
-                return
+                return True
             self._advance(session, budget)
         # All at once: viser 1.1.1 sets an `asyncio.Event` from this thread at every message, which raises if
         # its event loop is just waking up from the one before. And no panel comes in parts.
@@ -313,41 +313,30 @@ class Tab:
             session = session or self._begin(made)
             self._send(session)
         self._keep(session)
+        return True
 
-    def _shows_front(self, session: Session, front: Front | None) -> bool:
-        """Show what the teacher's page does, if there is that, instead of the page's own body."""
+    def _looks_on(self, session: Session, front: Front | None) -> bool:
+        """Show what the teacher's page does, if there is that, instead of the page's own body.
+
+        Returns:
+            whether the page was told anything.
+        """
         before, self._front = self._front, front
         if (before is None) != (front is None):
             self._generation = -1
+            self._front_view.leave()
         if front is None:
             return False
+        show, anew = self._front_view.show, self._generation != session.generation
+        if not (anew or session.notices or self._notices or self._runaway):
+            return show(front, self._page.looks.dark, session.now())
         with self.client.atomic():
-            if self._generation != session.generation:
+            if anew:
+                self._front_view.leave()
                 self._rebuild(session)
-                before = None
-            another = before is None or (before.opening, before.revision) != (front.opening, front.revision)
-            if another:
-                self._mapping = Mapping.of(front.scene)
-                self._view.build(front.scene, self._page.looks.dark, front.rest_angles)
-            self._view.draw(front.picture, session.now(), force=another or not front.playing)
-            self._mail.tell(self._state_of_front(front))
             self._tell(session)
+            show(front, self._page.looks.dark, session.now())
         return True
-
-    def _state_of_front(self, front: Front) -> PageState:
-        """How things are on a page that only looks on."""
-        scene = front.scene
-        width, height = world_size(scene)
-        return PageState(
-            page=self._number,
-            scene=-1 - front.opening,  # no number of one that the page itself opens
-            title=shown_name(scene),
-            width=width,
-            height=height,
-            unit=scene.view.unit,
-            playing=front.playing,
-            speed=front.speed,
-        )
 
     def _send(self, session: Session) -> None:
         """Send what the page does not know yet."""
@@ -636,7 +625,8 @@ class Tab:
 
     def _serve_requests(self, session: Session) -> None:
         self._page.serve()
-        while self._requests:
+        # No more in a frame than a person can ask for: others wait for the same thread.
+        for _ in range(min(len(self._requests), MOST_REQUESTS)):
             self._requests.popleft()(session)
 
     # --------------------------------------------------------------------- what was asked for

@@ -44,6 +44,9 @@ from ..page.tab import Tab
 from ..wire.carrier import Mail
 from .ticker import Ticker
 
+PAGES_OF_CLASS = 40
+"""Pages for which there is room beside the others, for each class after the first."""
+
 
 @contextlib.contextmanager
 def serving(
@@ -112,6 +115,7 @@ def serving(
             files=page_files(),
             embed=embed,
             public_url=public_url,
+            more_tabs=0 if classes is None else PAGES_OF_CLASS * max(0, len(list(classes)) - 1),
         )
     try:
         _set_stage(server)

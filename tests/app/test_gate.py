@@ -199,6 +199,7 @@ def test_tabs_are_limited(sandbox: Sandbox, monkeypatch: pytest.MonkeyPatch) -> 
     with pytest.raises(InvalidStatus) as refused:
         sandbox.page()
     assert refused.value.response.status_code == 503
+    assert b"room for 3 pages" in refused.value.response.body
     assert all(user.works() for user in (first, *others))
     first.page.close()
 

@@ -9,7 +9,7 @@ from typing import Literal
 import msgspec
 import numpy as np
 
-from app.classroom.live import Class, Front, is_key
+from app.classroom.live import Class, Doing, Front, is_key
 from app.classroom.room import FREE, PHASE_OF, Phase, Refused, Vote, Work
 from sim.errors import InputError, SettingError
 
@@ -72,6 +72,7 @@ class DeskRole(ClassRole):
         self._speed: float | None = None  # before a slow replay, while there is one
         self._begins = False
         self._packing: Future[bytes] | None = None
+        self._posters: tuple[tuple[int, Doing], ...] | None = None
 
     @property
     def controls(self) -> Controls | None:
@@ -123,13 +124,15 @@ class DeskRole(ClassRole):
         if self.klass.desk is self:
             self._lead(session)
         doing = self.klass.doing if self.room.phase in FREE else {}
-        springs = self.klass.scene(self.room.at).linear_springs if self.room.phase in FREE else ()
-        self._mail.tell(
-            Posters(
-                places={str(number): one.places for number, one in doing.items()},
-                springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MOST_PLACES),
+        if (posters := tuple(doing.items())) != self._posters:
+            self._posters = posters
+            springs = self.klass.scene(self.room.at).linear_springs if self.room.phase in FREE else ()
+            self._mail.tell(
+                Posters(
+                    places={str(number): one.places for number, one in posters},
+                    springs=tuple((s.a, s.b) for s in springs if max(s.a, s.b) < MOST_PLACES),
+                )
             )
-        )
         words = (one.word for one in doing.values())
         if self._is_new(self.klass.written, self._again, tuple(self.klass.tried), *words):
             self._mail.tell(self._state())
@@ -260,7 +263,7 @@ class DeskRole(ClassRole):
                 session.post(commands.Play(True))
         else:
             self._follow_run(session)
-        self.klass.front = self._shown(session)
+        self.klass.front = self._shown(session, self.klass.front, self.klass.audience)
 
     def _open(self, session: Session) -> None:
         try:

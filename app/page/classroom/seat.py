@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections import deque
+
 import msgspec
 import numpy as np
+import viser
 
 import sim
 from app.classroom.judge import GoalWatch, Meter
 from app.classroom.live import Class, Doing, Front, Word
-from app.classroom.room import FREE, Answer, Ghost, Line, Refused, Vote, Work
+from app.classroom.room import FREE, MOST_ANSWERS, Answer, Ghost, Line, Refused, Vote, Work
 from app.classroom.room import Seat as SeatOfRoom
 from sim.errors import InputError, SettingError
 from sim.scene.lesson import Step
@@ -30,6 +33,12 @@ _OWN = (*_HANDS, from_page.Visit, from_page.Perform, from_page.Pick, from_page.S
 _ALWAYS = (from_page.InSeat, from_page.Who, from_page.Unread)
 
 
+MOST_TRIES = 5
+"""Pairs of digits that one page can try, of a hundred, to take a seat over."""
+
+HAND_IN_EVERY = 1.0
+"""Seconds between two runs that one page hands in: each is written, and judged by doing it again."""
+
 LOOK_EVERY = 0.5
 """Seconds between two looks at what a pupil's body does."""
 
@@ -50,7 +59,10 @@ class SeatRole(ClassRole):
         self._stop = -1
         self._paused = False
         self._session: Session | None = None
-        self._unwritten: list[tuple[int, str]] = []
+        self._unwritten: deque[tuple[int, str]] = deque(maxlen=MOST_ANSWERS)
+        self._hand_in_due = 0.0
+        self._audience: set[viser.ClientHandle] = set()  # that see its body on the wall
+        self._tries = 0
         self._watch: GoalWatch | None = None
         self._meter: Meter | None = None
         self._begun = -1
@@ -83,13 +95,18 @@ class SeatRole(ClassRole):
         return isinstance(said, _ALWAYS) or (self.front is None and isinstance(said, _OWN))
 
     def introduce(self, who: from_page.Who, session: Session) -> None:
-        self._session, self._secret = session, who.visitor
-        self._enter()
+        # One page is one browser's, and takes no seat after seat.
+        if self._secret in ("", who.visitor):
+            self._session, self._secret = session, who.visitor
+            self._enter()
 
     def hear(self, said: from_page.FromPage, session: Session) -> None:
         try:
             match said:
                 case from_page.TakeOver(digits):
+                    self._tries += 1
+                    if self._tries > MOST_TRIES:
+                        raise Refused("These were too many tries; reload the page to go on.")
                     self._sit(self.room.move(self._secret, digits))
                 case from_page.Give():
                     self._give(said)
@@ -115,7 +132,8 @@ class SeatRole(ClassRole):
         self.klass.tend()
         ready = tuple(id for version, id in self._unwritten if version <= self.klass.written)
         if ready:
-            self._unwritten = [one for one in self._unwritten if one[1] not in ready]
+            left = [one for one in self._unwritten if one[1] not in ready]
+            self._unwritten = deque(left, maxlen=MOST_ANSWERS)
             self._mail.tell(Taken(ids=ready))
         if self.seat is not None and self.front is None:
             if self._stop != self.room.at:
@@ -126,7 +144,7 @@ class SeatRole(ClassRole):
                     self.begin()
             self._look(session)
             if self.room.seat_on_wall == self._number:
-                self.klass.lent = self._shown(session)
+                self.klass.lent = self._shown(session, self.klass.lent, self._audience)
             if self._paused != self.room.paused:
                 self._paused = self.room.paused
                 session.post(commands.Play(not self._paused))
@@ -198,7 +216,7 @@ class SeatRole(ClassRole):
 
     def _enter(self) -> None:
         try:
-            self._sit(self.room.enter(self._secret))
+            self._sit(self.room.enter(self._secret, self.klass.pupils))
             self._problem = ""
         except Refused as error:
             self._problem = str(error)
@@ -227,7 +245,13 @@ class SeatRole(ClassRole):
             case from_page.GivePlaces(points=points):
                 if said.stop >= len(self.room.stops):
                     raise Refused("The class has no such step.")
-                mapping = Mapping.of(self.klass.scene(said.stop))
+                try:
+                    scene = self.klass.scene(said.stop)
+                except SettingError:
+                    raise Refused("This step cannot begin.") from None
+                if len(points) != len(scene.masses):
+                    raise Refused("That is no place for this body.")
+                mapping = Mapping.of(scene)
                 content = Ghost(tuple(mapping.to_scene(x, y) for x, y in points))
             case from_page.GiveLine(text=text):
                 content = Line(text)
@@ -246,6 +270,10 @@ class SeatRole(ClassRole):
             raise Refused("There is no run to hand in now.")
         if session.replay is not None:
             raise Refused("A log is being played; there is nothing to hand in.")
+        now = session.now()
+        if said.id not in self.room.answers and now < self._hand_in_due:
+            return  # it is not acknowledged, so that the page says it again
+        self._hand_in_due = now + HAND_IN_EVERY
         positions = session.simulation.positions[:2000]
         is_somewhere = bool(np.isfinite(positions).all())
         content = Work(

@@ -12,7 +12,7 @@ from ...drawing.plan import Picture
 from ...session.session import Session
 from ...wire.carrier import Mail
 from ...wire.to_page import Wall, WallLine
-from .role import ClassRole, asking, found_by, law_of, over, predictions
+from .role import ClassRole, asking, found_by, law_of, over, plan_numbers, predictions
 
 
 class WallRole(ClassRole):
@@ -105,7 +105,14 @@ class WallRole(ClassRole):
         opening = self._first_opening + self._works
         angles = np.array([spring.rest_angle for spring in scene.angular_springs], float)
         return Front(
-            scene, opening, 0, angles, Picture(np.array(work.points), damage=work.damage), False, 1.0
+            next(plan_numbers),
+            set(),
+            scene,
+            opening,
+            angles,
+            Picture(np.array(work.points), damage=work.damage),
+            False,
+            1.0,
         )
 
 
