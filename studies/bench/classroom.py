@@ -36,9 +36,11 @@ from sim.store.files import encode_scene
 
 from .client import CAMERA, FRAME_TIME, Decoder, is_frame, options_of, saying
 from .serving import served, warm
-from .tabs import MASSES, SETTLE, SPAN, STEER_EVERY, Visitor, visit_all
+from .tabs import SETTLE, SPAN, STEER_EVERY, Visitor, visit_all
 
 PUPILS = 30
+MASSES = 12
+"""Of the rope, as many as the bodies of a lesson have, about."""
 
 AGAIN_EVERY, AFTER_WHO = 2.0, 0.2
 """Seconds between two sayings of what is not acknowledged, and from saying who one is to the first: as in
@@ -46,7 +48,7 @@ app/page/classroom/outbox.js."""
 
 
 def a_lesson(masses: int = MASSES) -> sim.Scene:
-    """The rope of `softrod bench tabs`, with a step that asks for all that a class can be asked."""
+    """A rope as that of `softrod bench tabs`, with a step that asks for all that a class can be asked."""
     euler = sim.Integrator(method="symplectic_euler")
     rope = sim.rope(masses, length=300.0, force_law="tutorial", integrator=euler)
     step = Step(
@@ -639,8 +641,8 @@ def _bench_cost(console: Console, repeats: int, cache: str) -> None:
         )  # fmt: skip
     console.print(table)
     console.print(
-        f"{PUPILS} pages each: strangers and pupils with a body of their own, followers with the teacher's. "
-        "The server of a class has the teacher's page and the wall, too."
+        f"{PUPILS} pages each: strangers and pupils with a rope of {MASSES} masses of their own, followers "
+        "with the teacher's. The server of a class has the teacher's page and the wall, too."
     )
 
 
