@@ -5,6 +5,7 @@
  */
 import { onTold, send } from "../../wire/channel.js";
 import { make, makeButton } from "../looks/dialog.js";
+import { betweenPresses } from "./anew.js";
 import { Ghosts } from "./ghost.js";
 import { beforehand } from "./beforehand.js";
 import { icon } from "./icons.js";
@@ -63,6 +64,7 @@ export function addDesk() {
   const desk = make("aside", "softrod-class softrod-desk");
   desk.ariaLabel = "Class";
   const ghosts = new Ghosts();
+  const anew = betweenPresses(desk);
   let made = "";
   onTold("predictions", ({ bodies }) => ghosts.show(bodies));
   keepPosters(desk);
@@ -83,7 +85,7 @@ export function addDesk() {
     desk.scrollTop = scrolled;
     if (focused) /** @type {HTMLElement | null} */ (desk.querySelector(`[data-focus="${focused}"]`))?.focus();
   };
-  onTold("desk", show);
+  onTold("desk", (told) => anew(() => show(told)));
   onTold("classEnded", () => {
     ghosts.show([]);
     desk.replaceChildren(make("h2", "", "The class is over"), make("p", "", "Nothing that was given is kept on this computer."));

@@ -6,6 +6,7 @@
 import { onTold, send } from "../../wire/channel.js";
 import { make, makeButton } from "../looks/dialog.js";
 import { perform } from "../../wire/perform.js";
+import { betweenPresses } from "./anew.js";
 import { Ghosts, OwnGhost } from "./ghost.js";
 import { icon } from "./icons.js";
 import { forgetAnswers, give, onOutbox, openOutbox, unsent } from "./outbox.js";
@@ -49,6 +50,7 @@ export function addSeat() {
   document.body.append(spoken);
   keepInPlace(card);
   const ghosts = new Ghosts();
+  const anew = betweenPresses(card);
   ghost = new OwnGhost(show);
   openOutbox();
   onTold("seat", (told) => {
@@ -56,7 +58,7 @@ export function addSeat() {
       [twin, typed, refusal] = [0, "", ""];
     }
     seat = told;
-    show();
+    anew(show);
   });
   onTold("predictions", ({ bodies }) => ghosts.show(bodies));
   onTold("classEnded", () => {

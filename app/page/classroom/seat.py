@@ -86,7 +86,7 @@ class SeatRole(ClassRole):
 
     @property
     def controls(self) -> Controls | None:
-        if self.front is not None or self.seat is None:
+        if self.front is not None or self.seat is None or self.room.phase not in FREE:
             return NOTHING
         step = self.room.step
         return Controls(("play", *(step.controls if step is not None else ())))
