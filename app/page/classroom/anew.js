@@ -20,9 +20,9 @@ export function betweenPresses(card) {
     waiting = null;
   };
   card.addEventListener("pointerdown", () => (isPressed = true), true);
-  for (const kind of ["pointerup", "pointercancel", "blur"]) {
-    window.addEventListener(kind, () => isPressed && setTimeout(go, CLICKS), true);
-  }
+  const release = () => isPressed && setTimeout(go, CLICKS);
+  for (const kind of ["pointerup", "pointercancel"]) window.addEventListener(kind, release, true);
+  window.addEventListener("blur", release); // the window's own: elements lose the focus during a press, too
   return (make) => {
     if (isPressed) waiting = make;
     else make();
